@@ -46,7 +46,7 @@ machines::Account account(const FrameAccount& account, std::uint64_t clocks, std
   const std::uint64_t commands = std::accumulate(work.commands.begin(), work.commands.end(), std::uint64_t{0});
   const FrameEnergy energy = energy_of(work, shown_clocks, machine);
   const ControllerAccount& controller = account.controller;
-  machines::Account told{
+  machines::Account result{
       .counts = {{"row_commands", commands},
                  {"activations", work.activations},
                  {"further_rows", work.further_rows},
@@ -72,7 +72,7 @@ machines::Account account(const FrameAccount& account, std::uint64_t clocks, std
                   {"starved", controller.starved},
                   {"jumping", controller.jumping}}},
                 {"host link", {{"sending", account.sending}, {"waiting", clocks - account.sending}}}}};
-  return told;
+  return result;
 }
 
 }  // namespace csgsim::bit_serial_memory

@@ -9,30 +9,30 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// What the chips did, as far as it costs energy. Counted of all slots.
+/// Operations of the chips that cost energy, summed over all slots.
 struct Work {
-  std::array<std::uint64_t, row_op_count> commands{};  ///< of each op, once for all slots
-  std::uint64_t activations = 0;                       ///< of rows, in all chips of a slot at once
-  std::uint64_t further_rows = 0;                      ///< that were activated with them
+  std::array<std::uint64_t, row_op_count> commands{};  ///< number of each op, counted once for all slots
+  std::uint64_t activations = 0;                       ///< row activations, in all chips of a slot at once
+  std::uint64_t further_rows = 0;                      ///< rows activated together with the first of an activation
   std::uint64_t logic = 0;                             ///< commands to the gates of a slot
-  std::uint64_t leaves = 0;                            ///< commands that bring a slot a bit from the trees
+  std::uint64_t leaves = 0;                            ///< commands that deliver a bit from the trees to a slot
   std::uint64_t transferred_bits = 0;
-  std::uint64_t refreshes = 0;  ///< of all chips
+  std::uint64_t refreshes = 0;  ///< refreshes of all chips
 
   constexpr bool operator==(const Work&) const = default;
 };
 
-/// Adds a command to all slots.
+/// Adds a command executed by all slots.
 void add(const RowCommand& command, std::uint64_t slots, std::uint64_t pixels, Work& work);
 
-/// Where the controller spent its clocks: each is in one of these.
+/// Clocks of the controller; every clock is counted under exactly one member.
 struct ControllerAccount {
   std::uint64_t issuing = 0;     ///< row commands of an instruction
-  std::uint64_t answering = 0;   ///< those of a question
-  std::uint64_t clearing = 0;    ///< those that make pixel memory 0
-  std::uint64_t refreshing = 0;  ///< the banks were closed for a refresh, and refreshed
-  std::uint64_t starved = 0;     ///< no whole command had come
-  std::uint64_t jumping = 0;     ///< the command that the host goes on with after a jump was waited for
+  std::uint64_t answering = 0;   ///< row commands of a question
+  std::uint64_t clearing = 0;    ///< row commands that clear pixel memory
+  std::uint64_t refreshing = 0;  ///< closing all banks for a refresh, and refreshing
+  std::uint64_t starved = 0;     ///< waiting for a complete command
+  std::uint64_t jumping = 0;     ///< waiting for the command at which the host resumes after a jump
 
   constexpr bool operator==(const ControllerAccount&) const = default;
 };
@@ -40,13 +40,13 @@ struct ControllerAccount {
 struct FrameAccount {
   ControllerAccount controller;
   std::uint64_t sending = 0;          ///< clocks in which a command was on the link
-  std::uint64_t scan_out_clocks = 0;  ///< in which a finished picture goes to the host
-  Work work;                          ///< scan-out included
+  std::uint64_t scan_out_clocks = 0;  ///< clocks to send a finished picture to the host
+  Work work;                          ///< includes scan-out
 
   constexpr bool operator==(const FrameAccount&) const = default;
 };
 
-/// Energy of a frame by what takes it, in picojoules.
+/// Energy of a frame by consumer, in picojoules.
 struct FrameEnergy {
   std::uint64_t activation = 0;
   std::uint64_t logic = 0;
@@ -60,10 +60,10 @@ struct FrameEnergy {
   }
 };
 
-/// Of all chips. `clocks`: until the frame has been shown.
+/// Energy of all chips. `clocks`: clocks until the frame has been shown.
 FrameEnergy energy_of(const Work& work, std::uint64_t clocks, const machines::Machine& machine);
 
-/// As it is told of a frame of so many clocks, which was shown after `shown_clocks`.
+/// Converts the counts to the account of a frame of `clocks` clocks, shown after `shown_clocks`.
 machines::Account account(const FrameAccount& account, std::uint64_t clocks, std::uint64_t shown_clocks,
                           const machines::Machine& machine);
 

@@ -10,23 +10,23 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// Keeps activations apart, as the supply of the chips asks for: tRRD from each to the next, and no more than four in
-/// tFAW.
+/// Enforces the minimum distance of activations that the chips' power supply requires: tRRD between two, and at most
+/// four within tFAW.
 class ActivationGuard final : public sc_core::sc_module {
  public:
   ActivationGuard(sc_core::sc_module_name name, const RankClocks& rank, const sc_core::sc_time& period)
       : sc_core::sc_module(name), gap_(rank.activation_gap * period), window_(rank.window * period) {}
 
-  /// The edge from which on the next activation is allowed.
+  /// First edge at which the next activation is allowed.
   [[nodiscard]] sc_core::sc_time allowed() const { return std::max(apart_, four_[oldest_]); }
-  /// There is one at this edge.
+  /// Records an activation at this edge.
   void activate() {
     const sc_core::sc_time now = systemc::now();
     apart_ = now + gap_;
     four_[oldest_] = now + window_;
     oldest_ = (oldest_ + 1) % four_.size();
   }
-  /// The edge at which four are allowed at once, as far as the window goes.
+  /// First edge at which the window allows four activations at once.
   [[nodiscard]] sc_core::sc_time idle() const { return std::max(apart_, *std::ranges::max_element(four_)); }
   void delay(const sc_core::sc_time& duration) {
     apart_ += duration;
@@ -37,7 +37,7 @@ class ActivationGuard final : public sc_core::sc_module {
   const sc_core::sc_time gap_;
   const sc_core::sc_time window_;
   sc_core::sc_time apart_;
-  std::array<sc_core::sc_time, 4> four_;  ///< of the last four, the edges at which they leave the window
+  std::array<sc_core::sc_time, 4> four_;  ///< edges at which the last four activations leave the window
   std::size_t oldest_ = 0;
 };
 

@@ -12,27 +12,27 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// A bank as the controller sees it.
+/// The controller's interface to a bank.
 class BankPort : virtual public sc_core::sc_interface {
  public:
-  /// The edge at which the bank is closed, or its gates are free.
+  /// Edge at which the bank is closed or its gates are free.
   [[nodiscard]] virtual sc_core::sc_time free() const = 0;
-  /// One of its slots carries out a command, and the bank is busy until then.
+  /// Executes a command in one of the bank's slots; the bank is busy until then.
   virtual void carry_out(const RowCommand& command, std::uint64_t slot, const sc_core::sc_time& until) = 0;
-  /// All its slots carry out a command of the gates, for so long.
+  /// Executes a gate command of that duration in all of the bank's slots.
   virtual void carry_out_in_all(const RowCommand& command, const sc_core::sc_time& duration) = 0;
-  /// Nothing is busy before then.
+  /// Keeps the bank busy at least until that edge.
   virtual void hold_until(const sc_core::sc_time& edge) = 0;
-  /// What it was busy with goes on later by so much.
+  /// Delays the command in progress by `duration`.
   virtual void delay(const sc_core::sc_time& duration) = 0;
 };
 
-/// The subarrays of a bank that hold pixels, of all chips. It counts what it is told to do.
+/// The subarrays of a bank that hold pixels, in all chips. Counts the commands that it executes.
 class Bank final : public sc_core::sc_module, public BankPort {
  public:
   sc_core::sc_port<ExpressionBits> expression{"expression"};
 
-  /// `number`: of the bank; of the slots it has those that are dealt out to it.
+  /// `number`: index of the bank; it holds the slots that are assigned to it.
   Bank(sc_core::sc_module_name name, std::uint32_t number, const Slots& slots, const RowMap& map,
        std::uint32_t picture_width);
 
@@ -42,7 +42,7 @@ class Bank final : public sc_core::sc_module, public BankPort {
   void hold_until(const sc_core::sc_time& edge) override { free_ = std::max(free_, edge); }
   void delay(const sc_core::sc_time& duration) override { free_ += duration; }
 
-  /// For a frame.
+  /// Begins a frame.
   void begin() { work_ = {}; }
   [[nodiscard]] const Work& work() const { return work_; }
   [[nodiscard]] const Subarray& subarray(std::uint64_t slot) const { return subarrays_[slot / slots_.banks]; }

@@ -7,20 +7,20 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// Which command a bank is at, for waves: it is told some before they begin.
-class BegunCommands {
+/// Tracks the command that a bank executes, for waves: commands are issued before they begin.
+class StartedCommands {
  public:
-  /// The next, which begins at that edge. It has to live until they are cleared.
+  /// Adds the next command, which begins at that edge. It must live until clear().
   void add(const RowCommand& command, const sc_core::sc_time& edge) {
     while (commands_.size() > 1 && commands_[1].edge <= sc_core::sc_time_stamp()) commands_.pop_front();
     commands_.push_back({edge, &command});
   }
   void clear() { commands_.clear(); }
 
-  /// The last that has begun, or none.
+  /// The last command that has begun; null if none.
   [[nodiscard]] const RowCommand* current() const {
     const RowCommand* last = nullptr;
-    for (const Begun& one : commands_) {
+    for (const Started& one : commands_) {
       if (one.edge > sc_core::sc_time_stamp()) break;
       last = one.command;
     }
@@ -28,12 +28,12 @@ class BegunCommands {
   }
 
  private:
-  struct Begun {
+  struct Started {
     sc_core::sc_time edge;
     const RowCommand* command = nullptr;
   };
 
-  std::deque<Begun> commands_;
+  std::deque<Started> commands_;
 };
 
 }  // namespace csgsim::bit_serial_memory

@@ -5,16 +5,16 @@
 
 namespace csgsim::bit_serial_memory {
 
-// Of scratch rows, 0 is used here; designs may use the others below these operations.
+// Scratch row 0 is used here; designs may use the others within these operations.
 
-void ColumnLogic::store_combined(Two op, Row target, Bit a, Bit b, Mask mask) {
+void ColumnLogic::store_combined(BinaryOp op, Row target, Bit a, Bit b, Mask mask) {
   combine(op, map_.scratch(0), a, b);
   store(target, Bit::of_row(map_.scratch(0)), mask);
 }
 
-void ColumnLogic::toggle(Row target) { combine(Two::unequal, target, Bit::of_row(target), enable()); }
+void ColumnLogic::toggle(Row target) { combine(BinaryOp::unequal, target, Bit::of_row(target), enable()); }
 
-void ColumnLogic::change_enable(Two op, Bit value) { combine(op, map_.enable(), enable(), value); }
+void ColumnLogic::change_enable(BinaryOp op, Bit value) { combine(op, map_.enable(), enable(), value); }
 
 void ColumnLogic::set_enable(Bit value) { assign(map_.enable(), value); }
 
@@ -22,8 +22,8 @@ void ColumnLogic::invert_enable() { assign(map_.enable(), enable(), true); }
 
 void ColumnLogic::narrow_equal(std::span<const Bit> a, std::span<const Bit> b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
-    combine(Two::unequal, map_.scratch(0), a[i], b[i]);
-    change_enable(Two::and_not, Bit::of_row(map_.scratch(0)));
+    combine(BinaryOp::unequal, map_.scratch(0), a[i], b[i]);
+    change_enable(BinaryOp::and_not, Bit::of_row(map_.scratch(0)));
   }
 }
 
@@ -32,14 +32,14 @@ void ColumnLogic::drop_where_any(std::span<const Bit> bits, Mask mask) {
   const Row any = map_.scratch(0);
   Bit found = bits.front();
   for (const Bit bit : bits.subspan(1)) {
-    combine(Two::disjunction, any, found, bit);
+    combine(BinaryOp::disjunction, any, found, bit);
     found = Bit::of_row(any);
   }
   if (mask == Mask::select) {
-    combine(Two::conjunction, any, found, Bit::of_row(map_.select()));
+    combine(BinaryOp::conjunction, any, found, Bit::of_row(map_.select()));
     found = Bit::of_row(any);
   }
-  change_enable(Two::and_not, found);
+  change_enable(BinaryOp::and_not, found);
 }
 
 void ColumnLogic::store_enable(Row target) { assign(target, enable()); }

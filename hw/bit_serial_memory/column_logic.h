@@ -10,14 +10,14 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// A bit of every column: of a row, the same for all, or of the expression as the trees bring it.
+/// A bit of every column: of a row, a constant, or a bit of the expression from the trees.
 struct Bit {
   enum class Kind : std::uint8_t { row, constant, leaf };
 
   Kind kind = Kind::constant;
-  Row row = 0;            ///< of a row
-  bool one = false;       ///< of a constant
-  std::uint8_t leaf = 0;  ///< of a leaf: number of the bit
+  Row row = 0;            ///< valid for kind row
+  bool one = false;       ///< valid for kind constant
+  std::uint8_t leaf = 0;  ///< valid for kind leaf: number of the bit
 
   static constexpr Bit of_row(unsigned row) { return {Kind::row, static_cast<Row>(row), false, 0}; }
   static constexpr Bit constant(bool one) { return {Kind::constant, 0, one, 0}; }
@@ -28,17 +28,17 @@ struct Bit {
 };
 
 /// Operations on two bits.
-enum class Two : std::uint8_t { conjunction, disjunction, unequal, and_not };
+enum class BinaryOp : std::uint8_t { conjunction, disjunction, unequal, and_not };
 
-/// Which columns are written.
+/// Columns that are written: those with E = 1, or the selected ones.
 enum class Mask : std::uint8_t { enable, select };
 
-/// A sum a + b + chain, or a difference a - b - chain; the chain is its carry or borrow.
+/// A sum a + b + chain, or a difference a - b - chain, where the chain is the carry or borrow.
 enum class Chain : std::uint8_t { sum, difference };
 
-/// Makes operations on all columns of row commands, as a design does them. Targets are rows; an operand may be the
-/// target. E stands for the enable bit of each column. Between two calls intermediate results stay where the design
-/// has them; `begin` comes first in an instruction, `end` last.
+/// Translates operations on all columns to the row commands of a design. Targets are rows; an operand may be the
+/// target. E denotes the enable bit of each column. Between two calls, intermediate results stay in the design's
+/// storage; each instruction finishes with `end`.
 class ColumnLogic {
  public:
   ColumnLogic(const RowMap& map, bool enable_latch, RowCommands& commands)
@@ -54,38 +54,38 @@ class ColumnLogic {
   /// target := value, or its complement, in the columns of the mask.
   virtual void store(Row target, Bit value, Mask mask, bool inverted = false) = 0;
   /// target := a op b.
-  virtual void combine(Two op, Row target, Bit a, Bit b) = 0;
+  virtual void combine(BinaryOp op, Row target, Bit a, Bit b) = 0;
   /// target := a op b in the columns of the mask.
-  virtual void store_combined(Two op, Row target, Bit a, Bit b, Mask mask);
-  /// target := yes where `condition` is 1, else no.
+  virtual void store_combined(BinaryOp op, Row target, Bit a, Bit b, Mask mask);
+  /// target := yes where `condition` is 1, otherwise no.
   virtual void choose(Row target, Row condition, Bit yes, Bit no) = 0;
   /// target := target xor E.
   virtual void toggle(Row target);
 
-  /// A row that the operations to come read often.
+  /// Announces a row that following operations read often.
   virtual void hold(Row /*row*/) {}
 
-  /// Sets the carry or borrow.
+  /// Initializes the carry or borrow.
   virtual void begin_chain(Chain chain, bool one) = 0;
   /// target := a + b + carry, or a - b - borrow.
   virtual void sum(Row target, Bit a, Bit b) = 0;
-  /// The same in the columns of the mask; elsewhere the chain is of no use then.
+  /// Like sum(), in the columns of the mask; in other columns the chain is invalid afterwards.
   virtual void store_sum(Row target, Bit a, Bit b, Mask mask) = 0;
-  /// The carry or borrow alone.
+  /// Computes only the carry or borrow.
   virtual void carry(Bit a, Bit b) = 0;
   /// target := carry or borrow, or its complement.
   virtual void assign_chain(Row target, bool inverted) = 0;
 
   /// E := E and the carry or borrow, or its complement.
   virtual void narrow_by_chain(bool inverted) = 0;
-  /// Selects where E and the carry or borrow, or its complement, are 1.
+  /// Selects the columns where E and the carry or borrow, or its complement, are 1.
   virtual void select_by_chain(bool inverted) = 0;
   /// E := E op value.
-  virtual void change_enable(Two op, Bit value);
-  /// E := value, or not E.
+  virtual void change_enable(BinaryOp op, Bit value);
+  /// E := value; invert_enable(): E := not E.
   virtual void set_enable(Bit value);
   virtual void invert_enable();
-  /// E := E and a = b, bit by bit; both are equally long.
+  /// E := E and a = b, bit by bit; both have equal lengths.
   virtual void narrow_equal(std::span<const Bit> a, std::span<const Bit> b);
   /// E := E and not (mask and any of the bits).
   virtual void drop_where_any(std::span<const Bit> bits, Mask mask);
@@ -94,7 +94,7 @@ class ColumnLogic {
 
   /// Leaves E at the sense amplifiers.
   virtual void sense_enable();
-  /// The row that holds E, after having written it if need be.
+  /// Row that holds E, written first if necessary.
   virtual Row enable_row();
 
   void emit(const RowCommand& command) { commands_.push_back(command); }
@@ -110,7 +110,7 @@ class ColumnLogic {
   RowCommands& commands_;
 };
 
-/// As the design does them, put behind `commands`. What is referred to has to live as long.
+/// Creates the logic of a design, which appends to `commands`. References must outlive the result.
 std::unique_ptr<ColumnLogic> make_column_logic(Design design, const RowMap& map, bool enable_latch,
                                                RowCommands& commands);
 

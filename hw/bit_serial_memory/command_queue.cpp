@@ -7,7 +7,7 @@ namespace csgsim::bit_serial_memory {
 void CommandQueue::put(LinkedCommand command, std::uint64_t request) {
   if (request != request_) return;
   commands_.push_back(std::move(command));
-  command_came_.notify(sc_core::SC_ZERO_TIME);
+  command_arrived_.notify(sc_core::SC_ZERO_TIME);
 }
 
 LinkedCommand CommandQueue::take() {

@@ -14,14 +14,14 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// Numbers what the controller has carried out, for who watches. Takes no clock.
+/// Numbers the commands that the controller has executed, for run listeners. Takes no clock.
 class Completion final : public sc_core::sc_module, public ProgressPort {
  public:
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
   Completion(sc_core::sc_module_name name, const MemoryView& pixels) : sc_core::sc_module(name), pixels_(pixels) {}
 
-  /// The segments have to live until the frame is drawn.
+  /// The segments must outlive the frame.
   void begin(std::span<const isa::Segment> segments);
 
   void before_instruction() override { enabled_ = pixels_.count_enabled(); }
@@ -36,7 +36,7 @@ class Completion final : public sc_core::sc_module, public ProgressPort {
 
   const MemoryView& pixels_;
   std::span<const isa::Segment> segments_;
-  std::uint32_t begun_ = 0;  ///< segments
+  std::uint32_t begun_ = 0;  ///< number of segments begun
   std::uint32_t index_ = 0;
   std::uint64_t enabled_ = 0;
   std::uint64_t skipped_ = 0;

@@ -56,7 +56,7 @@ void Controller::draw() {
   }
 }
 
-/// Waits for a command, and refreshes what is due meanwhile.
+/// Waits for a command; performs refreshes that fall due meanwhile.
 isa::Command Controller::next_command() {
   std::uint64_t& waiting = jumped_ ? account_.jumping : account_.starved;
   state_ = "waiting";
@@ -73,9 +73,9 @@ isa::Command Controller::next_command() {
     const sc_core::sc_time due = figures_.rank.refresh_interval > 0 ? due_ : sc_core::sc_max_time();
     const sc_core::sc_time next = std::min(ready, due);
     if (next == sc_core::sc_max_time())
-      wait(queue->command_came());
+      wait(queue->command_arrived());
     else
-      wait(next - now, queue->command_came());
+      wait(next - now, queue->command_arrived());
     waiting += edge() - since;
   }
   jumped_ = false;
@@ -93,11 +93,11 @@ void Controller::refresh_idle() {
 
 void Controller::begin(const isa::SegmentStart& /*start*/) {
   state_ = "clearing";
-  const std::uint64_t begun = edge();
+  const std::uint64_t start_clock = edge();
   const std::uint64_t refreshing = account_.refreshing;
   squares_ = {};
   carry_out(clear_program(map_, micro_design(figures_)));
-  account_.clearing += edge() - begun - (account_.refreshing - refreshing);
+  account_.clearing += edge() - start_clock - (account_.refreshing - refreshing);
   cleared_ = true;
   progress->after_clear();
 }
@@ -105,26 +105,27 @@ void Controller::begin(const isa::SegmentStart& /*start*/) {
 void Controller::begin(const isa::Instruction& instruction) {
   state_ = "issuing";
   ordinal_ = next_ordinal_++;
-  const std::uint64_t begun = edge();
+  const std::uint64_t start_clock = edge();
   const std::uint64_t refreshing = account_.refreshing;
   progress->before_instruction();
   expression->begin(instruction.linear, squares_);
   const bool is_squares = isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::squares);
   squares_ = is_squares ? instruction.linear : isa::Linear{};
   carry_out(micro_program(instruction, map_, micro_design(figures_)));
-  if (isa::is_question(instruction.opcode)) return ask(instruction, begun, refreshing);
-  const std::uint64_t clocks = edge() - begun - (account_.refreshing - refreshing);
+  if (isa::is_question(instruction.opcode)) return answer_question(instruction, start_clock, refreshing);
+  const std::uint64_t clocks = edge() - start_clock - (account_.refreshing - refreshing);
   account_.issuing += clocks;
   progress->after_instruction(clocks, std::nullopt, 0);
 }
 
-void Controller::ask(const isa::Instruction& question, std::uint64_t begun, std::uint64_t refreshing) {
-  const std::uint64_t clocks = edge() - begun - (account_.refreshing - refreshing);
+void Controller::answer_question(const isa::Instruction& question, std::uint64_t start_clock,
+                                 std::uint64_t refreshing) {
+  const std::uint64_t clocks = edge() - start_clock - (account_.refreshing - refreshing);
   account_.answering += clocks;
   const bool any = answer_();
   const std::uint64_t skipped = isa::skipped_after(question, any ? 1 : 0);
-  const bool is_told = !isa::has_operand(isa::operands_of(question.opcode), isa::OperandKind::count);
-  progress->after_instruction(clocks, is_told ? std::optional(any) : std::nullopt, skipped);
+  const bool needs_answer = !isa::has_operand(isa::operands_of(question.opcode), isa::OperandKind::count);
+  progress->after_instruction(clocks, needs_answer ? std::optional(any) : std::nullopt, skipped);
   if (skipped == 0) return;
   next_ordinal_ += skipped;
   queue->flush();
@@ -139,7 +140,7 @@ void Controller::begin(const isa::FrameEnd& end) {
   if (shows_) scan_out(end.colour);
 }
 
-/// Refreshes that come meanwhile are no part of the frame's drawing.
+/// Refreshes during scan-out do not count towards drawing the frame.
 void Controller::scan_out(isa::Field colour) {
   state_ = "scanning out";
   const std::uint64_t refreshing = account_.refreshing;
@@ -152,12 +153,12 @@ void Controller::scan_out(isa::Field colour) {
     on_sent_row_(bit++);
   }
   wait_until(std::max(all_closed(), guard_.idle()));
-  begun_.clear();
+  started_.clear();
   account_.refreshing = refreshing;
   shown_clocks_ = edge();
 }
 
-/// All banks are closed now, and begin together.
+/// Synchronizes the banks: all are closed now, and begin together.
 void Controller::settle() {
   const sc_core::sc_time now = systemc::now();
   for (std::uint32_t bank = 0; bank < slots_.used_banks(); ++bank) banks[static_cast<int>(bank)]->hold_until(now);
@@ -172,7 +173,7 @@ void Controller::carry_out(const RowCommands& commands) {
     issue(command);
   }
   wait_until(std::max(all_closed(), guard_.idle()));
-  begun_.clear();
+  started_.clear();
 }
 
 sc_core::sc_time Controller::all_closed() const {
@@ -182,17 +183,17 @@ sc_core::sc_time Controller::all_closed() const {
   return closed;
 }
 
-/// Where the command could begin now, the refreshes that are due go before it, once all banks are closed. All else goes
-/// on later.
+/// If the command could begin now, performs the refreshes that are due first, once all banks are closed. Everything in
+/// progress is delayed.
 void Controller::refresh_before(const RowCommand& command) {
   if (figures_.rank.refresh_interval == 0 || !begins_closed(command.op)) return;
   wait_until(std::max(banks[0]->free(), guard_.allowed()));
-  const sc_core::sc_time begun = systemc::now();
-  if (begun < due_) return;
+  const sc_core::sc_time start_time = systemc::now();
+  if (start_time < due_) return;
   const std::string_view before = std::exchange(state_, "refreshing");
   wait_until(all_closed());
   while (due_ <= sc_core::sc_time_stamp()) refresh();
-  const sc_core::sc_time taken = sc_core::sc_time_stamp() - begun;
+  const sc_core::sc_time taken = sc_core::sc_time_stamp() - start_time;
   for (std::uint32_t bank = 0; bank < slots_.used_banks(); ++bank) banks[static_cast<int>(bank)]->delay(taken);
   guard_.delay(taken);
   bus_ += taken;
@@ -200,7 +201,7 @@ void Controller::refresh_before(const RowCommand& command) {
   state_ = before;
 }
 
-/// All banks are closed.
+/// Requires all banks to be closed.
 void Controller::refresh() {
   wait(time_of(figures_.rank.refresh));
   due_ += time_of(figures_.rank.refresh_interval);
@@ -210,7 +211,7 @@ void Controller::refresh() {
 void Controller::issue(const RowCommand& command) {
   ++commands_[static_cast<std::size_t>(command.op)];
   const auto in_all = [&](std::uint64_t clocks) {
-    begun_.add(command, banks[0]->free());
+    started_.add(command, banks[0]->free());
     for (std::uint32_t bank = 0; bank < slots_.used_banks(); ++bank)
       banks[static_cast<int>(bank)]->carry_out_in_all(command, time_of(clocks));
   };
@@ -241,7 +242,7 @@ void Controller::issue_to_slot(const RowCommand& command, std::uint64_t slot) {
   const std::uint64_t cycle = std::uint64_t{clocks.restore} + clocks.precharge;
   BankPort& bank = *banks[static_cast<int>(slots_.bank(slot))];
   activate_at(slot);
-  if (slot == 0) begun_.add(command, sc_core::sc_time_stamp());
+  if (slot == 0) started_.add(command, sc_core::sc_time_stamp());
   if (command.op == RowOp::receive || command.op == RowOp::send) return transfer(command, slot);
   if (command.op == RowOp::copy) {
     const sc_core::sc_time second = std::max(sc_core::sc_time_stamp() + time_of(clocks.second), guard_.allowed());

@@ -19,17 +19,17 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// What the controller tells of the commands that it has carried out.
+/// Port on which the controller reports executed commands.
 class ProgressPort : virtual public sc_core::sc_interface {
  public:
   virtual void before_instruction() = 0;
   virtual void after_clear() = 0;
-  /// `clocks`: without those of refreshes. `skipped`: instructions after it that are left out.
+  /// `clocks`: without refreshes. `skipped`: number of following instructions that are skipped.
   virtual void after_instruction(std::uint64_t clocks, std::optional<bool> answer, std::uint64_t skipped) = 0;
 };
 
-/// Takes commands from the queue, makes row commands of each and tells them to the banks, one slot after the other, as
-/// soon as the bank is free and the guard allows an activation. Every tREFI it refreshes all banks.
+/// Takes commands from the queue, translates each to row commands and issues these to the banks, one slot after
+/// another, as soon as the bank is free and the guard allows an activation. Refreshes all banks every tREFI.
 class Controller final : public sc_core::sc_module {
  public:
   sc_core::sc_port<QueueOutput> queue{"queue"};
@@ -41,26 +41,29 @@ class Controller final : public sc_core::sc_module {
   Controller(sc_core::sc_module_name name, const Figures& figures, const Slots& slots, const RowMap& map,
              unsigned link_width, const sc_core::sc_time& period);
 
-  /// Draws the frame that the host has. `shows`: it is then scanned out. `answer` tells what the host, or the line, has
-  /// made of the enable bits at the sense amplifiers.
+  /// Draws the frame in the host's memory; with `shows`, scans it out afterwards. `answer` returns the result of the
+  /// host or the wired OR for the enable bits at the sense amplifiers.
   void begin(bool shows, std::function<bool()> answer);
 
-  // Of the frame that was drawn last.
+  // Results of the frame drawn last.
   [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
   [[nodiscard]] std::uint64_t shown_clocks() const { return shown_clocks_; }
   [[nodiscard]] const ControllerAccount& account() const { return account_; }
   [[nodiscard]] const std::array<std::uint64_t, row_op_count>& commands() const { return commands_; }
   [[nodiscard]] std::uint64_t refreshes() const { return refreshes_; }
-  /// Calls this with each row that goes to the host when the picture is scanned out.
+  /// Registers a function to call for each row sent to the host during scan-out.
   void on_sent_row(std::function<void(unsigned bit)> call) { on_sent_row_ = std::move(call); }
 
-  // For waves.
+  // Shown in waves.
   [[nodiscard]] std::string_view state() const { return state_; }
   [[nodiscard]] std::optional<std::uint64_t> ordinal() const { return ordinal_; }
-  [[nodiscard]] bool cleared() const { return cleared_; }  ///< pixel memory has been, for the frame that is drawn
-  /// Of the first bank.
+  [[nodiscard]] bool cleared() const {
+    return cleared_;
+  }  ///< whether pixel memory has been cleared for the current
+     ///< frame
+  /// Row command of the first bank.
   [[nodiscard]] std::string row_command() const {
-    const RowCommand* const current = begun_.current();
+    const RowCommand* const current = started_.current();
     return current == nullptr ? "" : text_of(*current);
   }
 
@@ -72,7 +75,7 @@ class Controller final : public sc_core::sc_module {
   void begin(const isa::SegmentEnd& /*end*/) {}
   void begin(const isa::FrameEnd& end);
   void begin(const isa::Instruction& instruction);
-  void ask(const isa::Instruction& question, std::uint64_t begun, std::uint64_t refreshing);
+  void answer_question(const isa::Instruction& question, std::uint64_t start_clock, std::uint64_t refreshing);
   void scan_out(isa::Field colour);
 
   void carry_out(const RowCommands& commands);
@@ -104,11 +107,11 @@ class Controller final : public sc_core::sc_module {
   bool ended_ = false;
   bool jumped_ = false;
   bool cleared_ = false;
-  sc_core::sc_time origin_;  ///< of the frame's first edge
-  sc_core::sc_time due_;     ///< the next refresh
-  sc_core::sc_time bus_;     ///< free
+  sc_core::sc_time origin_;  ///< time of the frame's first edge
+  sc_core::sc_time due_;     ///< time of the next refresh
+  sc_core::sc_time bus_;     ///< time from which the data bus is free
   std::uint64_t next_ordinal_ = 0;
-  isa::Linear squares_;  ///< that the next instruction's expression has besides
+  isa::Linear squares_;  ///< additional terms of the next instruction's expression
   std::uint64_t clocks_ = 0;
   std::uint64_t shown_clocks_ = 0;
   std::uint64_t refreshes_ = 0;
@@ -116,7 +119,7 @@ class Controller final : public sc_core::sc_module {
   std::array<std::uint64_t, row_op_count> commands_{};
   std::string_view state_;
   std::optional<std::uint64_t> ordinal_;
-  BegunCommands begun_;
+  StartedCommands started_;
 };
 
 }  // namespace csgsim::bit_serial_memory

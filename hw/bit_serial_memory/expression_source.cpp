@@ -10,7 +10,7 @@ void ExpressionSource::begin(const isa::Linear& linear, const isa::Linear& squar
   for (std::vector<std::uint64_t>& values : values_) values.clear();
 }
 
-void ExpressionSource::work_out(std::uint64_t slot) {
+void ExpressionSource::compute_values(std::uint64_t slot) {
   const auto number = [](std::int64_t of) { return static_cast<std::uint64_t>(of); };
   std::vector<std::uint64_t>& values = values_[slot];
   values.reserve(slots_.columns(slot));
@@ -24,7 +24,7 @@ void ExpressionSource::work_out(std::uint64_t slot) {
 }
 
 void ExpressionSource::bits(std::uint64_t slot, unsigned bit, std::span<std::uint64_t> words) {
-  if (values_[slot].empty()) work_out(slot);
+  if (values_[slot].empty()) compute_values(slot);
   std::ranges::fill(words, 0);
   for (std::size_t column = 0; column < values_[slot].size(); ++column)
     words[column / 64] |= (values_[slot][column] >> bit & 1U) << column % 64;

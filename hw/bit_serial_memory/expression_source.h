@@ -11,16 +11,16 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// Where the bits of an expression come from, column by column.
+/// Source of the bits of an expression, column by column.
 class ExpressionBits : virtual public sc_core::sc_interface {
  public:
-  /// Of the instruction to come; `squares`: what the one before it has left.
+  /// Begins the next instruction's expression; `squares`: terms set by the preceding instruction.
   virtual void begin(const isa::Linear& linear, const isa::Linear& squares) = 0;
-  /// A bit of it in each column of a slot.
+  /// Writes one bit of the expression for each column of a slot.
   virtual void bits(std::uint64_t slot, unsigned bit, std::span<std::uint64_t> words) = 0;
 };
 
-/// The host, or the multiplier trees, which work A*x + B*y + C out for each column of their own.
+/// The host, or the multiplier trees, which compute A*x + B*y + C for each column.
 class ExpressionSource final : public sc_core::sc_module, public ExpressionBits {
  public:
   ExpressionSource(sc_core::sc_module_name name, const Slots& slots, std::uint32_t width)
@@ -30,13 +30,13 @@ class ExpressionSource final : public sc_core::sc_module, public ExpressionBits 
   void bits(std::uint64_t slot, unsigned bit, std::span<std::uint64_t> words) override;
 
  private:
-  void work_out(std::uint64_t slot);
+  void compute_values(std::uint64_t slot);
 
   const Slots slots_;
-  const std::uint32_t width_;  ///< of the picture
+  const std::uint32_t width_;  ///< width of the picture
   isa::Linear linear_;
   isa::Linear squares_;
-  std::vector<std::vector<std::uint64_t>> values_;  ///< of each slot, as far as they have been asked for
+  std::vector<std::vector<std::uint64_t>> values_;  ///< values of each slot, computed on first use
 };
 
 }  // namespace csgsim::bit_serial_memory

@@ -17,7 +17,7 @@ struct Digit {
   bool negative = false;
 };
 
-/// Non-adjacent digits 1 and -1 that make up the number, modulo 2^width.
+/// Non-adjacent form of the number, modulo 2^width: digits 1 and -1.
 std::vector<Digit> digits_of(std::uint64_t number, unsigned width) {
   std::vector<Digit> digits;
   for (unsigned place = 0; place < width && number != 0; ++place) {
@@ -61,7 +61,7 @@ Bit bit_of(const Term& term, unsigned bit) {
   return place < term.rows.size() ? Bit::of_row(term.rows[place]) : Bit::constant(false);
 }
 
-/// Adds a term to the sum; of the bits below `first_kept` nobody asks for the sum any more.
+/// Adds a term to the sum; sum bits below `first_kept` are no longer needed.
 void add(const Term& term, unsigned first_kept, std::vector<Bit>& sum, ColumnLogic& logic) {
   if (term.rows.empty()) logic.hold(term.coordinate);
   logic.begin_chain(term.subtracted ? Chain::difference : Chain::sum, false);
@@ -93,7 +93,7 @@ std::vector<Term> terms_of(std::int64_t coefficient, std::span<const Row> coordi
   return bits_to_add(by_digit, width) <= bits_to_add(by_coordinate, width) ? by_digit : by_coordinate;
 }
 
-std::vector<Bit> sum_expression(const isa::Linear& linear, Wanted wanted, ColumnLogic& logic) {
+std::vector<Bit> sum_expression(const isa::Linear& linear, RequiredBits required, ColumnLogic& logic) {
   const RowMap& map = logic.map();
   std::vector<Term> terms =
       terms_of(linear.a, rows_of(map.x_bits, [&](unsigned bit) { return map.x(bit); }), linear.width);
@@ -104,8 +104,8 @@ std::vector<Bit> sum_expression(const isa::Linear& linear, Wanted wanted, Column
   std::vector<Bit> sum;
   for (unsigned bit = 0; bit < linear.width; ++bit)
     sum.push_back(Bit::constant((static_cast<std::uint64_t>(linear.c) >> bit & 1U) != 0));
-  const unsigned first_wanted = wanted.sign_alone ? linear.width - 1U : wanted.first;
-  for (std::size_t i = 0; i < terms.size(); ++i) add(terms[i], i + 1 == terms.size() ? first_wanted : 0, sum, logic);
+  const unsigned first_required = required.sign_alone ? linear.width - 1U : required.first;
+  for (std::size_t i = 0; i < terms.size(); ++i) add(terms[i], i + 1 == terms.size() ? first_required : 0, sum, logic);
   return sum;
 }
 

@@ -10,8 +10,8 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// What is added to, or subtracted from, an expression in one go: bit i, from `first` on, is the row `rows[i - first]`
-/// or, without rows, bit i of `multiple` in the columns where the row `coordinate` is 1. Above the last row it is 0.
+/// A term added to, or subtracted from, an expression in one pass: bit i, from `first` on, is the row `rows[i - first]`
+/// or, without rows, bit i of `multiple` in the columns where the row `coordinate` is 1. Bits above the last row are 0.
 struct Term {
   unsigned first = 0;
   bool subtracted = false;
@@ -22,19 +22,19 @@ struct Term {
   bool operator==(const Term&) const = default;
 };
 
-/// The terms of coefficient * coordinate, modulo 2^width, whose bits are in these rows. Of two ways that with fewer
-/// bits to add: the coordinate once for each digit of the coefficient (1 or -1, as few as there can be), or the
-/// coefficient once for each bit of the coordinate.
+/// Terms of coefficient * coordinate, modulo 2^width; `coordinate` lists the rows of its bits. Chooses the form with
+/// fewer bits to add: the coordinate once per nonzero digit of the coefficient (1 or -1, in the minimal number), or the
+/// coefficient once per bit of the coordinate.
 std::vector<Term> terms_of(std::int64_t coefficient, std::span<const Row> coordinate, unsigned width);
 
-/// Which bits of F are wanted: those from `first` on, or the sign alone.
-struct Wanted {
+/// Required bits of F: those from `first` on, or only the sign.
+struct RequiredBits {
   unsigned first = 0;
   bool sign_alone = false;
 };
 
-/// Sums A*x + B*y + C, modulo 2^width, of the rows of x and y. Returns its bits; those that are not wanted need not be
-/// right.
-std::vector<Bit> sum_expression(const isa::Linear& linear, Wanted wanted, ColumnLogic& logic);
+/// Sums A*x + B*y + C, modulo 2^width, from the rows of x and y. Returns its bits; bits that are not required may be
+/// wrong.
+std::vector<Bit> sum_expression(const isa::Linear& linear, RequiredBits required, ColumnLogic& logic);
 
 }  // namespace csgsim::bit_serial_memory

@@ -28,44 +28,44 @@ void HostLink::load(const link::FrameWords& frame) {
   begins_.clear();
   for (const std::size_t word : frame.begins)
     begins_.push_back(static_cast<std::size_t>(std::ranges::lower_bound(first_words, word) - first_words.begin()));
-  asked_ = 0;
+  requests_taken_ = 0;
   sending_ = 0;
 }
 
 void HostLink::work() {
   while (true) {
     state_ = "";
-    if (!is_asked()) wait(requests->data_written_event());
+    if (!has_request()) wait(requests->data_written_event());
     std::uint64_t instruction = 0;
     requests->nb_read(instruction);
-    ++asked_;
+    ++requests_taken_;
     send_from(instruction);
   }
 }
 
-bool HostLink::rest(std::uint64_t clocks) {
-  if (clocks > 0 && !is_asked()) wait(static_cast<double>(clocks) * period_, requests->data_written_event());
-  return !is_asked();
+bool HostLink::wait_clocks(std::uint64_t clocks) {
+  if (clocks > 0 && !has_request()) wait(static_cast<double>(clocks) * period_, requests->data_written_event());
+  return !has_request();
 }
 
 bool HostLink::await_room() {
-  while (!queue->has_room() && !is_asked()) wait(queue->room_made() | requests->data_written_event());
-  return !is_asked();
+  while (!queue->has_room() && !has_request()) wait(queue->room_made() | requests->data_written_event());
+  return !has_request();
 }
 
 void HostLink::send_from(std::uint64_t instruction) {
   state_ = "waiting";
-  if (!rest(link_.latency)) return;
+  if (!wait_clocks(link_.latency)) return;
   const std::size_t first = instruction == 0 ? 0 : begins_[instruction];
   for (std::size_t i = first; i < commands_.size(); ++i) {
     state_ = "blocked";
     if (!await_room()) return;
     state_ = "sending";
-    const sc_core::sc_time begun = systemc::now();
-    const bool whole = rest(commands_[i].size() * std::uint64_t{link_.word_clocks});
-    sending_ += (sc_core::sc_time_stamp() - begun).value() / period_.value();
+    const sc_core::sc_time start_time = systemc::now();
+    const bool whole = wait_clocks(commands_[i].size() * std::uint64_t{link_.word_clocks});
+    sending_ += (sc_core::sc_time_stamp() - start_time).value() / period_.value();
     if (!whole) return;
-    queue->put({commands_[i], sc_core::sc_time_stamp()}, asked_ - 1);
+    queue->put({commands_[i], sc_core::sc_time_stamp()}, requests_taken_ - 1);
   }
 }
 

@@ -11,9 +11,9 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// The host's end of the link: its memory holds a frame's commands. A request names the instruction to go on from; the
-/// first word is on the link Link::latency clocks after it, and each word for Link::word_clocks. The words of a command
-/// follow each other; a command is begun when there is room for it in the queue.
+/// The host's end of the link; its memory holds a frame's commands. A request names the instruction at which to resume.
+/// The first word is on the link Link::latency clocks after the request, and each word for Link::word_clocks clocks.
+/// The words of a command are contiguous; a command begins when the queue has room for it.
 class HostLink final : public sc_core::sc_module {
  public:
   sc_core::sc_fifo_in<std::uint64_t> requests{"requests"};
@@ -21,7 +21,7 @@ class HostLink final : public sc_core::sc_module {
 
   HostLink(sc_core::sc_module_name name, const machines::Link& link, const sc_core::sc_time& period);
 
-  /// Puts a frame into the host's memory.
+  /// Loads a frame into the host's memory.
   void load(const link::FrameWords& frame);
 
   /// Clocks of the frame in which a command was on the link.
@@ -31,16 +31,16 @@ class HostLink final : public sc_core::sc_module {
  private:
   void work();
   void send_from(std::uint64_t instruction);
-  /// Until then, or until a request comes: says whether none has.
-  bool rest(std::uint64_t clocks);
+  /// Waits for the clocks or for a request. Returns whether no request has arrived.
+  bool wait_clocks(std::uint64_t clocks);
   bool await_room();
-  [[nodiscard]] bool is_asked() const { return requests->num_available() > 0; }
+  [[nodiscard]] bool has_request() const { return requests->num_available() > 0; }
 
   const machines::Link link_;
   const sc_core::sc_time period_;
   std::vector<std::vector<isa::LinkWord>> commands_;
-  std::vector<std::size_t> begins_;  ///< for each instruction, and one more, the command to go on with
-  std::uint64_t asked_ = 0;          ///< requests of this frame
+  std::vector<std::size_t> begins_;   ///< one entry per instruction, and one more: the command at which to resume
+  std::uint64_t requests_taken_ = 0;  ///< number of requests in this frame
   std::uint64_t sending_ = 0;
   std::string_view state_;
 };

@@ -1,3 +1,5 @@
+// The bit-serial-memory kind of machine.
+// Used by the machine's modules, and by the disasm command to recognize such machines.
 #pragma once
 
 #include "hw/bit_serial_memory/figures.h"
@@ -5,22 +7,23 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// Chips of dynamic memory whose subarrays compute: a pixel a column, a bit of pixel memory a row.
+/// The bit-serial-memory kind: DRAM chips whose subarrays compute, with one pixel per column and one bit of pixel
+/// memory per row.
 class Kind final : public machines::KindOf<Figures> {
  public:
   using KindOf::KindOf;
 
   void complete(Machine& machine) const override;
   void set_picture(Machine& machine, machines::Size size) const override;
-  /// By the wired OR, or by the host, which reads the row of all enable bits.
+  /// The global OR uses the wired OR, or the host, which reads the row of all enable bits.
   bool has_global_or(const Machine& /*machine*/) const override { return true; }
   std::vector<isa::Region> regions(const Machine& machine) const override;
   void check(const Program& program, const Machine& machine) const override;
-  /// One to take it, and those of its row commands at all subarrays that hold pixels.
+  /// One clock to take the instruction, and those of its row commands in all subarrays that hold pixels.
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
-  machines::FrameTiming time(const Program& program, const Machine& machine, const Told& told) const override;
-  /// When the row commands of an instruction are carried out, at all pixels.
-  std::optional<Timeline> timeline(const Program& program, const Machine& machine, const Told& told) const override;
+  machines::FrameTiming time(const Program& program, const Machine& machine, const Told& outcomes) const override;
+  /// Clocks in which the row commands of an instruction execute, at all pixels.
+  std::optional<Timeline> timeline(const Program& program, const Machine& machine, const Told& outcomes) const override;
   Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
                  std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;

@@ -22,8 +22,8 @@ void LatchLogic::write(Row row) {
   emit({.op = RowOp::write, .to = WordLines(row)});
 }
 
-/// Of what `sense` has. Without gated writes the other columns are written with what the row had: the value waits in a
-/// latch while that is read.
+/// Writes the content of `sense`. Without gated writes, the other columns are rewritten with the row's old content: the
+/// value waits in a latch while the row is read.
 void LatchLogic::write_masked(Row row, Mask mask) {
   if (held_ == row) held_.reset();
   if (enable_latch()) {
@@ -36,7 +36,7 @@ void LatchLogic::write_masked(Row row, Mask mask) {
   write(row);
 }
 
-/// Where the bit is: in `sense`, which it is brought to, or held.
+/// Latch that holds the bit: `held`, or `sense` after loading it.
 Latch LatchLogic::operand(Bit value) {
   switch (value.kind) {
     case Bit::Kind::row:
@@ -49,7 +49,7 @@ Latch LatchLogic::operand(Bit value) {
   return Latch::sense;
 }
 
-void LatchLogic::need_enable() {
+void LatchLogic::require_enable() {
   if (enable_latch() || has_enable_) return;
   read(map().enable());
   gate(Latch::enable, Gate::move, Latch::sense);
@@ -90,7 +90,7 @@ void LatchLogic::assign(Row target, Bit value, bool inverted) {
 }
 
 void LatchLogic::store(Row target, Bit value, Mask mask, bool inverted) {
-  need_enable();
+  require_enable();
   if (value.kind == Bit::Kind::constant) {
     gate(Latch::sense, value.one != inverted ? Gate::one : Gate::zero);
   } else if (const Latch from = operand(value); inverted || from != Latch::sense) {
@@ -99,23 +99,25 @@ void LatchLogic::store(Row target, Bit value, Mask mask, bool inverted) {
   write_masked(target, mask);
 }
 
-void LatchLogic::combine_latches(Two op, Latch target, Latch a, Latch b) {
+void LatchLogic::combine_latches(BinaryOp op, Latch target, Latch a, Latch b) {
   switch (op) {
-    case Two::conjunction: return gate(target, Gate::conjunction, a, b);
-    case Two::disjunction: return gate(target, Gate::disjunction, a, b);
-    case Two::unequal: return gate(target, Gate::unequal, a, b);
-    case Two::and_not: gate(Latch::sense, Gate::invert, b); return gate(target, Gate::conjunction, a, Latch::sense);
+    case BinaryOp::conjunction: return gate(target, Gate::conjunction, a, b);
+    case BinaryOp::disjunction: return gate(target, Gate::disjunction, a, b);
+    case BinaryOp::unequal: return gate(target, Gate::unequal, a, b);
+    case BinaryOp::and_not:
+      gate(Latch::sense, Gate::invert, b);
+      return gate(target, Gate::conjunction, a, Latch::sense);
   }
 }
 
-void LatchLogic::combine(Two op, Row target, Bit a, Bit b) {
+void LatchLogic::combine(BinaryOp op, Row target, Bit a, Bit b) {
   gate(spare(), Gate::move, operand(a));
   combine_latches(op, Latch::sense, spare(), operand(b));
   write(target);
 }
 
-void LatchLogic::store_combined(Two op, Row target, Bit a, Bit b, Mask mask) {
-  need_enable();
+void LatchLogic::store_combined(BinaryOp op, Row target, Bit a, Bit b, Mask mask) {
+  require_enable();
   gate(spare(), Gate::move, operand(a));
   combine_latches(op, Latch::sense, spare(), operand(b));
   write_masked(target, mask);
@@ -129,7 +131,7 @@ void LatchLogic::choose(Row target, Row condition, Bit yes, Bit no) {
 }
 
 void LatchLogic::toggle(Row target) {
-  need_enable();
+  require_enable();
   read(target);
   gate(Latch::sense, Gate::unequal, Latch::sense, Latch::enable);
   write(target);
@@ -147,10 +149,11 @@ void LatchLogic::begin_chain(Chain chain, bool one) {
   gate(carry_, one ? Gate::one : Gate::zero);
 }
 
-/// Where a and the chain differ, a carry is b; where they are equal, a borrow is b. Else the chain stays.
+/// If a and the chain differ, the carry becomes b; if they are equal, the borrow becomes b. Otherwise the chain keeps
+/// its value.
 void LatchLogic::sum_into(Latch target, Bit a, Bit b) {
-  if (chain_ == Chain::sum && b.kind == Bit::Kind::constant) return with_constant_into(target, a, b.one);
-  if (chain_ == Chain::sum && a.kind == Bit::Kind::constant) return with_constant_into(target, b, a.one);
+  if (chain_ == Chain::sum && b.kind == Bit::Kind::constant) return add_constant_into(target, a, b.one);
+  if (chain_ == Chain::sum && a.kind == Bit::Kind::constant) return add_constant_into(target, b, a.one);
   const Latch other = spare();
   gate(other, Gate::unequal, operand(a), carry_);
   const Latch second = operand(b);
@@ -161,12 +164,12 @@ void LatchLogic::sum_into(Latch target, Bit a, Bit b) {
   gate(target, Gate::unequal, other, second);
 }
 
-/// With 0 the carry is a and K, with 1 a or K.
-void LatchLogic::with_constant_into(Latch target, Bit a, bool one) {
+/// The carry is (a and chain) for constant 0, and (a or chain) for constant 1.
+void LatchLogic::add_constant_into(Latch target, Bit a, bool one) {
   const Latch first = operand(a);
   gate(spare(), one ? Gate::disjunction : Gate::conjunction, first, carry_);
   gate(target, one ? Gate::equal : Gate::unequal, first, carry_);
-  change_places();
+  swap_carry();
 }
 
 void LatchLogic::sum(Row target, Bit a, Bit b) {
@@ -174,9 +177,9 @@ void LatchLogic::sum(Row target, Bit a, Bit b) {
   write(target);
 }
 
-/// Where the target is the last operand that was read, it need not be read again: the value waits in a latch.
+/// If the target was the last operand read, it is not read again: the value waits in a latch.
 void LatchLogic::store_sum(Row target, Bit a, Bit b, Mask mask) {
-  need_enable();
+  require_enable();
   const bool is_read = !enable_latch() && b.is_row(target) && held_ != target;
   if (!is_read) {
     sum_into(Latch::sense, a, b);
@@ -187,7 +190,7 @@ void LatchLogic::store_sum(Row target, Bit a, Bit b, Mask mask) {
   write(target);
 }
 
-/// A carry or borrow with one operand that is the same in all columns.
+/// Carry or borrow with one operand that is constant over all columns.
 void LatchLogic::carry_of_constants(Bit a, Bit b) {
   const bool first = a.kind == Bit::Kind::constant;
   const bool one = first ? a.one : b.one;
@@ -216,20 +219,20 @@ void LatchLogic::assign_chain(Row target, bool inverted) {
 }
 
 void LatchLogic::narrow_by_chain(bool inverted) {
-  need_enable();
+  require_enable();
   if (inverted) gate(carry_, Gate::invert, carry_);
   gate(Latch::enable, Gate::conjunction, Latch::enable, carry_);
   mark_changed();
 }
 
 void LatchLogic::select_by_chain(bool inverted) {
-  need_enable();
+  require_enable();
   if (inverted) gate(carry_, Gate::invert, carry_);
   gate(Latch::select, Gate::conjunction, Latch::enable, carry_);
 }
 
-void LatchLogic::change_enable(Two op, Bit value) {
-  need_enable();
+void LatchLogic::change_enable(BinaryOp op, Bit value) {
+  require_enable();
   combine_latches(op, Latch::enable, Latch::enable, operand(value));
   mark_changed();
 }
@@ -243,13 +246,13 @@ void LatchLogic::set_enable(Bit value) {
 }
 
 void LatchLogic::invert_enable() {
-  need_enable();
+  require_enable();
   gate(Latch::enable, Gate::invert, Latch::enable);
   mark_changed();
 }
 
 void LatchLogic::narrow_equal(std::span<const Bit> a, std::span<const Bit> b) {
-  need_enable();
+  require_enable();
   for (std::size_t i = 0; i < a.size(); ++i) {
     gate(spare(), Gate::move, operand(a[i]));
     gate(Latch::sense, Gate::equal, spare(), operand(b[i]));
@@ -260,16 +263,16 @@ void LatchLogic::narrow_equal(std::span<const Bit> a, std::span<const Bit> b) {
 
 void LatchLogic::drop_where_any(std::span<const Bit> bits, Mask mask) {
   if (bits.empty()) return;
-  need_enable();
+  require_enable();
   gate(spare(), Gate::move, operand(bits.front()));
   for (const Bit bit : bits.subspan(1)) gate(spare(), Gate::disjunction, spare(), operand(bit));
   if (mask == Mask::select) gate(spare(), Gate::conjunction, spare(), Latch::select);
-  combine_latches(Two::and_not, Latch::enable, Latch::enable, spare());
+  combine_latches(BinaryOp::and_not, Latch::enable, Latch::enable, spare());
   mark_changed();
 }
 
 void LatchLogic::store_enable(Row target) {
-  need_enable();
+  require_enable();
   gate(Latch::sense, Gate::move, Latch::enable);
   write(target);
 }

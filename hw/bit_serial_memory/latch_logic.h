@@ -6,9 +6,9 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// Gates and latches at each sense amplifier: the operands of a bit are read one after the other, and the result is
-/// written. E is in a row, from which an instruction reads it into a latch, and back; or always in that latch, which
-/// then gates what is written. The carry goes from one of two latches to the other where that saves a command.
+/// Gates and latches at each sense amplifier: the operand bits are read one after another, and the result is written. E
+/// is in a row, from which each instruction loads it to a latch and back; or always in that latch, which then gates
+/// writes. The carry alternates between two latches where that saves a command.
 class LatchLogic final : public ColumnLogic {
  public:
   using ColumnLogic::ColumnLogic;
@@ -16,8 +16,8 @@ class LatchLogic final : public ColumnLogic {
   void end() override;
   void assign(Row target, Bit value, bool inverted) override;
   void store(Row target, Bit value, Mask mask, bool inverted) override;
-  void combine(Two op, Row target, Bit a, Bit b) override;
-  void store_combined(Two op, Row target, Bit a, Bit b, Mask mask) override;
+  void combine(BinaryOp op, Row target, Bit a, Bit b) override;
+  void store_combined(BinaryOp op, Row target, Bit a, Bit b, Mask mask) override;
   void choose(Row target, Row condition, Bit yes, Bit no) override;
   void toggle(Row target) override;
   void hold(Row row) override;
@@ -28,7 +28,7 @@ class LatchLogic final : public ColumnLogic {
   void assign_chain(Row target, bool inverted) override;
   void narrow_by_chain(bool inverted) override;
   void select_by_chain(bool inverted) override;
-  void change_enable(Two op, Bit value) override;
+  void change_enable(BinaryOp op, Bit value) override;
   void set_enable(Bit value) override;
   void invert_enable() override;
   void narrow_equal(std::span<const Bit> a, std::span<const Bit> b) override;
@@ -43,21 +43,21 @@ class LatchLogic final : public ColumnLogic {
   void write(Row row);
   void write_masked(Row row, Mask mask);
   Latch operand(Bit value);
-  void combine_latches(Two op, Latch target, Latch a, Latch b);
-  void need_enable();
+  void combine_latches(BinaryOp op, Latch target, Latch a, Latch b);
+  void require_enable();
   void mark_changed();
   [[nodiscard]] Latch spare() const { return carry_ == Latch::carry ? Latch::carry_2 : Latch::carry; }
-  void change_places() { carry_ = spare(); }
-  /// Leaves the sum, or the difference, in `target`.
+  void swap_carry() { carry_ = spare(); }
+  /// Leaves the sum or difference in `target`.
   void sum_into(Latch target, Bit a, Bit b);
-  void with_constant_into(Latch target, Bit a, bool one);
+  void add_constant_into(Latch target, Bit a, bool one);
   void carry_of_constants(Bit a, Bit b);
 
   Chain chain_ = Chain::sum;
   Latch carry_ = Latch::carry;
   std::optional<Row> held_;
-  bool has_enable_ = false;      ///< the latch has E
-  bool enable_changed_ = false;  ///< and the row has not
+  bool has_enable_ = false;      ///< the latch holds E
+  bool enable_changed_ = false;  ///< E in the latch is newer than in the row
 };
 
 }  // namespace csgsim::bit_serial_memory

@@ -65,10 +65,10 @@ void MemoryMachine::check(const isa::Program& program) const {
                     program.shape.memory_bits <= machine_.array.memory_bits;
   if (fits) return;
   throw InputError(
-      "the Program is for another picture or more memory than the machine has; compile it for this machine");
+      "the Program needs another picture size or more pixel memory than the machine has; compile it for this machine");
 }
 
-/// A row of the colour field, which is at the sense amplifiers, has gone to the host.
+/// Receives a row of the colour field from the sense amplifiers at the host.
 void MemoryMachine::collect(unsigned bit) {
   for (std::uint64_t pixel = 0; pixel < slots_.pixels; ++pixel) {
     const std::uint64_t slot = pixel / slots_.row_columns;
@@ -115,13 +115,13 @@ systemc::RunReport MemoryMachine::report() const {
                            .sending = host_.sending(),
                            .scan_out_clocks = controller_.shown_clocks() - controller_.clocks(),
                            .work = work()};
-  systemc::RunReport told{.clocks = controller_.clocks(), .answers = completion_.answers()};
-  told.skipped = completion_.skipped();
-  told.shown_clocks = controller_.shown_clocks();
-  told.interval_clocks = controller_.shown_clocks();
-  told.account = account(frame, controller_.clocks(), controller_.shown_clocks(), machine_);
-  told.picture = picture_;
-  return told;
+  systemc::RunReport result{.clocks = controller_.clocks(), .answers = completion_.answers()};
+  result.skipped = completion_.skipped();
+  result.shown_clocks = controller_.shown_clocks();
+  result.interval_clocks = controller_.shown_clocks();
+  result.account = account(frame, controller_.clocks(), controller_.shown_clocks(), machine_);
+  result.picture = picture_;
+  return result;
 }
 
 std::vector<wave::Tap> MemoryMachine::taps(const isa::Program& program, const wave::Request& request) const {

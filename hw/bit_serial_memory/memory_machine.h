@@ -19,7 +19,7 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// A memory that computes, with its controller and the host's end of the link.
+/// A computing memory, with its controller and the host's end of the link.
 class MemoryMachine final : public sc_core::sc_module, public systemc::ClockedMachine {
  public:
   MemoryMachine(sc_core::sc_module_name name, const machines::Machine& machine);
@@ -29,7 +29,7 @@ class MemoryMachine final : public sc_core::sc_module, public systemc::ClockedMa
   [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
 
  private:
-  /// Those of each bank, in order of the slots that they hold.
+  /// Creates the banks, each with its slots in order.
   std::vector<const Bank*> make_banks();
   void check(const isa::Program& program) const;
   void collect(unsigned bit);
@@ -51,7 +51,7 @@ class MemoryMachine final : public sc_core::sc_module, public systemc::ClockedMa
   Controller controller_;
   Completion completion_;
   systemc::Retirement retirement_{"retirement"};
-  std::vector<std::uint32_t> picture_;  ///< as its rows have come to the host
+  std::vector<std::uint32_t> picture_;  ///< assembled from the rows received by the host
 };
 
 }  // namespace csgsim::bit_serial_memory

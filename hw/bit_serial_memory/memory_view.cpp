@@ -8,7 +8,7 @@ namespace csgsim::bit_serial_memory {
 
 namespace {
 
-/// Values of all pixels as they were, field by field as they are asked for.
+/// Copy of the values of all pixels; fields are assembled on demand.
 class Snapshot final : public systemc::PixelView {
  public:
   Snapshot(const MemoryView& view, const RowMap& map, std::uint64_t pixels, std::uint32_t picture_width)
@@ -78,7 +78,7 @@ bool MemoryView::bit(Row row, std::uint64_t pixel) const {
   return bit_of(banks_[slots_.bank(slot)]->subarray(slot).row(row), pixel % slots_.row_columns);
 }
 
-/// Columns behind the last pixel may have any bit.
+/// Bits of columns after the last pixel are ignored, since they are undefined.
 std::uint64_t MemoryView::count_enabled() const {
   std::uint64_t count = 0;
   for (std::uint64_t slot = 0; slot < slots_.count(); ++slot) {
@@ -86,8 +86,8 @@ std::uint64_t MemoryView::count_enabled() const {
     const std::uint64_t columns = slots_.columns(slot);
     for (std::size_t word = 0; word < words.size(); ++word) {
       const std::uint64_t left = columns - word * 64;
-      const std::uint64_t there = left >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << left) - 1;
-      count += static_cast<std::uint64_t>(std::popcount(words[word] & there));
+      const std::uint64_t valid = left >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << left) - 1;
+      count += static_cast<std::uint64_t>(std::popcount(words[word] & valid));
     }
   }
   return count;

@@ -10,10 +10,10 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// The pixels of the picture, from the rows of all banks.
+/// The pixels of the picture, read from the rows of all banks.
 class MemoryView final : public systemc::PixelView {
  public:
-  /// The banks have to live as long as the view.
+  /// The banks must outlive the view.
   MemoryView(std::span<const Bank* const> banks, const Slots& slots, std::uint32_t picture_width, const RowMap& map,
              bool enable_in_latch);
 

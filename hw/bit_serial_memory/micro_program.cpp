@@ -35,7 +35,7 @@ class Compiler {
   [[nodiscard]] bool constant_bit(unsigned bit) const { return (instruction_.constant >> bit & 1U) != 0; }
 
   std::vector<Bit> value(bool sign_alone = false);
-  [[nodiscard]] std::vector<Bit> again(std::vector<Bit> f);
+  [[nodiscard]] std::vector<Bit> repeat(std::vector<Bit> f);
   void skip_fraction(unsigned bits);
   void narrow_by_sign(bool negative);
   void compare_value(const std::vector<Bit>& f, bool from_one);
@@ -45,22 +45,22 @@ class Compiler {
   void put(std::span<const Bit> f, Mask mask);
   void compare_fields(bool from_one);
   void equal_fields();
-  void combine_fields(Two op);
+  void combine_fields(BinaryOp op);
   void add_field();
   void add_value(Chain chain);
-  void ask();
+  void query_enable();
 
   const isa::Instruction& instruction_;
   const MicroDesign& design_;
   ColumnLogic& logic_;
 };
 
-/// Bits that the trees bring before those that are looked at.
+/// Discards bits that the trees deliver before the required ones.
 void Compiler::skip_fraction(unsigned bits) {
   for (unsigned bit = 0; bit < bits; ++bit) logic_.emit({.op = RowOp::leaf, .bit = static_cast<std::uint8_t>(bit)});
 }
 
-/// The bits of F from the lowest that is no fraction on, or its sign alone.
+/// Bits of F above its fraction, or only its sign.
 std::vector<Bit> Compiler::value(bool sign_alone) {
   const unsigned first = sign_alone ? linear().width - 1U : linear().shift;
   std::vector<Bit> f;
@@ -83,17 +83,17 @@ std::vector<Bit> Compiler::value(bool sign_alone) {
   return f;
 }
 
-/// For a second time that they are looked at: the trees bring them once more.
-std::vector<Bit> Compiler::again(std::vector<Bit> f) {
+/// Repeats the bits for a second use: the trees deliver them once more.
+std::vector<Bit> Compiler::repeat(std::vector<Bit> f) {
   if (design_.expressions == Expressions::trees) skip_fraction(linear().shift);
   return f;
 }
 
 void Compiler::narrow_by_sign(bool negative) {
-  logic_.change_enable(negative ? Two::conjunction : Two::and_not, value(true).back());
+  logic_.change_enable(negative ? BinaryOp::conjunction : BinaryOp::and_not, value(true).back());
 }
 
-/// Leaves in the borrow whether F < s, or F <= s from one on. Where F is negative it is.
+/// Leaves F < s in the borrow, or F <= s with `from_one`. A negative F yields 1.
 void Compiler::compare_value(const std::vector<Bit>& f, bool from_one) {
   logic_.begin_chain(Chain::difference, from_one);
   for (unsigned bit = 0; bit + 1 < f.size(); ++bit)
@@ -118,7 +118,7 @@ void Compiler::keep(bool greatest) {
   const std::vector<Bit> f = value();
   compare_value(f, greatest);
   logic_.select_by_chain(greatest);
-  put(again(f), Mask::select);
+  put(repeat(f), Mask::select);
 }
 
 void Compiler::compare_fields(bool from_one) {
@@ -129,7 +129,7 @@ void Compiler::compare_fields(bool from_one) {
 
 void Compiler::equal_fields() { logic_.narrow_equal(field_bits(0), field_bits(1)); }
 
-void Compiler::combine_fields(Two op) {
+void Compiler::combine_fields(BinaryOp op) {
   for (unsigned bit = 0; bit < width(0); ++bit)
     logic_.store_combined(op, row(0, bit), field_bit(1, bit), field_bit(2, bit), Mask::enable);
 }
@@ -147,8 +147,8 @@ void Compiler::add_value(Chain chain) {
   for (unsigned bit = 0; bit < width(0); ++bit) logic_.store_sum(row(0, bit), f[bit], field_bit(0, bit), Mask::enable);
 }
 
-/// By the wired OR, or by the host, which reads the row.
-void Compiler::ask() {
+/// Uses the wired OR, or the host, which reads the row.
+void Compiler::query_enable() {
   if (design_.has_wired_or) {
     logic_.sense_enable();
     return logic_.emit({.op = RowOp::wired_or});
@@ -162,10 +162,10 @@ void Compiler::compile() {
     case Opcode::enable_all: return logic_.set_enable(Bit::constant(true));
     case Opcode::enable_invert: return logic_.invert_enable();
     case Opcode::enable_load: return logic_.set_enable(field_bit(0, 0));
-    case Opcode::enable_and: return logic_.change_enable(Two::conjunction, field_bit(0, 0));
-    case Opcode::enable_and_not: return logic_.change_enable(Two::and_not, field_bit(0, 0));
-    case Opcode::enable_or: return logic_.change_enable(Two::disjunction, field_bit(0, 0));
-    case Opcode::enable_xor: return logic_.change_enable(Two::unequal, field_bit(0, 0));
+    case Opcode::enable_and: return logic_.change_enable(BinaryOp::conjunction, field_bit(0, 0));
+    case Opcode::enable_and_not: return logic_.change_enable(BinaryOp::and_not, field_bit(0, 0));
+    case Opcode::enable_or: return logic_.change_enable(BinaryOp::disjunction, field_bit(0, 0));
+    case Opcode::enable_xor: return logic_.change_enable(BinaryOp::unequal, field_bit(0, 0));
     case Opcode::enable_store: return logic_.store_enable(row(0, 0));
     case Opcode::edge_not_negative: return narrow_by_sign(false);
     case Opcode::edge_negative:
@@ -188,15 +188,15 @@ void Compiler::compile() {
     case Opcode::field_lt: return compare_fields(false);
     case Opcode::field_le: return compare_fields(true);
     case Opcode::field_eq: return equal_fields();
-    case Opcode::bit_and: return combine_fields(Two::conjunction);
-    case Opcode::bit_or: return combine_fields(Two::disjunction);
-    case Opcode::bit_xor: return combine_fields(Two::unequal);
-    case Opcode::bit_and_not: return combine_fields(Two::and_not);
+    case Opcode::bit_and: return combine_fields(BinaryOp::conjunction);
+    case Opcode::bit_or: return combine_fields(BinaryOp::disjunction);
+    case Opcode::bit_xor: return combine_fields(BinaryOp::unequal);
+    case Opcode::bit_and_not: return combine_fields(BinaryOp::and_not);
     case Opcode::bit_not:
       for (unsigned bit = 0; bit < width(0); ++bit) logic_.store(row(0, bit), field_bit(1, bit), Mask::enable, true);
       return;
     case Opcode::global_or:
-    case Opcode::skip_if_none: return ask();
+    case Opcode::skip_if_none: return query_enable();
     case Opcode::xor_constant:
       for (unsigned bit = 0; bit < width(0); ++bit) {
         if (constant_bit(bit)) logic_.toggle(row(0, bit));

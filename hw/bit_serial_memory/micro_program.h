@@ -7,7 +7,7 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// What of a machine its micro-programs depend on.
+/// Machine parameters that its micro-programs depend on.
 struct MicroDesign {
   Design design = Design::latches;
   Expressions expressions = Expressions::rows;
@@ -21,13 +21,13 @@ constexpr MicroDesign micro_design(const Figures& figures) {
   return {figures.design, figures.expressions, figures.enable_latch, figures.has_wired_or};
 }
 
-/// The row commands of an instruction, for subarrays of that map. Of a question those until the answer is known.
+/// Row commands of an instruction for subarrays with that map; for a question, those until its answer is available.
 RowCommands micro_program(const isa::Instruction& instruction, const RowMap& map, const MicroDesign& design);
 
-/// In which all pixel memory and the enable bits become 0.
+/// Row commands that clear all pixel memory and the enable bits.
 RowCommands clear_program(const RowMap& map, const MicroDesign& design);
 
-/// In which a field of pixel memory goes to the host.
+/// Row commands that send a field of pixel memory to the host.
 RowCommands send_program(isa::Field field);
 
 }  // namespace csgsim::bit_serial_memory

@@ -7,7 +7,7 @@ namespace csgsim::bit_serial_memory {
 
 namespace {
 
-/// One command of all slots, from a state on.
+/// Effect of one command of all slots on a state.
 class Step {
  public:
   Step(const Figures& figures, const Slots& slots, const RankState& from)
@@ -27,7 +27,8 @@ class Step {
 
   [[nodiscard]] std::int64_t clocks() const { return last_; }
 
-  /// Counted from where the last activation allows the next. What was allowed before is allowed from there on.
+  /// State relative to the clock at which the last activation allows another. Times before that clock are clamped to
+  /// it.
   [[nodiscard]] RankState to() const {
     RankState state = state_;
     for (std::int64_t& bank : state.free) bank -= last_;
@@ -76,41 +77,41 @@ class Step {
   const Figures& figures_;
   const Slots& slots_;
   RankState state_;
-  std::size_t next_ = 0;  ///< of those that are allowed, in a ring
+  std::size_t next_ = 0;  ///< index of the oldest entry of `allowed`, a ring
   std::int64_t last_ = 0;
 };
 
 }  // namespace
 
-RankSteps::RankSteps(const Figures& figures, const Slots& slots) : figures_(figures), slots_(slots) { forget(); }
+RankSteps::RankSteps(const Figures& figures, const Slots& slots) : figures_(figures), slots_(slots) { clear_nodes(); }
 
 void RankSteps::start(std::uint64_t clock) {
-  here_ = 0;
+  current_ = 0;
   zero_ = static_cast<std::int64_t>(clock);
 }
 
 void RankSteps::step(RowOp op) {
   const auto number = static_cast<std::size_t>(op);
-  if (nodes_[here_].edges[number].to == most_nodes) {
-    Step step(figures_, slots_, *nodes_[here_].state);
+  if (nodes_[current_].edges[number].to == max_nodes) {
+    Step step(figures_, slots_, *nodes_[current_].state);
     step.take(op);
     const RankState to = step.to();
-    if (nodes_.size() == most_nodes) {
-      forget();
+    if (nodes_.size() == max_nodes) {
+      clear_nodes();
       zero_ += step.clocks();
-      here_ = node_of(to);
+      current_ = find_node(to);
       return;
     }
-    const std::size_t there = node_of(to);
-    nodes_[here_].edges[number] = {there, step.clocks()};
+    const std::size_t target = find_node(to);
+    nodes_[current_].edges[number] = {target, step.clocks()};
   }
-  const Edge& edge = nodes_[here_].edges[number];
+  const Edge& edge = nodes_[current_].edges[number];
   zero_ += edge.clocks;
-  here_ = edge.to;
+  current_ = edge.to;
 }
 
-std::size_t RankSteps::node_of(const RankState& state) {
-  const auto [found, is_new] = known_.try_emplace(state, nodes_.size());
+std::size_t RankSteps::find_node(const RankState& state) {
+  const auto [found, is_new] = node_numbers_.try_emplace(state, nodes_.size());
   if (is_new) {
     const std::int64_t idle = std::max(state.bus, std::ranges::max(state.free));
     const std::int64_t next = std::max({state.free.front(), std::int64_t{0}, state.allowed.front()});
@@ -122,10 +123,10 @@ std::size_t RankSteps::node_of(const RankState& state) {
   return found->second;
 }
 
-void RankSteps::forget() {
+void RankSteps::clear_nodes() {
   nodes_.clear();
-  known_.clear();
-  node_of(RankState{.free = std::vector<std::int64_t>(slots_.used_banks())});
+  node_numbers_.clear();
+  find_node(RankState{.free = std::vector<std::int64_t>(slots_.used_banks())});
 }
 
 }  // namespace csgsim::bit_serial_memory

@@ -13,43 +13,44 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// What a rank is at between two commands. Clocks count from the one on from which the last activation allows the next.
+/// State of a rank between two commands. Clocks are relative to the first clock at which the last activation allows
+/// another.
 struct RankState {
-  std::vector<std::int64_t> free;         ///< from when on each bank is
-  std::array<std::int64_t, 4> allowed{};  ///< from when on the next four activations are, by the window
-  std::int64_t bus = 0;                   ///< from when on it is free
+  std::vector<std::int64_t> free;         ///< clock from which each bank is free
+  std::array<std::int64_t, 4> allowed{};  ///< clocks from which the window allows each of the next four activations
+  std::int64_t bus = 0;                   ///< clock from which the data bus is free
 
   bool operator<(const RankState& other) const {
     return std::tie(free, allowed, bus) < std::tie(other.free, other.allowed, other.bus);
   }
 };
 
-/// A rank goes from command to command. It comes back to few states again and again, so that what a command makes of
-/// each of them is worked out once.
+/// Steps a rank from command to command. Few distinct states recur, so the effect of a command on a state is computed
+/// once and cached.
 class RankSteps {
  public:
   RankSteps(const Figures& figures, const Slots& slots);
 
-  /// All banks are closed at that clock, and as many activations allowed as there can be.
+  /// Starts at that clock with all banks closed and an empty activation window.
   void start(std::uint64_t clock);
-  /// All slots carry out such a command.
+  /// All slots execute a command of that kind.
   void step(RowOp op);
-  /// All that is going on goes on later.
+  /// Delays everything in progress.
   void delay(std::uint64_t clocks) { zero_ += static_cast<std::int64_t>(clocks); }
 
-  /// The clock at which the first bank can be activated.
-  [[nodiscard]] std::uint64_t next_activation() const { return clock(nodes_[here_].next_activation); }
-  /// The clock from which on no bank is activated and nothing on the bus, if nothing else begins.
-  [[nodiscard]] std::uint64_t closed() const { return clock(nodes_[here_].closed); }
-  /// The clock from which on it is as in the beginning.
-  [[nodiscard]] std::uint64_t over() const { return clock(nodes_[here_].over); }
+  /// Clock at which the first bank can be activated.
+  [[nodiscard]] std::uint64_t next_activation() const { return clock(nodes_[current_].next_activation); }
+  /// Clock from which no bank is active and the bus is idle, unless something else begins.
+  [[nodiscard]] std::uint64_t closed() const { return clock(nodes_[current_].closed); }
+  /// Clock from which the state equals the initial state.
+  [[nodiscard]] std::uint64_t over() const { return clock(nodes_[current_].over); }
 
  private:
-  static constexpr std::size_t most_nodes = 4096;  ///< that are kept
+  static constexpr std::size_t max_nodes = 4096;  ///< maximum number of cached nodes
 
   struct Edge {
-    std::size_t to = most_nodes;  ///< not known yet
-    std::int64_t clocks = 0;      ///< by which the count goes on
+    std::size_t to = max_nodes;  ///< not computed yet
+    std::int64_t clocks = 0;     ///< clocks by which the reference clock advances
   };
   struct Node {
     const RankState* state = nullptr;
@@ -62,14 +63,14 @@ class RankSteps {
   [[nodiscard]] std::uint64_t clock(std::int64_t after_zero) const {
     return static_cast<std::uint64_t>(zero_ + after_zero);
   }
-  std::size_t node_of(const RankState& state);
-  void forget();
+  std::size_t find_node(const RankState& state);
+  void clear_nodes();
 
   const Figures& figures_;
   const Slots slots_;
-  std::map<RankState, std::size_t> known_;
-  std::vector<Node> nodes_;  ///< the first is that of the beginning
-  std::size_t here_ = 0;
+  std::map<RankState, std::size_t> node_numbers_;
+  std::vector<Node> nodes_;  ///< the first belongs to the initial state
+  std::size_t current_ = 0;
   std::int64_t zero_ = 0;
 };
 

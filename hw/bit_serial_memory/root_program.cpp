@@ -6,14 +6,14 @@ namespace csgsim::bit_serial_memory {
 
 namespace {
 
-/// Which rows hold what while the root is found.
+/// Rows used while the root is computed.
 class Root {
  public:
   Root(isa::Field field, ColumnLogic& logic) : field_(field), w_(field.width / 2U), logic_(logic) {}
 
   void take() {
     for (unsigned step = 0; step < w_; ++step) find_bit(w_ - 1 - step);
-    work_out_rest();
+    correct_remainder();
     store();
   }
 
@@ -23,14 +23,14 @@ class Root {
   [[nodiscard]] Row remainder(unsigned bit) const { return logic_.map().sum(w_ + bit); }
   [[nodiscard]] Row difference(unsigned bit) const { return logic_.map().spare(bit); }
 
-  /// The remainder so far, with the next two bits of the square behind it.
+  /// The current remainder, followed by the next two bits of the square.
   [[nodiscard]] std::vector<Bit> shifted(unsigned k) const {
     std::vector<Bit> bits{Bit::of_row(target(2 * k)), Bit::of_row(target(2 * k + 1))};
-    for (unsigned bit = 0; bit < known_; ++bit) bits.push_back(Bit::of_row(remainder(bit)));
+    for (unsigned bit = 0; bit < remainder_bits_; ++bit) bits.push_back(Bit::of_row(remainder(bit)));
     return bits;
   }
 
-  /// 4q + 1 of the root's bits above k.
+  /// Bit of 4q + 1, where q is the part of the root above bit k.
   [[nodiscard]] Bit subtrahend(unsigned bit, unsigned k) const {
     if (bit < 2) return Bit::constant(bit == 0);
     const unsigned place = k + bit - 1;
@@ -42,16 +42,16 @@ class Root {
     logic_.begin_chain(Chain::difference, false);
     for (unsigned bit = 0; bit < from.size(); ++bit) logic_.sum(difference(bit), from[bit], subtrahend(bit, k));
     logic_.assign_chain(root(k), true);
-    known_ = w_ - k + 1;  // the remainder is at most twice the root
-    for (unsigned bit = known_; bit-- > 0;)
+    remainder_bits_ = w_ - k + 1;  // the remainder is at most twice the root
+    for (unsigned bit = remainder_bits_; bit-- > 0;)
       logic_.choose(remainder(bit), root(k), Bit::of_row(difference(bit)), from[bit]);
   }
 
-  /// Where the root is even, the remainder is that of the next odd number.
-  void work_out_rest() {
+  /// If the root is even, the remainder is corrected to that of the next odd number.
+  void correct_remainder() {
     logic_.assign(difference(0), Bit::of_row(root(0)), true);
     for (unsigned bit = 1; bit <= w_; ++bit)
-      logic_.combine(Two::and_not, difference(bit), Bit::of_row(root(bit - 1)), Bit::of_row(root(0)));
+      logic_.combine(BinaryOp::and_not, difference(bit), Bit::of_row(root(bit - 1)), Bit::of_row(root(0)));
     logic_.begin_chain(Chain::difference, false);
     for (unsigned bit = 0; bit <= w_; ++bit)
       logic_.sum(remainder(bit), Bit::of_row(remainder(bit)), Bit::of_row(difference(bit)));
@@ -65,7 +65,7 @@ class Root {
   const isa::Field field_;
   const unsigned w_;
   ColumnLogic& logic_;
-  unsigned known_ = 0;  ///< bits of the remainder
+  unsigned remainder_bits_ = 0;  ///< width of the remainder
 };
 
 }  // namespace

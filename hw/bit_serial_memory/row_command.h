@@ -8,10 +8,10 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// Number of a row in its subarray.
+/// Index of a row in its subarray.
 using Row = std::uint16_t;
 
-/// A row by one of its word lines. By the negated one, which two rows have, its complement meets the bit lines.
+/// One of a row's word lines. Two rows have a negated word line, which connects the complement to the bit lines.
 struct WordLine {
   Row row = 0;
   bool negated = false;
@@ -19,7 +19,7 @@ struct WordLine {
   constexpr bool operator==(const WordLine&) const = default;
 };
 
-/// Up to three word lines that are raised together.
+/// Up to three word lines raised together.
 struct WordLines {
   std::array<WordLine, 3> lines{};
   std::uint8_t count = 0;
@@ -35,7 +35,7 @@ struct WordLines {
   constexpr bool operator==(const WordLines&) const = default;
 };
 
-/// Latches at each sense amplifier. Rows are read into `sense` and written from there.
+/// Latches at each sense amplifier. Rows are read into `sense` and written from it.
 enum class Latch : std::uint8_t { sense, carry, carry_2, held, enable, select };
 
 inline constexpr auto latch_names = std::to_array<std::string_view>({"SA", "R1", "R2", "R3", "R4", "R5"});
@@ -43,7 +43,7 @@ inline constexpr std::size_t latch_count = latch_names.size();
 
 constexpr std::string_view name_of(Latch latch) { return latch_names[static_cast<std::size_t>(latch)]; }
 
-/// Of what a latch becomes; x, y and z are latches.
+/// New value of a latch; x, y and z are latches.
 enum class Gate : std::uint8_t {
   zero,         ///< 0
   one,          ///< 1
@@ -53,7 +53,7 @@ enum class Gate : std::uint8_t {
   disjunction,  ///< x or y
   unequal,      ///< x xor y
   equal,        ///< not (x xor y)
-  choose,       ///< y where x is 1, else z
+  choose,       ///< y where x is 1, otherwise z
 };
 
 inline constexpr auto gate_names =
@@ -61,19 +61,19 @@ inline constexpr auto gate_names =
 
 constexpr std::string_view name_of(Gate gate) { return gate_names[static_cast<std::size_t>(gate)]; }
 
-/// What the controller tells all subarrays that hold pixels.
+/// Commands of the controller to all subarrays that hold pixels.
 enum class RowOp : std::uint8_t {
-  copy,       ///< activates `from`: one row, or the majority of three, which all three become; then `to` become that
-  activate,   ///< the first half of `copy`
-  latch,      ///< activates `from`, one row, into the enable latches
-  read,       ///< `sense` becomes the row `from`
-  write,      ///< the row `to` becomes `sense`
-  logic,      ///< the latch `target` becomes `gate` of x, y and z
-  leaf,       ///< `sense` becomes bit `bit` of the expression, from the trees
-  leaf_copy,  ///< `to` become bit `bit` of the expression, from the trees
-  receive,    ///< the row `to` becomes bit `bit` of the expression, from the host
-  send,       ///< the row `from` goes to the host
-  wired_or,   ///< the controller is told whether the row `from`, or the enable latch, is 1 at any column
+  copy,      ///< activates `from`: one row, or the majority of three, which all three store; then `to` store that value
+  activate,  ///< first half of `copy`
+  latch,     ///< activates `from`, one row, into the enable latches
+  read,      ///< `sense` := row `from`
+  write,     ///< row `to` := `sense`
+  logic,     ///< latch `target` := `gate` of x, y and z
+  leaf,      ///< `sense` := bit `bit` of the expression, from the trees
+  leaf_copy,  ///< `to` := bit `bit` of the expression, from the trees
+  receive,    ///< row `to` := bit `bit` of the expression, from the host
+  send,       ///< sends row `from` to the host
+  wired_or,   ///< reports to the controller whether row `from`, or the enable latch, is 1 in any column
 };
 
 inline constexpr auto row_op_names = std::to_array<std::string_view>(
@@ -82,17 +82,17 @@ inline constexpr std::size_t row_op_count = row_op_names.size();
 
 constexpr std::string_view name_of(RowOp op) { return row_op_names[static_cast<std::size_t>(op)]; }
 
-/// One of these, with its operands; those that its op does not name are zero.
+/// A row command with its operands; operands that its op does not use are zero.
 struct RowCommand {
   RowOp op = RowOp::activate;
-  bool masked = false;  ///< of copy, leaf_copy and write: rows are written where the latch `mask` is 1 alone
+  bool masked = false;  ///< copy, leaf_copy and write only: rows are written only where the latch `mask` is 1
   Latch mask = Latch::enable;
   Gate gate = Gate::zero;
   Latch target = Latch::sense;
   Latch x = Latch::sense;
   Latch y = Latch::sense;
   Latch z = Latch::sense;
-  std::uint8_t bit = 0;  ///< of the expression
+  std::uint8_t bit = 0;  ///< bit of the expression
   WordLines from{};
   WordLines to{};
 
@@ -101,7 +101,7 @@ struct RowCommand {
 
 using RowCommands = std::vector<RowCommand>;
 
-/// Activations that a subarray carries out for it.
+/// Number of activations that a subarray performs for the command.
 constexpr unsigned activations(RowOp op) {
   switch (op) {
     case RowOp::copy: return 2;
@@ -119,7 +119,8 @@ constexpr unsigned activations(RowOp op) {
   return 0;
 }
 
-/// Does it find the sense amplifiers free, so that a refresh may come before it? Their latch is lost by one.
+/// Whether the command starts with free sense amplifiers, so that a refresh may precede it. A refresh destroys their
+/// content.
 constexpr bool begins_closed(RowOp op) {
   switch (op) {
     case RowOp::copy:
@@ -137,7 +138,7 @@ constexpr bool begins_closed(RowOp op) {
   return false;
 }
 
-/// As a line of text, without its end: `AAP 17 -> 74 !78`, `LOGIC R2 = XOR SA R1`.
+/// The command as a line of text without line end: `AAP 17 -> 74 !78`, `LOGIC R2 = XOR SA R1`.
 std::string text_of(const RowCommand& command);
 
 }  // namespace csgsim::bit_serial_memory

@@ -7,21 +7,21 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// Bits in which so many columns, or lines, are counted.
+/// Number of bits of an index below `count`.
 constexpr unsigned count_bits(std::uint32_t count) {
   unsigned bits = 0;
   while (count > (std::uint32_t{1} << bits)) ++bits;
   return bits;
 }
 
-/// Where a subarray has what: pixel memory in the first rows, a bit of it a row; behind it what instructions need.
+/// Layout of a subarray's rows: pixel memory comes first, one bit per row; rows used by instructions follow.
 struct RowMap {
-  static constexpr unsigned sum_rows = 62;    ///< as many bits as an expression has at most
+  static constexpr unsigned sum_rows = 62;    ///< maximum number of bits of an expression
   static constexpr unsigned spare_rows = 40;  ///< more than a root needs
 
   std::uint32_t memory_bits = 0;
   unsigned x_bits = 0;  ///< rows that hold the columns' x
-  unsigned y_bits = 0;  ///< rows that hold their y
+  unsigned y_bits = 0;  ///< rows that hold the columns' y
 
   RowMap() = default;
   RowMap(std::uint32_t pixel_memory_bits, std::uint32_t width, std::uint32_t height)
@@ -32,12 +32,12 @@ struct RowMap {
   [[nodiscard]] constexpr Row enable() const { return at(2); }
   [[nodiscard]] constexpr Row select() const { return at(3); }
   [[nodiscard]] constexpr Row carry() const { return at(4); }
-  /// Intermediate results that are of no use after an operation.
+  /// Intermediate results that are invalid after an operation.
   [[nodiscard]] constexpr Row scratch(unsigned i) const { return at(5 + i); }
   static constexpr unsigned scratch_rows = 4;
   /// T0 to T3 of Ambit, which can be activated three at a time.
   [[nodiscard]] constexpr Row t(unsigned i) const { return at(9 + i); }
-  /// Its two rows with a negated word line besides.
+  /// The two rows of Ambit that also have a negated word line.
   [[nodiscard]] constexpr Row dual(unsigned i) const { return at(13 + i); }
   [[nodiscard]] constexpr Row sum(unsigned bit) const { return at(15 + bit); }
   [[nodiscard]] constexpr Row spare(unsigned i) const { return at(15 + sum_rows + i); }

@@ -8,15 +8,15 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// How a picture lies in the subarrays: pixel y * width + x in column c of slot s, where c counts the columns of as
-/// many subarrays as there are chips, one of each, which work in step. Slots are dealt out to the banks in turn.
+/// Layout of a picture in the subarrays: pixel y * width + x is in column c of slot s, where c counts the columns of
+/// one subarray per chip; these work in lockstep. Slots are assigned to the banks round-robin.
 struct Slots {
   std::uint64_t pixels = 0;
-  std::uint64_t row_columns = 1;  ///< of a slot
+  std::uint64_t row_columns = 1;  ///< columns of a slot
   std::uint32_t banks = 1;
 
   [[nodiscard]] constexpr std::uint64_t count() const { return (pixels + row_columns - 1) / row_columns; }
-  /// Columns of a slot that hold a pixel.
+  /// Number of columns of a slot that hold a pixel.
   [[nodiscard]] constexpr std::uint64_t columns(std::uint64_t slot) const {
     return std::min(row_columns, pixels - slot * row_columns);
   }
@@ -34,7 +34,7 @@ inline Slots slots_of(const machines::Machine& machine) {
           std::uint64_t{figures.chips} * figures.row_bits, figures.banks};
 }
 
-/// Clocks in which that many bits pass between a slot's row and the host, or the host works them out.
+/// Clocks to transfer that many bits between a slot's row and the host, or for the host to compute them.
 constexpr std::uint64_t transfer_clocks(std::uint64_t bits, const Figures& figures) {
   const std::uint64_t bits_a_clock =
       std::min<std::uint64_t>(std::uint64_t{figures.bus_bits} * figures.chips, figures.plane_bits);

@@ -14,7 +14,7 @@ Subarray::Subarray(const RowMap& map, std::uint32_t columns) : columns_(columns)
 
 void Subarray::set_row(Row row, std::span<const std::uint64_t> words) { std::ranges::copy(words, rows_[row].begin()); }
 
-/// What is on the bit lines, of three rows the majority, stays in `sense`; the rows become that.
+/// Senses the bit lines, or the majority of three rows, into `sense`; three rows are overwritten with the majority.
 void Subarray::sense(const WordLines& lines) {
   RowWords& sensed = latch_words(Latch::sense);
   for (std::size_t word = 0; word < sensed.size(); ++word) {
@@ -29,7 +29,7 @@ void Subarray::sense(const WordLines& lines) {
   }
 }
 
-/// Rows become what is in `sense`.
+/// Writes the content of `sense` to the rows.
 void Subarray::drive(const RowCommand& command) {
   const RowWords& sensed = latch_words(Latch::sense);
   for (const WordLine& line : command.to) {

@@ -13,23 +13,23 @@ namespace csgsim::bit_serial_memory {
 
 using RowWords = std::vector<std::uint64_t>;
 
-/// Puts a bit of the expression, in every column, into the words.
+/// Writes a bit of the expression for every column to the words.
 using LeafBits = std::function<void(unsigned bit, std::span<std::uint64_t> words)>;
 
-/// The rows of a subarray, or of as many as work in step, and the latches at their sense amplifiers: column c is bit
-/// c % 64 of word c / 64.
+/// The rows of a subarray, or of several that work in lockstep, and the latches at their sense amplifiers: column c is
+/// bit c % 64 of word c / 64.
 class Subarray {
  public:
   Subarray(const RowMap& map, std::uint32_t columns);
 
-  /// `leaves`: where a bit of the expression comes from, for commands that take one.
+  /// `leaves`: source of the expression's bits, for commands that use one.
   void execute(const RowCommand& command, const LeafBits& leaves);
 
   [[nodiscard]] std::span<const std::uint64_t> row(Row row) const { return rows_[row]; }
   [[nodiscard]] std::span<const std::uint64_t> latch(Latch latch) const {
     return latches_[static_cast<std::size_t>(latch)];
   }
-  /// What the last command that opened a row has left at the sense amplifiers.
+  /// Data that the last command that opened a row left at the sense amplifiers.
   [[nodiscard]] std::span<const std::uint64_t> sent() const { return latch(Latch::sense); }
   void set_row(Row row, std::span<const std::uint64_t> words);
 

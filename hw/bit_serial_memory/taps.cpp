@@ -13,7 +13,7 @@ namespace {
 using wave::Number;
 using wave::Tap;
 
-/// Nothing is shown of a pixel before its memory has been cleared.
+/// A pixel shows no values before its memory has been cleared.
 std::vector<Tap> pixel_taps(const TappedParts& parts, const isa::Program& program, wave::Pixel pixel) {
   const std::uint64_t number = std::uint64_t{pixel.y} * parts.picture_width + pixel.x;
   const std::string part = wave::part_of(pixel);
@@ -37,8 +37,7 @@ std::vector<Tap> pixel_taps(const TappedParts& parts, const isa::Program& progra
 }  // namespace
 
 std::vector<Tap> machine_taps(const TappedParts& parts, const isa::Program& program, const wave::Request& request) {
-  if (!request.tree_levels.empty())
-    throw InputError("waves of a memory that computes show no levels of trees; leave them out");
+  if (!request.tree_levels.empty()) throw InputError("waves of a bit-serial memory show no tree levels; omit them");
   const Controller& controller = parts.controller;
   const HostLink& host = parts.host;
   std::vector<Tap> taps{wave::text("host.state", [&host] { return std::string(host.state()); }),

@@ -13,7 +13,7 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// What the taps look at.
+/// Units that the taps read.
 struct TappedParts {
   const Controller& controller;
   const HostLink& host;
@@ -23,8 +23,8 @@ struct TappedParts {
   std::uint32_t picture_width;
 };
 
-/// What a wave shows of the machine: host, controller, banks, and the probed pixels. Throws InputError for levels of
-/// trees, of which no part is modelled.
+/// Wave taps of the machine: host, controller, banks, and probed pixels. Throws InputError for tree levels, which are
+/// not modelled.
 std::vector<wave::Tap> machine_taps(const TappedParts& parts, const isa::Program& program,
                                     const wave::Request& request);
 

@@ -19,21 +19,21 @@ namespace {
 using machines::ClockSpan;
 using machines::Machine;
 
-/// The controller takes a command in a clock, and then carries out its row commands.
+/// The controller takes one clock to receive a command before its row commands.
 constexpr std::uint64_t taking_clocks = 1;
 
 RowMap map_of(const Machine& machine) {
   return {machine.array.memory_bits, machine.picture.width, machine.picture.height};
 }
 
-/// What the link and the controller have to do for a command.
+/// Work of the link and the controller for one command.
 struct Task {
   enum class Kind : std::uint8_t { clear, instruction, question, end };
 
   Kind kind = Kind::end;
   std::uint64_t link_clocks = 0;
   const isa::Instruction* instruction = nullptr;
-  std::size_t jumps_over = 0;  ///< tasks after it that are left out
+  std::size_t jumps_over = 0;  ///< number of following tasks that are skipped
 };
 
 std::vector<Task> tasks_of(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips) {
@@ -46,8 +46,9 @@ std::vector<Task> tasks_of(const isa::Program& program, const Machine& machine, 
     tasks.push_back({Task::Kind::clear, clocks(isa::SegmentStart{segment.region}), nullptr, 0});
     for (std::uint32_t i = 0; i < segment.instructions.size(); ++i) {
       const isa::Instruction& instruction = segment.instructions[i];
-      const bool asks = isa::is_question(instruction.opcode);
-      tasks.push_back({asks ? Task::Kind::question : Task::Kind::instruction, clocks(instruction), &instruction, 0});
+      const bool is_question = isa::is_question(instruction.opcode);
+      tasks.push_back(
+          {is_question ? Task::Kind::question : Task::Kind::instruction, clocks(instruction), &instruction, 0});
       if (skips.empty() || skips.front() != machines::Skip{s, i}) continue;
       tasks.back().jumps_over = static_cast<std::size_t>(instruction.constant);
       skips = skips.subspan(1);
@@ -63,8 +64,8 @@ bool is_drawn(const isa::Program& program) {
          });
 }
 
-/// Clocks count from the frame's first, 0, in which the controller asks for it. A command whose last word has come at
-/// an edge can begin at the next, when the one before is over.
+/// Clocks count from the frame's first, 0, in which the controller requests it. A command whose last word arrives at an
+/// edge can begin at the next, once the previous command has finished.
 class FrameModel {
  public:
   FrameModel(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips)
@@ -81,7 +82,7 @@ class FrameModel {
     for (std::size_t i = 0; i < tasks_.size(); i += 1 + tasks_[i].jumps_over) {
       begin(tasks_[i]);
       carry_out(tasks_[i]);
-      spans_[i] = {begun_, free_};
+      spans_[i] = {task_start_, free_};
       if (tasks_[i].jumps_over > 0) jump(i);
     }
     const std::uint64_t clocks = free_;
@@ -101,12 +102,12 @@ class FrameModel {
   void begin(const Task& task) {
     const std::uint64_t ready = link_.arrival(task.link_clocks) + 1;
     const std::uint64_t refreshed = rank_.refreshing();
-    begun_ = rank_.begin(free_, ready);
-    link_.begin(begun_);
+    task_start_ = rank_.begin(free_, ready);
+    link_.begin(task_start_);
     std::uint64_t& waiting = jumped_ ? account_.controller.jumping : account_.controller.starved;
-    waiting += begun_ - free_ - (rank_.refreshing() - refreshed);
+    waiting += task_start_ - free_ - (rank_.refreshing() - refreshed);
     jumped_ = false;
-    free_ = begun_;
+    free_ = task_start_;
   }
 
   void carry_out(const Task& task) {
@@ -122,8 +123,8 @@ class FrameModel {
 
   void spend(const RowCommands& commands, std::uint64_t& activity) {
     const std::uint64_t refreshed = rank_.refreshing();
-    free_ = rank_.carry_out(commands, begun_ + taking_clocks);
-    activity += free_ - begun_ - (rank_.refreshing() - refreshed);
+    free_ = rank_.carry_out(commands, task_start_ + taking_clocks);
+    activity += free_ - task_start_ - (rank_.refreshing() - refreshed);
     count(commands);
   }
 
@@ -131,7 +132,7 @@ class FrameModel {
     for (const RowCommand& command : commands) add(command, slots_.count(), slots_.pixels, account_.work);
   }
 
-  /// The host goes on sending until it is told.
+  /// The host continues sending until it receives the request.
   void jump(std::size_t question) {
     for (std::size_t task = question + 1; task < tasks_.size() && link_.has_room(); ++task) {
       if (link_.next_start() >= free_) break;
@@ -156,7 +157,7 @@ class FrameModel {
   RankTiming rank_;
   LinkTiming link_;
   std::vector<ClockSpan> spans_;
-  std::uint64_t begun_ = 0;
+  std::uint64_t task_start_ = 0;
   std::uint64_t free_ = 0;
   bool jumped_ = false;
   FrameAccount account_;
@@ -178,15 +179,15 @@ std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& m
                              .clocks(micro_program(instruction, map_of(machine), micro_design(figures)));
 }
 
-machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine, const Told& told) const {
+machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine, const Told& outcomes) const {
   const Machine one = drawing(program, machine);
-  return FrameModel(program, one, told.skips).time(shown_field(program));
+  return FrameModel(program, one, outcomes.skips).time(shown_field(program));
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
-                                                 const Told& told) const {
+                                                 const Told& outcomes) const {
   const Machine one = drawing(program, machine);
-  FrameModel model(program, one, told.skips);
+  FrameModel model(program, one, outcomes.skips);
   model.time(shown_field(program));
   machines::Timeline timeline;
   auto next = model.spans().begin();

@@ -11,28 +11,28 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// When row commands are carried out by all slots, worked out without stepping. Clocks count from 0; the banks are
-/// closed then, and as many activations allowed as there can be.
+/// Analytic timing of row commands in all slots. Clocks count from 0, when the banks are closed and the activation
+/// window is empty.
 ///
-/// The controller goes through the slots with each command, and from command to command in order: no activation
-/// begins before the one that comes before it. Gates and leaves are told to all banks at once, each of which begins
-/// when it is free. All is over when the last bank is closed and activations are allowed as in the beginning.
+/// The controller issues each command to all slots in order, and commands in order: no activation begins before its
+/// predecessor. Gate and leaf commands are issued to all banks at once; each bank begins when it is free. The commands
+/// are complete when the last bank is closed and the activation window is empty again.
 class RankTiming {
  public:
   RankTiming(const Figures& figures, const Slots& slots);
 
-  /// Clocks of the commands, if no refresh comes between.
+  /// Clocks of the commands if no refresh intervenes.
   std::uint64_t clocks(const RowCommands& commands);
 
-  /// Beginning with that clock, when refreshes are due every tREFI from the frame's first clock on. A refresh is waited
-  /// for where it finds the sense amplifiers free: all banks are closed, and what was going on goes on later by as much
-  /// as it took. Returns the clock at the end.
+  /// Executes commands from clock `begin` on, with refreshes due every tREFI from the frame's first clock. A refresh is
+  /// performed before a command that finds the sense amplifiers free: all banks are closed, and everything in progress
+  /// is delayed by the refresh. Returns the clock of the end.
   std::uint64_t carry_out(const RowCommands& commands, std::uint64_t begin);
 
-  /// The first clock from `ready` on at which commands may begin; what is due before has been refreshed then.
+  /// First clock from `ready` on at which commands may begin, after performing refreshes that are due before.
   std::uint64_t begin(std::uint64_t free, std::uint64_t ready);
 
-  [[nodiscard]] std::uint64_t refreshing() const { return refreshing_; }  ///< clocks, so far
+  [[nodiscard]] std::uint64_t refreshing() const { return refreshing_; }  ///< total clocks of refreshes
   [[nodiscard]] std::uint64_t refreshes() const { return refreshes_; }
 
  private:

@@ -4,10 +4,10 @@ namespace csgsim::bit_serial_memory {
 
 void TripleRowLogic::copy(const WordLines& from, const WordLines& to) {
   emit({.op = RowOp::copy, .from = from, .to = to});
-  forget(to);
+  invalidate_latch(to);
 }
 
-void TripleRowLogic::forget(const WordLines& written) {
+void TripleRowLogic::invalidate_latch(const WordLines& written) {
   for (const WordLine& line : written) {
     if (latched_ == line.row) latched_.reset();
   }
@@ -17,7 +17,7 @@ void TripleRowLogic::load(Bit value, const WordLines& to) {
   switch (value.kind) {
     case Bit::Kind::row: return copy(value.row, to);
     case Bit::Kind::constant: return copy(value.one ? map().one() : map().zero(), to);
-    case Bit::Kind::leaf: emit({.op = RowOp::leaf_copy, .bit = value.leaf, .to = to}); return forget(to);
+    case Bit::Kind::leaf: emit({.op = RowOp::leaf_copy, .bit = value.leaf, .to = to}); return invalidate_latch(to);
   }
 }
 
@@ -27,12 +27,14 @@ void TripleRowLogic::assign(Row target, Bit value, bool inverted) {
   copy(dual(0), target);
 }
 
-/// Without a latch the row becomes what it was wherever the mask is 0. Of a constant this is an AND or OR.
+/// If there is no write latch, the row is rewritten with its old content where the mask is 0. For a constant, this is
+/// an AND or OR.
 void TripleRowLogic::store(Row target, Bit value, Mask mask, bool inverted) {
   if (enable_latch()) return store_by_latch(target, value, mask, inverted);
   const Bit where = Bit::of_row(row_of(mask));
   if (value.kind == Bit::Kind::constant)
-    return combine(value.one != inverted ? Two::disjunction : Two::and_not, target, Bit::of_row(target), where);
+    return combine(value.one != inverted ? BinaryOp::disjunction : BinaryOp::and_not, target, Bit::of_row(target),
+                   where);
   if (!inverted) return choose(target, where.row, value, Bit::of_row(target));
   assign(map().scratch(1), value, true);
   choose(target, where.row, Bit::of_row(map().scratch(1)), Bit::of_row(target));
@@ -57,16 +59,16 @@ void TripleRowLogic::store_by_latch(Row target, Bit value, Mask mask, bool inver
   emit(command);
 }
 
-void TripleRowLogic::combine(Two op, Row target, Bit a, Bit b) {
-  if (op == Two::unequal) return exclusive_or(target, a, b);
+void TripleRowLogic::combine(BinaryOp op, Row target, Bit a, Bit b) {
+  if (op == BinaryOp::unequal) return exclusive_or(target, a, b);
   load(a, t(1));
-  if (op == Two::and_not) {
+  if (op == BinaryOp::and_not) {
     load(b, negated(0));
     load(Bit::constant(false), t(2));
     return copy(first_dual(), target);
   }
   load(b, t(0));
-  load(Bit::constant(op == Two::disjunction), t(2));
+  load(Bit::constant(op == BinaryOp::disjunction), t(2));
   copy(lower(), target);
 }
 
@@ -82,18 +84,18 @@ void TripleRowLogic::exclusive_or(Row target, Bit a, Bit b) {
 
 void AndOrNotLogic::invert(Row target, Bit value) { assign(target, value, true); }
 
-void AndOrNotLogic::combine(Two op, Row target, Bit a, Bit b) {
-  if (op != Two::and_not) return TripleRowLogic::combine(op, target, a, b);
+void AndOrNotLogic::combine(BinaryOp op, Row target, Bit a, Bit b) {
+  if (op != BinaryOp::and_not) return TripleRowLogic::combine(op, target, a, b);
   invert(map().scratch(3), b);
-  TripleRowLogic::combine(Two::conjunction, target, a, Bit::of_row(map().scratch(3)));
+  TripleRowLogic::combine(BinaryOp::conjunction, target, a, Bit::of_row(map().scratch(3)));
 }
 
 void AndOrNotLogic::choose(Row target, Row condition, Bit yes, Bit no) {
   const Row kept = map().scratch(2);
   const Row taken = map().scratch(3);
-  combine(Two::and_not, kept, no, Bit::of_row(condition));
-  combine(Two::conjunction, taken, yes, Bit::of_row(condition));
-  combine(Two::disjunction, target, Bit::of_row(taken), Bit::of_row(kept));
+  combine(BinaryOp::and_not, kept, no, Bit::of_row(condition));
+  combine(BinaryOp::conjunction, taken, yes, Bit::of_row(condition));
+  combine(BinaryOp::disjunction, target, Bit::of_row(taken), Bit::of_row(kept));
 }
 
 void AndOrNotLogic::begin_chain(Chain chain, bool one) {
@@ -105,14 +107,15 @@ void AndOrNotLogic::begin_chain(Chain chain, bool one) {
 void AndOrNotLogic::sum(Row target, Bit a, Bit b) {
   const Row unequal = map().scratch(1);
   const Row both = map().scratch(2);
-  combine(Two::unequal, unequal, a, b);
+  combine(BinaryOp::unequal, unequal, a, b);
   if (chain_ == Chain::sum)
-    combine(Two::conjunction, both, a, b);
+    combine(BinaryOp::conjunction, both, a, b);
   else
-    combine(Two::and_not, both, b, a);
-  combine(Two::unequal, target, Bit::of_row(unequal), chain_bit());
-  combine(chain_ == Chain::sum ? Two::conjunction : Two::and_not, map().carry(), chain_bit(), Bit::of_row(unequal));
-  combine(Two::disjunction, map().carry(), chain_bit(), Bit::of_row(both));
+    combine(BinaryOp::and_not, both, b, a);
+  combine(BinaryOp::unequal, target, Bit::of_row(unequal), chain_bit());
+  combine(chain_ == Chain::sum ? BinaryOp::conjunction : BinaryOp::and_not, map().carry(), chain_bit(),
+          Bit::of_row(unequal));
+  combine(BinaryOp::disjunction, map().carry(), chain_bit(), Bit::of_row(both));
 }
 
 void AndOrNotLogic::store_sum(Row target, Bit a, Bit b, Mask mask) {
@@ -126,25 +129,25 @@ void AndOrNotLogic::carry(Bit a, Bit b) {
   const Row either = map().scratch(1);
   const Row both = map().scratch(2);
   if (chain_ == Chain::sum) {
-    combine(Two::disjunction, either, a, b);
-    combine(Two::conjunction, both, a, b);
-    combine(Two::conjunction, map().carry(), chain_bit(), Bit::of_row(either));
+    combine(BinaryOp::disjunction, either, a, b);
+    combine(BinaryOp::conjunction, both, a, b);
+    combine(BinaryOp::conjunction, map().carry(), chain_bit(), Bit::of_row(either));
   } else {
-    combine(Two::disjunction, either, b, chain_bit());
-    combine(Two::conjunction, both, b, chain_bit());
-    combine(Two::and_not, map().carry(), Bit::of_row(either), a);
+    combine(BinaryOp::disjunction, either, b, chain_bit());
+    combine(BinaryOp::conjunction, both, b, chain_bit());
+    combine(BinaryOp::and_not, map().carry(), Bit::of_row(either), a);
   }
-  combine(Two::disjunction, map().carry(), chain_bit(), Bit::of_row(both));
+  combine(BinaryOp::disjunction, map().carry(), chain_bit(), Bit::of_row(both));
 }
 
 void AndOrNotLogic::assign_chain(Row target, bool inverted) { assign(target, chain_bit(), inverted); }
 
 void AndOrNotLogic::narrow_by_chain(bool inverted) {
-  change_enable(inverted ? Two::and_not : Two::conjunction, chain_bit());
+  change_enable(inverted ? BinaryOp::and_not : BinaryOp::conjunction, chain_bit());
 }
 
 void AndOrNotLogic::select_by_chain(bool inverted) {
-  combine(inverted ? Two::and_not : Two::conjunction, map().select(), enable(), chain_bit());
+  combine(inverted ? BinaryOp::and_not : BinaryOp::conjunction, map().select(), enable(), chain_bit());
 }
 
 /// maj(either, maj(not condition, yes, either), 0), where either = condition or no. One copy of a 1 sets both
@@ -164,8 +167,9 @@ void MajorityLogic::begin_chain(Chain chain, bool one) {
   initial_ = one;
 }
 
-/// Where s = maj(not maj(a, b, c), a, maj(not a, b, c)), of which the first majority is the carry and the second the
-/// borrow. A sum finds its carry in the second dual row and leaves it there; a borrow changes places.
+/// Uses s = maj(not maj(a, b, c), a, maj(not a, b, c)), in which the first majority is the carry and the second the
+/// borrow. A sum takes its carry from the second dual row and leaves it there; a borrow alternates between the dual
+/// rows.
 void MajorityLogic::sum(Row target, Bit a, Bit b) {
   if (initial_) {
     load(Bit::constant(*initial_), dual(1));
@@ -202,7 +206,8 @@ void MajorityLogic::sum_second(Row target, Bit a, Bit b) {
   copy(lower(), target);
 }
 
-/// Where a sum goes back to an addend, what is added is 0 in the other columns: then there is no carry either.
+/// When a sum is stored to one of its addends, the other addend is 0 in the unselected columns, so no carry arises
+/// there.
 void MajorityLogic::store_sum(Row target, Bit a, Bit b, Mask mask) {
   const Row value = map().scratch(0);
   if (enable_latch() || chain_ == Chain::difference || !b.is_row(target)) {
@@ -214,7 +219,7 @@ void MajorityLogic::store_sum(Row target, Bit a, Bit b, Mask mask) {
     return;
   }
   if (a.kind == Bit::Kind::constant && !a.one) return sum(target, a, b);
-  combine(Two::conjunction, value, a, Bit::of_row(row_of(mask)));
+  combine(BinaryOp::conjunction, value, a, Bit::of_row(row_of(mask)));
   sum(target, Bit::of_row(value), b);
 }
 
@@ -244,8 +249,8 @@ void MajorityLogic::assign_chain(Row target, bool inverted) {
   copy(inverted ? negated(place_) : dual(place_), target);
 }
 
-/// Two chains side by side, of a < b and of a > b, each with E where all bits so far are equal: both are 1 where E is
-/// and all are.
+/// Two parallel chains, for a < b and a > b, each starting with E and holding 1 while all processed bits are equal:
+/// both are 1 where E is 1 and all bits are equal.
 void MajorityLogic::narrow_equal(std::span<const Bit> a, std::span<const Bit> b) {
   if (a.empty()) return;
   load(enable(), {t(2), t(3)});
@@ -260,7 +265,7 @@ void MajorityLogic::narrow_equal(std::span<const Bit> a, std::span<const Bit> b)
 }
 
 void MajorityLogic::and_enable_with_chain(Row target, bool inverted) {
-  if (initial_) return combine(Two::conjunction, target, enable(), Bit::constant(*initial_ != inverted));
+  if (initial_) return combine(BinaryOp::conjunction, target, enable(), Bit::constant(*initial_ != inverted));
   copy(inverted ? negated(place_) : dual(place_), t(1));
   load(enable(), t(0));
   load(Bit::constant(false), t(2));

@@ -6,22 +6,22 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// What both designs with three rows at a time have in common. E is in a row, the selected columns in another; a latch
-/// for writes, where there is one, takes either.
+/// Common parts of the two designs that operate on three rows at a time. E is in one row, the selected columns in
+/// another; a write latch, if present, holds either.
 class TripleRowLogic : public ColumnLogic {
  public:
   using ColumnLogic::ColumnLogic;
 
   void assign(Row target, Bit value, bool inverted) override;
   void store(Row target, Bit value, Mask mask, bool inverted) override;
-  void combine(Two op, Row target, Bit a, Bit b) override;
+  void combine(BinaryOp op, Row target, Bit a, Bit b) override;
 
  protected:
-  // Word lines of the rows for three.
+  // Word lines of the compute rows.
   [[nodiscard]] WordLine t(unsigned i) const { return {map().t(i), false}; }
   [[nodiscard]] WordLine dual(unsigned i) const { return {map().dual(i), false}; }
   [[nodiscard]] WordLine negated(unsigned i) const { return {map().dual(i), true}; }
-  // Those that are activated three at a time.
+  // Triples that are activated together.
   [[nodiscard]] WordLines lower() const { return {t(0), t(1), t(2)}; }
   [[nodiscard]] WordLines first_dual() const { return {dual(0), t(1), t(2)}; }
   [[nodiscard]] WordLines second_dual() const { return {dual(1), t(0), t(3)}; }
@@ -30,24 +30,24 @@ class TripleRowLogic : public ColumnLogic {
 
   void copy(const WordLines& from, const WordLines& to);
   void activate(const WordLines& lines) { emit({.op = RowOp::activate, .from = lines}); }
-  /// The bit is copied to these.
+  /// Copies the bit to these word lines.
   void load(Bit value, const WordLines& to);
   void exclusive_or(Row target, Bit a, Bit b);
 
  private:
   void store_by_latch(Row target, Bit value, Mask mask, bool inverted);
-  /// Discards the latch for writes if one of these rows is the one that it copies.
-  void forget(const WordLines& written);
+  /// Invalidates the write latch if one of these rows is the one that it copies.
+  void invalidate_latch(const WordLines& written);
 
-  std::optional<Row> latched_;  ///< what is in the latch for writes
+  std::optional<Row> latched_;  ///< row whose content is in the write latch
 };
 
-/// Each operation by itself: AND and OR of two rows take four commands, NOT two, XOR seven (Seshadri et al. 2017).
+/// Separate operations: AND and OR of two rows take four commands, NOT two, XOR seven (Seshadri et al. 2017).
 class AndOrNotLogic final : public TripleRowLogic {
  public:
   using TripleRowLogic::TripleRowLogic;
 
-  void combine(Two op, Row target, Bit a, Bit b) override;
+  void combine(BinaryOp op, Row target, Bit a, Bit b) override;
   void choose(Row target, Row condition, Bit yes, Bit no) override;
   void begin_chain(Chain chain, bool one) override;
   void sum(Row target, Bit a, Bit b) override;
@@ -64,8 +64,8 @@ class AndOrNotLogic final : public TripleRowLogic {
   Chain chain_ = Chain::sum;
 };
 
-/// Majorities of three, whose results stay where the next one needs them: a bit of a sum takes eight commands, one of a
-/// choice seven, of equality four, of a comparison three (Hajinazar et al. 2021).
+/// Majorities of three rows, whose results stay where the next operation needs them: a sum bit takes eight commands, a
+/// choice seven, equality four, a comparison three (Hajinazar et al. 2021).
 class MajorityLogic final : public TripleRowLogic {
  public:
   using TripleRowLogic::TripleRowLogic;
@@ -86,9 +86,9 @@ class MajorityLogic final : public TripleRowLogic {
   void sum_second(Row target, Bit a, Bit b);
 
   Chain chain_ = Chain::sum;
-  std::optional<bool> initial_;  ///< of the chain, before its first bit
-  unsigned place_ = 1;           ///< the dual row that has the carry or borrow
-  bool in_t2_ = false;           ///< so has T2
+  std::optional<bool> initial_;  ///< value of the chain before its first bit
+  unsigned place_ = 1;           ///< index of the dual row that holds the carry or borrow
+  bool in_t2_ = false;           ///< T2 also holds it
 };
 
 }  // namespace csgsim::bit_serial_memory

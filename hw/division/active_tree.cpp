@@ -8,10 +8,10 @@ namespace csgsim::division {
 
 namespace {
 
-/// What became of a node: known, or a term.
+/// Result for a node: decided, or a term.
 struct Outcome {
   Known known = Known::depends;
-  std::uint32_t term = 0;  ///< if it depends
+  std::uint32_t term = 0;  ///< valid if `known` is depends
 };
 
 class Pruner {
@@ -20,42 +20,43 @@ class Pruner {
       : path_(path), tree_(tree), candidates_(candidates), surface_(surface) {}
 
   ActiveTree run() {
-    bool nothing = false;
+    bool is_empty = false;
     std::uint32_t below = tree_.leaf_of[surface_.first];
     for (std::uint32_t at = tree_.nodes[below].parent; at != no_node; below = at, at = tree_.nodes[at].parent) {
-      path_.look_at_node();
+      path_.visit_node();
       const TreeNode& node = tree_.nodes[at];
       if (node.op != Operator::intersect) continue;
       for (const std::uint32_t sibling : node.operands) {
         if (sibling == below) continue;
         const Outcome outcome = prune(sibling);
-        nothing = nothing || outcome.known == Known::out;
+        is_empty = is_empty || outcome.known == Known::out;
         if (outcome.known == Known::depends) add_operand(active_.operands, outcome.term, Operator::intersect);
       }
     }
-    if (nothing) return {true, {}, {}};
+    if (is_empty) return {true, {}, {}};
     join(active_.operands, Operator::intersect);
     return std::move(active_);
   }
 
  private:
-  /// Looks at the node, at the operands of each whose box meets the surface's, and so on; then works them out upwards.
+  /// Visits the node and, recursively, the operands of each node whose box meets the surface's; then evaluates them
+  /// bottom-up.
   Outcome prune(std::uint32_t root) {
-    looked_at_.clear();
+    visited_.clear();
     for (std::uint32_t at = root + 1; at > tree_.nodes[root].first;) {
       --at;
-      path_.look_at_node();
-      looked_at_.push_back(at);
-      // The subtree ends before its first node.
+      path_.visit_node();
+      visited_.push_back(at);
+      // The subtree ends before its first node
       if (disjoint(tree_.nodes[at].box, surface_.box)) at = tree_.nodes[at].first;
     }
     outcomes_.resize(tree_.nodes.size());
-    std::reverse(looked_at_.begin(), looked_at_.end());
-    for (const std::uint32_t at : looked_at_) outcomes_[at] = outcome_of(at);
+    std::reverse(visited_.begin(), visited_.end());
+    for (const std::uint32_t at : visited_) outcomes_[at] = evaluate(at);
     return outcomes_[root];
   }
 
-  Outcome outcome_of(std::uint32_t index) {
+  Outcome evaluate(std::uint32_t index) {
     const TreeNode& node = tree_.nodes[index];
     if (disjoint(node.box, surface_.box)) return {node.in_elsewhere ? Known::in : Known::out, 0};
     if (node.is_leaf) return leaf(node);
@@ -101,8 +102,8 @@ class Pruner {
     return inside ? Known::in : Known::depends;
   }
 
-  /// An operator's operand; if that is the same operator, its operands instead, after those there are, or before them
-  /// if they are more.
+  /// Adds an operator's operand; an operand with the same operator is replaced by its own operands. The shorter of both
+  /// lists is appended to the longer.
   void add_operand(std::vector<std::uint32_t>& operands, std::uint32_t index, Operator op) {
     Term& term = active_.terms[index];
     if (term.is_leaf || term.op != op) {
@@ -114,10 +115,10 @@ class Pruner {
     term.operands.clear();
   }
 
-  /// Complemented leaves of a union become one, and so do the others of an intersection (thesis 7.3.2).
+  /// Merges the complemented leaves of a union, or the other leaves of an intersection (thesis 7.3.2).
   void join(std::vector<std::uint32_t>& operands, Operator op) {
     std::optional<std::uint32_t> first;
-    std::vector<std::uint32_t> left;
+    std::vector<std::uint32_t> remaining;
     for (const std::uint32_t operand : operands) {
       Term& term = active_.terms[operand];
       const bool joins = term.is_leaf && term.complemented == (op == Operator::unite);
@@ -127,12 +128,12 @@ class Pruner {
         continue;
       }
       if (joins) first = operand;
-      left.push_back(operand);
+      remaining.push_back(operand);
     }
-    operands = std::move(left);
+    operands = std::move(remaining);
   }
 
-  /// The neediest operand first, so that the fewest results are pending at a time (Ershov, Sethi and Ullman).
+  /// Evaluates the operand that needs most bits first, which minimizes pending results (Ershov, Sethi and Ullman).
   Outcome combine(std::vector<std::uint32_t> operands, Operator op) {
     const auto bits = [&](std::uint32_t index) { return active_.terms[index].bits; };
     std::stable_sort(operands.begin(), operands.end(),
@@ -155,7 +156,7 @@ class Pruner {
   const Candidates& candidates_;
   const Surface& surface_;
   ActiveTree active_;
-  std::vector<std::uint32_t> looked_at_;
+  std::vector<std::uint32_t> visited_;
   std::vector<Outcome> outcomes_;
 };
 

@@ -11,27 +11,28 @@
 
 namespace csgsim::division {
 
-/// A primitive that a surface has to be compared with, and its half-spaces at the corners of the pixels both can be in.
+/// A primitive that a surface must be compared with, and its half-spaces tested at the corners of the pixels that both
+/// can occupy.
 struct Comparison {
   std::uint32_t primitive = 0;
   Rectangle pixels;
   std::vector<Tested> tested;
 };
 
-/// A node of an active tree: an operator over at least two others, or the intersection of some primitives.
+/// A node of an active tree: an operator with at least two operands, or the intersection of some primitives.
 struct Term {
   bool is_leaf = false;
-  bool complemented = false;  ///< of a leaf: the space outside the intersection
+  bool complemented = false;  ///< the leaf is the space outside the intersection
   Operator op = Operator::unite;
-  std::uint32_t bits = 0;  ///< results to hold while it is worked out into one of them; 0 for a leaf
+  std::uint32_t bits = 0;  ///< result bits needed to evaluate it into one of them; 0 for a leaf
   std::vector<Comparison> comparisons;
   std::vector<std::uint32_t> operands;  ///< indices of terms
 };
 
-/// What a surface has to be inside of to be seen: all the operands of the intersections between it and the root that
-/// are not known at the corners (thesis 6.2).
+/// Conditions for a surface to be visible: it must be inside all operands of the intersections between it and the root
+/// that are not decided at the corners (thesis 6.2).
 struct ActiveTree {
-  bool nothing = false;  ///< the surface is out everywhere
+  bool is_empty = false;  ///< the surface is outside everywhere
   std::vector<Term> terms;
   std::vector<std::uint32_t> operands;
 };

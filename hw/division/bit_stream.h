@@ -1,3 +1,5 @@
+// Bit streams: writing and reading numbers of arbitrary widths.
+// Used by the encoding of display models, the records on the multi-processor's bus, and its lists.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +11,7 @@
 
 namespace csgsim::division {
 
-/// Bits in the order in which they travel: bit i is bit i mod 64 of words[i / 64]. Bits after the last are 0.
+/// Bits in transmission order: bit i is bit i mod 64 of words[i / 64]. Bits after the last are 0.
 struct Bits {
   std::vector<std::uint64_t> words;
   std::uint64_t count = 0;
@@ -17,12 +19,12 @@ struct Bits {
   bool operator==(const Bits&) const = default;
 };
 
-/// Words of so many bits that the stream takes on a link; the last is filled up.
+/// Number of link words of `word_bits` bits for the stream; the last is padded.
 constexpr std::uint64_t link_words(std::uint64_t bits, std::uint32_t word_bits) { return quotient_up(bits, word_bits); }
 
 class BitWriter {
  public:
-  /// The low `width` bits of the value, the least significant first; at most 64. Higher bits have to be 0.
+  /// Appends the low `width` bits of the value, at most 64, least significant first. Higher bits must be 0.
   void put(std::uint64_t value, unsigned width) {
     if (width == 0) return;
     const auto at = static_cast<unsigned>(bits_.count % 64);
@@ -32,7 +34,7 @@ class BitWriter {
     bits_.count += width;
   }
 
-  /// The same in two's complement.
+  /// Appends a number in two's complement.
   void put_signed(std::int64_t value, unsigned width) {
     if (width == 0) return;
     put(static_cast<std::uint64_t>(value) & (~std::uint64_t{0} >> (64 - width)), width);
@@ -44,12 +46,12 @@ class BitWriter {
   Bits bits_;
 };
 
-/// Reads what a BitWriter wrote. Throws InputError where the stream ends too soon.
+/// Reads the output of a BitWriter. Throws InputError if the stream ends too soon.
 class BitReader {
  public:
   explicit BitReader(const Bits& bits) : bits_(bits) {
     if (bits.words.size() != link_words(bits.count, 64))
-      throw InputError("the display model: its bits and words do not agree");
+      throw InputError("the display model: the number of words does not match the number of bits");
   }
 
   [[nodiscard]] std::uint64_t left() const { return bits_.count - next_; }

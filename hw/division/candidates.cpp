@@ -16,28 +16,28 @@ void append(std::vector<std::uint32_t>& into, const std::vector<Tested>& from) {
   for (const Tested& one : from) into.push_back(one.number);
 }
 
-/// The half-spaces that are left, in their order; false if nothing of the primitive is in the rectangle.
-bool leave(Datapath& path, std::uint32_t index, const Rectangle& pixels, std::vector<std::uint32_t>& halfspaces) {
-  std::vector<Tested> open;
-  bool nothing = false;
+/// Keeps the surviving half-spaces, in their order. Returns false if nothing of the primitive is in the rectangle.
+bool prune_halfspaces(Datapath& path, std::uint32_t index, const Rectangle& pixels,
+                      std::vector<std::uint32_t>& halfspaces) {
+  std::vector<Tested> undecided;
+  bool is_empty = false;
   for (const Tested& tested : path.test(index, halfspaces, pixels)) {
     const Known known = known_between(tested, 0, path.header().farthest());
-    nothing = nothing || known == Known::out;
-    if (known == Known::depends) open.push_back(tested);
+    is_empty = is_empty || known == Known::out;
+    if (known == Known::depends) undecided.push_back(tested);
   }
   halfspaces.clear();
-  if (nothing) return false;
-  const auto extremes_of = [&](Side side) {
+  if (is_empty) return false;
+  const auto survivors_of_side = [&](Side side) {
     std::vector<Tested> on_side;
-    std::copy_if(open.begin(), open.end(), std::back_inserter(on_side),
+    std::copy_if(undecided.begin(), undecided.end(), std::back_inserter(on_side),
                  [&](const Tested& one) { return one.side == side; });
     keep_by_leaders(path, on_side, pixels);
     return on_side;
   };
-  // Sides follow each other; within one the order stays, and no rule looks at the order between sides but that of
-  // edges.
-  for (const Side side : {Side::front, Side::back}) append(halfspaces, extremes_of(side));
-  for (const Tested& one : open) {
+  // Sides follow each other. Order is kept within a side; between sides, only the order of edges matters.
+  for (const Side side : {Side::front, Side::back}) append(halfspaces, survivors_of_side(side));
+  for (const Tested& one : undecided) {
     if (one.side == Side::not_negative || one.side == Side::negative) halfspaces.push_back(one.number);
   }
   return true;
@@ -63,20 +63,20 @@ Candidates all_of(const DisplayModel& model) {
 }
 
 Candidates survivors(Datapath& path, const Candidates& all, const Rectangle& group) {
-  Candidates left;
-  left.halfspaces.resize(all.halfspaces.size());
-  left.listed.assign(all.halfspaces.size(), false);
+  Candidates kept;
+  kept.halfspaces.resize(all.halfspaces.size());
+  kept.listed.assign(all.halfspaces.size(), false);
   for (const std::uint32_t i : all.primitives) {
-    const PrimitiveHead primitive = path.look_at(i);
+    const PrimitiveHead primitive = path.visit_primitive(i);
     const Rectangle shared = overlap(primitive.box.pixels, group);
     if (primitive.box.empty() || shared.empty()) continue;
     std::vector<std::uint32_t> halfspaces = all.halfspaces[i];
-    if (!leave(path, i, shared, halfspaces)) continue;
-    left.listed[i] = true;
-    left.primitives.push_back(i);
-    left.halfspaces[i] = std::move(halfspaces);
+    if (!prune_halfspaces(path, i, shared, halfspaces)) continue;
+    kept.listed[i] = true;
+    kept.primitives.push_back(i);
+    kept.halfspaces[i] = std::move(halfspaces);
   }
-  return left;
+  return kept;
 }
 
 }  // namespace csgsim::division

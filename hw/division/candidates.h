@@ -1,3 +1,5 @@
+// Primitives and half-spaces from which a square is divided, and their selection for a group of squares.
+// Used by the divider and by the records on the multi-processor's bus.
 #pragma once
 
 #include <cstdint>
@@ -8,25 +10,27 @@
 
 namespace csgsim::division {
 
-/// What a square is divided from: the whole model, or what its group of squares leaves of it.
+/// Input of a square's division: the whole model, or the survivors of its group of squares.
 struct Candidates {
-  std::vector<std::uint32_t> primitives;               ///< those in the list, ascending
-  std::vector<std::vector<std::uint32_t>> halfspaces;  ///< one list a primitive of the model, of their numbers
-  std::vector<bool> listed;                            ///< one a primitive of the model
+  std::vector<std::uint32_t> primitives;               ///< listed primitives, in ascending order
+  std::vector<std::vector<std::uint32_t>> halfspaces;  ///< per primitive of the model, the numbers of its listed
+                                                       ///< half-spaces
+  std::vector<bool> listed;                            ///< whether each primitive of the model is listed
 
-  /// Entries of the divider's list: one a primitive and one a half-space.
+  /// Entries of the divider's list: one per primitive and one per half-space.
   [[nodiscard]] std::uint64_t entries() const;
 };
 
-/// The whole model.
+/// Candidates with the whole model.
 Candidates all_of(const DisplayModel& model);
 
-/// First level (thesis 7.4.2): what of the whole model can matter in any square of a group. Every primitive's rectangle
-/// is held against the group's, and the half-spaces of those that touch it are held against the corners of what they
-/// share. Left out are primitives disjoint from it or with a half-space that holds nothing of it at any depth,
-/// half-spaces that hold all of it at every depth, and those that a leader of the primitive's side is beyond.
+/// First level (thesis 7.4.2): the part of the whole model that can matter in any square of a group. Compares the
+/// rectangle of every primitive with the group's, and tests the half-spaces of those that touch it at the corners of
+/// their overlap. Drops primitives that are disjoint from the group or have a half-space that contains nothing of the
+/// overlap at any depth, half-spaces that contain all of it at every depth, and half-spaces that a leader of the
+/// primitive's side is beyond.
 ///
-/// Squares of the group are given the same instructions as from the whole model.
+/// Squares of the group get the same instructions as from the whole model.
 Candidates survivors(Datapath& path, const Candidates& all, const Rectangle& group);
 
 }  // namespace csgsim::division

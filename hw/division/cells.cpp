@@ -15,14 +15,15 @@ using Values = std::array<std::int64_t, corners>;
 
 struct Cell {
   Rectangle pixels;
-  std::vector<std::uint32_t> left;  ///< indices of the side's half-spaces that no leader of the cells above is beyond
+  std::vector<std::uint32_t> candidates;  ///< indices of the side's half-spaces that no leader of the enclosing cells
+                                          ///< is beyond
 };
 
-bool is_corners_alone(const Rectangle& pixels) { return pixels.x1 - pixels.x0 <= 1 && pixels.y1 - pixels.y0 <= 1; }
+bool has_only_corners(const Rectangle& pixels) { return pixels.x1 - pixels.x0 <= 1 && pixels.y1 - pixels.y0 <= 1; }
 
-/// Quarters of the largest power of two below the longer side, from the first corner on; fewer where they do not
-/// reach. The last first.
-std::vector<Rectangle> quarters_backwards(const Rectangle& pixels) {
+/// Quarters with a side of the largest power of two below the longer side, in reverse order from the last corner; fewer
+/// where the rectangle is smaller.
+std::vector<Rectangle> reversed_quarters(const Rectangle& pixels) {
   const auto longer = static_cast<std::uint32_t>(std::max(pixels.x1 - pixels.x0, pixels.y1 - pixels.y0) + 1);
   const auto size = static_cast<std::int32_t>(std::bit_ceil(longer) / 2);
   std::vector<Rectangle> quarters;
@@ -38,32 +39,32 @@ std::vector<Rectangle> quarters_backwards(const Rectangle& pixels) {
 class Sieve {
  public:
   Sieve(Datapath& path, const std::vector<Tested>& side, const Rectangle& pixels)
-      : path_(path), side_(side), stays_(side.size(), false), step_(std::int64_t{1} << path.header().fraction_bits) {
+      : path_(path), side_(side), kept_(side.size(), false), step_(std::int64_t{1} << path.header().fraction_bits) {
     whole_.pixels = pixels;
-    for (std::uint32_t i = 0; i < side.size(); ++i) whole_.left.push_back(i);
+    for (std::uint32_t i = 0; i < side.size(); ++i) whole_.candidates.push_back(i);
   }
 
-  /// What the rectangle's own leaders leave.
-  std::vector<bool> by_leaders() {
-    hold(whole_);
-    std::vector<bool> left(side_.size(), false);
-    for (const std::uint32_t one : whole_.left) left[one] = true;
-    return left;
+  /// Half-spaces that survive the rectangle's own leaders.
+  std::vector<bool> filter_by_leaders() {
+    test_cell(whole_);
+    std::vector<bool> candidates(side_.size(), false);
+    for (const std::uint32_t one : whole_.candidates) candidates[one] = true;
+    return candidates;
   }
 
-  std::vector<bool> by_cells() {
+  std::vector<bool> filter_by_cells() {
     std::vector<Cell> cells{whole_};
     while (!cells.empty()) {
       Cell cell = std::move(cells.back());
       cells.pop_back();
-      if (!hold(cell) || is_corners_alone(cell.pixels)) continue;
-      for (const Rectangle& quarter : quarters_backwards(cell.pixels)) cells.push_back({quarter, cell.left});
+      if (!test_cell(cell) || has_only_corners(cell.pixels)) continue;
+      for (const Rectangle& quarter : reversed_quarters(cell.pixels)) cells.push_back({quarter, cell.candidates});
     }
-    return stays_;
+    return kept_;
   }
 
  private:
-  /// How far in front or behind counts: fronts by their distance, backs by its opposite.
+  /// Rank of a half-space at the corners: the distance for fronts, its negative for backs.
   [[nodiscard]] Values values(std::uint32_t one, const Rectangle& pixels) const {
     const Plane& plane = side_[one].plane;
     const std::int64_t sign = side_[one].side == Side::back ? -1 : 1;
@@ -71,51 +72,52 @@ class Sieve {
     return {at(pixels.x0, pixels.y0), at(pixels.x1, pixels.y0), at(pixels.x0, pixels.y1), at(pixels.x1, pixels.y1)};
   }
 
-  /// The values of the leaders, a corner each. They stay.
+  /// Values of the leaders, one per corner. Leaders are kept.
   std::array<Values, corners> find_leaders(const Cell& cell) {
     std::array<std::uint32_t, corners> leaders{};
     std::array<Values, corners> found{};
-    leaders.fill(cell.left.front());
-    found.fill(values(cell.left.front(), cell.pixels));
-    for (const std::uint32_t one : cell.left) {
-      const Values mine = values(one, cell.pixels);
+    leaders.fill(cell.candidates.front());
+    found.fill(values(cell.candidates.front(), cell.pixels));
+    for (const std::uint32_t one : cell.candidates) {
+      const Values own_values = values(one, cell.pixels);
       for (std::size_t corner = 0; corner < corners; ++corner) {
-        if (mine[corner] <= found[corner][corner]) continue;
+        if (own_values[corner] <= found[corner][corner]) continue;
         leaders[corner] = one;
-        found[corner] = mine;
+        found[corner] = own_values;
       }
     }
-    for (const std::uint32_t leader : leaders) stays_[leader] = true;
+    for (const std::uint32_t leader : leaders) kept_[leader] = true;
     return found;
   }
 
-  [[nodiscard]] bool all_stay(const Cell& cell) const {
-    return std::all_of(cell.left.begin(), cell.left.end(), [&](std::uint32_t one) { return stays_[one]; });
+  [[nodiscard]] bool all_kept(const Cell& cell) const {
+    return std::all_of(cell.candidates.begin(), cell.candidates.end(), [&](std::uint32_t one) { return kept_[one]; });
   }
 
-  [[nodiscard]] bool is_beyond(const Values& leader, const Values& mine) const {
-    return std::equal(leader.begin(), leader.end(), mine.begin(),
+  [[nodiscard]] bool is_beyond(const Values& leader, const Values& own_values) const {
+    return std::equal(leader.begin(), leader.end(), own_values.begin(),
                       [&](std::int64_t far, std::int64_t near) { return far >= near + step_; });
   }
 
-  /// Whether there is one in the cell of which it is not known yet.
-  bool hold(Cell& cell) {
+  /// Tests the cell. Returns whether some half-space in it is undecided.
+  bool test_cell(Cell& cell) {
     const std::array<Values, corners> leaders = find_leaders(cell);
-    path_.hold_against_leaders(cell.left.size());
-    if (all_stay(cell)) return false;
-    std::erase_if(cell.left, [&](std::uint32_t one) {
-      const Values mine = values(one, cell.pixels);
+    path_.compare_with_leaders(cell.candidates.size());
+    if (all_kept(cell)) return false;
+    std::erase_if(cell.candidates, [&](std::uint32_t one) {
+      const Values own_values = values(one, cell.pixels);
       for (std::size_t corner = 0; corner < corners; ++corner) {
-        if (mine[corner] + step_ > leaders[corner][corner]) stays_[one] = true;
+        if (own_values[corner] + step_ > leaders[corner][corner]) kept_[one] = true;
       }
-      return std::any_of(leaders.begin(), leaders.end(), [&](const Values& leader) { return is_beyond(leader, mine); });
+      return std::any_of(leaders.begin(), leaders.end(),
+                         [&](const Values& leader) { return is_beyond(leader, own_values); });
     });
-    return !all_stay(cell);
+    return !all_kept(cell);
   }
 
   Datapath& path_;
   const std::vector<Tested>& side_;
-  std::vector<bool> stays_;  ///< it is known that the half-space does
+  std::vector<bool> kept_;  ///< half-spaces decided to be kept
   std::int64_t step_;
   Cell whole_;
 };
@@ -128,11 +130,11 @@ void keep(std::vector<Tested>& side, const std::vector<bool>& kept) {
 }  // namespace
 
 void keep_by_leaders(Datapath& path, std::vector<Tested>& side, const Rectangle& pixels) {
-  if (!side.empty()) keep(side, Sieve(path, side, pixels).by_leaders());
+  if (!side.empty()) keep(side, Sieve(path, side, pixels).filter_by_leaders());
 }
 
 void keep_extremes(Datapath& path, std::vector<Tested>& side, const Rectangle& pixels) {
-  if (!side.empty()) keep(side, Sieve(path, side, pixels).by_cells());
+  if (!side.empty()) keep(side, Sieve(path, side, pixels).filter_by_cells());
 }
 
 }  // namespace csgsim::division

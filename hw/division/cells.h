@@ -7,20 +7,21 @@
 
 namespace csgsim::division {
 
-// What the half-spaces of one side of a convex solid leave of each other, by the rules of thesis table 7.1 and figure
-// 7.5: the front of an intersection is where its planes are farthest (convex-max), its back where they are nearest
-// (concave-min). One is beyond another, at a pixel, by a whole depth step; at all four corners of a rectangle is
-// everywhere in it. All of a side have to be fronts, or all backs, with their values for the rectangle's corners.
+// Mutual elimination of the half-spaces of one side of a convex solid, by the rules of thesis table 7.1 and figure 7.5:
+// the front of an intersection is where its planes are farthest (convex-max), its back where they are nearest
+// (concave-min). A half-space is beyond another at a pixel if it is farther (nearer for backs) by at least one depth
+// step; if it is so at all four corners of a rectangle, it is so everywhere in it. All half-spaces passed in must be
+// fronts, or all backs, with their values at the rectangle's corners.
 //
-// Leaders of a rectangle are the extremes at its corners, of equals the first. A cell test holds a half-space against
-// the leaders of a cell, a rectangle of pixels: of each cell all that is left in it.
+// The leaders of a rectangle are the extremes at its corners; of equal ones, the first. A cell test compares a
+// half-space with the leaders of a cell, a rectangle of pixels; all half-spaces left in the cell are tested.
 
-/// Keeps those that no leader of the rectangle is beyond at all four corners: one cell.
+/// Keeps the half-spaces that no leader of the rectangle is beyond at all four corners: a single cell.
 void keep_by_leaders(Datapath& path, std::vector<Tested>& side, const Rectangle& pixels);
 
-/// Keeps those that are not behind others at every pixel. Whether one is, is found in cells: first the rectangle, then
-/// its quarters, and theirs, with what the leaders of the cell above leave, until it is known of all
-/// (docs/machines/pixel-square.md).
+/// Keeps the half-spaces that are not behind others at every pixel. This is decided in cells: first the rectangle, then
+/// its quarters, and their quarters, each with the half-spaces that the leaders of the enclosing cell leave, until
+/// every half-space is decided (docs/machines/pixel-square.md).
 void keep_extremes(Datapath& path, std::vector<Tested>& side, const Rectangle& pixels);
 
 }  // namespace csgsim::division

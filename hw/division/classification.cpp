@@ -11,7 +11,7 @@ namespace {
 using isa::Opcode;
 using isa::Purpose;
 
-/// A result is 0 outside the mask: it is first stored from E at every pixel, and set to 1 later where E is 1 only.
+/// A result is 0 outside the mask: it is first stored from E at every pixel, and later set to 1 only where E is 1.
 class Classifier {
  public:
   Classifier(Writer& out, Datapath& path, const ActiveTree& active, const Surface& surface)
@@ -31,8 +31,8 @@ class Classifier {
   }
 
  private:
-  /// An operator that is being worked out into a result.
-  struct Open {
+  /// An operator whose evaluation into a result bit is in progress.
+  struct PendingOperator {
     std::uint32_t term;
     std::uint32_t bit;
     std::size_t next = 0;
@@ -40,7 +40,7 @@ class Classifier {
 
   [[nodiscard]] isa::Field result(std::uint32_t bit) const {
     if (bit >= fields_.stack_bits) {
-      throw InputError(fmt::format("a square's tree has {} pending results and pixel memory has {} bits for them",
+      throw InputError(fmt::format("a square's tree has {} pending results, but pixel memory has {} bits for them",
                                    bit + 1, fields_.stack_bits));
     }
     return {static_cast<std::uint16_t>(fields_.stack_base + bit), 1};
@@ -51,7 +51,7 @@ class Classifier {
     out_.plain(opcode, field, {}, constant);
   }
 
-  /// E := E and "Z1 is in the primitive".
+  /// E := E and "Z1 is inside the primitive".
   void compare(const Comparison& with) {
     const Box box{with.pixels, surface_.box.z_low, surface_.box.z_high};
     out_.origin = {Purpose::classify, surface_.first, with.primitive};
@@ -69,7 +69,7 @@ class Classifier {
     for (const Comparison& with : leaf.comparisons) compare(with);
   }
 
-  /// E := the leaf, inside the mask.
+  /// E := the leaf, within the mask.
   void load(const Term& leaf) {
     step(Opcode::enable_load, fields_.mask);
     compare(leaf);
@@ -95,7 +95,7 @@ class Classifier {
     }
   }
 
-  /// bit := bit op the result above it.
+  /// bit := bit op the result in the next bit.
   void take_result(Operator op, isa::Field bit, isa::Field above) {
     step(Opcode::enable_load, above);
     if (op == Operator::unite) {
@@ -106,11 +106,11 @@ class Classifier {
     }
   }
 
-  /// result(0) := the operator. Operands after the first that are operators are worked out one bit up.
+  /// result(0) := the operator. Operator operands after the first are evaluated into the next bit.
   void evaluate(std::uint32_t root) {
-    std::vector<Open> open{{root, 0}};
-    while (!open.empty()) {
-      Open& top = open.back();
+    std::vector<PendingOperator> pending{{root, 0}};
+    while (!pending.empty()) {
+      PendingOperator& top = pending.back();
       const Term& term = active_.terms[top.term];
       const isa::Field bit = result(top.bit);
       if (top.next > 1 && !active_.terms[term.operands[top.next - 1]].is_leaf)
@@ -120,10 +120,10 @@ class Classifier {
         ++top.next;
       }
       if (top.next == term.operands.size()) {
-        open.pop_back();
+        pending.pop_back();
       } else {
         const std::uint32_t below = top.next == 0 ? top.bit : top.bit + 1;
-        open.push_back({term.operands[top.next++], below});
+        pending.push_back({term.operands[top.next++], below});
       }
     }
   }

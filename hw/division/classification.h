@@ -5,7 +5,7 @@
 
 namespace csgsim::division {
 
-/// Clears the mask where Z1 is out of the active tree, with pending results on the stack. E is left as it is.
+/// Clears the mask where Z1 is outside the active tree, with pending results on the stack. E is undefined afterwards.
 /// Throws InputError if the tree has more pending results than there are bits.
 void write_classification(Writer& out, Datapath& path, const ActiveTree& active, const Surface& surface);
 

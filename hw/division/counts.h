@@ -1,3 +1,5 @@
+// Operation counts of the divider, and the memory that it needs at a time.
+// Used by the divider, the host's division counts, and the multi-processor's nodes.
 #pragma once
 
 #include <algorithm>
@@ -9,25 +11,25 @@
 
 namespace csgsim::division {
 
-/// What the divider does for a surface, a square, or a group of squares.
+/// Operations of the divider for a surface, a square, or a group of squares.
 using Counts = isa::DivisionStep;
 
-/// What the divider has to keep at a time, the most for any surface of a square: whatever it looks at for one.
-struct AtHand {
-  std::uint64_t halfspaces = 0;  ///< tested at corners
-  std::uint64_t nodes = 0;       ///< of the tree
+/// Memory that the divider needs at a time: the maximum over the surfaces of a square.
+struct PeakUsage {
+  std::uint64_t halfspaces = 0;  ///< half-spaces tested at corners
+  std::uint64_t nodes = 0;       ///< nodes of the tree
 
-  bool operator==(const AtHand&) const = default;
+  bool operator==(const PeakUsage&) const = default;
 };
 
-/// Of the surfaces that each takes so much.
-inline AtHand at_hand_of(std::span<const Counts> surfaces) {
-  AtHand most;
+/// Maximum memory needed by any of the surfaces.
+inline PeakUsage peak_usage_of(std::span<const Counts> surfaces) {
+  PeakUsage peak;
   for (const Counts& one : surfaces) {
-    most.halfspaces = std::max(most.halfspaces, one.halfspaces);
-    most.nodes = std::max(most.nodes, one.nodes);
+    peak.halfspaces = std::max(peak.halfspaces, one.halfspaces);
+    peak.nodes = std::max(peak.nodes, one.nodes);
   }
-  return most;
+  return peak;
 }
 
 }  // namespace csgsim::division

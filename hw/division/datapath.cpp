@@ -2,7 +2,7 @@
 
 namespace csgsim::division {
 
-PrimitiveHead Datapath::look_at(std::uint32_t primitive) {
+PrimitiveHead Datapath::visit_primitive(std::uint32_t primitive) {
   ++counts_.boxes;
   const PrimitiveHead head = read_primitive(primitive);
   on_box();
@@ -25,12 +25,12 @@ std::vector<Tested> Datapath::test(std::uint32_t primitive, std::span<const std:
   return tested;
 }
 
-void Datapath::hold_against_leaders(std::uint64_t halfspaces) {
+void Datapath::compare_with_leaders(std::uint64_t halfspaces) {
   counts_.cells += halfspaces;
   on_cell(halfspaces);
 }
 
-void Datapath::look_at_node() {
+void Datapath::visit_node() {
   ++counts_.nodes;
   on_node();
 }

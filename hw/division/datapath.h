@@ -1,3 +1,5 @@
+// Interface of the divider to the memories of the model, which counts and times its operations.
+// Used by the divider; implemented by the pixel-square machine's dividers and the multi-processor's nodes.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +14,9 @@
 
 namespace csgsim::division {
 
-/// What the divider works with: memories that hold the model, from which a record is read whenever it is needed, and
-/// what tests and writes. All that it does goes by here, one thing after another, and is counted. A machine spends its
-/// clocks there.
+/// Datapath of the divider: memories that hold the model, from which each record is read when needed, and units that
+/// test and write. All operations of the divider pass through here sequentially and are counted. A machine accounts for
+/// its clocks in derived classes.
 class Datapath {
  public:
   explicit Datapath(const ModelHeader& header) : header_(header) {}
@@ -22,26 +24,26 @@ class Datapath {
   Datapath& operator=(const Datapath&) = delete;
   virtual ~Datapath() = default;
 
-  /// In registers.
+  /// Header of the model, held in registers.
   [[nodiscard]] const ModelHeader& header() const { return header_; }
 
-  /// Reads a primitive, to hold its box against another.
-  PrimitiveHead look_at(std::uint32_t primitive);
+  /// Reads a primitive for comparing its box.
+  PrimitiveHead visit_primitive(std::uint32_t primitive);
 
-  /// Reads those half-spaces of a primitive and tests them at the corners of the pixels; `numbers` count from its
-  /// first.
+  /// Reads those half-spaces of a primitive and tests them at the corners of the pixels; `numbers` are indices within
+  /// the primitive.
   std::vector<Tested> test(std::uint32_t primitive, std::span<const std::uint32_t> numbers, const Rectangle& pixels);
 
-  /// Reads so many half-spaces of a side, to hold them against the leaders of a cell.
-  void hold_against_leaders(std::uint64_t halfspaces);
+  /// Reads `halfspaces` half-spaces of a side and compares them with the leaders of a cell.
+  void compare_with_leaders(std::uint64_t halfspaces);
 
-  /// Looks at a node of the tree.
-  void look_at_node();
+  /// Visits a node of the tree.
+  void visit_node();
 
   /// Writes an instruction of the square.
   void write(const isa::Instruction& instruction);
 
-  /// All that it has done since that was asked for last.
+  /// Returns and resets the counts of all operations since the last call.
   Counts take_counts() { return std::exchange(counts_, {}); }
 
  protected:
@@ -51,7 +53,7 @@ class Datapath {
   virtual PrimitiveHead read_primitive(std::uint32_t primitive) = 0;
   virtual Halfspace read_halfspace(std::uint32_t primitive, std::uint32_t number) = 0;
   virtual Plane read_plane(std::uint32_t index) = 0;
-  // Spend the clocks of what has been counted.
+  // Hooks that account for the clocks of counted operations.
   virtual void on_box() {}
   virtual void on_corner_test(bool /*is_last*/) {}
   virtual void on_cell(std::uint64_t /*halfspaces*/) {}
@@ -62,7 +64,7 @@ class Datapath {
   Counts counts_;
 };
 
-/// Reads from a model itself, in no time. The model has to live as long.
+/// Reads directly from a model, in no time. The model must outlive it.
 class PlainDatapath final : public Datapath {
  public:
   explicit PlainDatapath(const DisplayModel& model) : Datapath(model), model_(model) {}

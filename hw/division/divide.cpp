@@ -22,11 +22,11 @@ void write_setup(Writer& out, const ModelHeader& model) {
   out.set(model.fields.colour, model.background);
 }
 
-/// A surface where it is nearer than Z2 and inside its active tree. The depth test comes first.
+/// Writes a surface where it is nearer than Z2 and inside its active tree. The depth test comes first.
 void write_visible(Writer& out, Datapath& path, const Surface& surface, const ActiveTree& active,
                    const Rectangle& square) {
   const Rendering rendering(path, surface);
-  if (rendering.nothing()) return;
+  if (rendering.is_empty()) return;
   rendering.write_surface(out, square);
   rendering.write_depth_test(out);
   if (!active.operands.empty()) {
@@ -63,11 +63,11 @@ Divided Divider::divide(const isa::Region& square, const Candidates& from, Datap
   for (std::uint32_t first = 0, next = 0; first < joined_.size(); first = next) {
     next = first + 1;
     while (next < joined_.size() && joined_[next]) ++next;
-    Surface surface = look_at_boxes(path, from, first, next - first, pixels);
+    Surface surface = intersect_boxes(path, from, first, next - first, pixels);
     if (surface.box.empty()) continue;
     if (test(path, from, surface)) {
       const ActiveTree active = active_tree_of(path, tree_, from, surface);
-      if (!active.nothing) write_visible(out, path, surface, active, pixels);
+      if (!active.is_empty) write_visible(out, path, surface, active, pixels);
     }
     if (out.written().size() > setup) {
       write(std::span(out.written()).subspan(done), path);

@@ -1,3 +1,5 @@
+// The divider: computes the instructions of a square, or of a group of squares, from a display model.
+// Used by the dividers of the pixel-square machine and by the processors of the multi-processor.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +15,28 @@
 
 namespace csgsim::division {
 
-/// What the divider makes of one square.
+/// The division of one square.
 struct Divided {
-  std::vector<isa::Instruction> instructions;  ///< none, if the square shows the background and is not the picture
-  /// What it does for each surface whose boxes have something in common with the square and each other, with the boxes
-  /// that it has looked at since the one before; at the end what is left to do, if anything is.
+  std::vector<isa::Instruction> instructions;  ///< none if the square shows the background and is not the whole picture
+  /// Operations for each surface whose boxes overlap the square and each other, including the boxes visited since the
+  /// previous surface; a last step holds remaining operations, if any.
   std::vector<Counts> steps;
 
   [[nodiscard]] Counts counts() const;
-  [[nodiscard]] AtHand at_hand() const { return at_hand_of(steps); }
+  [[nodiscard]] PeakUsage peak_usage() const { return peak_usage_of(steps); }
 };
 
-/// What it knows of a model besides the records: worked out once, as the model comes.
+/// State of the divider apart from the records: computed once, as the model is received.
 class Divider {
  public:
-  /// The model has to be sound (validate). Of its planes and half-spaces nothing is kept.
+  /// The model must be valid (validate()). Its planes and half-spaces are not stored.
   explicit Divider(const DisplayModel& model);
 
-  /// The square from the whole model, or from the survivors of a group that it lies in.
+  /// Divides the square from the whole model, or from the survivors of the group that contains it.
   Divided divide(const isa::Region& square, const Candidates& from, Datapath& path) const;
   Divided divide(const isa::Region& square, Datapath& path) const { return divide(square, all_, path); }
 
-  /// The first of two levels.
+  /// Performs the first of two levels.
   [[nodiscard]] Candidates survivors(const isa::Region& group, Datapath& path) const {
     return division::survivors(path, all_, rectangle_of(group));
   }
@@ -43,20 +45,20 @@ class Divider {
 
  private:
   ModelHeader header_;
-  std::vector<bool> joined_;  ///< a primitive each
+  std::vector<bool> joined_;  ///< whether each primitive is joined with the previous one
   Tree tree_;
   Candidates all_;
 };
 
-/// The squares of a group, in the order in which they are divided, and what the group cost.
+/// Divided squares of a group, in the order of their division, and the operations for the group.
 struct DividedGroup {
   std::vector<Divided> squares;
   Counts group;
-  std::uint64_t entries = 0;  ///< of the list that the squares were divided from
-  bool fits = true;           ///< the survivors fitted the list; if not, each square is divided from the whole model
+  std::uint64_t entries = 0;  ///< entries of the list that the squares were divided from
+  bool fits = true;           ///< the survivors fit the list; otherwise each square is divided from the whole model
 };
 
-/// Two levels, with a list of that many entries between them.
+/// Divides a group in two levels, with a list of `list_entries` entries between them.
 DividedGroup divide_group(const Divider& divider, const isa::Region& group, const std::vector<isa::Region>& squares,
                           std::uint64_t list_entries, Datapath& path);
 

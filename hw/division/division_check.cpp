@@ -14,15 +14,16 @@ namespace csgsim::division {
 
 namespace {
 
-bool alike(const isa::Instruction& one, const isa::Instruction& other) {
+bool same_encoding(const isa::Instruction& one, const isa::Instruction& other) {
   return isa::as_received(one) == isa::as_received(other);
 }
 
 void check_square(const isa::Segment& segment, std::size_t index, const Divided& divided) {
   const std::vector<isa::Instruction>& expected = segment.instructions;
-  if (!std::equal(divided.instructions.begin(), divided.instructions.end(), expected.begin(), expected.end(), alike)) {
+  if (!std::equal(divided.instructions.begin(), divided.instructions.end(), expected.begin(), expected.end(),
+                  same_encoding)) {
     throw InputError(
-        fmt::format("segment {} is not what its display model is divided into; compile the model again", index));
+        fmt::format("segment {} does not match the division of its display model; compile the model again", index));
   }
 }
 
@@ -42,7 +43,7 @@ void check_division(const isa::Program& program, std::span<const Group> groups, 
   const Divider divider(model);
   PlainDatapath path(model);
   if (model.width != program.shape.width || model.height != program.shape.height)
-    throw InputError("the Program's picture is not that of its display model; compile the model again");
+    throw InputError("the pictures of the Program and of its display model differ in size; compile the model again");
   if (groups.empty()) {
     for (std::size_t i = 0; i < program.segments.size(); ++i)
       check_square(program.segments[i], i, divider.divide(program.segments[i].region, path));

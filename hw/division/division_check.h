@@ -1,3 +1,5 @@
+// Checks that the segments of a Program match the division of its display model.
+// Used by the pixel-square machine and the multi-processor before a run.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +11,15 @@
 
 namespace csgsim::division {
 
-/// The display model of a Program. Throws InputError unless the bytes are those of one.
+/// Decodes the display model of a Program. Throws InputError unless the bytes form one.
 DisplayModel display_model_of(std::span<const std::uint8_t> bytes);
 
-/// Throws InputError unless the segments of a Program with a display model are what a divider makes of that, so that
-/// who watches a run can be told of them. Squares are divided in one level.
+/// Throws InputError unless the segments of a Program match the division of its display model, so that reports to run
+/// listeners are valid. Squares are divided in one level.
 void check_division(const isa::Program& program);
 
-/// The same. `groups`: of segments, all of them, for two levels with a list of so many entries; none for one level.
+/// Likewise. `groups`: all segments in groups, for two levels with a list of `list_entries` entries; none for one
+/// level.
 void check_division(const isa::Program& program, std::span<const Group> groups, std::uint64_t list_entries);
 
 }  // namespace csgsim::division

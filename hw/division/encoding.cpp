@@ -12,9 +12,9 @@ namespace csgsim::division {
 
 namespace {
 
-std::uint64_t last_of(std::size_t count) { return count == 0 ? 0 : count - 1; }
+std::uint64_t last_index(std::size_t count) { return count == 0 ? 0 : count - 1; }
 
-/// The numbers that a stream begins with.
+/// The numbers at the start of a stream.
 struct Header {
   std::uint32_t planes = 0;
   std::uint32_t primitives = 0;
@@ -76,8 +76,8 @@ Header take_header(BitReader& in, DisplayModel& model) {
   return header;
 }
 
-/// Throws InputError unless so many records of that many bits at least can still come, so that no number of them fills
-/// memory.
+/// Throws InputError unless the stream has room for `records` records of at least `bits` bits, so that an invalid count
+/// cannot exhaust memory.
 void require_room(const BitReader& in, std::uint64_t records, unsigned bits) {
   if (records > in.left() / bits) throw InputError("the display model: the stream ends too soon");
 }
@@ -95,7 +95,7 @@ Primitive take_primitive(BitReader& in, const DisplayModel& model, const Widths&
     halfspace.plane = static_cast<std::uint32_t>(in.take(widths.plane));
     halfspace.forward = in.take(1) != 0;
     if (halfspace.plane >= model.planes.size())
-      throw InputError("the display model: a half-space names a plane that there is not");
+      throw InputError("the display model: a half-space refers to a nonexistent plane");
     if (seen(side_of(model.planes[halfspace.plane], halfspace.forward), one.complemented))
       halfspace.colour = static_cast<std::uint32_t>(in.take(widths.colour));
     one.halfspaces.push_back(halfspace);
@@ -111,7 +111,7 @@ Widths widths_of(const DisplayModel& model) {
     widths.slope = std::max({widths.slope, signed_width(plane.a), signed_width(plane.b)});
     widths.constant = std::max(widths.constant, signed_width(plane.c));
   }
-  widths.plane = unsigned_width(last_of(model.planes.size()));
+  widths.plane = unsigned_width(last_index(model.planes.size()));
   for (const Primitive& one : model.primitives) {
     widths.halfspaces = std::max(widths.halfspaces, unsigned_width(one.halfspaces.size()));
   }
@@ -139,7 +139,7 @@ Bits encode(const DisplayModel& model) {
 
 namespace {
 
-/// Reads a model, and leaves what follows it.
+/// Reads a model and leaves the rest of the stream unread.
 DisplayModel read(BitReader& in) {
   DisplayModel model;
   const Header header = take_header(in, model);
@@ -165,10 +165,10 @@ DisplayModel read(BitReader& in) {
   return model;
 }
 
-/// What encode() would not write is no stream: wider fields than the numbers need, another form of an empty rectangle,
-/// anything after the end.
-void require_one_form(bool holds) {
-  if (!holds) throw InputError("the display model: the stream is not in its one form");
+/// Rejects streams that encode() would not write: fields wider than needed, another form of an empty rectangle, or
+/// trailing data.
+void require_canonical(bool holds) {
+  if (!holds) throw InputError("the display model: the stream is not in canonical form");
 }
 
 }  // namespace
@@ -176,7 +176,7 @@ void require_one_form(bool holds) {
 DisplayModel decode(const Bits& bits) {
   BitReader in(bits);
   DisplayModel model = read(in);
-  require_one_form(encode(model) == bits);
+  require_canonical(encode(model) == bits);
   return model;
 }
 
@@ -204,7 +204,7 @@ DisplayModel from_link(std::span<const isa::LinkWord> words, unsigned width) {
   const Bits bits = out.take();
   BitReader in(bits);
   DisplayModel model = read(in);
-  require_one_form(std::ranges::equal(to_link(encode(model), width), words));
+  require_canonical(std::ranges::equal(to_link(encode(model), width), words));
   return model;
 }
 

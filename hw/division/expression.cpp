@@ -7,7 +7,7 @@ namespace csgsim::division {
 
 namespace {
 
-/// Low zero bits that A and B share.
+/// Number of low zero bits that A and B share.
 unsigned shared_zeros(const Plane& plane) {
   return static_cast<unsigned>(
       std::countr_zero(static_cast<std::uint64_t>(plane.a) | static_cast<std::uint64_t>(plane.b)));

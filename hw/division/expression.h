@@ -1,3 +1,5 @@
+// Linear expressions of planes, as encoded in instructions.
+// Used by the divider's instruction writer and by the multi-processor's lists.
 #pragma once
 
 #include "hw/division/display_model.h"
@@ -5,23 +7,24 @@
 
 namespace csgsim::division {
 
-/// A plane as an instruction has it: without low zero bits that A and B share, and as many of C, rounded down, of which
-/// no floor and no sign of the sum depends; and places by which the sum is shifted.
+/// A plane as encoded in an instruction: without the low zero bits that A and B share and the same number of bits of C,
+/// rounded down, since neither the floor nor the sign of the sum depends on them; and the number of bits by which the
+/// sum is shifted.
 struct Expression {
   Plane plane;
   unsigned shift = 0;
 };
 
-/// Of a depth plane that meets a field.
+/// Expression of a depth plane that is compared with a field.
 Expression depth_expression(const ModelHeader& header, const Plane& plane);
 
-/// Of a plane whose sign counts.
+/// Expression of a plane whose sign is tested.
 Expression line_expression(const Plane& plane);
 
-/// The plane, less the end of the depth range: not negative where it is beyond that.
+/// The plane minus the end of the depth range: not negative where the plane is beyond it.
 Plane beyond_range(const ModelHeader& header, const Plane& plane);
 
-/// Counted from the square's corner, in so many bits.
+/// The expression relative to the square's corner, `width` bits wide.
 isa::Linear linear_of(const Expression& expression, const isa::Region& square, unsigned width);
 
 }  // namespace csgsim::division

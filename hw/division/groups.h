@@ -9,14 +9,14 @@
 
 namespace csgsim::division {
 
-/// Squares that are divided one after another, from what their group leaves.
+/// Squares that are divided one after another from the survivors of their group.
 struct Group {
-  isa::Region region;                ///< holds all of them, cut off at the picture's edges
-  std::vector<std::size_t> squares;  ///< indices
+  isa::Region region;                ///< contains all squares, clipped at the picture's edges
+  std::vector<std::size_t> squares;  ///< indices of the squares
 };
 
-/// The squares in groups of `columns` x `rows` squares, each of a picture of that shape cut into squares of that size.
-/// Groups come in the order of their first squares, and squares in a group in the order that they have.
+/// Groups of `columns` x `rows` squares; `picture` and `square` are the shapes of the picture and of a square. Groups
+/// are ordered by their first squares; the squares of a group keep their order.
 std::vector<Group> groups_of(std::span<const isa::Region> squares, const isa::ArrayShape& picture,
                              const isa::ArrayShape& square, std::uint32_t columns, std::uint32_t rows);
 

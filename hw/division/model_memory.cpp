@@ -9,7 +9,7 @@ namespace csgsim::division {
 
 namespace {
 
-constexpr unsigned most_at_once = 64;
+constexpr unsigned max_chunk_bits = 64;
 
 unsigned primitive_bits(const Widths& widths) { return widths.primitive_record() + widths.colour; }
 unsigned halfspace_bits(const Widths& widths) { return widths.halfspace_record() + widths.colour; }
@@ -68,8 +68,8 @@ Bits ModelMemory::read(const Records& records, std::size_t index) const {
   BitWriter out;
   for (std::size_t i = 0; i < records.record_words; ++i) {
     const isa::LinkWord& word = records.words[index * static_cast<std::size_t>(records.record_words) + i];
-    for (unsigned at = 0; at < word_bits_; at += most_at_once) {
-      const unsigned count = std::min(most_at_once, word_bits_ - at);
+    for (unsigned at = 0; at < word_bits_; at += max_chunk_bits) {
+      const unsigned count = std::min(max_chunk_bits, word_bits_ - at);
       out.put(word.number(at, count), count);
     }
   }

@@ -1,3 +1,5 @@
+// Memory of a divider that holds the records of a display model.
+// Used by the dividers of the pixel-square machine.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +13,20 @@
 
 namespace csgsim::division {
 
-/// The records of a display model as a memory keeps them that is read a word at a time: each begins at a new word, and
-/// those of a kind have one width (docs/machines/pixel-square.md).
+/// The records of a display model in a memory that is read word by word: each record begins at a new word, and all
+/// records of a kind have equal width (docs/machines/pixel-square.md).
 class ModelMemory {
  public:
   ModelMemory() = default;
-  /// Words of 1 to 256 bits.
+  /// `word_bits`: 1 to 256.
   ModelMemory(const DisplayModel& model, unsigned word_bits);
 
   [[nodiscard]] PrimitiveHead primitive(std::uint32_t index) const;
-  /// Of a primitive, which has to have it.
+  /// Half-space `number` of a primitive, which must exist.
   [[nodiscard]] Halfspace halfspace(std::uint32_t primitive, std::uint32_t number) const;
   [[nodiscard]] Plane plane(std::uint32_t index) const;
 
-  // Words of a record.
+  // Number of words of a record.
   [[nodiscard]] std::uint64_t primitive_words() const { return primitives_.record_words; }
   [[nodiscard]] std::uint64_t halfspace_words() const { return halfspaces_.record_words; }
   [[nodiscard]] std::uint64_t plane_words() const { return planes_.record_words; }
@@ -44,7 +46,8 @@ class ModelMemory {
   Records primitives_;
   Records halfspaces_;
   Records planes_;
-  std::vector<std::size_t> first_halfspaces_;  ///< of each primitive its first among all: the tree's leaves hold it
+  std::vector<std::size_t> first_halfspaces_;  ///< index of each primitive's first half-space among all; stored in the
+                                               ///< tree's leaves
 };
 
 }  // namespace csgsim::division

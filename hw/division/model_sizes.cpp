@@ -4,7 +4,7 @@ namespace csgsim::division {
 
 namespace {
 
-/// A number of the stream, the first bit in the lowest of the first byte.
+/// Position of a number in the stream; the first bit is the lowest of the first byte.
 struct Place {
   unsigned first = 0;
   unsigned bits = 0;

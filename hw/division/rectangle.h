@@ -38,7 +38,7 @@ struct Box {
   constexpr bool operator==(const Box&) const = default;
 };
 
-/// Whether two boxes have nothing in common.
+/// Whether two boxes do not overlap.
 constexpr bool disjoint(const Box& a, const Box& b) {
   return overlap(a.pixels, b.pixels).empty() || a.z_low > b.z_high || b.z_low > a.z_high;
 }

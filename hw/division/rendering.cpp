@@ -17,8 +17,8 @@ Rendering::Rendering(Datapath& path, const Surface& surface)
   Extremes fronts = extremes_of(path, surface.tested, Side::front, column);
   Extremes backs = extremes_of(path, surface.tested, Side::back, column);
   const Extremes& own = complemented_ ? backs : fronts;
-  nothing_ = fronts.nothing || backs.nothing || (complemented_ && own.facets.empty());
-  // One front that is behind depth 0 at all corners keeps the surface from it: then the box begins behind it.
+  is_empty_ = fronts.is_empty || backs.is_empty || (complemented_ && own.facets.empty());
+  // If a front is behind depth 0 at all corners, the surface does not reach depth 0: its box begins behind it.
   const bool reaches_zero = fronts.facets.empty() || surface.box.z_low == 0;
   if (!complemented_ && reaches_zero) {
     facets_.push_back({true, surface.first, surface.near_colour, {}, 0, 0});
@@ -34,7 +34,7 @@ Rendering::Facet Rendering::facet_of(const Tested& tested) const {
   return {false, tested.primitive, tested.halfspace.colour, tested.plane, tested.low, tested.high};
 }
 
-/// Whether Z1 can hold the facet wherever the surface's pixels are, but for what is beyond the range's other end.
+/// Whether Z1 can hold the facet at all pixels of the surface, except beyond the other end of the depth range.
 bool Rendering::fits(const Facet& facet) const {
   return complemented_ ? facet.high <= model_.farthest() : facet.low >= 0;
 }
@@ -75,8 +75,8 @@ void Rendering::write_extreme(Writer& out) const {
   }
 }
 
-/// Each facet replaces what it is more extreme than, with the mask as E. Where several are equal the first counts:
-/// after the start a facet replaces only less, in order; before it, equals too, backwards.
+/// Each facet replaces those that it exceeds, with the mask as E. Among equal facets the first wins: after the start, a
+/// facet replaces only strictly lesser ones, in order; before it, also equal ones, backwards.
 void Rendering::write_extreme_with_colours(Writer& out) const {
   write_start(out);
   out.plain(Opcode::enable_store, model_.fields.mask);
@@ -86,11 +86,11 @@ void Rendering::write_extreme_with_colours(Writer& out) const {
   out.plain(Opcode::enable_load, model_.fields.mask);
 }
 
-void Rendering::write_replacement(Writer& out, const Facet& facet, bool equals_too) const {
+void Rendering::write_replacement(Writer& out, const Facet& facet, bool replace_equal) const {
   const Rectangle& pixels = surface_.box.pixels;
   const isa::Field z1 = model_.fields.candidate;
   out.plain(Opcode::enable_load, model_.fields.mask);
-  // Beyond the end of the depth range there is no surface.
+  // There is no surface beyond the end of the depth range.
   if (!complemented_ && facet.high > model_.farthest()) {
     out.line(Opcode::edge_negative, beyond_range(model_, facet.plane), pixels);
     out.plain(Opcode::enable_store, model_.fields.mask);
@@ -100,7 +100,7 @@ void Rendering::write_replacement(Writer& out, const Facet& facet, bool equals_t
   }
   const Opcode more = complemented_ ? Opcode::linear_lt : Opcode::linear_gt;
   const Opcode more_or_equal = complemented_ ? Opcode::linear_le : Opcode::linear_ge;
-  out.depth(equals_too ? more_or_equal : more, z1, facet.plane, pixels);
+  out.depth(replace_equal ? more_or_equal : more, z1, facet.plane, pixels);
   out.depth(Opcode::load_linear, z1, facet.plane, pixels);
   write_candidate_colour(out, facet);
 }
@@ -112,7 +112,7 @@ void Rendering::write_candidate_colour(Writer& out, const Facet& facet) const {
   out.origin = rendering;
 }
 
-/// What is subtracted has no back where that is before the near plane.
+/// A subtracted solid has no back where its back is before the near plane.
 void Rendering::write_near_test(Writer& out) const {
   if (std::any_of(facets_.begin(), facets_.end(), [](const Facet& back) { return back.low <= 0; }))
     out.depth(Opcode::linear_lt, model_.fields.candidate, {}, surface_.box.pixels);
@@ -134,7 +134,7 @@ void Rendering::write_merge(Writer& out) const {
   }
 }
 
-/// Each facet but the last is broadcast again, and takes its pixels out of the mask.
+/// Each facet but the last is broadcast again, and removes its pixels from the mask.
 void Rendering::write_colours(Writer& out) const {
   for (std::size_t i = 0; i < facets_.size(); ++i) {
     const Facet& facet = facets_[i];

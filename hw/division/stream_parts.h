@@ -1,20 +1,21 @@
+// Common parts of the streams that encode a display model.
+// Used by the encoding of display models and by the records on the multi-processor's bus.
 #pragma once
 
 #include "hw/division/bit_stream.h"
 #include "hw/division/display_model.h"
 
-/// What streams have in common that say a model or parts of it: the host's, and the records between processors.
 namespace csgsim::division {
 
-/// Size of the picture, bits of depth, fraction and colour.
+/// Size of the picture, and bits of depth, fraction and colour.
 void put_sampling(BitWriter& out, const DisplayModel& model);
 void take_sampling(BitReader& in, DisplayModel& model);
 
 void put_fields(BitWriter& out, const Fields& fields);
 Fields take_fields(BitReader& in, unsigned z_bits, unsigned colour_bits);
 
-/// `depth_bits`: of a depth step or the end of the range. An end is one more than the last, so that nothing is from 0
-/// to 0.
+/// `depth_bits`: width of a depth step or the end of the range. Ends are stored plus one, so that an empty range is
+/// stored as 0 to 0.
 void put_box(BitWriter& out, const Box& box, unsigned depth_bits);
 Box take_box(BitReader& in, unsigned depth_bits);
 

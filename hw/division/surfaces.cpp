@@ -8,33 +8,33 @@ namespace csgsim::division {
 
 namespace {
 
-/// Narrows the depths to those between the fronts and backs at the corners; none, if an edge holds nothing.
+/// Narrows the depths to those between fronts and backs at the corners; empty if an edge contains nothing.
 void narrow(Box& box, const std::vector<Tested>& tested) {
-  bool nothing = false;
+  bool is_empty = false;
   for (const Tested& one : tested) {
     switch (one.side) {
       case Side::front: box.z_low = std::max(box.z_low, one.low); break;
       case Side::back: box.z_high = std::min(box.z_high, one.high); break;
       case Side::not_negative:
-      case Side::negative: nothing = nothing || known_between(one, box.z_low, box.z_high) == Known::out; break;
+      case Side::negative: is_empty = is_empty || known_between(one, box.z_low, box.z_high) == Known::out; break;
     }
   }
-  if (nothing) box.z_high = box.z_low - 1;
+  if (is_empty) box.z_high = box.z_low - 1;
 }
 
 }  // namespace
 
-Surface look_at_boxes(Datapath& path, const Candidates& candidates, std::uint32_t first, std::uint32_t count,
-                      const Rectangle& square) {
+Surface intersect_boxes(Datapath& path, const Candidates& candidates, std::uint32_t first, std::uint32_t count,
+                        const Rectangle& square) {
   Surface surface{first, count, false, 0, {square, 0, path.header().farthest()}, {}};
-  bool nothing = false;
+  bool is_empty = false;
   for (std::uint32_t i = first; i < first + count; ++i) {
     if (!candidates.listed[i]) {
-      nothing = true;
+      is_empty = true;
       continue;
     }
-    const PrimitiveHead primitive = path.look_at(i);
-    nothing = nothing || primitive.box.empty();
+    const PrimitiveHead primitive = path.visit_primitive(i);
+    is_empty = is_empty || primitive.box.empty();
     surface.box.pixels = overlap(surface.box.pixels, primitive.box.pixels);
     surface.box.z_low = std::max(surface.box.z_low, primitive.box.z_low);
     surface.box.z_high = std::min(surface.box.z_high, primitive.box.z_high);
@@ -42,7 +42,7 @@ Surface look_at_boxes(Datapath& path, const Candidates& candidates, std::uint32_
     surface.complemented = primitive.complemented;
     surface.near_colour = primitive.near_colour;
   }
-  if (nothing || surface.box.empty()) surface.box = {};
+  if (is_empty || surface.box.empty()) surface.box = {};
   return surface;
 }
 
@@ -61,10 +61,10 @@ Extremes extremes_of(Datapath& path, const std::vector<Tested>& tested, Side sid
     if (one.side != side) continue;
     const Known known = known_between(one, box.z_low, box.z_high);
     if (known == Known::in) continue;
-    result.nothing = result.nothing || known == Known::out;
+    result.is_empty = result.is_empty || known == Known::out;
     result.facets.push_back(one);
   }
-  if (!result.nothing) keep_extremes(path, result.facets, box.pixels);
+  if (!result.is_empty) keep_extremes(path, result.facets, box.pixels);
   return result;
 }
 

@@ -9,24 +9,24 @@ namespace csgsim::division {
 
 inline constexpr std::uint32_t no_node = 0xffffffffU;
 
-/// A node of the tree as the divider keeps it, worked out once, as the nodes arrive.
+/// A node of the divider's tree, computed once as the nodes are received.
 struct TreeNode {
   bool is_leaf = false;
   Operator op = Operator::unite;
-  std::uint32_t primitive = 0;  ///< of a leaf
+  std::uint32_t primitive = 0;  ///< primitive of a leaf
   std::uint32_t parent = no_node;
-  std::uint32_t first = 0;  ///< the nodes [first, own index] are the subtree
+  std::uint32_t first = 0;  ///< the nodes [first, own index] form the subtree
   std::vector<std::uint32_t> operands;
-  Box box;                    ///< holds the boxes of all primitives of the subtree that have pixels
-  bool in_elsewhere = false;  ///< what the subtree is where none of its primitives is
+  Box box;                    ///< encloses the boxes of all primitives of the subtree that have pixels
+  bool in_elsewhere = false;  ///< whether points outside all primitives of the subtree are inside the subtree
 };
 
 struct Tree {
-  std::vector<TreeNode> nodes;         ///< in postorder
-  std::vector<std::uint32_t> leaf_of;  ///< one a primitive
+  std::vector<TreeNode> nodes;         ///< nodes in postorder
+  std::vector<std::uint32_t> leaf_of;  ///< leaf of each primitive
 };
 
-/// Of a sound model.
+/// The model must be valid.
 Tree make_tree(const DisplayModel& model);
 
 }  // namespace csgsim::division

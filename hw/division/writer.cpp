@@ -11,7 +11,7 @@ namespace {
 
 using isa::Opcode;
 
-/// Bits that the plane's values over the pixels take; the extremes are at corners.
+/// Bits of the plane's values over the pixels; the extremes are at corners.
 unsigned width_over(const Plane& plane, const Rectangle& pixels) {
   unsigned width = 1;
   for (const std::int32_t x : {pixels.x0, pixels.x1}) {
@@ -31,22 +31,22 @@ void Writer::plain(Opcode opcode, isa::Field field, isa::Field second, std::uint
 void Writer::write(const isa::Instruction& instruction) {
   const isa::Field field = instruction.fields[0];
   const bool moves_enable = instruction.opcode == Opcode::enable_load || instruction.opcode == Opcode::enable_store;
-  if (moves_enable && field == equal_) return;
+  if (moves_enable && field == known_enable_) return;
   written_.push_back(instruction);
   const bool leaves_enable = instruction.opcode == Opcode::set_constant || instruction.opcode == Opcode::copy;
   if (moves_enable) {
-    equal_ = field;
-  } else if (!leaves_enable || field.overlaps(equal_)) {
-    equal_ = {};
+    known_enable_ = field;
+  } else if (!leaves_enable || field.overlaps(known_enable_)) {
+    known_enable_ = {};
   }
 }
 
 void Writer::linear(Opcode opcode, isa::Field field, const Expression& expression, const Rectangle& pixels) {
   unsigned width = width_over(expression.plane, pixels);
-  // F has a bit more than the field that it meets, for its sign.
+  // F has one bit more than the field that it is compared with, for its sign.
   if (field.width > 0) width = std::max(width, expression.shift + field.width + 1U);
   if (width > isa::max_linear_width)
-    throw InputError("the display model: a plane takes more bits than a linear expression has");
+    throw InputError("the display model: a plane needs more bits than a linear expression has");
   write({opcode, {field, {}, {}}, linear_of(expression, square_, width), 0, origin});
 }
 

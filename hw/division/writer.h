@@ -12,28 +12,27 @@
 
 namespace csgsim::division {
 
-/// Writes the instructions of one square, but for those that change nothing: to load the bit that E is known to be
-/// equal to, or to store E there. Refers to the model's header.
+/// Writes the instructions of one square, omitting those without effect: loading the bit that E is known to equal, or
+/// storing E there. Refers to the model's header.
 class Writer {
  public:
   Writer(const ModelHeader& header, const isa::Region& square) : header_(header), square_(square) {}
 
-  isa::Origin origin;  ///< of every instruction written
+  isa::Origin origin;  ///< origin of every instruction written
 
   void plain(isa::Opcode opcode, isa::Field field = {}, isa::Field second = {}, std::uint64_t constant = 0);
   void set(isa::Field field, std::uint64_t constant) { plain(isa::Opcode::set_constant, field, {}, constant); }
 
-  /// A depth plane that meets a field, as wide as its values over the pixels ask; E has to be 0 outside them.
+  /// A depth plane compared with a field, as wide as its values over the pixels require; E must be 0 outside them.
   void depth(isa::Opcode opcode, isa::Field field, const Plane& plane, const Rectangle& pixels);
 
-  /// A line whose sign counts; E has to be 0 outside the pixels.
+  /// A line whose sign is tested; E must be 0 outside the pixels.
   void line(isa::Opcode opcode, const Plane& line, const Rectangle& pixels);
 
-  /// E stays 1 inside `inner` only; E has to be 0 outside `outer`.
+  /// Keeps E only inside `inner`; E must be 0 outside `outer`.
   void clip(const Rectangle& inner, const Rectangle& outer);
 
-  /// The edge tests that cut the depths [z_low, z_high] of the pixels: of those tested there, those that do not hold
-  /// all.
+  /// Writes the edge tests among `tested` that do not contain all of the pixels.
   void edges(const std::vector<Tested>& tested, const Rectangle& pixels);
 
   [[nodiscard]] const std::vector<isa::Instruction>& written() const { return written_; }
@@ -46,7 +45,7 @@ class Writer {
 
   const ModelHeader& header_;
   isa::Region square_;
-  isa::Field equal_;  ///< a bit that E is equal to at every pixel; of width 0 if none is known
+  isa::Field known_enable_;  ///< a bit known to equal E at every pixel; width 0 if there is none
   std::vector<isa::Instruction> written_;
 };
 

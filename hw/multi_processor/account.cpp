@@ -18,7 +18,7 @@ machines::Share mean_share(const FrameAccount& counted) {
   return share;
 }
 
-/// Of the node that waits least.
+/// Share of the clocks in which the busiest node works.
 machines::Share busiest_share(const FrameAccount& counted) {
   machines::Share share{.name = "busiest_node_utilisation"};
   for (const NodeClocks& node : counted.nodes) {
@@ -32,37 +32,37 @@ machines::Share busiest_share(const FrameAccount& counted) {
 
 machines::Account account(const FrameAccount& counted, const isa::ArrayShape& nodes) {
   const StageClocks& stages = counted.stages;
-  machines::Account told{.counts = {{"segments", counted.segment_count},
-                                    {"active_segments", counted.active_segments},
-                                    {"first_box_tests", counted.first_box_tests},
-                                    {"first_halfspace_tests", counted.first_halfspace_tests},
-                                    {"first_cell_tests", counted.first_cell_tests},
-                                    {"second_box_tests", counted.second_box_tests},
-                                    {"second_halfspace_tests", counted.second_halfspace_tests},
-                                    {"second_cell_tests", counted.second_cell_tests},
-                                    {"second_tree_nodes", counted.second_tree_nodes},
-                                    {"model_words", counted.model_words},
-                                    {"broadcast_primitives", counted.broadcast_primitives},
-                                    {"broadcast_halfspaces", counted.broadcast_halfspaces},
-                                    {"broadcast_words", counted.broadcast_words},
-                                    {"shared_words", counted.shared_words},
-                                    {"list_passes", counted.list_passes},
-                                    {"reception_clocks", stages.reception},
-                                    {"transformation_clocks", stages.transformation},
-                                    {"first_pruning_clocks", stages.first_pruning},
-                                    {"broadcasting_clocks", stages.broadcasting},
-                                    {"second_pruning_clocks", stages.second_pruning},
-                                    {"sharing_clocks", stages.sharing},
-                                    {"rendering_clocks", stages.rendering},
-                                    {"barrier_clocks", stages.barriers}},
-                         .shares = {mean_share(counted), busiest_share(counted)},
-                         .parts = {machines::part_of("display processor", counted.display, display_activity_names),
-                                   machines::part_of("control bus", counted.bus, bus_activity_names)}};
+  machines::Account result{.counts = {{"segments", counted.segment_count},
+                                      {"active_segments", counted.active_segments},
+                                      {"first_box_tests", counted.first_box_tests},
+                                      {"first_halfspace_tests", counted.first_halfspace_tests},
+                                      {"first_cell_tests", counted.first_cell_tests},
+                                      {"second_box_tests", counted.second_box_tests},
+                                      {"second_halfspace_tests", counted.second_halfspace_tests},
+                                      {"second_cell_tests", counted.second_cell_tests},
+                                      {"second_tree_nodes", counted.second_tree_nodes},
+                                      {"model_words", counted.model_words},
+                                      {"broadcast_primitives", counted.broadcast_primitives},
+                                      {"broadcast_halfspaces", counted.broadcast_halfspaces},
+                                      {"broadcast_words", counted.broadcast_words},
+                                      {"shared_words", counted.shared_words},
+                                      {"list_passes", counted.list_passes},
+                                      {"reception_clocks", stages.reception},
+                                      {"transformation_clocks", stages.transformation},
+                                      {"first_pruning_clocks", stages.first_pruning},
+                                      {"broadcasting_clocks", stages.broadcasting},
+                                      {"second_pruning_clocks", stages.second_pruning},
+                                      {"sharing_clocks", stages.sharing},
+                                      {"rendering_clocks", stages.rendering},
+                                      {"barrier_clocks", stages.barriers}},
+                           .shares = {mean_share(counted), busiest_share(counted)},
+                           .parts = {machines::part_of("display processor", counted.display, display_activity_names),
+                                     machines::part_of("control bus", counted.bus, bus_activity_names)}};
   for (std::size_t i = 0; i < counted.nodes.size(); ++i) {
     const std::string name = "node " + std::to_string(i / nodes.width) + "," + std::to_string(i % nodes.width);
-    told.parts.push_back(machines::part_of(name, counted.nodes[i], node_activity_names));
+    result.parts.push_back(machines::part_of(name, counted.nodes[i], node_activity_names));
   }
-  return told;
+  return result;
 }
 
 }  // namespace csgsim::multi_processor

@@ -12,7 +12,7 @@
 
 namespace csgsim::multi_processor {
 
-/// Where a part of the machine spends its clocks. Every clock of the frame is in one activity of each part.
+/// Activities of the machine's units. Every clock of the frame is counted under exactly one activity per unit.
 enum class DisplayActivity : std::uint8_t { receiving, transforming, dividing, broadcasting, waiting_for_nodes };
 enum class BusActivity : std::uint8_t { busy, granting, idle };
 enum class NodeActivity : std::uint8_t { receiving, pruning, sharing, rendering, waiting };
@@ -32,37 +32,37 @@ using DisplayClocks = machines::ClockTally<DisplayActivity, display_activity_nam
 using BusClocks = machines::ClockTally<BusActivity, bus_activity_names.size()>;
 using NodeClocks = machines::ClockTally<NodeActivity, node_activity_names.size()>;
 
-/// Clocks of the frame by its stages, which come one after the other unless the display processor divides ahead.
+/// Clocks of the frame by stage. The stages are sequential unless the display processor divides ahead.
 struct StageClocks {
-  std::uint64_t reception = 0;  ///< of the model
+  std::uint64_t reception = 0;  ///< reception of the model
   std::uint64_t transformation = 0;
   std::uint64_t first_pruning = 0;
-  std::uint64_t broadcasting = 0;    ///< of the tree, and of half-spaces
-  std::uint64_t second_pruning = 0;  ///< by the slowest node of each segment
-  std::uint64_t sharing = 0;         ///< of lists
-  std::uint64_t rendering = 0;       ///< by the slowest node of each subsegment
+  std::uint64_t broadcasting = 0;    ///< broadcast of the tree and of half-spaces
+  std::uint64_t second_pruning = 0;  ///< pruning by the slowest node of each segment
+  std::uint64_t sharing = 0;         ///< exchange of lists
+  std::uint64_t rendering = 0;       ///< rendering by the slowest node of each subsegment
   std::uint64_t barriers = 0;
 
   bool operator==(const StageClocks&) const = default;
 };
 
-/// How the frame went by.
+/// Counts of one frame.
 struct FrameAccount {
   std::uint64_t segment_count = 0;
-  std::uint64_t active_segments = 0;  ///< of which something is left to be divided
-  std::uint64_t first_box_tests = 0;  ///< by the display processor
+  std::uint64_t active_segments = 0;  ///< segments with at least one primitive left
+  std::uint64_t first_box_tests = 0;  ///< tests by the display processor
   std::uint64_t first_halfspace_tests = 0;
   std::uint64_t first_cell_tests = 0;
-  std::uint64_t second_box_tests = 0;  ///< by the nodes
+  std::uint64_t second_box_tests = 0;  ///< tests by the nodes
   std::uint64_t second_halfspace_tests = 0;
   std::uint64_t second_cell_tests = 0;
-  std::uint64_t second_tree_nodes = 0;     ///< looked at
-  std::uint64_t model_words = 0;           ///< from the host
-  std::uint64_t broadcast_primitives = 0;  ///< by the display processor
+  std::uint64_t second_tree_nodes = 0;     ///< tree nodes visited
+  std::uint64_t model_words = 0;           ///< words from the host
+  std::uint64_t broadcast_primitives = 0;  ///< sent by the display processor
   std::uint64_t broadcast_halfspaces = 0;
   std::uint64_t broadcast_words = 0;
-  std::uint64_t shared_words = 0;  ///< by the nodes
-  std::uint64_t list_passes = 0;   ///< times that the nodes rendered what had come of lists
+  std::uint64_t shared_words = 0;  ///< sent by the nodes
+  std::uint64_t list_passes = 0;   ///< number of times the nodes rendered the received lists
   StageClocks stages;
   DisplayClocks display{};
   BusClocks bus{};
@@ -71,7 +71,7 @@ struct FrameAccount {
   bool operator==(const FrameAccount&) const = default;
 };
 
-/// As it is told.
+/// Converts the counts to the account that statistics and reports show.
 machines::Account account(const FrameAccount& counted, const isa::ArrayShape& nodes);
 
 }  // namespace csgsim::multi_processor

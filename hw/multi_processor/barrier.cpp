@@ -22,9 +22,9 @@ Barrier::Barrier(sc_core::sc_module_name name, const machines::Machine& machine)
 
 void Barrier::on_arrival() {
   const bool all =
-      std::all_of(arrivals.begin(), arrivals.end(), [&](const auto& node) { return node.read() > times_; });
+      std::all_of(arrivals.begin(), arrivals.end(), [&](const auto& node) { return node.read() > rounds_; });
   if (!all) return;
-  gathered.write(++times_);
+  gathered.write(++rounds_);
   release_.notify(time_.of(clocks_));
 }
 

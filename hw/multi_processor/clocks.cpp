@@ -12,12 +12,12 @@ namespace {
 
 using machines::Machine;
 
-/// Loops over the pixels around something that is done at each.
+/// Clocks of the loops over the node's pixels around an operation of `at_each` clocks.
 std::uint64_t pass_clocks(const NodePixels& own, std::uint64_t at_each, const Figures& figures) {
   return own.count() * (at_each + figures.loop.pixel) + own.rows * std::uint64_t{figures.loop.row};
 }
 
-/// What goes round all instructions.
+/// Clocks of the loops that enclose the loop over instructions.
 std::uint64_t outer_clocks(const NodePixels& own, const Figures& figures) {
   switch (figures.order) {
     case RenderingOrder::segment: return 0;
@@ -27,9 +27,9 @@ std::uint64_t outer_clocks(const NodePixels& own, const Figures& figures) {
   return 0;
 }
 
-constexpr std::uint64_t bits_a_word = 64;  ///< of a plane
+constexpr std::uint64_t bits_a_word = 64;  ///< bits in a word of a plane
 
-/// Of each word of a plane's row, the bits of the node's first so many columns.
+/// Mask for each word of a plane's row that selects the pixels of the node's first `columns` columns.
 std::vector<std::uint64_t> row_mask(const machines::MetPixels& met, const NodePixels& own, std::uint64_t columns,
                                     const isa::ArrayShape& nodes) {
   std::vector<std::uint64_t> mask(met.row_words);
@@ -40,14 +40,14 @@ std::vector<std::uint64_t> row_mask(const machines::MetPixels& met, const NodePi
   return mask;
 }
 
-/// Counts those of a node's pixels that planes have. The pixels are numbered row by row.
+/// Counts the pixels of a node that are set in a plane. The node's pixels are numbered row by row.
 class PlaneCounts {
  public:
-  /// `nodes`: of which each has every so-many-th pixel.
+  /// `nodes`: array of nodes over which the pixels are interleaved.
   PlaneCounts(const machines::MetPixels& met, const NodePixels& own, const isa::ArrayShape& nodes)
       : met_(met), own_(own), nodes_(nodes), row_(row_mask(met, own, own.columns, nodes)) {}
 
-  /// Of the pixels from `begin` to `end`.
+  /// Number of set pixels in [begin, end).
   [[nodiscard]] std::uint64_t between(std::uint32_t plane, std::uint64_t begin, std::uint64_t end) const {
     return before(plane, end) - before(plane, begin);
   }
@@ -77,26 +77,26 @@ class PlaneCounts {
   std::vector<std::uint64_t> row_;
 };
 
-std::uint64_t at_enabled(std::uint64_t enabled, std::uint64_t chosen, const PixelPrices& prices) {
-  return (enabled - chosen) * prices.unchosen + chosen * prices.whole;
+std::uint64_t at_enabled(std::uint64_t enabled, std::uint64_t chosen, const PixelCosts& costs) {
+  return (enabled - chosen) * costs.unselected + chosen * costs.full;
 }
 
 }  // namespace
 
 std::uint64_t pixel_clocks(const isa::Instruction& instruction, const Machine& machine) {
-  return pixel_prices(instruction, machines::own<Figures>(machine)).whole;
+  return pixel_costs(instruction, machines::own<Figures>(machine)).full;
 }
 
 machines::PixelClocks all_pixel_clocks(const isa::Segment& segment, std::size_t index, const Machine& machine,
                                        const machines::MetPixels* met) {
-  const PixelPrices prices = pixel_prices(segment.instructions[index], machines::own<Figures>(machine));
+  const PixelCosts costs = pixel_costs(segment.instructions[index], machines::own<Figures>(machine));
   const NodePixels own{0, 0, segment.region.width, segment.region.height};
-  if (met == nullptr) return {own.count() * prices.most(), own.count() * prices.most()};
+  if (met == nullptr) return {own.count() * costs.maximum(), own.count() * costs.maximum()};
   const PlaneCounts counts(*met, own, {1, 1, 0});
   const machines::MetPixels::Planes planes = met->instructions[index];
   const std::uint64_t enabled = counts.all(planes.enabled);
-  const std::uint64_t clocks = at_enabled(enabled, counts.all(planes.chosen), prices);
-  return {(own.count() - enabled) * prices.disabled + clocks, clocks};
+  const std::uint64_t clocks = at_enabled(enabled, counts.all(planes.chosen), costs);
+  return {(own.count() - enabled) * costs.disabled + clocks, clocks};
 }
 
 std::uint64_t clearing_clocks(const NodePixels& own, const Machine& machine) {
@@ -107,32 +107,32 @@ std::uint64_t clearing_clocks(const NodePixels& own, const Machine& machine) {
 
 RenderingClocks::RenderingClocks(const ListPart& part, const Machine& machine)
     : part_(part), machine_(machine), figures_(machines::own<Figures>(machine)) {
-  prices_.reserve(part.instructions.size());
+  costs_.reserve(part.instructions.size());
   for (const isa::Instruction& instruction : part.instructions)
-    prices_.push_back(prices_of(instruction, part.form, figures_));
-  for (const InstructionPrices& one : prices_) {
+    costs_.push_back(instruction_costs(instruction, part.form, figures_));
+  for (const InstructionCosts& one : costs_) {
     chain_ += one.link;
     once_ += one.once;
     row_ += one.row;
-    pixel_ += one.pixel + (part.met == nullptr ? one.at_pixel.most() : one.at_pixel.disabled);
+    pixel_ += one.pixel + (part.met == nullptr ? one.at_pixel.maximum() : one.at_pixel.disabled);
   }
-  if (part.met != nullptr) weigh_planes();
+  if (part.met != nullptr) compute_weights();
 }
 
-void RenderingClocks::weigh_planes() {
+void RenderingClocks::compute_weights() {
   std::vector<std::uint64_t> weights(part_.met->planes.size());
-  for (std::size_t i = 0; i < prices_.size(); ++i) {
+  for (std::size_t i = 0; i < costs_.size(); ++i) {
     const machines::MetPixels::Planes planes = part_.met->instructions[part_.first + i];
-    const PixelPrices& prices = prices_[i].at_pixel;
-    weights[planes.enabled] += prices.unchosen - prices.disabled;
-    weights[planes.chosen] += prices.whole - prices.unchosen;
+    const PixelCosts& costs = costs_[i].at_pixel;
+    weights[planes.enabled] += costs.unselected - costs.disabled;
+    weights[planes.chosen] += costs.full - costs.unselected;
   }
   for (std::uint32_t plane = 0; plane < weights.size(); ++plane) {
     if (weights[plane] != 0) weights_.push_back({plane, weights[plane]});
   }
 }
 
-std::uint64_t RenderingClocks::of_list(const NodePixels& own) const {
+std::uint64_t RenderingClocks::list_clocks(const NodePixels& own) const {
   std::uint64_t clocks = outer_clocks(own, figures_) + chain_ + once_ + own.rows * row_ + own.count() * pixel_;
   if (part_.begins) clocks += clearing_clocks(own, machine_);
   if (weights_.empty()) return clocks;
@@ -143,8 +143,8 @@ std::uint64_t RenderingClocks::of_list(const NodePixels& own) const {
 
 std::uint64_t RenderingClocks::all(const NodePixels& own, isa::Field colour) const {
   if (own.count() == 0) return 0;
-  const bool has_instructions = !prices_.empty();
-  const std::uint64_t clocks = has_instructions ? of_list(own) : 0;
+  const bool has_instructions = !costs_.empty();
+  const std::uint64_t clocks = has_instructions ? list_clocks(own) : 0;
   if (!part_.ends || colour.width == 0) return clocks;
   const bool is_background = part_.begins && !has_instructions;
   const std::uint64_t words = quotient_up(colour.width, figures_.word_bits);
@@ -152,40 +152,40 @@ std::uint64_t RenderingClocks::all(const NodePixels& own, isa::Field colour) con
   return clocks + pass_clocks(own, reads + words * figures_.operations.write, figures_);
 }
 
-/// The loops of an order, from the outermost in, begin a row and a pixel of it as many times as there are before this.
+/// Each enclosing loop, from the outermost inwards, has begun once for every row or pixel before this one.
 std::vector<machines::ClockSpan> RenderingClocks::spans_at(const NodePixels& own, std::uint32_t column,
                                                            std::uint32_t row) const {
-  if (prices_.empty()) return {};  // nor do planes have rows
+  if (costs_.empty()) return {};  // planes have no rows either
   std::optional<PlaneCounts> counts;
   if (part_.met != nullptr) counts.emplace(*part_.met, own, machine_.array);
   const auto at_pixels = [&](std::size_t i, std::uint64_t begin, std::uint64_t end) {
-    const PixelPrices& prices = prices_[i].at_pixel;
-    if (!counts) return (end - begin) * prices.most();
+    const PixelCosts& costs = costs_[i].at_pixel;
+    if (!counts) return (end - begin) * costs.maximum();
     const machines::MetPixels::Planes planes = part_.met->instructions[part_.first + i];
     const std::uint64_t enabled = counts->between(planes.enabled, begin, end);
     const std::uint64_t chosen = planes.chosen == planes.enabled ? enabled : counts->between(planes.chosen, begin, end);
-    return (end - begin - enabled) * prices.disabled + at_enabled(enabled, chosen, prices);
+    return (end - begin - enabled) * costs.disabled + at_enabled(enabled, chosen, costs);
   };
   const auto clocks = [&](std::size_t i, std::uint64_t rows, std::uint64_t begin, std::uint64_t end) {
-    return prices_[i].around(rows, end - begin) + at_pixels(i, begin, end);
+    return costs_[i].around(rows, end - begin) + at_pixels(i, begin, end);
   };
-  const auto of_all = [&](std::uint64_t rows, std::uint64_t begin, std::uint64_t end) {
+  const auto clocks_of_all = [&](std::uint64_t rows, std::uint64_t begin, std::uint64_t end) {
     std::uint64_t sum = 0;
-    for (std::size_t i = 0; i < prices_.size(); ++i) sum += clocks(i, rows, begin, end);
+    for (std::size_t i = 0; i < costs_.size(); ++i) sum += clocks(i, rows, begin, end);
     return sum;
   };
   const std::uint64_t row_begin = std::uint64_t{row} * own.columns;
   const std::uint64_t here = row_begin + column;
   std::uint64_t now = (part_.begins ? clearing_clocks(own, machine_) : 0) + chain_;
   if (figures_.order != RenderingOrder::segment) {
-    now += outer_clocks({.columns = own.columns, .rows = row}, figures_) + of_all(row, 0, row_begin);
+    now += outer_clocks({.columns = own.columns, .rows = row}, figures_) + clocks_of_all(row, 0, row_begin);
     if (figures_.order == RenderingOrder::pixel)
-      now += column * std::uint64_t{figures_.loop.pixel} + of_all(0, row_begin, here);
+      now += column * std::uint64_t{figures_.loop.pixel} + clocks_of_all(0, row_begin, here);
   }
   std::vector<machines::ClockSpan> spans;
-  spans.reserve(prices_.size());
-  for (std::size_t i = 0; i < prices_.size(); ++i) {
-    std::uint64_t begin = now + prices_[i].reach;
+  spans.reserve(costs_.size());
+  for (std::size_t i = 0; i < costs_.size(); ++i) {
+    std::uint64_t begin = now + costs_[i].reach;
     switch (figures_.order) {
       case RenderingOrder::segment:
         begin = now + clocks(i, row, 0, here);
@@ -202,14 +202,14 @@ std::vector<machines::ClockSpan> RenderingClocks::spans_at(const NodePixels& own
   return spans;
 }
 
-double most_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region, const ListForm& form,
-                             const Machine& machine) {
+double max_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region, const ListForm& form,
+                            const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   double clocks = 0;
   for (const isa::Instruction& instruction : list) {
-    const InstructionPrices prices = prices_of(instruction, form, figures);
-    clocks += static_cast<double>(prices.at_pixel.most() + prices.reach + prices.sum + prices.link +
-                                  figures.loop.pixel + figures.loop.row);
+    const InstructionCosts costs = instruction_costs(instruction, form, figures);
+    clocks += static_cast<double>(costs.at_pixel.maximum() + costs.reach + costs.sum + costs.link + figures.loop.pixel +
+                                  figures.loop.row);
   }
   const std::uint64_t words =
       quotient_up(machine.array.memory_bits + 2ULL * isa::max_field_width, std::uint64_t{figures.word_bits}) + 4;

@@ -13,70 +13,71 @@
 #include "hw/multi_processor/prices.h"
 #include "hw/multi_processor/regions.h"
 
-/// Clocks of a node, worked out from the figures.
+/// Clocks of a node, computed from the machine's parameters.
 namespace csgsim::multi_processor {
 
-/// Of all of an instruction at one pixel, if no branch is taken, without the loops around it and what begins a row.
+/// Clocks of a whole instruction at one pixel if no branch is taken, without the surrounding loops and the work at the
+/// start of a row.
 std::uint64_t pixel_clocks(const isa::Instruction& instruction, const machines::Machine& machine);
 
-/// Of an instruction of a subsegment at all its pixels, of all nodes together. `met`: as in ListPart.
+/// Clocks of an instruction of a subsegment at all its pixels, over all nodes. `met`: as in ListPart.
 machines::PixelClocks all_pixel_clocks(const isa::Segment& segment, std::size_t index, const machines::Machine& machine,
                                        const machines::MetPixels* met);
 
-/// What is rendered at once: the list of a subsegment, or as much of it as has come.
+/// The list of a subsegment, or the part of it that is rendered at once.
 struct ListPart {
   std::span<const isa::Instruction> instructions;
-  bool begins = true;  ///< nothing of the list has been carried out before
-  bool ends = true;    ///< nothing of it comes after
-  /// Which pixels of the subsegment a run of its whole list meets; null where no run told: then each instruction takes
-  /// as long at each pixel as it may.
+  bool begins = true;  ///< no earlier part of the list has been executed
+  bool ends = true;    ///< no part of the list follows
+  /// Pixels of the subsegment that each instruction of the whole list met in a run; null without a run: then each
+  /// instruction is charged its maximum at each pixel.
   const machines::MetPixels* met = nullptr;
-  std::size_t first = 0;  ///< instructions of the list that come before
+  std::size_t first = 0;  ///< number of instructions of the list before this part
   ListForm form{};
 };
 
-/// What a part takes of a node's clocks, at whichever of the subsegment's pixels; its prices are worked out once.
+/// Clocks of a node for a list part, for any set of the subsegment's pixels; the costs are computed once.
 class RenderingClocks {
  public:
-  /// What `part` points to, and the machine, outlive this.
+  /// The machine, and the data that `part` refers to, must outlive this object.
   RenderingClocks(const ListPart& part, const machines::Machine& machine);
 
-  /// At all of the node's pixels: where the list begins, memory is cleared; it is carried out; where it ends, the
-  /// colours are stored. Without any instruction they are set to the background. `colour`: of pixel memory; of width 0
-  /// where there is none.
+  /// Clocks at all of the node's pixels: clearing of memory if the part begins the list, execution, and storing of the
+  /// colours if the part ends the list. A list without instructions stores the background. `colour`: field of pixel
+  /// memory; width 0 if there is none.
   [[nodiscard]] std::uint64_t all(const NodePixels& own, isa::Field colour) const;
 
-  /// For each instruction, the clocks, counted from the rendering's first, in which it is carried out at one of the
+  /// Clocks of each instruction, counted from the start of the rendering, in which it executes at one of the
   /// node's pixels.
   [[nodiscard]] std::vector<machines::ClockSpan> spans_at(const NodePixels& own, std::uint32_t column,
                                                           std::uint32_t row) const;
 
  private:
-  /// Clocks for each pixel of a plane, modulo 2^64.
+  /// Clocks for each pixel that is set in a plane, modulo 2^64.
   struct Weight {
     std::uint32_t plane = 0;
     std::uint64_t clocks = 0;
   };
 
-  void weigh_planes();
-  [[nodiscard]] std::uint64_t of_list(const NodePixels& own) const;
+  void compute_weights();
+  [[nodiscard]] std::uint64_t list_clocks(const NodePixels& own) const;
 
   const ListPart part_;
   const machines::Machine& machine_;
   const Figures& figures_;
-  std::vector<InstructionPrices> prices_;
-  std::uint64_t chain_ = 0;  ///< of all instructions together; so are these
+  std::vector<InstructionCosts> costs_;
+  std::uint64_t chain_ = 0;  ///< total of all instructions, like the following members
   std::uint64_t once_ = 0;
   std::uint64_t row_ = 0;
-  std::uint64_t pixel_ = 0;      ///< where E is 0, if planes tell where it is not
-  std::vector<Weight> weights_;  ///< what that changes
+  std::uint64_t pixel_ = 0;  ///< clocks of a pixel with E = 0 if planes give the enabled pixels, otherwise the maximum
+  std::vector<Weight> weights_;  ///< corrections for the pixels of planes
 };
 
-/// Of a rendering, the first clocks, in which memory and enable of all of the node's pixels become 0.
+/// Initial clocks of a rendering, in which memory and enable of all of the node's pixels are cleared.
 std::uint64_t clearing_clocks(const NodePixels& own, const machines::Machine& machine);
 
-/// No node takes more for a list at all pixels of a region; may be rounded.
-double most_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region, const ListForm& form,
-                             const machines::Machine& machine);
+/// Upper bound of the clocks of any node for a list at all pixels of a region; may be rounded.
+double max_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region, const ListForm& form,
+                            const machines::Machine& machine);
 
 }  // namespace csgsim::multi_processor

@@ -17,7 +17,7 @@ namespace {
 
 using Memories = std::vector<std::shared_ptr<const PixelMemory>>;
 
-/// A subsegment put together of what the nodes hold; a copy of it has the pixels to itself.
+/// A view of a subsegment merged from the memories of the nodes; a copy owns its pixels.
 class MergedView final : public systemc::PixelView {
  public:
   MergedView(const isa::Region& region, const isa::ArrayShape& nodes, Memories memories)
@@ -47,9 +47,9 @@ class MergedView final : public systemc::PixelView {
   }
 
   [[nodiscard]] std::unique_ptr<const PixelView> copy() const override {
-    Memories own = memories_;
-    for (std::shared_ptr<const PixelMemory>& memory : own) memory = std::make_shared<const PixelMemory>(*memory);
-    return std::make_unique<MergedView>(region_, nodes_, std::move(own));
+    Memories copies = memories_;
+    for (std::shared_ptr<const PixelMemory>& memory : copies) memory = std::make_shared<const PixelMemory>(*memory);
+    return std::make_unique<MergedView>(region_, nodes_, std::move(copies));
   }
 
  private:
@@ -63,7 +63,7 @@ class MergedView final : public systemc::PixelView {
     const std::uint32_t column = (region_.x + x) % nodes_.width;
     const PixelMemory* const memory = memories_[std::size_t{row} * nodes_.width + column].get();
     const NodePixels pixels = pixels_of(region_, nodes_, row, column);
-    if (memory->pixels() < pixels.count()) throw std::logic_error("pixels are looked at that were not to be kept");
+    if (memory->pixels() < pixels.count()) throw std::logic_error("read of pixels that were not kept");
     return {memory, std::size_t{y / nodes_.height} * pixels.columns + x / nodes_.width};
   }
 
@@ -86,29 +86,29 @@ Collector::Collector(sc_core::sc_module_name name, const machines::Machine& mach
       nodes_(machine.array),
       branches_(machine.kind->asks_for_pixels(machine)),
       names_(names),
-      told_(std::size_t{nodes_.width} * nodes_.height),
-      ends_(told_.size()) {}
+      reported_(std::size_t{nodes_.width} * nodes_.height),
+      ends_(reported_.size()) {}
 
 systemc::Keep Collector::keeps_after(const isa::Region& region, std::uint32_t index) {
   return retirement->keeps_after(names_.segment_of(region), index);
 }
 
 void Collector::after_instruction(std::uint32_t node, NodeState state) {
-  const std::uint32_t index = told_[node]++;
-  if (index == steps_.size()) steps_.emplace_back(told_.size());
+  const std::uint32_t index = reported_[node]++;
+  if (index == steps_.size()) steps_.emplace_back(reported_.size());
   steps_[index][node] = std::move(state);
 }
 
 void Collector::after_subsegment(std::uint32_t node, const isa::Region& region, NodeState end) {
   ends_[node] = std::move(end);
-  if (++ended_ < told_.size()) return;
-  tell(region);
+  if (++ended_ < reported_.size()) return;
+  report(region);
   steps_.clear();
-  std::fill(told_.begin(), told_.end(), 0U);
+  std::fill(reported_.begin(), reported_.end(), 0U);
   ended_ = 0;
 }
 
-void Collector::tell(const isa::Region& region) {
+void Collector::report(const isa::Region& region) {
   const std::uint32_t segment = names_.segment_of(region);
   for (std::uint32_t index = 0; index < steps_.size(); ++index) {
     systemc::Retired retired{.segment = segment, .index = index};
@@ -127,7 +127,7 @@ void Collector::tell(const isa::Region& region) {
 }
 
 void Collector::after_clear(const isa::Region& segment) {
-  if (++ended_ < told_.size()) return;
+  if (++ended_ < reported_.size()) return;
   ended_ = 0;
   for (const isa::Region& part : parts_of(segment, nodes_.width, nodes_.height)) {
     retirement->after_segment(names_.segment_of(part), systemc::ClearView());

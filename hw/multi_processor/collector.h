@@ -12,19 +12,19 @@
 
 namespace csgsim::multi_processor {
 
-/// Where nodes tell what they have carried out.
+/// Port through which nodes report what they have executed.
 class CollectorPort : virtual public sc_core::sc_interface {
  public:
   [[nodiscard]] virtual systemc::Keep keeps_after(const isa::Region& region, std::uint32_t index) = 0;
-  /// Of each instruction of the subsegment in order.
+  /// Called for each instruction of the subsegment, in order.
   virtual void after_instruction(std::uint32_t node, NodeState state) = 0;
   virtual void after_subsegment(std::uint32_t node, const isa::Region& region, NodeState end) = 0;
-  /// A segment whose subsegments have no instructions.
+  /// Called for a segment whose subsegments have no instructions.
   virtual void after_clear(const isa::Region& segment) = 0;
 };
 
-/// Gathers what the nodes tell of a subsegment, each at its own clock, and tells of it instruction by instruction when
-/// all have come to its end. No part of the hardware: it takes no clock.
+/// Collects the reports of the nodes for a subsegment, each at its own clock, and forwards them instruction by
+/// instruction when all nodes have finished it. Not a hardware unit: takes no clock.
 class Collector final : public sc_core::sc_module, public CollectorPort {
  public:
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
@@ -37,15 +37,15 @@ class Collector final : public sc_core::sc_module, public CollectorPort {
   void after_clear(const isa::Region& segment) override;
 
  private:
-  void tell(const isa::Region& region);
+  void report(const isa::Region& region);
 
   const isa::ArrayShape nodes_;
   const bool branches_;
   const systemc::SegmentNames& names_;
-  std::vector<std::vector<NodeState>> steps_;  ///< by instruction, by node
-  std::vector<std::uint32_t> told_;            ///< instructions, by node
-  std::vector<NodeState> ends_;                ///< by node
-  std::uint32_t ended_ = 0;                    ///< nodes
+  std::vector<std::vector<NodeState>> steps_;  ///< states by instruction, then by node
+  std::vector<std::uint32_t> reported_;        ///< number of instructions, by node
+  std::vector<NodeState> ends_;                ///< final states by node
+  std::uint32_t ended_ = 0;                    ///< number of nodes that have finished the subsegment
 };
 
 }  // namespace csgsim::multi_processor

@@ -18,7 +18,7 @@ ControlBus::ControlBus(sc_core::sc_module_name name, const machines::Machine& ma
   sensitive << arrived_;
 }
 
-void ControlBus::begin() { stays_.begin(BusActivity::idle, time_.now()); }
+void ControlBus::begin() { activities_.begin(BusActivity::idle, time_.now()); }
 
 void ControlBus::on_request() {
   if (moving_) return;
@@ -34,7 +34,7 @@ void ControlBus::on_request() {
 void ControlBus::start(std::uint32_t master) {
   master_ = master;
   moving_ = true;
-  stays_.change(BusActivity::granting, time_.now());
+  activities_.change(BusActivity::granting, time_.now());
   granted_.notify(time_.of(link_.latency));
 }
 
@@ -42,7 +42,7 @@ void ControlBus::on_grant() { transfer(); }
 
 void ControlBus::transfer() {
   moving_ = true;
-  stays_.change(BusActivity::busy, time_.now());
+  activities_.change(BusActivity::busy, time_.now());
   arrived_.notify(time_.of(link_.word_clocks));
 }
 
@@ -52,9 +52,9 @@ void ControlBus::on_word() {
   moving_ = false;
   served_[master] = sent.number;
   if (sent.last) master_.reset();
-  stays_.change(BusActivity::idle, time_.now());
+  activities_.change(BusActivity::idle, time_.now());
   lines.write({++words_, master, sent});
-  // Another master may have asked meanwhile, and will not ask again.
+  // Another master may have made its request meanwhile; it does not repeat it.
   if (!master_) on_request();
 }
 

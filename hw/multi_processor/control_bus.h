@@ -14,22 +14,22 @@
 
 namespace csgsim::multi_processor {
 
-/// Carries a word at a time to all parts. Who asks while nobody has the bus gets it after `link.latency` clocks, of
-/// several the one with the lowest number, and has it until its last word. A word takes `link.word_clocks` clocks, and
-/// is on the lines at the end of them.
+/// Broadcasts one word at a time to all units. A master that requests the idle bus is granted it after `link.latency`
+/// clocks (the lowest number first), and holds it until its last word. A word takes `link.word_clocks` clocks and is on
+/// the lines at their end.
 class ControlBus final : public sc_core::sc_module {
  public:
-  sc_core::sc_vector<sc_core::sc_in<BusRequest>> requests;  ///< one a master
+  sc_core::sc_vector<sc_core::sc_in<BusRequest>> requests;  ///< one per master
   sc_core::sc_out<BusLines> lines{"lines"};
 
   ControlBus(sc_core::sc_module_name name, const machines::Machine& machine, std::size_t masters);
 
   void begin();
 
-  [[nodiscard]] BusClocks account() const { return stays_.clocks(time_.now()); }
+  [[nodiscard]] BusClocks account() const { return activities_.clocks(time_.now()); }
 
-  /// For waves. The master is who has the bus, if anybody has.
-  [[nodiscard]] std::string_view activity() const { return name_of(stays_.now()); }
+  /// Shown in waves. The master is the one that holds the bus, if any.
+  [[nodiscard]] std::string_view activity() const { return name_of(activities_.now()); }
   [[nodiscard]] std::optional<std::uint32_t> master() const { return master_; }
 
  private:
@@ -44,13 +44,13 @@ class ControlBus final : public sc_core::sc_module {
 
   TimeBase time_;
   const machines::Link link_;
-  std::vector<std::uint64_t> served_;    ///< words of each master
-  std::optional<std::uint32_t> master_;  ///< who has the bus
-  bool moving_ = false;                  ///< a word, or the grant is on its way
+  std::vector<std::uint64_t> served_;    ///< number of words of each master
+  std::optional<std::uint32_t> master_;  ///< holder of the bus
+  bool moving_ = false;                  ///< a word or the grant is in transit
   std::uint64_t words_ = 0;
   sc_core::sc_event granted_{"granted"};
   sc_core::sc_event arrived_{"word_arrived"};
-  Stays<BusActivity, bus_activity_names.size()> stays_;
+  ActivityCounter<BusActivity, bus_activity_names.size()> activities_;
 };
 
 }  // namespace csgsim::multi_processor

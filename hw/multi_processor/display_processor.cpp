@@ -35,18 +35,18 @@ void DisplayProcessor::begin() {
   first_word_ = words_;
   segment_ = {};
   counted_ = {};
-  stays_.begin(DisplayActivity::receiving, time_.now());
+  activities_.begin(DisplayActivity::receiving, time_.now());
   start_.notify(sc_core::SC_ZERO_TIME);
 }
 
 FrameAccount DisplayProcessor::counted() const {
   FrameAccount counted = counted_;
   counted.broadcast_words = words_ - first_word_;
-  counted.display = stays_.clocks(time_.now());
+  counted.display = activities_.clocks(time_.now());
   return counted;
 }
 
-/// The length, then the bytes.
+/// Receives the length of the model, then its bytes.
 void DisplayProcessor::on_host_word() {
   constexpr unsigned byte_bits = 8;
   const isa::LinkWord& word = host.read().word;
@@ -84,7 +84,7 @@ void DisplayProcessor::draw() {
 }
 
 void DisplayProcessor::receive_model() {
-  const std::uint64_t begun = time_.now();
+  const std::uint64_t start_clock = time_.now();
   wait(model_received_);
   model_ = division::display_model_of(memory_);
   divider_.emplace(model_);
@@ -92,28 +92,28 @@ void DisplayProcessor::receive_model() {
   const std::uint64_t plane_bits = model_.planes.size() * std::uint64_t{division::widths_of(model_).plane_record()};
   has_planes_ = quotient_up(bits, figures_.word_bits) <= figures_.display_memory_words;
   model_words_ = quotient_up(has_planes_ ? bits : bits - plane_bits, figures_.word_bits);
-  counted_.stages.reception = time_.now() - begun;
-  stays_.change(DisplayActivity::waiting_for_nodes, time_.now());
+  counted_.stages.reception = time_.now() - start_clock;
+  activities_.change(DisplayActivity::waiting_for_nodes, time_.now());
 }
 
 void DisplayProcessor::spend(DisplayActivity activity, std::uint64_t clocks) {
-  const std::uint64_t begun = time_.now();
-  stays_.change(activity, begun);
+  const std::uint64_t start_clock = time_.now();
+  activities_.change(activity, start_clock);
   if (clocks > 0) wait(time_.of(clocks));
-  stays_.change(DisplayActivity::waiting_for_nodes, time_.now());
+  activities_.change(DisplayActivity::waiting_for_nodes, time_.now());
   (activity == DisplayActivity::dividing ? counted_.stages.first_pruning : counted_.stages.transformation) +=
-      time_.now() - begun;
+      time_.now() - start_clock;
 }
 
 void DisplayProcessor::draw_segment(const isa::Region& segment) {
   if (!figures_.divides_ahead || is_far_) wait_for_nodes();
-  division::Candidates left = prune(segment);
+  division::Candidates survivors = prune(segment);
   const std::size_t parts = parts_of(segment, nodes_.width, nodes_.height).size();
-  // A picture that is one subsegment has a list whatever is left.
+  // A picture that is one subsegment has a list even if no primitive is left.
   const bool is_picture = parts == 1 && segment == isa::Region{0, 0, model_.width, model_.height};
-  const bool is_active = !left.primitives.empty() || is_picture;
+  const bool is_active = !survivors.primitives.empty() || is_picture;
   wait_for_nodes();
-  left_ = std::move(left);
+  survivors_ = std::move(survivors);
   is_far_ = false;
   broadcast(segment, is_active);
   ++counted_.segment_count;
@@ -122,7 +122,7 @@ void DisplayProcessor::draw_segment(const isa::Region& segment) {
   lists_to_come_ = is_active ? parts : 0;
 }
 
-/// Nodes come to the barrier once for each message with a list, or a part of it.
+/// Nodes reach the barrier once for each message with a list or a part of one.
 void DisplayProcessor::on_bus_word() {
   const BusLines& lines = bus.read();
   if (lines.master == display_master) return;
@@ -137,27 +137,27 @@ void DisplayProcessor::on_bus_word() {
 void DisplayProcessor::take_request(const BusRequest& sent) {
   append(request_, sent.word, bus_width_);
   if (!sent.last) return;
-  is_asked_ = true;
-  asked_.notify(sc_core::SC_ZERO_TIME);
+  request_pending_ = true;
+  request_received_.notify(sc_core::SC_ZERO_TIME);
 }
 
-/// What is left; a second time where there is no memory to keep it in until it is sent.
+/// Returns the survivors. The tests are counted twice if memory cannot hold the survivors until they are sent.
 division::Candidates DisplayProcessor::prune(const isa::Region& segment) {
   segment_ = segment;
   division::PlainDatapath path(model_);
-  division::Candidates left = divider_->survivors(segment, path);
-  const bool fits = model_words_ + memory_words(segment_records(model_, left)) <= figures_.display_memory_words;
-  if (!fits) left = divider_->survivors(segment, path);
+  division::Candidates survivors = divider_->survivors(segment, path);
+  const bool fits = model_words_ + memory_words(segment_records(model_, survivors)) <= figures_.display_memory_words;
+  if (!fits) survivors = divider_->survivors(segment, path);
   const division::Counts counts = path.take_counts();
   counted_.first_box_tests += counts.boxes;
   counted_.first_halfspace_tests += counts.halfspaces;
   counted_.first_cell_tests += counts.cells;
   const std::uint64_t planes = has_planes_ ? 0 : counts.halfspaces * far_plane_clocks();
   spend(DisplayActivity::dividing, clocks_of(counts, figures_.display_tests) + planes);
-  return left;
+  return survivors;
 }
 
-/// A plane that stays with the host is read over its link, and transformed.
+/// Clocks to read a plane over the host's link and to transform it.
 std::uint64_t DisplayProcessor::far_plane_clocks() const {
   const unsigned bits = division::widths_of(model_).plane_record();
   return figures_.host.latency + std::uint64_t{quotient_up(bits, figures_.host.width)} * figures_.host.word_clocks +
@@ -178,40 +178,40 @@ void DisplayProcessor::broadcast_frame() {
   end_broadcast();
 }
 
-/// Half-spaces stay here where they leave no room for two commands in a node.
+/// Half-spaces stay here if they leave no room for two commands in a node.
 void DisplayProcessor::broadcast(const isa::Region& segment, bool is_active) {
   begin_broadcast();
   send(isa::SegmentStart{segment}, false);
   if (is_active) {
-    const Records records = segment_records(model_, left_);
-    const std::uint64_t least = 2 * quotient_up(std::uint64_t{isa::LinkWord::most_bits}, figures_.word_bits);
-    is_far_ = frame_words_ + memory_words(records) + least > figures_.memory_words;
+    const Records records = segment_records(model_, survivors_);
+    const std::uint64_t reserved = 2 * quotient_up(std::uint64_t{isa::LinkWord::most_bits}, figures_.word_bits);
+    is_far_ = frame_words_ + memory_words(records) + reserved > figures_.memory_words;
     if (is_far_) {
-      send(segment_heads(model_, left_), WordKind::heads, false);
+      send(segment_heads(model_, survivors_), WordKind::heads, false);
     } else {
       send(records, WordKind::segment, false);
-      counted_.broadcast_halfspaces += left_.entries() - left_.primitives.size();
+      counted_.broadcast_halfspaces += survivors_.entries() - survivors_.primitives.size();
     }
   }
   send(isa::SegmentEnd{}, true);
   end_broadcast();
-  counted_.broadcast_primitives += left_.primitives.size();
+  counted_.broadcast_primitives += survivors_.primitives.size();
 }
 
 void DisplayProcessor::answer_request() {
-  is_asked_ = false;
-  const HalfspaceName name = requested(model_, left_, std::exchange(request_, {}).take());
-  stays_.change(DisplayActivity::broadcasting, time_.now());
-  send({halfspace_record(model_, left_, name)}, WordKind::answer, true);
-  stays_.change(DisplayActivity::waiting_for_nodes, time_.now());
+  request_pending_ = false;
+  const HalfspaceId id = decode_request(model_, survivors_, std::exchange(request_, {}).take());
+  activities_.change(DisplayActivity::broadcasting, time_.now());
+  send({halfspace_record(model_, survivors_, id)}, WordKind::answer, true);
+  activities_.change(DisplayActivity::waiting_for_nodes, time_.now());
   ++counted_.broadcast_halfspaces;
 }
 
-void DisplayProcessor::begin_broadcast() { stays_.change(DisplayActivity::broadcasting, time_.now()); }
+void DisplayProcessor::begin_broadcast() { activities_.change(DisplayActivity::broadcasting, time_.now()); }
 
 void DisplayProcessor::end_broadcast() {
-  counted_.stages.broadcasting += stays_.since(time_.now());
-  stays_.change(DisplayActivity::waiting_for_nodes, time_.now());
+  counted_.stages.broadcasting += activities_.since(time_.now());
+  activities_.change(DisplayActivity::waiting_for_nodes, time_.now());
 }
 
 void DisplayProcessor::send(const isa::Command& command, bool last) {
@@ -232,7 +232,7 @@ void DisplayProcessor::send(const Records& records, WordKind kind, bool last) {
   }
 }
 
-/// Returns when the word has gone.
+/// Returns when the word has been transferred.
 void DisplayProcessor::send(const BusRequest& word) {
   BusRequest numbered = word;
   numbered.number = ++words_;
@@ -244,10 +244,10 @@ void DisplayProcessor::send(const BusRequest& word) {
 
 void DisplayProcessor::wait_for_nodes() {
   while (lists_to_come_ > 0 || released.read() < barriers_) {
-    if (is_asked_) {
+    if (request_pending_) {
       answer_request();
     } else {
-      wait(released.value_changed_event() | asked_);
+      wait(released.value_changed_event() | request_received_);
     }
   }
 }

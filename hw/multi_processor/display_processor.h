@@ -18,31 +18,31 @@
 
 namespace csgsim::multi_processor {
 
-/// Takes the model into its memory, transforms its planes and broadcasts its tree. Then for each segment it holds all
-/// primitives against it, and the half-spaces of those that touch it; waits until the nodes have done with the segment
-/// before, and broadcasts what is left. It does not divide while the nodes work, unless it divides ahead. Where the
-/// records of a segment do not fit the nodes, their half-spaces stay here, and nodes ask for them one by one. Where the
-/// model does not fit its own memory, it reads planes from the host whenever it tests them; where what a segment leaves
-/// does not, it tests the segment again as it broadcasts that.
+/// Receives the model into its memory, transforms its planes and broadcasts its tree. For each segment it tests all
+/// primitives against the segment, and the half-spaces of those that touch it; waits until the nodes have finished the
+/// previous segment; and broadcasts the survivors. Unless it divides ahead, it does not divide while the nodes work. If
+/// the records of a segment do not fit the nodes, their half-spaces stay here, and nodes request them one by one. If
+/// the model does not fit its own memory, it reads planes from the host whenever it tests them; if the survivors of a
+/// segment do not fit, it tests the segment again while broadcasting.
 class DisplayProcessor final : public sc_core::sc_module {
  public:
   sc_core::sc_in<HostWord> host{"host"};
   sc_core::sc_in<BusLines> bus{"bus"};
   sc_core::sc_out<BusRequest> request{"request"};
-  sc_core::sc_in<std::uint64_t> released{"released"};  ///< barriers
-  sc_core::sc_out<std::uint64_t> frames{"frames"};     ///< that are drawn
+  sc_core::sc_in<std::uint64_t> released{"released"};  ///< number of barriers
+  sc_core::sc_out<std::uint64_t> frames{"frames"};     ///< number of frames drawn
 
   DisplayProcessor(sc_core::sc_module_name name, const machines::Machine& machine);
 
-  /// Draws a frame of the model that comes from the host from the next delta on.
+  /// Draws a frame of the model that the host sends from the next delta cycle on.
   void begin();
 
-  /// What it has done, and its stages.
+  /// Counts and stage clocks of the frame.
   [[nodiscard]] FrameAccount counted() const;
 
-  /// For waves.
-  [[nodiscard]] std::string_view activity() const { return name_of(stays_.now()); }
-  [[nodiscard]] const isa::Region& segment() const { return segment_; }  ///< at hand; without pixels before the first
+  /// Shown in waves.
+  [[nodiscard]] std::string_view activity() const { return name_of(activities_.now()); }
+  [[nodiscard]] const isa::Region& segment() const { return segment_; }  ///< current segment; empty before the first
 
  private:
   void on_host_word();
@@ -70,31 +70,31 @@ class DisplayProcessor final : public sc_core::sc_module {
   const Figures figures_;
   const isa::ArrayShape nodes_;
   const std::uint32_t bus_width_;
-  std::uint64_t bits_taken_ = 0;      ///< from the host
-  std::uint64_t model_bytes_ = 0;     ///< as the host says
-  std::vector<std::uint8_t> memory_;  ///< the model's bytes that have come
+  std::uint64_t bits_taken_ = 0;      ///< received from the host
+  std::uint64_t model_bytes_ = 0;     ///< size of the model, sent by the host
+  std::vector<std::uint8_t> memory_;  ///< bytes of the model received
   division::DisplayModel model_;
-  std::optional<division::Divider> divider_;  ///< once the model is in
-  bool has_planes_ = true;                    ///< in its memory
-  std::uint64_t model_words_ = 0;             ///< of its memory, that the model takes
-  std::uint64_t frame_words_ = 0;             ///< of a node's memory
-  division::Candidates left_;                 ///< of the segment that was broadcast last
-  bool is_far_ = false;                       ///< half-spaces of that segment have stayed here
-  division::BitWriter request_;               ///< of a node, as much as has come
-  bool is_asked_ = false;                     ///< a request has come
-  std::uint64_t words_ = 0;                   ///< sent, of all frames
-  std::uint64_t barriers_ = 0;                ///< that the nodes come to with what has been sent, of all frames
-  std::uint64_t lists_to_come_ = 0;           ///< of the segment, from the nodes
-  bool is_list_ = false;                      ///< the message on the bus has commands of one
+  std::optional<division::Divider> divider_;  ///< set once the model has been received
+  bool has_planes_ = true;                    ///< the planes are in the display processor's memory
+  std::uint64_t model_words_ = 0;             ///< words of its memory that the model occupies
+  std::uint64_t frame_words_ = 0;             ///< words of a node's memory that the frame's records occupy
+  division::Candidates survivors_;            ///< survivors of the segment broadcast last
+  bool is_far_ = false;                       ///< half-spaces of that segment stayed here
+  division::BitWriter request_;               ///< bits received of a node's request
+  bool request_pending_ = false;              ///< a request has been received
+  std::uint64_t words_ = 0;                   ///< words sent, over all frames
+  std::uint64_t barriers_ = 0;       ///< barriers that the nodes reach with what has been sent, over all frames
+  std::uint64_t lists_to_come_ = 0;  ///< lists of the segment still to be sent by the nodes
+  bool is_list_ = false;             ///< the message on the bus contains commands of a list
   std::uint64_t drawn_ = 0;
-  isa::Region segment_;  ///< that was divided last
+  isa::Region segment_;  ///< segment divided last
   sc_core::sc_event start_{"start"};
   sc_core::sc_event model_received_{"model_received"};
-  sc_core::sc_event asked_{"asked"};
+  sc_core::sc_event request_received_{"asked"};
 
-  std::uint64_t first_word_ = 0;  ///< sent before the frame
+  std::uint64_t first_word_ = 0;  ///< words sent before the frame
   FrameAccount counted_;
-  Stays<DisplayActivity, display_activity_names.size()> stays_;
+  ActivityCounter<DisplayActivity, display_activity_names.size()> activities_;
 };
 
 }  // namespace csgsim::multi_processor

@@ -20,9 +20,9 @@ using machines::most_clocks;
 using machines::own_figure;
 namespace shared = machines::shared;
 
-constexpr std::int64_t most_nodes_a_side = 16;
-constexpr std::int64_t most_levels = 20;
-constexpr std::int64_t most_memory_words = std::int64_t{1} << 31U;
+constexpr std::int64_t max_nodes_per_side = 16;
+constexpr std::int64_t max_levels = 20;
+constexpr std::int64_t max_memory_words = std::int64_t{1} << 31U;
 
 template <auto part, auto member>
 constexpr FigureSchema part_clocks(std::string_view key, std::string_view meaning) {
@@ -30,95 +30,102 @@ constexpr FigureSchema part_clocks(std::string_view key, std::string_view meanin
 }
 
 constexpr auto schema = std::to_array<FigureSchema>({
-    machines::figure<&Machine::array, &isa::ArrayShape::width>("nodes.columns", "nodes", 1, most_nodes_a_side,
-                                                               "nodes in a row of the array"),
-    machines::figure<&Machine::array, &isa::ArrayShape::height>("nodes.rows", "nodes", 1, most_nodes_a_side,
+    machines::figure<&Machine::array, &isa::ArrayShape::width>("nodes.columns", "nodes", 1, max_nodes_per_side,
+                                                               "nodes per row of the array"),
+    machines::figure<&Machine::array, &isa::ArrayShape::height>("nodes.rows", "nodes", 1, max_nodes_per_side,
                                                                 "rows of nodes"),
     machines::figure<&Machine::array, &isa::ArrayShape::memory_bits>(
-        "pixel.memory_bits", "bits", 1, isa::max_memory_bits, "that a node keeps for a pixel"),
+        "pixel.memory_bits", "bits", 1, isa::max_memory_bits, "memory that a node keeps per pixel"),
     shared::picture_width,
     shared::picture_height,
     shared::clock_frequency,
-    own_figure<Figures, &Figures::levels>("subdivision.levels", "halvings", 0, most_levels,
-                                          "of the picture, into segments"),
+    own_figure<Figures, &Figures::levels>("subdivision.levels", "halvings", 0, max_levels,
+                                          "halvings of the picture into segments"),
     own_figure<Figures, &Figures::order>("rendering.order", "", 0, 2,
-                                         "in which a node goes over pixels and instructions", rendering_order_names),
+                                         "loop order of a node over pixels and instructions", rendering_order_names),
     own_figure<Figures, &Figures::host, &HostLink::width>("host.link_width", "bits", 1, isa::LinkWord::most_bits,
-                                                          "a word of the host's link"),
+                                                          "bits of a word of the host's link"),
     own_figure<Figures, &Figures::host, &HostLink::word_clocks>("host.link_word_clocks", "clocks", 1, most_clocks,
-                                                                "from one word of the host's link to the next"),
+                                                                "clocks between two words of the host's link"),
     part_clocks<&Figures::host, &HostLink::latency>("host.link_latency",
-                                                    "from the frame's beginning to its first word"),
-    own_figure<Figures, &Figures::display_memory_words>("display.memory_words", "words", 1, most_memory_words,
-                                                        "for the model and what a segment leaves of it"),
+                                                    "clocks from the start of the frame to its first word"),
+    own_figure<Figures, &Figures::display_memory_words>("display.memory_words", "words", 1, max_memory_words,
+                                                        "memory for the model and the survivors of a segment"),
     own_figure<Figures, &Figures::transform_clocks>("display.transform_clocks", "clocks", 0, most_clocks,
-                                                    "to transform a plane of the model"),
-    part_clocks<&Figures::display_tests, &TestClocks::primitive>("display.primitive_clocks",
-                                                                 "to hold the bounds of a primitive against a segment"),
+                                                    "clocks to transform a plane of the model"),
+    part_clocks<&Figures::display_tests, &TestClocks::primitive>(
+        "display.primitive_clocks", "clocks to compare the bounds of a primitive with a segment"),
     part_clocks<&Figures::display_tests, &TestClocks::halfspace>(
-        "display.halfspace_clocks", "to hold a half-space against the corners of a segment"),
+        "display.halfspace_clocks", "clocks to test a half-space at the corners of a segment"),
     part_clocks<&Figures::display_tests, &TestClocks::cell>(
-        "display.cell_clocks", "to hold a half-space of a side against the leaders of a cell"),
+        "display.cell_clocks", "clocks to compare a half-space of a side with the leaders of a cell"),
     own_figure<Figures, &Figures::divides_ahead>("display.divides_ahead", "segments", 0, 1,
-                                                 "that are divided while the nodes work on the one before"),
-    own_figure<Figures, &Figures::lists>("lists.kind", "", 0, 1, "what nodes tell each other of lists",
+                                                 "segments divided ahead, while the nodes work on the previous one"),
+    own_figure<Figures, &Figures::lists>("lists.kind", "", 0, 1, "form of the lists that nodes send to each other",
                                          list_kind_names),
     shared::link_width,
     shared::link_word_clocks,
     shared::link_latency,
     own_figure<Figures, &Figures::barrier_clocks>("barrier.clocks", "clocks", 0, most_clocks,
-                                                  "from the last node's arrival until all go on"),
+                                                  "clocks from the last node's arrival to the release of all nodes"),
     machines::or_ideal(own_figure<Figures, &Figures::refresh, &RefreshFigures::rate>(
-                           "refresh.rate", "Hz", 1, 1000, "pictures a second on the screen; ideal: shown for nothing"),
+                           "refresh.rate", "Hz", 1, 1000, "pictures shown per second; ideal: refresh takes no clocks"),
                        0),
     own_figure<Figures, &Figures::refresh, &RefreshFigures::bits>(
-        "refresh.bits", "bits", 1, 1U << 24U, "of each node's pixels that go to the screen in a turn"),
+        "refresh.bits", "bits", 1, 1U << 24U, "bits of each node's pixels that the screen reads per turn"),
     own_figure<Figures, &Figures::refresh, &RefreshFigures::clocks>(
-        "refresh.clocks", "clocks", 1, 1000, "in which such a turn takes the memories of all nodes"),
-    own_figure<Figures, &Figures::word_bits>("node.word_bits", "bits", 1, 64, "of a word"),
-    own_figure<Figures, &Figures::memory_words>("node.memory_words", "words", 1, most_memory_words,
-                                                "for the tree, a segment's half-spaces and lists"),
-    part_clocks<&Figures::operations, &OperationClocks::read>("node.read_clocks", "to read a word of memory"),
-    part_clocks<&Figures::operations, &OperationClocks::write>("node.write_clocks", "to write a word of memory"),
-    part_clocks<&Figures::operations, &OperationClocks::add>("node.add_clocks", "to add a word"),
-    part_clocks<&Figures::operations, &OperationClocks::compare>("node.compare_clocks", "to compare a word"),
-    part_clocks<&Figures::operations, &OperationClocks::logic>("node.logic_clocks", "to combine a word"),
-    part_clocks<&Figures::operations, &OperationClocks::multiply>("node.multiply_clocks", "to multiply two words"),
-    part_clocks<&Figures::operations, &OperationClocks::shift>("node.shift_clocks",
-                                                               "to shift a word, besides each place"),
+        "refresh.clocks", "clocks", 1, 1000, "clocks for which such a turn occupies the memories of all nodes"),
+    own_figure<Figures, &Figures::word_bits>("node.word_bits", "bits", 1, 64, "bits of a node's word"),
+    own_figure<Figures, &Figures::memory_words>("node.memory_words", "words", 1, max_memory_words,
+                                                "memory for the tree, a segment's half-spaces, and lists"),
+    part_clocks<&Figures::operations, &OperationClocks::read>("node.read_clocks", "clocks to read a word of memory"),
+    part_clocks<&Figures::operations, &OperationClocks::write>("node.write_clocks", "clocks to write a word of memory"),
+    part_clocks<&Figures::operations, &OperationClocks::add>("node.add_clocks", "clocks to add a word"),
+    part_clocks<&Figures::operations, &OperationClocks::compare>("node.compare_clocks", "clocks to compare a word"),
+    part_clocks<&Figures::operations, &OperationClocks::logic>("node.logic_clocks",
+                                                               "clocks of a logic operation on a word"),
+    part_clocks<&Figures::operations, &OperationClocks::multiply>("node.multiply_clocks",
+                                                                  "clocks to multiply two words"),
+    part_clocks<&Figures::operations, &OperationClocks::shift>(
+        "node.shift_clocks", "clocks to shift a word, in addition to those per bit position"),
     machines::or_ideal(part_clocks<&Figures::operations, &OperationClocks::shift_bit>(
-                           "node.shift_bit_clocks", "of a shift for each place; ideal: it takes all places at once"),
+                           "node.shift_bit_clocks", "clocks of a shift per bit position; ideal: all positions at once"),
                        0),
-    machines::or_ideal(own_figure<Figures, &Figures::field_clocks>(
-                           "node.field_clocks", "clocks", 0, most_clocks,
-                           "to come to a number among bits, besides its shifts and mask; ideal: each has words of its "
-                           "own as soon as it comes"),
-                       unpacked),
+    machines::or_ideal(
+        own_figure<Figures, &Figures::field_clocks>(
+            "node.field_clocks", "clocks", 0, most_clocks,
+            "clocks to extract a number from packed bits, in addition to its shifts and mask; ideal: each number "
+            "arrives in separate words"),
+        unpacked),
     own_figure<Figures, &Figures::branches, &BranchFigures::over>(
-        "node.branches", "", 0, 1, "over what an instruction has no effect on at a pixel", branches_names),
-    part_clocks<&Figures::branches, &BranchFigures::taken>("node.branch_clocks", "of a branch that is taken"),
-    part_clocks<&Figures::branches, &BranchFigures::passed>("node.no_branch_clocks", "of a branch that is not taken"),
-    own_figure<Figures, &Figures::chain, &ChainFigures::program>(
-        "node.program", "", 0, 1, "by which a node carries out a list", node_program_names),
+        "node.branches", "", 0, 1, "work without effect at a pixel that nodes branch over", branches_names),
+    part_clocks<&Figures::branches, &BranchFigures::taken>("node.branch_clocks", "clocks of a taken branch"),
+    part_clocks<&Figures::branches, &BranchFigures::passed>("node.no_branch_clocks", "clocks of a branch not taken"),
+    own_figure<Figures, &Figures::chain, &ChainFigures::program>("node.program", "", 0, 1, "how a node executes a list",
+                                                                 node_program_names),
     part_clocks<&Figures::chain, &ChainFigures::link>(
-        "node.chain_clocks", "to put an instruction of a native program into its chain, besides its numbers"),
+        "node.chain_clocks",
+        "clocks to append an instruction to the chain of a native program, in addition to its operands"),
     part_clocks<&Figures::chain, &ChainFigures::call>("node.call_clocks",
-                                                      "to call an instruction of a native program, and to return"),
-    part_clocks<&Figures::loop, &LoopClocks::pixel>("node.pixel_loop_clocks", "of the loop over the pixels of a row"),
-    part_clocks<&Figures::loop, &LoopClocks::row>("node.row_loop_clocks", "of the loop over rows"),
-    part_clocks<&Figures::loop, &LoopClocks::instruction>("node.instruction_loop_clocks",
-                                                          "of the loop over instructions, besides reading one"),
-    part_clocks<&Figures::node_tests, &TestClocks::primitive>("node.primitive_clocks",
-                                                              "to hold the bounds of a primitive against a subsegment"),
+                                                      "clocks to call an instruction of a native program and return"),
+    part_clocks<&Figures::loop, &LoopClocks::pixel>("node.pixel_loop_clocks",
+                                                    "clocks per iteration of the loop over the pixels of a row"),
+    part_clocks<&Figures::loop, &LoopClocks::row>("node.row_loop_clocks", "clocks per iteration of the loop over rows"),
+    part_clocks<&Figures::loop, &LoopClocks::instruction>(
+        "node.instruction_loop_clocks",
+        "clocks per iteration of the loop over instructions, in addition to reading one"),
+    part_clocks<&Figures::node_tests, &TestClocks::primitive>(
+        "node.primitive_clocks", "clocks to compare the bounds of a primitive with a subsegment"),
     part_clocks<&Figures::node_tests, &TestClocks::halfspace>(
-        "node.halfspace_clocks", "to hold a half-space against the corners of a subsegment"),
+        "node.halfspace_clocks", "clocks to test a half-space at the corners of a subsegment"),
     part_clocks<&Figures::node_tests, &TestClocks::cell>(
-        "node.cell_clocks", "to hold a half-space of a side against the leaders of a cell"),
-    part_clocks<&Figures::node_tests, &TestClocks::tree_node>("node.tree_clocks", "to look at a node of the tree"),
+        "node.cell_clocks", "clocks to compare a half-space of a side with the leaders of a cell"),
+    part_clocks<&Figures::node_tests, &TestClocks::tree_node>("node.tree_clocks", "clocks to visit a node of the tree"),
     part_clocks<&Figures::node_tests, &TestClocks::instruction>("node.list_clocks",
-                                                                "to put an instruction into the list"),
-    own_figure<Figures, &Figures::number_clocks>("node.number_clocks", "clocks", 0, most_clocks,
-                                                 "to put an instruction of a half-space's number into the list"),
+                                                                "clocks to append an instruction to the list"),
+    own_figure<Figures, &Figures::number_clocks>(
+        "node.number_clocks", "clocks", 0, most_clocks,
+        "clocks to append an instruction with a half-space number to the list"),
     shared::host_processor,
     shared::host_count,
 });
@@ -158,7 +165,7 @@ machines::PixelClocks Kind::clocks_at_pixels(const isa::Segment& segment, std::s
 machines::Resources Kind::resources(const Machine& machine, const isa::FrameHeader& header) const {
   const Figures& figures = figures_of(machine);
   const std::uint64_t nodes = std::uint64_t{machine.array.width} * machine.array.height;
-  std::uint64_t working_pixels = 0;  // the most that a node has of a subsegment
+  std::uint64_t working_pixels = 0;  // maximum over the subsegments of the pixels of one node
   Machine drawing = machine;
   drawing.picture = {header.shape.width, header.shape.height};
   for (const isa::Region& part : regions(drawing)) {

@@ -7,26 +7,27 @@
 #include "hw/isa/instruction.h"
 #include "hw/isa/wire.h"
 
-/// How the lists of a segment are written down, on the bus and in the nodes' memories.
+/// Encoding of the lists of a segment, on the bus and in the nodes' memories.
 ///
-/// As instructions, they are what crosses any link (hw/isa/wire.h). As numbers, a linear expression of a half-space
-/// that all nodes have is its number among those that the segment leaves, and the width of the expression: after the
-/// instruction's own number and its field comes a bit that says so, and these two; else the bit, and the expression.
+/// Form `instructions`: lists are encoded as on any link (hw/isa/wire.h). Form `numbers`: the linear expression of a
+/// half-space that all nodes hold is replaced by the half-space's index among the survivors of the segment and the
+/// width of the expression. A flag bit follows the opcode and the field: 1 is followed by index and width, 0 by the
+/// expression.
 namespace csgsim::multi_processor {
 
 struct ListForm {
   bool has_numbers = false;
-  unsigned number_bits = 0;                      ///< of a half-space
-  unsigned record_bits = 0;                      ///< of a half-space in memory
-  std::array<std::uint8_t, 5> record_numbers{};  ///< bits of what is looked at of that
+  unsigned number_bits = 0;                      ///< width of the index of a half-space
+  unsigned record_bits = 0;                      ///< width of a half-space in memory
+  std::array<std::uint8_t, 5> record_numbers{};  ///< widths in bits of the numbers read from that record
 };
 
-/// Bits of the width beside a number.
+/// Bits of the width that follows an index.
 inline constexpr unsigned number_width_bits = isa::wire_linear_width_bits;
 
-/// Is the expression a half-space's? Those that clip to a rectangle, at most a step a pixel across or down, are none,
-/// nor is 0; a line of a half-space like these travels as they do.
-inline bool is_of_halfspace(const isa::Instruction& instruction) {
+/// Whether the expression belongs to a half-space. Expressions that clip to a rectangle, which change by at most one
+/// step per pixel in x or y, do not, nor does 0; a half-space line of the same form is sent in the same way.
+inline bool is_halfspace_expression(const isa::Instruction& instruction) {
   if (instruction.linear.width == 0) return false;
   const isa::Linear linear = isa::reduced(instruction.linear);
   if (instruction.fields[0].width > 0) return linear.a != 0 || linear.b != 0 || linear.c != 0;
@@ -34,9 +35,9 @@ inline bool is_of_halfspace(const isa::Instruction& instruction) {
   return linear.a < -step || linear.a > step || linear.b < -step || linear.b > step || (linear.a != 0 && linear.b != 0);
 }
 
-/// Does its number travel?
-inline bool is_named(const isa::Instruction& instruction, const ListForm& form) {
-  return form.has_numbers && is_of_halfspace(instruction);
+/// Whether the half-space's index is sent instead of the expression.
+inline bool uses_index(const isa::Instruction& instruction, const ListForm& form) {
+  return form.has_numbers && is_halfspace_expression(instruction);
 }
 
 }  // namespace csgsim::multi_processor

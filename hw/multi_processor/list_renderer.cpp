@@ -38,7 +38,7 @@ void ListRenderer::for_each_pixel(const Visit& visit) {
 }
 
 void ListRenderer::render() {
-  if (own_.count() == 0 || list_.empty()) return;  // nor is the list looked at
+  if (own_.count() == 0 || list_.empty()) return;  // the list is not read either
   if (begins_) for_each_pixel([&](std::size_t /*pixel*/) { processor_.clear(nodes_.memory_bits); });
   if (program_ == NodeProgram::native) {
     for (const isa::Instruction& instruction : list_) processor_.link(instruction, form_);
@@ -63,7 +63,7 @@ void ListRenderer::by_segment() {
       down = processor_.step(linear, linear.b, nodes_.height);
     }
     for (std::uint32_t row = 0; row < own_.rows; ++row) {
-      along_row(index, row, sum, across);
+      execute_row(index, row, sum, across);
       if (linear.width > 0) processor_.add(linear, sum, down);
       processor_.count_row();
     }
@@ -81,7 +81,7 @@ void ListRenderer::by_scan_line() {
         sum = processor_.start(linear, x_of(0), y_of(row));
         across = processor_.step(linear, linear.a, nodes_.width);
       }
-      along_row(index, row, sum, across);
+      execute_row(index, row, sum, across);
     }
     processor_.count_row();
   }
@@ -93,23 +93,23 @@ void ListRenderer::by_pixel() {
       for (std::size_t index = 0; index < list_.size(); ++index) {
         const isa::Linear& linear = list_[index].linear;
         fetch(list_[index]);
-        const Begun begun = begin(index, pixel);
+        const PixelStart pixel_start = begin(index, pixel);
         const std::uint64_t sum = linear.width > 0 ? processor_.start(linear, x_of(column), y_of(row)) : 0;
         act(index, pixel, sum);
-        end(index, pixel, begun);
+        end(index, pixel, pixel_start);
       }
     });
     processor_.count_row();
   }
 }
 
-void ListRenderer::along_row(std::size_t index, std::uint32_t row, std::uint64_t sum, std::uint64_t step) {
+void ListRenderer::execute_row(std::size_t index, std::uint32_t row, std::uint64_t sum, std::uint64_t step) {
   const isa::Linear& linear = list_[index].linear;
   for_each_in_row(row, [&](std::size_t pixel, std::uint32_t /*column*/) {
-    const Begun begun = begin(index, pixel);
+    const PixelStart pixel_start = begin(index, pixel);
     act(index, pixel, sum);
     if (linear.width > 0) processor_.add(linear, sum, step);
-    end(index, pixel, begun);
+    end(index, pixel, pixel_start);
   });
 }
 
@@ -118,12 +118,12 @@ void ListRenderer::fetch(const isa::Instruction& instruction) {
   processor_.fetch(instruction, form_);
 }
 
-/// At a pixel.
-ListRenderer::Begun ListRenderer::begin(std::size_t index, std::size_t pixel) {
-  const Begun begun{processor_.clocks(), processor_.whole_clocks(), memory_.enabled(pixel)};
-  steps_[index].enabled_pixels += begun.is_enabled ? 1U : 0U;
-  processor_.look(list_[index], memory_, pixel);
-  return begun;
+/// Begins an instruction at a pixel.
+ListRenderer::PixelStart ListRenderer::begin(std::size_t index, std::size_t pixel) {
+  const PixelStart pixel_start{processor_.clocks(), processor_.unbranched_clocks(), memory_.enabled(pixel)};
+  steps_[index].enabled_pixels += pixel_start.is_enabled ? 1U : 0U;
+  processor_.test_enable(list_[index], memory_, pixel);
+  return pixel_start;
 }
 
 void ListRenderer::act(std::size_t index, std::size_t pixel, std::uint64_t sum) {
@@ -132,14 +132,15 @@ void ListRenderer::act(std::size_t index, std::size_t pixel, std::uint64_t sum) 
   if (keeps_[index] != systemc::Keep::nothing) step.pixels.copy(pixel, memory_);
 }
 
-void ListRenderer::end(std::size_t index, std::size_t pixel, const Begun& begun) {
+void ListRenderer::end(std::size_t index, std::size_t pixel, const PixelStart& pixel_start) {
   NodeState& step = steps_[index];
-  const std::uint64_t clocks = processor_.clocks() - begun.clocks;
-  step.clocks = processor_.whole_clocks() - begun.whole_clocks;
+  const std::uint64_t clocks = processor_.clocks() - pixel_start.clocks;
+  step.clocks = processor_.unbranched_clocks() - pixel_start.unbranched_clocks;
   step.pixel_clocks += clocks;
-  if (begun.is_enabled) step.enabled_clocks += clocks;
+  if (pixel_start.is_enabled) step.enabled_clocks += clocks;
   for (const Watched& one : watched_) {
-    if (one.pixel == pixel) one.moments->push_back({index, {begun.clocks, processor_.clocks()}, memory_.of(pixel)});
+    if (one.pixel == pixel)
+      one.moments->push_back({index, {pixel_start.clocks, processor_.clocks()}, memory_.of(pixel)});
   }
 }
 

@@ -15,37 +15,35 @@
 
 namespace csgsim::multi_processor {
 
-/// An instruction at a pixel, with the clocks in which it was carried out there, counted from the rendering's first,
-/// and the pixel after it.
+/// The execution of an instruction at a pixel: its clocks, counted from the start of the rendering, and the pixel's
+/// state after it.
 struct PixelMoment {
   std::size_t index = 0;
   machines::ClockSpan clocks{};
   PixelMemory after;
 };
 
-/// Carries out a subsegment's list on a node's pixels of it, in the loops of the order, and clocks are counted as it
-/// does so.
+/// Executes a subsegment's list at a node's pixels in the configured loop order, and counts clocks while doing so.
 class ListRenderer {
  public:
-  /// `keeps`: what is to be kept after each instruction. All has to live as long as the renderer. `before`: what the
-  /// instructions of the list that came before have left of the pixels; empty if none did.
+  /// `keeps`: what to keep after each instruction. `before`: the pixels after the earlier instructions of the list;
+  /// empty if there are none. All references must outlive the renderer.
   ListRenderer(const Figures& figures, const isa::ArrayShape& nodes, std::span<const isa::Instruction> list,
                const ListForm& form, std::span<const systemc::Keep> keeps, const NodePixels& own,
                const PixelMemory& before);
 
-  /// Has what becomes of one of the pixels, counted row by row, told to `moments`, which has to live as long as the
-  /// renderer.
+  /// Records the executions at one of the pixels, numbered row by row, in `moments`, which must outlive the renderer.
   void watch(std::size_t pixel, std::vector<PixelMoment>& moments) { watched_.push_back({pixel, &moments}); }
 
-  /// Carries out the list; before its first instruction memory is cleared, and a native program made.
+  /// Executes the list; clears memory before its first instruction, and builds the native program if used.
   void render();
 
-  /// Copies the colours of the pixels, in row order, into the image memory.
+  /// Copies the colours of the pixels, in row order, to the image memory.
   std::vector<std::uint32_t> store_colours(isa::Field colour);
 
   [[nodiscard]] std::uint64_t clocks() const { return processor_.clocks(); }
 
-  /// One an instruction.
+  /// One per instruction.
   [[nodiscard]] std::vector<NodeState>& steps() { return steps_; }
   [[nodiscard]] PixelMemory& memory() { return memory_; }
 
@@ -55,10 +53,11 @@ class ListRenderer {
     std::vector<PixelMoment>* moments = nullptr;
   };
 
-  /// When an instruction begins at a pixel: clocks that have passed, and that would have without branches taken.
-  struct Begun {
+  /// State when an instruction begins at a pixel: elapsed clocks, and the clocks that would have elapsed without taken
+  /// branches.
+  struct PixelStart {
     std::uint64_t clocks = 0;
-    std::uint64_t whole_clocks = 0;
+    std::uint64_t unbranched_clocks = 0;
     bool is_enabled = false;
   };
 
@@ -71,10 +70,10 @@ class ListRenderer {
   void by_scan_line();
   void by_pixel();
   void fetch(const isa::Instruction& instruction);
-  Begun begin(std::size_t index, std::size_t pixel);
+  PixelStart begin(std::size_t index, std::size_t pixel);
   void act(std::size_t index, std::size_t pixel, std::uint64_t sum);
-  void end(std::size_t index, std::size_t pixel, const Begun& begun);
-  void along_row(std::size_t index, std::uint32_t row, std::uint64_t sum, std::uint64_t step);
+  void end(std::size_t index, std::size_t pixel, const PixelStart& pixel_start);
+  void execute_row(std::size_t index, std::uint32_t row, std::uint64_t sum, std::uint64_t step);
 
   [[nodiscard]] std::uint32_t x_of(std::uint32_t column) const { return own_.first_x + column * nodes_.width; }
   [[nodiscard]] std::uint32_t y_of(std::uint32_t row) const { return own_.first_y + row * nodes_.height; }
@@ -93,7 +92,7 @@ class ListRenderer {
   std::vector<Watched> watched_;
 };
 
-/// Clocks in which a node makes so many of its pixels show a colour that is at hand.
+/// Clocks in which a node sets its pixels to the background colour.
 std::uint64_t background_clocks(const Figures& figures, const NodePixels& own, isa::Field colour);
 
 }  // namespace csgsim::multi_processor

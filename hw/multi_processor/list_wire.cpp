@@ -27,8 +27,8 @@ bool has_expression(Opcode opcode) {
 
 bool has_field(Opcode opcode) { return isa::info(opcode).operands[0] != isa::OperandKind::linear; }
 
-/// What an instruction makes of a half-space, in so many bits. A sign of a depth plane below 0 means that it is within
-/// the range.
+/// Expression of a half-space in an instruction, `width` bits wide. A negative sign of a depth plane means that it is
+/// within the range.
 isa::Linear expression_of(const division::Plane& plane, Opcode opcode, const division::ModelHeader& header,
                           const isa::Region& square, unsigned width) {
   if (has_field(opcode)) return linear_of(division::depth_expression(header, plane), square, width);
@@ -36,14 +36,15 @@ isa::Linear expression_of(const division::Plane& plane, Opcode opcode, const div
   return linear_of(division::line_expression(is_end ? division::beyond_range(header, plane) : plane), square, width);
 }
 
-/// Of several that give the same expression the first.
-std::size_t number_of(const Instruction& instruction, const division::DisplayModel& model, const isa::Region& square) {
+/// The first half-space that gives the instruction's expression.
+std::size_t find_halfspace(const Instruction& instruction, const division::DisplayModel& model,
+                           const isa::Region& square) {
   const isa::Linear wanted = isa::reduced(instruction.linear);
-  const auto gives = [&](const division::Plane& plane) {
+  const auto matches = [&](const division::Plane& plane) {
     return isa::reduced(expression_of(plane, instruction.opcode, model, square, wanted.width)) == wanted;
   };
-  const auto found = std::find_if(model.planes.begin(), model.planes.end(), gives);
-  if (found == model.planes.end()) throw std::logic_error("an expression of a list is no half-space's");
+  const auto found = std::find_if(model.planes.begin(), model.planes.end(), matches);
+  if (found == model.planes.end()) throw std::logic_error("an expression of a list matches no half-space");
   return static_cast<std::size_t>(found - model.planes.begin());
 }
 
@@ -51,18 +52,18 @@ void put_coefficients(division::BitWriter& out, const isa::Linear& linear) {
   for (const std::int64_t number : {linear.a, linear.b, linear.c}) out.put_signed(number, linear.width);
 }
 
-division::Bits bits_of(const Instruction& instruction, const ListForm& form, const division::DisplayModel& model,
-                       const isa::Region& square) {
+division::Bits encode_entry(const Instruction& instruction, const ListForm& form, const division::DisplayModel& model,
+                            const isa::Region& square) {
   division::BitWriter out;
   out.put(static_cast<std::uint64_t>(instruction.opcode), isa::opcode_bits);
   if (has_field(instruction.opcode)) {
     out.put(instruction.fields[0].base, isa::wire_base_bits);
     out.put(instruction.fields[0].width, isa::wire_field_width_bits);
   }
-  const bool is_named = multi_processor::is_named(instruction, form);
-  out.put(is_named ? 1 : 0, 1);
-  if (is_named) {
-    out.put(number_of(instruction, model, square), form.number_bits);
+  const bool uses_index = multi_processor::uses_index(instruction, form);
+  out.put(uses_index ? 1 : 0, 1);
+  if (uses_index) {
+    out.put(find_halfspace(instruction, model, square), form.number_bits);
     out.put(instruction.linear.width, number_width_bits);
     return out.take();
   }
@@ -72,7 +73,7 @@ division::Bits bits_of(const Instruction& instruction, const ListForm& form, con
   return out.take();
 }
 
-const Instruction* with_expression(const isa::Command& command, const ListForm& form) {
+const Instruction* expression_instruction(const isa::Command& command, const ListForm& form) {
   const auto* const instruction = std::get_if<Instruction>(&command);
   const bool has_one = form.has_numbers && instruction != nullptr && has_expression(instruction->opcode);
   return has_one ? instruction : nullptr;
@@ -80,15 +81,15 @@ const Instruction* with_expression(const isa::Command& command, const ListForm& 
 
 }  // namespace
 
-std::vector<unsigned> entry_numbers(const Instruction& instruction, const ListForm& form) {
-  if (with_expression(instruction, form) == nullptr) {
+std::vector<unsigned> entry_widths(const Instruction& instruction, const ListForm& form) {
+  if (expression_instruction(instruction, form) == nullptr) {
     const isa::WireFields fields(instruction);
     return {fields.widths().begin(), fields.widths().end()};
   }
   std::vector<unsigned> numbers{isa::opcode_bits};
   if (has_field(instruction.opcode)) numbers.insert(numbers.end(), {isa::wire_base_bits, isa::wire_field_width_bits});
   const unsigned width = instruction.linear.width;
-  if (is_named(instruction, form)) {
+  if (uses_index(instruction, form)) {
     numbers.insert(numbers.end(), {1U, form.number_bits, number_width_bits});
   } else {
     numbers.insert(numbers.end(), {1U, isa::wire_linear_width_bits, isa::wire_shift_bits, width, width, width});
@@ -97,24 +98,24 @@ std::vector<unsigned> entry_numbers(const Instruction& instruction, const ListFo
 }
 
 std::uint64_t entry_bits(const isa::Command& command, const ListForm& form) {
-  const Instruction* const instruction = with_expression(command, form);
+  const Instruction* const instruction = expression_instruction(command, form);
   if (instruction == nullptr) return isa::wire_bits(command);
   std::uint64_t bits = 0;
-  for (const unsigned width : entry_numbers(*instruction, form)) bits += width;
+  for (const unsigned width : entry_widths(*instruction, form)) bits += width;
   return bits;
 }
 
 std::vector<isa::LinkWord> entry_words(const isa::Command& command, const ListForm& form,
                                        const division::DisplayModel& model, const isa::Region& square,
                                        unsigned word_bits) {
-  if (const Instruction* const instruction = with_expression(command, form))
-    return division::to_link(bits_of(*instruction, form, model, square), word_bits);
+  if (const Instruction* const instruction = expression_instruction(command, form))
+    return division::to_link(encode_entry(*instruction, form, model, square), word_bits);
   std::vector<isa::LinkWord> words;
   isa::encode(command, word_bits, [&](const isa::LinkWord& word) { words.push_back(word); });
   return words;
 }
 
-/// A command begins at a new word; its first bits say which it is.
+/// A command begins at a new word; its first bits identify it.
 std::optional<isa::Command> ListReader::take(const isa::LinkWord& word, const ListForm& form,
                                              const division::DisplayModel& model) {
   std::vector<isa::LinkWord> next{word};
@@ -136,7 +137,7 @@ std::optional<isa::Command> ListReader::take(const isa::LinkWord& word, const Li
   return command;
 }
 
-/// From the words that are held, if they are enough; or it is found that the command has none.
+/// Decodes the expression if the held words are complete. Sets is_plain_ if the command has no expression.
 std::optional<Instruction> ListReader::expression(const ListForm& form, const division::DisplayModel& model) {
   division::BitWriter gathered;
   for (const isa::LinkWord& word : held_) append(gathered, word, word_bits_);
@@ -157,7 +158,7 @@ std::optional<Instruction> ListReader::expression(const ListForm& form, const di
     if (in.left() < form.number_bits + number_width_bits) return std::nullopt;
     const std::uint64_t plane = in.take(form.number_bits);
     const auto width = static_cast<unsigned>(in.take(number_width_bits));
-    if (plane >= model.planes.size()) throw InputError("a list on the bus has the number of no half-space");
+    if (plane >= model.planes.size()) throw InputError("a list on the bus refers to a nonexistent half-space");
     instruction.linear = isa::reduced(expression_of(model.planes[plane], opcode, model, square_, width));
     return instruction;
   }

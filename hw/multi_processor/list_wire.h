@@ -11,22 +11,22 @@
 
 namespace csgsim::multi_processor {
 
-/// Bits of a command of a list, and of the numbers in one of its instructions, its own first.
+/// Bits of a command of a list; and widths of the numbers in an instruction of it, the opcode first.
 std::uint64_t entry_bits(const isa::Command& command, const ListForm& form);
-std::vector<unsigned> entry_numbers(const isa::Instruction& instruction, const ListForm& form);
+std::vector<unsigned> entry_widths(const isa::Instruction& instruction, const ListForm& form);
 
-/// Words of the bus for a command of the list of `square`. `model`: as the node has it; number n is that of plane n.
+/// Bus words of a command of the list of `square`. `model`: the node's copy; number n refers to plane n.
 std::vector<isa::LinkWord> entry_words(const isa::Command& command, const ListForm& form,
                                        const division::DisplayModel& model, const isa::Region& square,
                                        unsigned word_bits);
 
-/// The receiving end.
+/// Decodes the received commands of a list.
 class ListReader {
  public:
   explicit ListReader(unsigned word_bits) : word_bits_(word_bits), plain_(word_bits) {}
 
-  /// The next word; returns the command that ends with it, if one does. Throws InputError as isa::WireDecoder does, and
-  /// for the number of no half-space.
+  /// Accepts the next word; returns the command that it completes, if any. Throws InputError as isa::WireDecoder does,
+  /// and for an invalid half-space number.
   std::optional<isa::Command> take(const isa::LinkWord& word, const ListForm& form,
                                    const division::DisplayModel& model);
 
@@ -35,9 +35,9 @@ class ListReader {
 
   unsigned word_bits_;
   isa::WireDecoder plain_;
-  isa::Region square_;               ///< of the list that comes
-  std::vector<isa::LinkWord> held_;  ///< words of the command at hand
-  bool is_plain_ = false;            ///< it is none with an expression
+  isa::Region square_;               ///< region of the list being received
+  std::vector<isa::LinkWord> held_;  ///< words of the current command
+  bool is_plain_ = false;            ///< the current command has no expression
 };
 
 }  // namespace csgsim::multi_processor

@@ -5,7 +5,7 @@ namespace csgsim::multi_processor {
 
 namespace {
 
-/// Of the nodes the one that works most.
+/// Load of the node that works most.
 machines::Load busiest(const machines::Account& account) {
   machines::Load load{"nodes", "work", 0};
   for (const machines::PartAccount& part : account.parts) {

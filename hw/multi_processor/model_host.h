@@ -12,18 +12,18 @@
 
 namespace csgsim::multi_processor {
 
-/// Bits in which the host says how many bytes of the model follow.
+/// Bits of the model's length in bytes, which the host sends first.
 inline constexpr unsigned length_bits = 32;
 
-/// The host: sends the length of the display model and then its bytes, once a frame, a word every
-/// `host.link_word_clocks` after `host.link_latency`.
+/// The host: once per frame, sends the length of the display model and then its bytes, one word every
+/// `host.link_word_clocks` clocks after `host.link_latency` clocks.
 class ModelHost final : public sc_core::sc_module {
  public:
   sc_core::sc_out<HostWord> word{"word"};
 
   ModelHost(sc_core::sc_module_name name, const machines::Machine& machine);
 
-  /// Starts at the next delta. The bytes have to live until the frame is drawn.
+  /// Starts at the next delta cycle. The bytes must outlive the frame.
   void begin(std::span<const std::uint8_t> model);
 
  private:
@@ -34,7 +34,7 @@ class ModelHost final : public sc_core::sc_module {
   TimeBase time_;
   const HostLink link_;
   std::span<const std::uint8_t> model_;
-  std::uint64_t words_ = 0;  ///< sent, of all frames
+  std::uint64_t words_ = 0;  ///< words sent, over all frames
   sc_core::sc_event start_{"start"};
 };
 

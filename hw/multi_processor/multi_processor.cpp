@@ -75,20 +75,20 @@ void MultiProcessor::bind_masters() {
   }
 }
 
-/// Gives control back to who started the simulation, when all that belongs to this clock has happened.
+/// Returns control to the caller of run() after all events of this clock.
 void MultiProcessor::on_done() { sc_core::sc_pause(); }
 
 systemc::RunReport MultiProcessor::run(const isa::Program& program, systemc::RunListener& listener) {
   systemc::elaborate();
   division::check_division(program);
-  const std::uint64_t begun = time_.now();
+  const std::uint64_t start_clock = time_.now();
   const std::uint64_t before = frames_.read();
   begin(program, listener);
   systemc::run();
   retirement_.rethrow();
   if (frames_.read() == before && !systemc::is_stopped())
-    throw std::logic_error("the multi-processor stands still in the middle of a frame");
-  return {.clocks = time_.now() - begun,
+    throw std::logic_error("the multi-processor is deadlocked in the middle of a frame");
+  return {.clocks = time_.now() - start_clock,
           .answers = {},
           .account = account(counted(), machine_.array),
           .picture = picture_of(program)};
@@ -106,13 +106,13 @@ void MultiProcessor::begin(const isa::Program& program, systemc::RunListener& li
 
 FrameAccount MultiProcessor::counted() const {
   FrameAccount counted = display_.counted();
-  watch_.tell(counted.stages);
+  watch_.store_stages(counted.stages);
   counted.bus = bus_.account();
-  std::for_each(nodes_.begin(), nodes_.end(), [&](const Node& node) { node.tell(counted); });
+  std::for_each(nodes_.begin(), nodes_.end(), [&](const Node& node) { node.add_counts(counted); });
   return counted;
 }
 
-/// None where the run has been stopped before the model came to the nodes.
+/// Returns no pixels if the run was stopped before the model reached the nodes.
 std::vector<std::uint32_t> MultiProcessor::picture_of(const isa::Program& program) const {
   if (program.colour.width == 0 || !nodes_[0].has_image()) return {};
   std::vector<std::uint32_t> picture;

@@ -37,26 +37,26 @@ Node::Node(sc_core::sc_module_name name, const machines::Machine& machine, std::
 void Node::begin() {
   first_word_ = words_;
   tests_ = {};
-  passes_ = divided_in_turn_ = 0;
+  passes_ = turn_dividing_clocks_ = 0;
   rendering_ = {};
-  frame_begun_ = time_.now();
-  stays_.begin(NodeActivity::waiting, time_.now());
+  frame_start_ = time_.now();
+  activities_.begin(NodeActivity::waiting, time_.now());
 }
 
-void Node::tell(FrameAccount& counted) const {
+void Node::add_counts(FrameAccount& counted) const {
   counted.second_box_tests += tests_.boxes;
   counted.second_halfspace_tests += tests_.halfspaces;
   counted.second_cell_tests += tests_.cells;
   counted.second_tree_nodes += tests_.nodes;
   counted.shared_words += words_ - first_word_;
   counted.nodes.push_back(account());
-  // What is seen of the bus is that it waits.
-  counted.stages.second_pruning += divided_in_turn_;
-  counted.stages.sharing -= divided_in_turn_;
+  // StageWatch counts these clocks as sharing, since it sees only an idle bus.
+  counted.stages.second_pruning += turn_dividing_clocks_;
+  counted.stages.sharing -= turn_dividing_clocks_;
   if (number_ == 0) counted.list_passes = passes_;
 }
 
-/// Every word takes the node the time that it is on the bus.
+/// Receiving a word occupies the node for the time that the word is on the bus.
 void Node::on_word() {
   const BusLines& lines = bus.read();
   if (lines.master == display_master) return take_from_display(lines.sent);
@@ -71,8 +71,8 @@ void Node::take_from_display(const BusRequest& sent) {
   if (!command) return;
   if (const auto* start = std::get_if<isa::SegmentStart>(&*command)) return begin_segment(start->region);
   receiving_ = false;
-  form_ = form_of_lists();
-  stays_.change(NodeActivity::waiting, time_.now());
+  form_ = choose_list_form();
+  activities_.change(NodeActivity::waiting, time_.now());
   segment_received_.notify(sc_core::SC_ZERO_TIME);
 }
 
@@ -84,26 +84,26 @@ void Node::begin_segment(const isa::Region& segment) {
 
 void Node::take_from_node(const BusRequest& sent) {
   if (sent.kind == WordKind::request) return;
-  if (!shares_) begin_sharing(time_.now() - bus_word_clocks_ - bus_latency_);
+  if (!sharing_) begin_sharing(time_.now() - bus_word_clocks_ - bus_latency_);
   if (sent.kind == WordKind::command) {
-    if (const auto command = entries_.take(sent.word, form_, records_.model())) take_of_list(*command);
+    if (const auto command = entries_.take(sent.word, form_, records_.model())) take_list_command(*command);
   }
   if (!sent.last) return;
   paused_ = sent.kind == WordKind::pause || is_far_;
   if (paused_ || lists_received_ == parts_.size()) {
-    shares_ = false;
-    stays_.change(NodeActivity::waiting, time_.now());
+    sharing_ = false;
+    activities_.change(NodeActivity::waiting, time_.now());
   }
   message_ended_.notify(sc_core::SC_ZERO_TIME);
 }
 
 void Node::begin_sharing(std::uint64_t clock) {
-  shares_ = true;
-  stays_.change(NodeActivity::sharing, clock);
+  sharing_ = true;
+  activities_.change(NodeActivity::sharing, clock);
 }
 
-/// A message has commands of one list.
-void Node::take_of_list(const isa::Command& command) {
+/// A message contains commands of one list.
+void Node::take_list_command(const isa::Command& command) {
   if (const auto* start = std::get_if<isa::SegmentStart>(&command))
     open_ = {.region = start->region, .first = 0, .instructions = {}, .ends = false, .form = form_};
   if (lists_.empty() || lists_.back().ends) lists_.push_back(open_);
@@ -116,17 +116,17 @@ void Node::take_of_list(const isa::Command& command) {
   open_.first = list.first + list.instructions.size();
   list_words_ += quotient_up(entry_bits(command, form_), std::uint64_t{figures_.word_bits});
   if (bus.read().master == master_of(number_)) own_.send();
-  tell_room();
+  update_room_line();
 }
 
-/// A node that sends has what it sends in memory, whatever room there is.
-void Node::tell_room() {
-  const std::uint32_t most = quotient_up(std::uint32_t{isa::LinkWord::most_bits}, figures_.word_bits);
-  room->pull(number_, !sends_ && room_for_lists() - own_.words() - list_words_ < most);
+/// A sending node already holds in memory what it sends, so it always has room.
+void Node::update_room_line() {
+  const std::uint32_t max_words = quotient_up(std::uint32_t{isa::LinkWord::most_bits}, figures_.word_bits);
+  room->pull(number_, !sending_ && room_for_lists() - own_.words() - list_words_ < max_words);
 }
 
-/// Half-spaces are numbered as they have come.
-ListForm Node::form_of_lists() const {
+/// Half-spaces are numbered in the order of their arrival.
+ListForm Node::choose_list_form() const {
   if (figures_.lists == ListKind::instructions || !is_active_ || is_far_) return {};
   const std::size_t planes = records_.model().planes.size();
   const auto bits = static_cast<unsigned>(std::bit_width(planes > 0 ? planes - 1 : 0));
@@ -144,11 +144,11 @@ void Node::begin_receiving() {
   receiving_ = true;
   is_active_ = false;
   if (bus.read().sent.kind == WordKind::frame) records_.begin_frame();
-  stays_.change(NodeActivity::receiving, time_.now() - bus_word_clocks_);
+  activities_.change(NodeActivity::receiving, time_.now() - bus_word_clocks_);
 }
 
 void Node::take_record(const BusRequest& sent) {
-  if (is_of_segment(sent.kind) && !std::exchange(is_active_, true)) {
+  if (is_segment_record(sent.kind) && !std::exchange(is_active_, true)) {
     is_far_ = sent.kind == WordKind::heads;
     records_.begin_segment(!is_far_);
   }
@@ -158,11 +158,11 @@ void Node::take_record(const BusRequest& sent) {
 
 void Node::begin_frame() {
   receiving_ = false;
-  stays_.change(NodeActivity::waiting, time_.now());
-  const NodePixels most = pixels_of({0, 0, records_.model().width, records_.model().height}, nodes_, 0, 0);
-  image_columns_ = most.columns;
-  screen_.begin(frame_begun_, most.count(), records_.model().fields.colour.width);
-  image_.assign(std::size_t{most.columns} * most.rows, 0);
+  activities_.change(NodeActivity::waiting, time_.now());
+  const NodePixels max_words = pixels_of({0, 0, records_.model().width, records_.model().height}, nodes_, 0, 0);
+  image_columns_ = max_words.columns;
+  screen_.begin(frame_start_, max_words.count(), records_.model().fields.colour.width);
+  image_.assign(std::size_t{max_words.columns} * max_words.rows, 0);
 }
 
 void Node::work() {
@@ -178,26 +178,26 @@ void Node::work() {
 }
 
 void Node::spend(NodeActivity activity, std::uint64_t clocks) {
-  stays_.change(activity, time_.now());
-  go_on(clocks);
-  stays_.change(NodeActivity::waiting, time_.now());
+  activities_.change(activity, time_.now());
+  advance(clocks);
+  activities_.change(NodeActivity::waiting, time_.now());
 }
 
-/// Stands still in turns of the screen.
-void Node::go_on(std::uint64_t clocks) {
-  worked_ = 0;
-  while (worked_ < clocks) {
+/// Spends the clocks, stalling during turns of the screen.
+void Node::advance(std::uint64_t clocks) {
+  work_done_ = 0;
+  while (work_done_ < clocks) {
     const std::uint64_t now = time_.now();
-    const std::uint64_t free = screen_.free_from(now, clocks - worked_);
+    const std::uint64_t free = screen_.free_from(now, clocks - work_done_);
     if (free == 0) {
-      wait(time_.of(screen_.left_from(now)));
+      wait(time_.of(screen_.turn_clocks_left(now)));
       continue;
     }
-    works_from_ = now;
+    working_since_ = now;
     is_working_ = true;
     wait(time_.of(free));
     is_working_ = false;
-    worked_ += free;
+    work_done_ += free;
   }
 }
 
@@ -206,26 +206,27 @@ void Node::wait_for_others() {
   while (released.read() < arrivals_) wait(released.value_changed_event());
 }
 
-/// Makes as much of the list of the node's own subsegment as there is room for, of which the half is for what other
-/// nodes have.
+/// Builds the part of the node's own list that fits; half of the room is reserved for the other nodes'
+/// lists.
 void Node::prune() {
   own_.clear();
   if (number_ < parts_.size() && !is_far_) {
     own_.begin(parts_[number_], records_, form_, parts_.size() == 1 ? room_for_lists() : room_for_lists() / 2);
     tests_ += own_.counts();
-    spend(NodeActivity::pruning, own_.make());
+    spend(NodeActivity::pruning, own_.build());
   }
-  tell_room();
+  update_room_line();
   wait_for_others();
 }
 
-/// Node after node sends its list, which all take in, and all render what has come whenever they have to or can.
+/// The nodes send their lists in turn to all nodes; all nodes render what they have received at each pause and at the
+/// end.
 void Node::draw_lists() {
   if (!is_far_) begin_sharing(time_.now());
   while (lists_received_ < parts_.size()) {
     const bool is_own_turn = lists_received_ == number_;
     if (is_own_turn && is_far_) {
-      divide_from_afar();
+      divide_remotely();
       continue;
     }
     if (is_own_turn) send_list();
@@ -235,26 +236,26 @@ void Node::draw_lists() {
   if (!lists_.empty()) render_lists();
 }
 
-/// What the node has of its list and the others have room for.
+/// Sends the part of the list that the node has built and the other nodes have room for.
 void Node::send_list() {
-  if (!own_.is_waiting()) {
-    divides_from_ = time_.now();
-    spend(NodeActivity::pruning, own_.make());
-    divided_in_turn_ += time_.now() - divides_from_;
+  if (!own_.has_unsent()) {
+    dividing_since_ = time_.now();
+    spend(NodeActivity::pruning, own_.build());
+    turn_dividing_clocks_ += time_.now() - dividing_since_;
   }
-  if (!shares_) begin_sharing(time_.now());
-  sends_ = true;
-  tell_room();
+  if (!sharing_) begin_sharing(time_.now());
+  sending_ = true;
+  update_room_line();
   bool ends = false;
-  while (!ends && own_.is_waiting() && !room->is_pulled()) {
+  while (!ends && own_.has_unsent() && !room->is_pulled()) {
     const isa::Command next = own_.next();
     ends = std::holds_alternative<isa::SegmentEnd>(next);
     send(next, ends);
-    if (!ends) wait(sc_core::SC_ZERO_TIME);  // until all have taken it in
+    if (!ends) wait(sc_core::SC_ZERO_TIME);  // waits until all have received it
   }
   if (!ends) send_word(WordKind::pause, {}, true);
-  sends_ = false;
-  tell_room();
+  sending_ = false;
+  update_room_line();
 }
 
 void Node::send(const isa::Command& command, bool last) {
@@ -262,7 +263,7 @@ void Node::send(const isa::Command& command, bool last) {
   for (std::size_t i = 0; i < words.size(); ++i) send_word(WordKind::command, words[i], last && i + 1 == words.size());
 }
 
-/// Returns when the word has gone.
+/// Returns when the word has been transferred.
 void Node::send_word(WordKind kind, const isa::LinkWord& word, bool last) {
   request.write({.number = ++words_, .kind = kind, .last = last, .word = word});
   do {
@@ -273,7 +274,7 @@ void Node::send_word(WordKind kind, const isa::LinkWord& word, bool last) {
 void Node::render_lists() {
   ++passes_;
   list_words_ = 0;
-  tell_room();
+  update_room_line();
   for (const List& list : lists_) render(list);
   lists_.clear();
 }
@@ -291,7 +292,7 @@ void Node::render(const List& list) {
   for (std::size_t i = 0; i < list.instructions.size(); ++i) {
     keeps.push_back(collector->keeps_after(list.region, static_cast<std::uint32_t>(list.first + i)));
   }
-  const PixelMemory before = std::exchange(kept_, {}).pixels;
+  const PixelMemory before = std::exchange(saved_, {}).pixels;
   ListRenderer renderer(figures_, nodes_, list.instructions, list.form, keeps, own, before);
   renderer.render();
   std::vector<std::uint32_t> colours;
@@ -304,7 +305,7 @@ void Node::render(const List& list) {
     store(list.region, own, colours);
     collector->after_subsegment(number_, list.region, {.pixels = std::move(renderer.memory())});
   } else {
-    kept_ = {list.region, std::move(renderer.memory())};
+    saved_ = {list.region, std::move(renderer.memory())};
   }
   wait_for_others();
 }
@@ -320,7 +321,7 @@ void Node::clear(const isa::Region& region) {
   store(region, own, std::vector<std::uint32_t>(own.count(), model.background));
 }
 
-/// Nothing touches it.
+/// Clears a segment that no primitive touches.
 void Node::clear_segment() {
   clear(segment_);
   collector->after_clear(segment_);

@@ -25,45 +25,46 @@
 
 namespace csgsim::multi_processor {
 
-/// What a subsegment asks for, or as much of it as came over the bus before all rendered what had come.
+/// The list of a subsegment, or the part of it that came over the bus before the nodes rendered what they had received.
 struct List {
   isa::Region region;
-  std::size_t first = 0;  ///< instructions of the subsegment that came before
+  std::size_t first = 0;  ///< instructions of the subsegment in earlier parts
   std::vector<isa::Instruction> instructions;
-  bool ends = false;  ///< nothing comes after
+  bool ends = false;  ///< no part follows
   ListForm form;
 
   [[nodiscard]] bool begins() const { return first == 0; }
 };
 
 /// Pixels of a subsegment that a node has rendered in part.
-struct Kept {
+struct SavedPixels {
   isa::Region region;
-  PixelMemory pixels;  ///< none where there is no such subsegment
+  PixelMemory pixels;  ///< empty if there is no such subsegment
 };
 
-/// What a node is at while it renders.
+/// State of a node while it renders.
 struct Rendering {
-  const List* list = nullptr;           ///< null while it renders none
-  std::uint64_t begun = 0;              ///< clock, since the simulation began
-  const PixelMemory* before = nullptr;  ///< of its pixels; empty where the list begins
+  const List* list = nullptr;           ///< null if it renders no list
+  std::uint64_t start_clock = 0;        ///< clock since the simulation began
+  const PixelMemory* before = nullptr;  ///< state of its pixels; empty at the start of a list
 };
 
-/// A processor of the array, which holds every so-many-th pixel of every so-many-th row of the picture. The tree of the
-/// model comes over the bus, then what each segment leaves of it, from which the node divides the subsegment of its own
-/// number. When all have done so, each sends its list in turn; then all render subsegment by subsegment, each its own
-/// pixels, and wait for the slowest after each. Where the lists do not fit the memory of all nodes, who sends stops
-/// before a command that has no room in some node, all render what has come, and the sender goes on; so it is where a
-/// node has no room to make more of its own list before it has sent what there is. Where half-spaces stay with the
-/// display processor, nodes divide in turn, and read each one that they test over the bus. What a node does to its
-/// pixels no other part can see until it comes to the barrier: it does all of a subsegment at once and then sleeps for
-/// the clocks that this takes.
+/// A processor of the array, which holds the pixels of the picture interleaved over the array in both directions. The
+/// model's tree arrives over the bus, then the survivors of each segment, from which the node divides the subsegment of
+/// its own number. When all nodes have divided, each sends its list in turn; then all render subsegment by subsegment,
+/// each its own pixels, and wait for the slowest after each.
+/// If the lists do not fit the memory of all nodes, the sender stops before a command that some node has no room for;
+/// all nodes render what they have received, and the sender continues. The same happens if a node has no room to extend
+/// its own list before it has sent the existing part. If half-spaces stay with the display processor, nodes divide in
+/// turn and read each half-space that they test over the bus.
+/// No other unit sees a node's pixels until it reaches the barrier, so it executes a whole subsegment at once and then
+/// sleeps for the clocks that this takes.
 class Node final : public sc_core::sc_module {
  public:
   sc_core::sc_in<BusLines> bus{"bus"};
   sc_core::sc_out<BusRequest> request{"request"};
-  sc_core::sc_out<std::uint64_t> arrival{"arrival"};   ///< how often it has come to the barrier
-  sc_core::sc_in<std::uint64_t> released{"released"};  ///< how often the barrier has let it go on
+  sc_core::sc_out<std::uint64_t> arrival{"arrival"};   ///< number of arrivals at the barrier
+  sc_core::sc_in<std::uint64_t> released{"released"};  ///< number of releases by the barrier
   sc_core::sc_port<RoomPort> room{"room"};
   sc_core::sc_port<CollectorPort> collector{"collector"};
 
@@ -71,21 +72,23 @@ class Node final : public sc_core::sc_module {
 
   void begin();
 
-  [[nodiscard]] NodeClocks account() const { return stays_.clocks(time_.now()); }
-  /// Adds what it has done.
-  void tell(FrameAccount& counted) const;
+  [[nodiscard]] NodeClocks account() const { return activities_.clocks(time_.now()); }
+  /// Adds the node's counts to those of the frame.
+  void add_counts(FrameAccount& counted) const;
 
-  // For waves.
-  [[nodiscard]] std::string_view activity() const { return name_of(stays_.now()); }
+  // Shown in waves.
+  [[nodiscard]] std::string_view activity() const { return name_of(activities_.now()); }
   [[nodiscard]] const Rendering& rendering() const { return rendering_; }
-  /// Clocks of what it does that have gone by, without those of turns of the screen.
-  [[nodiscard]] std::uint64_t worked() const { return worked_ + (is_working_ ? time_.now() - works_from_ : 0); }
-  [[nodiscard]] bool stands_still() const { return screen_.has(time_.now()); }
-  [[nodiscard]] const Kept& kept() const { return kept_; }
-  /// It holds colours, of a frame that has begun or of the one before.
+  /// Elapsed clocks of the current work, without turns of the screen.
+  [[nodiscard]] std::uint64_t work_elapsed() const {
+    return work_done_ + (is_working_ ? time_.now() - working_since_ : 0);
+  }
+  [[nodiscard]] bool is_stalled() const { return screen_.is_in_turn(time_.now()); }
+  [[nodiscard]] const SavedPixels& saved() const { return saved_; }
+  /// Whether the node holds colours, of the current frame or of the previous one.
   [[nodiscard]] bool has_image() const { return !image_.empty(); }
 
-  /// The colour that it holds for a pixel of the picture.
+  /// Colour that the node holds for a pixel of the picture.
   [[nodiscard]] std::uint32_t colour(std::uint32_t x, std::uint32_t y) const {
     return image_[std::size_t{y / nodes_.height} * image_columns_ + x / nodes_.width];
   }
@@ -100,16 +103,16 @@ class Node final : public sc_core::sc_module {
   void take_record(const BusRequest& sent);
   void begin_frame();
   void begin_segment(const isa::Region& segment);
-  void take_of_list(const isa::Command& command);
+  void take_list_command(const isa::Command& command);
   void work();
   void prune();
   void draw_lists();
   void send_list();
-  void divide_from_afar();
-  void put(const isa::Command& command);
-  void send_made();
-  ReadHalfspace read_halfspace(const HalfspaceName& name);
-  [[nodiscard]] std::uint64_t turns_since(std::uint64_t begun);
+  void divide_remotely();
+  void append_command(const isa::Command& command);
+  void send_built();
+  ReadHalfspace read_halfspace(const HalfspaceId& name);
+  [[nodiscard]] std::uint64_t screen_turn_clocks(std::uint64_t start_clock);
   void take_answer(const BusRequest& sent);
   void send_word(WordKind kind, const isa::LinkWord& word, bool last);
   void send(const isa::Command& command, bool last);
@@ -118,67 +121,67 @@ class Node final : public sc_core::sc_module {
   void clear(const isa::Region& region);
   void clear_segment();
   void spend(NodeActivity activity, std::uint64_t clocks);
-  void go_on(std::uint64_t clocks);
+  void advance(std::uint64_t clocks);
   void wait_for_others();
   void begin_sharing(std::uint64_t clock);
-  void tell_room();
+  void update_room_line();
   [[nodiscard]] std::uint64_t room_for_lists() const;
-  [[nodiscard]] ListForm form_of_lists() const;
+  [[nodiscard]] ListForm choose_list_form() const;
 
   void store(const isa::Region& region, const NodePixels& own, const std::vector<std::uint32_t>& colours);
   [[nodiscard]] NodePixels own_pixels(const isa::Region& region) const;
 
   TimeBase time_;
   const Figures figures_;
-  const isa::ArrayShape nodes_;  ///< and memory bits of a pixel
+  const isa::ArrayShape nodes_;  ///< shape, and memory bits of a pixel
   const std::uint32_t number_;   ///< row by row
   const std::uint32_t bus_width_;
   const std::uint32_t bus_word_clocks_;
   const std::uint32_t bus_latency_;
 
   std::uint32_t image_columns_ = 0;
-  std::vector<std::uint32_t> image_;  ///< colours of its pixels of the picture
+  std::vector<std::uint32_t> image_;  ///< colours of the node's pixels of the picture
 
   isa::WireDecoder decoder_;
   ListReader entries_;
-  ListForm form_;  ///< of the segment's lists
+  ListForm form_;  ///< form of the segment's lists
   RecordReader records_;
-  bool receiving_ = false;  ///< from the display processor
-  isa::Region segment_;     ///< the last that has come
-  bool is_active_ = false;  ///< with records
+  bool receiving_ = false;  ///< whether a transmission of the display processor is in progress
+  isa::Region segment_;     ///< received last
+  bool is_active_ = false;  ///< the segment has records
   bool is_far_ = false;     ///< half-spaces stay with the display processor
   std::vector<isa::Region> parts_;
-  OwnList own_;                     ///< of the node's own subsegment
-  std::vector<List> lists_;         ///< as much as has come, and is not rendered
-  std::uint64_t list_words_ = 0;    ///< of that, in memory
-  List open_;                       ///< a list that has not come as a whole: what comes next of it
-  std::size_t lists_received_ = 0;  ///< whole ones
-  bool sends_ = false;              ///< it is the node's turn
-  bool shares_ = false;             ///< lists travel
-  bool paused_ = false;             ///< the last message said so
-  Kept kept_;
+  OwnList own_;                     ///< list of the node's own subsegment
+  std::vector<List> lists_;         ///< parts received and not yet rendered
+  std::uint64_t list_words_ = 0;    ///< words of these in memory
+  List open_;                       ///< next part of a list that has not been received completely
+  std::size_t lists_received_ = 0;  ///< complete lists
+  bool sending_ = false;            ///< it is the node's turn to send
+  bool sharing_ = false;            ///< lists are on the bus
+  bool paused_ = false;             ///< the last message ended with a pause
+  SavedPixels saved_;
   sc_core::sc_event segment_received_{"segment_received"};
   sc_core::sc_event message_ended_{"message_ended"};
-  bool asks_ = false;               ///< for a half-space
-  division::BitWriter answer_;      ///< as much of it as has come
-  std::uint64_t divides_from_ = 0;  ///< clock, since the simulation began, in which it went on with dividing
+  bool awaiting_answer_ = false;      ///< waits for a half-space
+  division::BitWriter answer_;        ///< bits received of the answer
+  std::uint64_t dividing_since_ = 0;  ///< clock, since the simulation began, in which dividing resumed
   sc_core::sc_event answered_{"answered"};
 
   Rendering rendering_;
   ScreenTurns screen_;
-  bool is_working_ = false;        ///< in no turn of the screen
-  std::uint64_t worked_ = 0;       ///< clocks, of what it does, before it last went on
-  std::uint64_t works_from_ = 0;   ///< clock, since the simulation began, in which it did so
-  std::uint64_t frame_begun_ = 0;  ///< the same of the frame
+  bool is_working_ = false;          ///< working, not stalled by a turn of the screen
+  std::uint64_t work_done_ = 0;      ///< clocks of the current work before it last resumed
+  std::uint64_t working_since_ = 0;  ///< clock, since the simulation began, in which it resumed
+  std::uint64_t frame_start_ = 0;    ///< clock in which the frame began
 
-  std::uint64_t words_ = 0;     ///< sent, of all frames
-  std::uint64_t arrivals_ = 0;  ///< at the barrier, of all frames
+  std::uint64_t words_ = 0;     ///< words sent, over all frames
+  std::uint64_t arrivals_ = 0;  ///< arrivals at the barrier, over all frames
 
-  std::uint64_t first_word_ = 0;  ///< sent before the frame
+  std::uint64_t first_word_ = 0;  ///< words sent before the frame
   division::Counts tests_;
-  std::uint64_t passes_ = 0;           ///< in which lists were rendered
-  std::uint64_t divided_in_turn_ = 0;  ///< clocks of dividing after lists began to travel
-  Stays<NodeActivity, node_activity_names.size()> stays_;
+  std::uint64_t passes_ = 0;                ///< number of times that lists were rendered
+  std::uint64_t turn_dividing_clocks_ = 0;  ///< clocks of dividing after the first list was sent
+  ActivityCounter<NodeActivity, node_activity_names.size()> activities_;
 };
 
 }  // namespace csgsim::multi_processor

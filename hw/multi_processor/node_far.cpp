@@ -1,4 +1,4 @@
-// How a node divides where the half-spaces of the segment stay with the display processor.
+// Division by a node while the half-spaces of the segment stay with the display processor.
 
 #include <algorithm>
 #include <utility>
@@ -11,11 +11,11 @@
 
 namespace csgsim::multi_processor {
 
-/// Reads each half-space that is tested, and makes the list as it goes on.
+/// Reads each half-space that is tested over the bus, and extends the list meanwhile.
 class Node::FarDatapath final : public division::Datapath {
  public:
   explicit FarDatapath(Node& node)
-      : Datapath(node.records_.model()), node_(node), each_(with_unpacking(node.records_.format(), node.figures_)) {}
+      : Datapath(node.records_.model()), node_(node), each_(node_test_costs(node.records_.format(), node.figures_)) {}
 
  private:
   division::PrimitiveHead read_primitive(std::uint32_t primitive) override {
@@ -32,66 +32,66 @@ class Node::FarDatapath final : public division::Datapath {
   void on_cell(std::uint64_t halfspaces) override { spend(halfspaces * each_.cell); }
   void on_node() override { spend(each_.tree_node); }
   void on_instruction(const isa::Instruction& instruction) override {
-    node_.put(instruction);
+    node_.append_command(instruction);
     spend(each_.instruction);
   }
 
-  void spend(std::uint64_t clocks) { node_.go_on(clocks); }
+  void spend(std::uint64_t clocks) { node_.advance(clocks); }
 
   Node& node_;
   const TestClocks each_;
   ReadHalfspace read_;
 };
 
-/// From the beginning of the node's turn to its list's end, which all render before the next divides.
-void Node::divide_from_afar() {
+/// Divides and sends during the node's turn, up to the end of its list; all nodes render before the next node divides.
+void Node::divide_remotely() {
   own_.begin(room_for_lists());
-  divides_from_ = time_.now();
-  stays_.change(NodeActivity::pruning, divides_from_);
-  put(isa::SegmentStart{parts_[number_]});
+  dividing_since_ = time_.now();
+  activities_.change(NodeActivity::pruning, dividing_since_);
+  append_command(isa::SegmentStart{parts_[number_]});
   FarDatapath path(*this);
-  tests_ += division::Divider(records_.model()).divide(parts_[number_], records_.left(), path).counts();
-  put(isa::SegmentEnd{});
-  send_made();
+  tests_ += division::Divider(records_.model()).divide(parts_[number_], records_.survivors(), path).counts();
+  append_command(isa::SegmentEnd{});
+  send_built();
 }
 
-void Node::put(const isa::Command& command) {
+void Node::append_command(const isa::Command& command) {
   if (!own_.has_room_for(command)) {
-    send_made();
-    divides_from_ = time_.now();
-    stays_.change(NodeActivity::pruning, divides_from_);
+    send_built();
+    dividing_since_ = time_.now();
+    activities_.change(NodeActivity::pruning, dividing_since_);
   }
   own_.put(command);
 }
 
-/// And has it rendered.
-void Node::send_made() {
-  divided_in_turn_ += time_.now() - divides_from_;
-  while (own_.is_waiting()) {
+/// Sends what has been built and has all nodes render it.
+void Node::send_built() {
+  turn_dividing_clocks_ += time_.now() - dividing_since_;
+  while (own_.has_unsent()) {
     send_list();
     wait(message_ended_);
     render_lists();
   }
 }
 
-ReadHalfspace Node::read_halfspace(const HalfspaceName& name) {
-  const std::vector<isa::LinkWord> words = division::to_link(records_.request_for(name), bus_width_);
-  asks_ = true;
-  const std::uint64_t begun = time_.now();
+ReadHalfspace Node::read_halfspace(const HalfspaceId& name) {
+  const std::vector<isa::LinkWord> words = division::to_link(records_.encode_request(name), bus_width_);
+  awaiting_answer_ = true;
+  const std::uint64_t start_clock = time_.now();
   for (std::size_t i = 0; i < words.size(); ++i) send_word(WordKind::request, words[i], i + 1 == words.size());
-  while (asks_) wait(answered_);
-  divides_from_ = time_.now();
-  go_on(turns_since(begun));
-  return records_.halfspace_of(std::exchange(answer_, {}).take());
+  while (awaiting_answer_) wait(answered_);
+  dividing_since_ = time_.now();
+  advance(screen_turn_clocks(start_clock));
+  return records_.decode_halfspace(std::exchange(answer_, {}).take());
 }
 
-/// Clocks of turns of the screen since that one, in which it stood still as the bus went on.
-std::uint64_t Node::turns_since(std::uint64_t begun) {
+/// Clocks of turns of the screen since `start_clock`, in which the node stalled but the bus continued.
+std::uint64_t Node::screen_turn_clocks(std::uint64_t start_clock) {
   std::uint64_t clocks = 0;
-  for (std::uint64_t at = begun; at < time_.now();) {
+  for (std::uint64_t at = start_clock; at < time_.now();) {
     const std::uint64_t left = time_.now() - at;
     const std::uint64_t free = screen_.free_from(at, left);
-    const std::uint64_t turn = free > 0 ? 0 : std::min(left, screen_.left_from(at));
+    const std::uint64_t turn = free > 0 ? 0 : std::min(left, screen_.turn_clocks_left(at));
     clocks += turn;
     at += free + turn;
   }
@@ -99,10 +99,10 @@ std::uint64_t Node::turns_since(std::uint64_t begun) {
 }
 
 void Node::take_answer(const BusRequest& sent) {
-  if (!asks_) return;
+  if (!awaiting_answer_) return;
   append(answer_, sent.word, bus_width_);
   if (!sent.last) return;
-  asks_ = false;
+  awaiting_answer_ = false;
   answered_.notify(sc_core::SC_ZERO_TIME);
 }
 

@@ -11,7 +11,7 @@ namespace csgsim::multi_processor {
 
 namespace {
 
-/// Divides from the records in the node's memory, and tells in which clock each instruction is begun.
+/// Divides from the records in the node's memory, and records the clock in which each instruction begins.
 class TimedDatapath final : public division::Datapath {
  public:
   TimedDatapath(const division::DisplayModel& model, const TestClocks& each, const ListForm& form,
@@ -19,9 +19,9 @@ class TimedDatapath final : public division::Datapath {
       : Datapath(model), model_(model), each_(each), form_(form), number_clocks_(number_clocks) {}
 
   [[nodiscard]] std::uint64_t now() const { return now_; }
-  [[nodiscard]] const std::vector<std::uint64_t>& begun() const { return begun_; }
+  [[nodiscard]] const std::vector<std::uint64_t>& start_clocks() const { return start_clocks_; }
   [[nodiscard]] std::uint64_t clocks_to_put(const isa::Instruction& instruction) const {
-    return is_named(instruction, form_) ? number_clocks_ : each_.instruction;
+    return uses_index(instruction, form_) ? number_clocks_ : each_.instruction;
   }
 
  private:
@@ -36,7 +36,7 @@ class TimedDatapath final : public division::Datapath {
   void on_cell(std::uint64_t halfspaces) override { now_ += halfspaces * each_.cell; }
   void on_node() override { now_ += each_.tree_node; }
   void on_instruction(const isa::Instruction& instruction) override {
-    begun_.push_back(now_);
+    start_clocks_.push_back(now_);
     now_ += clocks_to_put(instruction);
   }
 
@@ -45,7 +45,7 @@ class TimedDatapath final : public division::Datapath {
   const ListForm form_;
   const std::uint32_t number_clocks_;
   std::uint64_t now_ = 0;
-  std::vector<std::uint64_t> begun_;
+  std::vector<std::uint64_t> start_clocks_;
 };
 
 }  // namespace
@@ -53,13 +53,14 @@ class TimedDatapath final : public division::Datapath {
 void OwnList::begin(const isa::Region& part, const RecordReader& records, const ListForm& form, std::uint64_t room) {
   begin(room);
   form_ = form;
-  TimedDatapath path(records.model(), with_unpacking(records.format(), figures_), form, figures_.number_clocks);
-  const division::Divided divided = division::Divider(records.model()).divide(part, records.left(), path);
+  TimedDatapath path(records.model(), node_test_costs(records.format(), figures_), form, figures_.number_clocks);
+  const division::Divided divided = division::Divider(records.model()).divide(part, records.survivors(), path);
   counts_ = divided.counts();
   commands_.push_back({isa::SegmentStart{part}});
   for (std::size_t i = 0; i < divided.instructions.size(); ++i) {
-    const std::uint64_t begun = path.begun()[i];
-    commands_.push_back({divided.instructions[i], begun, begun + path.clocks_to_put(divided.instructions[i])});
+    const std::uint64_t start_clock = path.start_clocks()[i];
+    commands_.push_back(
+        {divided.instructions[i], start_clock, start_clock + path.clocks_to_put(divided.instructions[i])});
   }
   commands_.push_back({isa::SegmentEnd{}, path.now(), path.now()});
 }
@@ -73,24 +74,24 @@ void OwnList::begin(std::uint64_t room) {
 void OwnList::put(const isa::Command& command) {
   commands_.push_back({command});
   words_ += words_of(command);
-  ++made_;
+  ++built_;
 }
 
 void OwnList::clear() {
   commands_.clear();
   counts_ = {};
-  made_ = sent_ = 0;
+  built_ = sent_ = 0;
   words_ = now_ = 0;
 }
 
-std::uint64_t OwnList::make() {
+std::uint64_t OwnList::build() {
   const std::uint64_t before = now_;
-  for (; made_ < commands_.size(); ++made_) {
-    const Timed& next = commands_[made_];
-    now_ = next.begun;
+  for (; built_ < commands_.size(); ++built_) {
+    const Timed& next = commands_[built_];
+    now_ = next.start_clock;
     if (!has_room_for(next.command)) break;
     words_ += words_of(next.command);
-    now_ = next.made;
+    now_ = next.built;
   }
   return now_ - before;
 }

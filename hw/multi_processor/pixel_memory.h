@@ -11,11 +11,11 @@
 
 namespace csgsim::multi_processor {
 
-/// Memory and enable bit of some pixels.
+/// Memory and enable bits of a set of pixels.
 class PixelMemory {
  public:
   PixelMemory() = default;
-  /// All 0.
+  /// All bits are 0.
   PixelMemory(std::uint64_t pixels, std::uint32_t memory_bits)
       : pixel_words_(quotient_up(memory_bits, 64U)), memory_(pixels * pixel_words_), enable_(pixels) {}
 
@@ -24,12 +24,12 @@ class PixelMemory {
   [[nodiscard]] bool enabled(std::size_t pixel) const { return enable_[pixel] != 0; }
   void enable(std::size_t pixel, bool value) { enable_[pixel] = value ? 1 : 0; }
 
-  /// 0 for a field without bits.
+  /// Returns 0 for a field without bits.
   [[nodiscard]] std::uint64_t read(std::size_t pixel, isa::Field field) const {
     return systemc::read_field(std::span(memory_).subspan(pixel * pixel_words_, pixel_words_), field);
   }
 
-  /// One of them.
+  /// Returns a copy of one pixel.
   [[nodiscard]] PixelMemory of(std::size_t pixel) const {
     PixelMemory one;
     one.pixel_words_ = pixel_words_;
@@ -39,7 +39,7 @@ class PixelMemory {
     return one;
   }
 
-  /// Takes over a pixel of an equal memory.
+  /// Copies a pixel from a memory of equal shape.
   void copy(std::size_t pixel, const PixelMemory& from) {
     for (std::size_t i = 0; i < pixel_words_; ++i) {
       memory_[pixel * pixel_words_ + i] = from.memory_[pixel * pixel_words_ + i];
@@ -47,7 +47,7 @@ class PixelMemory {
     enable_[pixel] = from.enable_[pixel];
   }
 
-  /// The low bits of the value.
+  /// Writes the low bits of the value.
   void write(std::size_t pixel, isa::Field field, std::uint64_t value) {
     systemc::write_field(std::span(memory_).subspan(pixel * pixel_words_, pixel_words_), field, value);
   }

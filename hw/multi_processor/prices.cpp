@@ -14,7 +14,7 @@ namespace {
 
 using isa::Opcode;
 
-/// What an instruction does at a pixel besides looking at E and adding to F, in words.
+/// Operations of an instruction at a pixel, in words, without testing E and incrementing F.
 struct Work {
   std::uint64_t reads = 0;
   std::uint64_t writes = 0;
@@ -30,7 +30,7 @@ std::uint64_t shift_clocks(std::uint64_t places, const OperationClocks& each) {
   return each.shift + places * each.shift_bit;
 }
 
-/// Of a number of so many bits.
+/// Clocks to shift a number of `bits` bits.
 std::uint64_t shift_clocks(std::uint64_t bits, std::uint64_t places, const Figures& figures) {
   const std::uint64_t rest = places % figures.word_bits;
   if (rest == 0) return 0;
@@ -95,12 +95,12 @@ Work work_of(const isa::Instruction& instruction, const Figures& figures) {
               .adds = trials,
               .shifts = shifts};
     }
-    case Opcode::squares: return {};  // which the kind does not take
+    case Opcode::squares: return {};  // rejected by the kind
   }
   return {};
 }
 
-/// A*x + B*y + C with so many products more beside it.
+/// Clocks to compute A*x + B*y + C and `products` more products.
 std::uint64_t sum_clocks(const isa::Instruction& instruction, std::uint64_t products, const Figures& figures) {
   const std::uint64_t words = words_of(instruction.linear.width, figures);
   return words * ((2 + products) * figures.operations.multiply + 2 * figures.operations.add);
@@ -110,14 +110,14 @@ std::uint64_t add_clocks(const isa::Instruction& instruction, const Figures& fig
   return words_of(instruction.linear.width, figures) * figures.operations.add;
 }
 
-/// Of an instruction in a list of that form: the five numbers of its expression, which are its last, have a bit before
-/// them; or there are a number and a width in their place.
-std::vector<std::uint8_t> written_numbers(const isa::Instruction& instruction, const ListForm& form) {
+/// Widths of the numbers of an instruction in a list of that form: the five numbers of its expression, which come last,
+/// are preceded by a flag bit; or they are replaced by a flag bit, an index and a width.
+std::vector<std::uint8_t> written_widths(const isa::Instruction& instruction, const ListForm& form) {
   const isa::WireFields fields(instruction);
   std::vector<std::uint8_t> numbers(fields.widths().begin(), fields.widths().end());
   if (!form.has_numbers || instruction.linear.width == 0) return numbers;
   const auto expression = numbers.end() - 5;
-  if (!is_named(instruction, form)) {
+  if (!uses_index(instruction, form)) {
     numbers.insert(expression, 1);
     return numbers;
   }
@@ -127,17 +127,17 @@ std::vector<std::uint8_t> written_numbers(const isa::Instruction& instruction, c
   return numbers;
 }
 
-/// The expression of a half-space whose number came is worked out.
+/// Clocks to fetch an instruction; for a half-space's index, its expression is computed from the half-space's record.
 std::uint64_t fetch_clocks(const isa::Instruction& instruction, const ListForm& form, const Figures& figures) {
   const std::uint64_t read = figures.loop.instruction +
                              words_of(written_bits(instruction, form), figures) * figures.operations.read +
-                             unpacking_clocks(written_numbers(instruction, form), figures);
-  if (!is_named(instruction, form)) return read;
+                             unpacking_clocks(written_widths(instruction, form), figures);
+  if (!uses_index(instruction, form)) return read;
   return read + words_of(form.record_bits, figures) * figures.operations.read +
          unpacking_clocks(form.record_numbers, figures) + figures.node_tests.instruction;
 }
 
-/// Words of the numbers beside the opcode, if each begins at a word.
+/// Words of the operands, each starting at a word.
 std::uint64_t operand_words(const isa::Instruction& instruction, const Figures& figures) {
   const isa::WireFields fields(instruction);
   std::uint64_t words = 0;
@@ -145,13 +145,13 @@ std::uint64_t operand_words(const isa::Instruction& instruction, const Figures& 
   return words;
 }
 
-/// To come to an instruction of the list.
+/// Clocks to fetch an instruction from the list.
 std::uint64_t reach_clocks(const isa::Instruction& instruction, const ListForm& form, const Figures& figures) {
   if (figures.chain.program == NodeProgram::interpreted) return fetch_clocks(instruction, form, figures);
   return figures.chain.call + operand_words(instruction, figures) * figures.operations.read;
 }
 
-/// To make an instruction of a list a call of a native program.
+/// Clocks to translate an instruction of a list to a call of a native program.
 std::uint64_t link_clocks(const isa::Instruction& instruction, const ListForm& form, const Figures& figures) {
   if (figures.chain.program == NodeProgram::interpreted) return 0;
   return fetch_clocks(instruction, form, figures) + figures.chain.link +
@@ -164,7 +164,7 @@ std::uint64_t written_bits(const isa::Command& command, const ListForm& form) {
   const auto* const instruction = std::get_if<isa::Instruction>(&command);
   const std::uint64_t bits = isa::wire_bits(command);
   if (instruction == nullptr || !form.has_numbers || instruction->linear.width == 0) return bits;
-  if (!is_named(*instruction, form)) return bits + 1;
+  if (!uses_index(*instruction, form)) return bits + 1;
   const std::uint64_t expression =
       isa::wire_linear_width_bits + isa::wire_shift_bits + 3 * std::uint64_t{instruction->linear.width};
   return bits - expression + 1 + form.number_bits + number_width_bits;
@@ -189,50 +189,50 @@ std::uint64_t unpacking_clocks(std::span<const std::uint8_t> widths, const Figur
   return clocks;
 }
 
-PixelPrices pixel_prices(const isa::Instruction& instruction, const Figures& figures) {
+PixelCosts pixel_costs(const isa::Instruction& instruction, const Figures& figures) {
   const OperationClocks& operations = figures.operations;
   const BranchFigures& branches = figures.branches;
   const Work work = work_of(instruction, figures);
   const isa::Linear& linear = instruction.linear;
-  const std::uint64_t look = std::uint64_t{operations.read} + operations.logic;
+  const std::uint64_t test_e = std::uint64_t{operations.read} + operations.logic;
   const std::uint64_t shift = linear.width > 0 ? shift_clocks(linear.width, linear.shift, figures) : 0;
   const bool by_pixel = figures.order == RenderingOrder::pixel;
   const std::uint64_t start = by_pixel ? sum_clocks(instruction, 0, figures) : 0;
-  const std::uint64_t go_on = by_pixel ? 0 : add_clocks(instruction, figures);
+  const std::uint64_t increment = by_pixel ? 0 : add_clocks(instruction, figures);
   const std::uint64_t reads = work.reads * operations.read;
-  const std::uint64_t whole = look + start + reads + work.writes * operations.write +
-                              work.compares * operations.compare + work.combines * operations.logic +
-                              work.adds * operations.add + work.shifts + shift + go_on;
-  if (branches.over == Branches::none || isa::acts_on_disabled(instruction.opcode)) return {whole, whole, whole};
-  const std::uint64_t disabled = look + branches.taken + go_on;
-  const bool chooses = instruction.opcode == Opcode::keep_max || instruction.opcode == Opcode::keep_min;
-  if (!chooses) return {disabled, whole + branches.passed, whole + branches.passed};
+  const std::uint64_t full = test_e + start + reads + work.writes * operations.write +
+                             work.compares * operations.compare + work.combines * operations.logic +
+                             work.adds * operations.add + work.shifts + shift + increment;
+  if (branches.over == Branches::none || isa::acts_on_disabled(instruction.opcode)) return {full, full, full};
+  const std::uint64_t disabled = test_e + branches.taken + increment;
+  const bool selects = instruction.opcode == Opcode::keep_max || instruction.opcode == Opcode::keep_min;
+  if (!selects) return {disabled, full + branches.passed, full + branches.passed};
   const std::uint64_t wider = words_of(std::max<std::uint64_t>(linear.width, instruction.fields[0].width), figures);
   return {disabled,
-          look + branches.passed + start + reads + wider * operations.compare + shift + branches.taken + go_on,
-          whole + 2 * std::uint64_t{branches.passed}};
+          test_e + branches.passed + start + reads + wider * operations.compare + shift + branches.taken + increment,
+          full + 2 * std::uint64_t{branches.passed}};
 }
 
-InstructionPrices prices_of(const isa::Instruction& instruction, const ListForm& form, const Figures& figures) {
+InstructionCosts instruction_costs(const isa::Instruction& instruction, const ListForm& form, const Figures& figures) {
   const std::uint64_t reach = reach_clocks(instruction, form, figures);
   const std::uint64_t sum = sum_clocks(instruction, 2, figures);
-  InstructionPrices prices{.at_pixel = pixel_prices(instruction, figures),
-                           .link = link_clocks(instruction, form, figures),
-                           .reach = reach,
-                           .sum = sum};
+  InstructionCosts costs{.at_pixel = pixel_costs(instruction, figures),
+                         .link = link_clocks(instruction, form, figures),
+                         .reach = reach,
+                         .sum = sum};
   switch (figures.order) {
     case RenderingOrder::segment:
-      prices.once = reach + sum;
-      prices.row = add_clocks(instruction, figures) + figures.loop.row;
-      prices.pixel = figures.loop.pixel;
+      costs.once = reach + sum;
+      costs.row = add_clocks(instruction, figures) + figures.loop.row;
+      costs.pixel = figures.loop.pixel;
       break;
     case RenderingOrder::scan_line:
-      prices.row = reach + sum_clocks(instruction, 1, figures);
-      prices.pixel = figures.loop.pixel;
+      costs.row = reach + sum_clocks(instruction, 1, figures);
+      costs.pixel = figures.loop.pixel;
       break;
-    case RenderingOrder::pixel: prices.pixel = reach; break;
+    case RenderingOrder::pixel: costs.pixel = reach; break;
   }
-  return prices;
+  return costs;
 }
 
 }  // namespace csgsim::multi_processor

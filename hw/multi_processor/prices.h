@@ -9,34 +9,34 @@
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/list_form.h"
 
-/// Clocks of a node for an instruction of its list, which the figures alone decide: the same at whichever pixels.
+/// Clocks of a node for an instruction of its list, as far as they depend only on the machine's parameters, not on
+/// pixels.
 namespace csgsim::multi_processor {
 
 /// Bits of a command of a list.
 std::uint64_t written_bits(const isa::Command& command, const ListForm& form);
 
-/// Of numbers of so many bits that follow each other from the beginning of a word on, to get each into words of its
-/// own.
+/// Clocks to unpack consecutive numbers of the given widths, packed from the start of a word, to separate words.
 std::uint64_t unpacking_clocks(std::span<const std::uint8_t> widths, const Figures& figures);
 
-/// Of an instruction at a pixel, by how much of it is carried out there.
-struct PixelPrices {
-  std::uint64_t disabled = 0;  ///< where it has no effect, since E is 0
-  std::uint64_t unchosen = 0;  ///< where E is 1 and it keeps what is there
-  std::uint64_t whole = 0;     ///< if no branch is taken
+/// Clocks of an instruction at a pixel, by the extent of its execution there.
+struct PixelCosts {
+  std::uint64_t disabled = 0;    ///< E is 0 and the instruction has no effect
+  std::uint64_t unselected = 0;  ///< E is 1 and the stored value is kept
+  std::uint64_t full = 0;        ///< full execution, with no branch taken
 
-  [[nodiscard]] constexpr std::uint64_t most() const { return std::max({disabled, unchosen, whole}); }
+  [[nodiscard]] constexpr std::uint64_t maximum() const { return std::max({disabled, unselected, full}); }
 };
 
-/// Without the loops around it and what begins a row.
-PixelPrices pixel_prices(const isa::Instruction& instruction, const Figures& figures);
+/// Clocks without the surrounding loops and the work at the start of a row.
+PixelCosts pixel_costs(const isa::Instruction& instruction, const Figures& figures);
 
-struct InstructionPrices {
-  PixelPrices at_pixel;
-  std::uint64_t link = 0;   ///< to make it a call of a native program; 0 where lists are interpreted
-  std::uint64_t reach = 0;  ///< to come to it in the list
-  std::uint64_t sum = 0;    ///< of its expression at the first pixel, and what it grows by across and down
-  /// Besides what it takes at each pixel: once for the node's pixels, at each of their rows, at each of them.
+struct InstructionCosts {
+  PixelCosts at_pixel;
+  std::uint64_t link = 0;   ///< clocks to append a call to a native program; 0 for interpreted lists
+  std::uint64_t reach = 0;  ///< clocks to fetch it from the list
+  std::uint64_t sum = 0;    ///< clocks of its expression at the first pixel, and of its increments in x and y
+  /// Clocks in addition to those at each pixel: once for the node's pixels, per row, and per pixel.
   std::uint64_t once = 0;
   std::uint64_t row = 0;
   std::uint64_t pixel = 0;
@@ -46,6 +46,6 @@ struct InstructionPrices {
   }
 };
 
-InstructionPrices prices_of(const isa::Instruction& instruction, const ListForm& form, const Figures& figures);
+InstructionCosts instruction_costs(const isa::Instruction& instruction, const ListForm& form, const Figures& figures);
 
 }  // namespace csgsim::multi_processor

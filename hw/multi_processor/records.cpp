@@ -21,15 +21,15 @@ using division::Primitive;
 using division::Widths;
 
 constexpr unsigned background_bits = 32;
-constexpr unsigned most_bits = 64;  ///< of a number
+constexpr unsigned max_bits = 64;  ///< maximum width of a number
 
-/// Widths of a sound model are never more, nor is that of a coefficient 0.
-void put(BitWriter& out, std::uint64_t value, unsigned width) { out.put(value, std::min(width, most_bits)); }
+/// Widths of a valid model are within these limits, and a coefficient has at least one bit.
+void put(BitWriter& out, std::uint64_t value, unsigned width) { out.put(value, std::min(width, max_bits)); }
 void put_signed(BitWriter& out, std::int64_t value, unsigned width) {
-  out.put_signed(value, std::clamp(width, 1U, most_bits));
+  out.put_signed(value, std::clamp(width, 1U, max_bits));
 }
 
-/// What follows from the model's own widths and the number of its primitives.
+/// Format that follows from the model's widths and the number of its primitives.
 RecordFormat format_of(const Widths& widths, std::uint64_t primitives) {
   const std::uint64_t last = primitives == 0 ? 0 : primitives - 1;
   return {.depth = widths.depth,
@@ -85,7 +85,7 @@ division::Bits halfspace_record(const DisplayModel& model, const division::Halfs
   return out.take();
 }
 
-/// Numbers in a record of their own.
+/// A number that forms a separate record.
 struct Number {
   std::uint64_t value = 0;
   unsigned width = 0;
@@ -98,7 +98,7 @@ division::Bits numbers_record(std::initializer_list<Number> numbers) {
 }
 
 void require(bool holds, const char* what) {
-  if (!holds) throw InputError(std::string("the records on the bus: ") + what);
+  if (!holds) throw InputError(std::string("invalid records on the bus: ") + what);
 }
 
 ReadHalfspace take_halfspace(BitReader& in, const RecordFormat& format) {
@@ -128,48 +128,49 @@ Records frame_records(const DisplayModel& model) {
   return records;
 }
 
-Records segment_records(const DisplayModel& model, const division::Candidates& left) {
-  Records records = segment_heads(model, left);
+Records segment_records(const DisplayModel& model, const division::Candidates& survivors) {
+  Records records = segment_heads(model, survivors);
   auto next = records.begin();
-  for (const std::uint32_t index : left.primitives) {
+  for (const std::uint32_t index : survivors.primitives) {
     ++next;
-    for (std::uint32_t number = 0; number < left.halfspaces[index].size(); ++number)
-      next = records.insert(next + 1, halfspace_record(model, left, {index, number}));
+    for (std::uint32_t number = 0; number < survivors.halfspaces[index].size(); ++number)
+      next = records.insert(next + 1, halfspace_record(model, survivors, {index, number}));
   }
   return records;
 }
 
-Records segment_heads(const DisplayModel& model, const division::Candidates& left) {
+Records segment_heads(const DisplayModel& model, const division::Candidates& survivors) {
   const RecordFormat format = format_of(model);
-  Records records{numbers_record({{left.primitives.size(), format.primitives}})};
-  for (const std::uint32_t index : left.primitives) {
-    const std::uint64_t own = left.halfspaces[index].size();
+  Records records{numbers_record({{survivors.primitives.size(), format.primitives}})};
+  for (const std::uint32_t index : survivors.primitives) {
+    const std::uint64_t own = survivors.halfspaces[index].size();
     records.push_back(numbers_record({{index, format.index}, {own, format.halfspaces}}));
   }
   return records;
 }
 
 void append(BitWriter& gathered, const isa::LinkWord& word, unsigned word_bits) {
-  for (unsigned at = 0; at < word_bits; at += most_bits) {
-    const unsigned count = std::min(most_bits, word_bits - at);
+  for (unsigned at = 0; at < word_bits; at += max_bits) {
+    const unsigned count = std::min(max_bits, word_bits - at);
     gathered.put(word.number(at, count), count);
   }
 }
 
-HalfspaceName requested(const DisplayModel& model, const division::Candidates& left, const division::Bits& request) {
+HalfspaceId decode_request(const DisplayModel& model, const division::Candidates& survivors,
+                           const division::Bits& request) {
   const RecordFormat format = format_of(model);
   BitReader in(request);
-  HalfspaceName name;
+  HalfspaceId name;
   name.primitive = static_cast<std::uint32_t>(in.take(format.index));
   name.number = static_cast<std::uint32_t>(in.take(format.halfspaces));
-  require(name.primitive < left.halfspaces.size() && name.number < left.halfspaces[name.primitive].size(),
-          "a request for a half-space that is not left");
+  require(name.primitive < survivors.halfspaces.size() && name.number < survivors.halfspaces[name.primitive].size(),
+          "request for a half-space that is not among the survivors");
   return name;
 }
 
-division::Bits halfspace_record(const DisplayModel& model, const division::Candidates& left,
-                                const HalfspaceName& name) {
-  const std::uint32_t number = left.halfspaces[name.primitive][name.number];
+division::Bits halfspace_record(const DisplayModel& model, const division::Candidates& survivors,
+                                const HalfspaceId& name) {
+  const std::uint32_t number = survivors.halfspaces[name.primitive][name.number];
   return halfspace_record(model, model.primitives[name.primitive].halfspaces[number], format_of(model));
 }
 
@@ -179,26 +180,26 @@ void RecordReader::begin_frame() {
   await(Record::header);
 }
 
-void RecordReader::begin_segment(bool brings_halfspaces) {
-  brings_halfspaces_ = brings_halfspaces;
+void RecordReader::begin_segment(bool with_halfspaces) {
+  with_halfspaces_ = with_halfspaces;
   segment_words_ = 0;
   model_.planes.clear();
   for (division::Primitive& primitive : model_.primitives) primitive.halfspaces.clear();
-  left_ = {};
-  left_.halfspaces.resize(model_.primitives.size());
-  left_.listed.assign(model_.primitives.size(), false);
+  survivors_ = {};
+  survivors_.halfspaces.resize(model_.primitives.size());
+  survivors_.listed.assign(model_.primitives.size(), false);
   await(Record::count);
 }
 
 void RecordReader::take(const isa::LinkWord& word) {
-  require(!whole(), "a word after the last");
-  for (unsigned at = 0; at < word_bits_ && wanted_ > 0;) {
-    const unsigned count = std::min({64U, word_bits_ - at, wanted_});
+  require(!is_complete(), "word after the last record");
+  for (unsigned at = 0; at < word_bits_ && missing_bits_ > 0;) {
+    const unsigned count = std::min({64U, word_bits_ - at, missing_bits_});
     gathered_.put(word.number(at, count), count);
     at += count;
-    wanted_ -= count;
+    missing_bits_ -= count;
   }
-  if (wanted_ > 0) return;
+  if (missing_bits_ > 0) return;
   const division::Bits bits = gathered_.take();
   BitReader in(bits);
   read(in);
@@ -208,10 +209,10 @@ void RecordReader::take(const isa::LinkWord& word) {
 void RecordReader::await(Record record) {
   next_ = record;
   gathered_ = {};
-  wanted_ = bits_of(record);
+  missing_bits_ = bits_of(record);
 }
 
-/// After a record comes the first kind of which any are to come.
+/// The next record is of the first kind that is still to be received.
 void RecordReader::await_next() {
   const bool of_frame = next_ == Record::header || next_ == Record::primitive || next_ == Record::node;
   (of_frame ? frame_words_ : segment_words_) += quotient_up(bits_of(next_), memory_word_bits_);
@@ -219,8 +220,8 @@ void RecordReader::await_next() {
     if (model_.primitives.size() < primitives_) return await(Record::primitive);
     if (model_.nodes.size() < nodes_) return await(Record::node);
   } else {
-    if (own_ > 0) return await(Record::halfspace);
-    if (to_come_ > 0) return await(Record::left);
+    if (halfspaces_to_come_ > 0) return await(Record::halfspace);
+    if (primitives_to_come_ > 0) return await(Record::survivor);
   }
   await(Record::none);
   division::validate(model_);
@@ -233,7 +234,7 @@ unsigned RecordReader::bits_of(Record record) const {
     case Record::primitive: return format_.primitive_record();
     case Record::node: return format_.node_record();
     case Record::count: return format_.count_record();
-    case Record::left: return format_.left_record();
+    case Record::survivor: return format_.left_record();
     case Record::halfspace: return format_.halfspace_record();
   }
   return 0;
@@ -245,8 +246,8 @@ void RecordReader::read(BitReader& in) {
     case Record::header: return read_header(in);
     case Record::primitive: return read_primitive(in);
     case Record::node: return read_node(in);
-    case Record::count: to_come_ = in.take(format_.primitives); return;
-    case Record::left: return read_left(in);
+    case Record::count: primitives_to_come_ = in.take(format_.primitives); return;
+    case Record::survivor: return read_left(in);
     case Record::halfspace: return read_halfspace(in);
   }
 }
@@ -280,40 +281,40 @@ void RecordReader::read_node(BitReader& in) {
   const bool is_operator = in.take(1) != 0;
   const auto op = in.take(1) != 0 ? division::Operator::intersect : division::Operator::unite;
   const auto operands = static_cast<std::uint32_t>(in.take(format_.operands));
-  require(is_operator == (operands > 0), "a leaf with operands");
+  require(is_operator == (operands > 0), "leaf with operands");
   model_.nodes.push_back({operands, op});
 }
 
 void RecordReader::read_left(BitReader& in) {
   const auto index = static_cast<std::uint32_t>(in.take(format_.index));
-  own_ = in.take(format_.halfspaces);
-  --to_come_;
-  require(index < model_.primitives.size() && (left_.primitives.empty() || index > left_.primitives.back()),
-          "a primitive out of order");
-  left_.primitives.push_back(index);
-  left_.listed[index] = true;
-  if (brings_halfspaces_) return;
-  left_.halfspaces[index].resize(static_cast<std::size_t>(own_));
-  std::iota(left_.halfspaces[index].begin(), left_.halfspaces[index].end(), 0U);
-  own_ = 0;
+  halfspaces_to_come_ = in.take(format_.halfspaces);
+  --primitives_to_come_;
+  require(index < model_.primitives.size() && (survivors_.primitives.empty() || index > survivors_.primitives.back()),
+          "primitive out of order");
+  survivors_.primitives.push_back(index);
+  survivors_.listed[index] = true;
+  if (with_halfspaces_) return;
+  survivors_.halfspaces[index].resize(static_cast<std::size_t>(halfspaces_to_come_));
+  std::iota(survivors_.halfspaces[index].begin(), survivors_.halfspaces[index].end(), 0U);
+  halfspaces_to_come_ = 0;
 }
 
 void RecordReader::read_halfspace(BitReader& in) {
-  --own_;
+  --halfspaces_to_come_;
   ReadHalfspace read = take_halfspace(in, format_);
-  const std::uint32_t primitive = left_.primitives.back();
+  const std::uint32_t primitive = survivors_.primitives.back();
   std::vector<division::Halfspace>& own = model_.primitives[primitive].halfspaces;
-  left_.halfspaces[primitive].push_back(static_cast<std::uint32_t>(own.size()));
+  survivors_.halfspaces[primitive].push_back(static_cast<std::uint32_t>(own.size()));
   read.halfspace.plane = static_cast<std::uint32_t>(model_.planes.size());
   own.push_back(read.halfspace);
   model_.planes.push_back(read.plane);
 }
 
-division::Bits RecordReader::request_for(const HalfspaceName& name) const {
+division::Bits RecordReader::encode_request(const HalfspaceId& name) const {
   return numbers_record({{name.primitive, format_.index}, {name.number, format_.halfspaces}});
 }
 
-ReadHalfspace RecordReader::halfspace_of(const division::Bits& record) const {
+ReadHalfspace RecordReader::decode_halfspace(const division::Bits& record) const {
   BitReader in(record);
   return take_halfspace(in, format_);
 }

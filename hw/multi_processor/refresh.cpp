@@ -12,7 +12,7 @@ namespace csgsim::multi_processor {
 
 namespace {
 
-/// For products of two rates.
+/// Holds products of two rates.
 __extension__ using Wide = unsigned __int128;
 
 }  // namespace
@@ -22,34 +22,34 @@ Refresh::Refresh(const isa::FrameHeader& header, const machines::Machine& machin
   const RefreshFigures& figures = machines::own<Figures>(machine).refresh;
   const std::uint64_t pixels = std::uint64_t{quotient_up(header.shape.width, machine.array.width)} *
                                quotient_up(header.shape.height, machine.array.height);
-  turns_a_second_ = figures.rate * quotient_up(pixels * header.colour.width, std::uint64_t{figures.bits});
+  turns_per_second_ = figures.rate * quotient_up(pixels * header.colour.width, std::uint64_t{figures.bits});
 }
 
-/// Clocks before that one which are in no turn.
+/// Number of clocks before `clock` that are in no turn.
 std::uint64_t Refresh::free_until(std::uint64_t clock) const {
-  if (turns_a_second_ == 0 || clock == 0) return clock;
-  const auto turns = static_cast<std::uint64_t>(Wide{clock - 1} * turns_a_second_ / clock_hz_);
+  if (turns_per_second_ == 0 || clock == 0) return clock;
+  const auto turns = static_cast<std::uint64_t>(Wide{clock - 1} * turns_per_second_ / clock_hz_);
   if (turns == 0) return clock;
-  const auto last = static_cast<std::uint64_t>((Wide{turns} * clock_hz_ + turns_a_second_ - 1) / turns_a_second_);
+  const auto last = static_cast<std::uint64_t>((Wide{turns} * clock_hz_ + turns_per_second_ - 1) / turns_per_second_);
   return clock - (turns - 1) * turn_clocks_ - std::min(turn_clocks_, clock - last);
 }
 
 std::uint64_t Refresh::end_of(std::uint64_t begin, std::uint64_t clocks) const {
-  if (turns_a_second_ == 0 || clocks == 0) return begin + clocks;
-  const std::uint64_t wanted = free_until(begin) + clocks;
+  if (turns_per_second_ == 0 || clocks == 0) return begin + clocks;
+  const std::uint64_t required = free_until(begin) + clocks;
   std::uint64_t end = begin + clocks;
-  // No clock that is left out is free twice, so that this stops at the first end that has enough.
-  for (std::uint64_t free = free_until(end); free < wanted; free = free_until(end)) end += wanted - free;
+  // No omitted clock is counted twice, so the loop stops at the first end with enough free clocks.
+  for (std::uint64_t free = free_until(end); free < required; free = free_until(end)) end += required - free;
   return end;
 }
 
 void check_refresh(const isa::FrameHeader& header, const machines::Machine& machine) {
-  const std::uint64_t turns = Refresh(header, machine).turns_a_second();
+  const std::uint64_t turns = Refresh(header, machine).turns_per_second();
   const std::uint32_t clocks = machines::own<Figures>(machine).refresh.clocks;
   if (turns == 0 || turns <= (machine.clock_hz - 1) / clocks) return;
   throw InputError(fmt::format(
-      "the screen takes {} turns a second of {} clocks each, and the memories of {} have {} clocks a second: "
-      "nothing could be drawn; give refresh.bits more",
+      "the screen takes {} turns a second of {} clocks each, but the memories of {} have {} clocks a second, "
+      "which leaves none for drawing; increase refresh.bits",
       turns, clocks, machine.name, machine.clock_hz));
 }
 

@@ -5,31 +5,31 @@
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
 
-/// What a screen takes of the nodes' memories, worked out.
+/// Analytic model of the screen's turns of the nodes' memories.
 namespace csgsim::multi_processor {
 
-/// The nodes stand still in the clocks of a turn. Clocks are counted from the frame's first, and so are turns, from 1:
-/// turn k begins with the first clock that begins no sooner than k / (turns a second) after the frame.
+/// The nodes are stalled during a turn. Clocks are counted from the frame's first, and turns from 1: turn k begins with
+/// the first clock that starts at least k / (turns per second) after the start of the frame.
 class Refresh {
  public:
-  /// Of what a node, of those with most pixels, has of the picture.
+  /// Turns for the picture of the node with the most pixels.
   Refresh(const isa::FrameHeader& header, const machines::Machine& machine);
 
-  [[nodiscard]] bool takes_turns() const { return turns_a_second_ > 0; }
-  [[nodiscard]] std::uint64_t turns_a_second() const { return turns_a_second_; }
+  [[nodiscard]] bool takes_turns() const { return turns_per_second_ > 0; }
+  [[nodiscard]] std::uint64_t turns_per_second() const { return turns_per_second_; }
 
-  /// When a node that begins at a clock with what takes it so many is done; that clock if it takes none.
+  /// Clock in which a node finishes `clocks` clocks of work that start at clock `begin`; `begin` if there is no work.
   [[nodiscard]] std::uint64_t end_of(std::uint64_t begin, std::uint64_t clocks) const;
 
  private:
   [[nodiscard]] std::uint64_t free_until(std::uint64_t clock) const;
 
-  std::uint64_t turns_a_second_ = 0;
+  std::uint64_t turns_per_second_ = 0;
   std::uint64_t clock_hz_;
   std::uint64_t turn_clocks_;
 };
 
-/// Throws InputError if the screen takes every clock of the memories, or more.
+/// Throws InputError if the screen occupies every clock of the memories.
 void check_refresh(const isa::FrameHeader& header, const machines::Machine& machine);
 
 }  // namespace csgsim::multi_processor

@@ -10,9 +10,9 @@ namespace csgsim::multi_processor {
 
 namespace {
 
-/// Places from `first` on, below `end`, that are `rest` modulo `step`.
+/// The positions from `first` on that are congruent to `rest` modulo `step`.
 struct Places {
-  std::uint32_t first = 0;  ///< counted from the beginning
+  std::uint32_t first = 0;  ///< relative to the beginning
   std::uint32_t count = 0;
 };
 

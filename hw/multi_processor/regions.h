@@ -7,14 +7,14 @@
 
 namespace csgsim::multi_processor {
 
-/// The region cut into at most so many columns and rows of equal parts, those at the right and bottom edges cut off
-/// there, row by row. There are fewer parts where the region has too few pixels.
+/// Divides the region into at most `columns` x `rows` equal parts, clipped at the right and bottom edges, row by row. A
+/// region with too few pixels has fewer parts.
 std::vector<isa::Region> parts_of(const isa::Region& region, std::uint32_t columns, std::uint32_t rows);
 
-/// The segments of a picture, row by row: `levels` halvings, the first across its columns, then in turn.
+/// The segments of a picture, row by row, after `levels` halvings, alternately of columns (first) and rows.
 std::vector<isa::Region> picture_segments(machines::Size picture, std::uint32_t levels);
 
-/// The pixels of a region that one node holds, counted from the region's top left; all 0 if it holds none.
+/// The pixels of a region that one node holds, relative to the region's top left; all 0 if it holds none.
 struct NodePixels {
   std::uint32_t first_x = 0;
   std::uint32_t first_y = 0;

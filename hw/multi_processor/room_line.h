@@ -6,15 +6,15 @@
 
 namespace csgsim::multi_processor {
 
-/// A common line that any node pulls.
+/// A common line that any node can pull.
 class RoomPort : virtual public sc_core::sc_interface {
  public:
   virtual void pull(std::uint32_t node, bool pulls) = 0;
   [[nodiscard]] virtual bool is_pulled() const = 0;
 };
 
-/// Pulled by nodes that have no room for another command. It follows at once: who looks at it has to let all that
-/// belongs to the clock happen first.
+/// The line is pulled by nodes that have no room for another command. It changes immediately: a reader must first let
+/// all events of the clock happen.
 class RoomLine final : public sc_core::sc_module, public RoomPort {
  public:
   RoomLine(sc_core::sc_module_name name, std::uint32_t nodes);

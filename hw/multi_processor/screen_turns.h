@@ -8,50 +8,50 @@
 
 namespace csgsim::multi_processor {
 
-/// The turns in which a screen has the memory of a node, one after the other.
+/// The screen's turns of a node's memory, computed one after the other.
 class ScreenTurns {
  public:
   ScreenTurns(const RefreshFigures& figures, std::uint64_t clock_hz) : figures_(figures), clock_hz_(clock_hz) {}
 
-  /// A frame begins in that clock, and shows so many pixels of the node, of so many bits.
+  /// Begins a frame in that clock; the screen shows `pixels` pixels of the node, of `colour_bits` bits each.
   void begin(std::uint64_t clock, std::uint64_t pixels, std::uint32_t colour_bits) {
     rate_ = figures_.rate * ((pixels * colour_bits + figures_.bits - 1) / figures_.bits);
-    whole_ = clock;
-    rest_ = 0;
+    whole_clocks_ = clock;
+    fraction_ = 0;
     if (rate_ > 0) next();
   }
 
-  /// Of the clocks from that one on, how many there are until the next turn: 0 in one. Clocks never go back.
-  [[nodiscard]] std::uint64_t free_from(std::uint64_t clock, std::uint64_t most) {
-    if (rate_ == 0) return most;
+  /// Number of free clocks, at most `limit`, from `clock` to the next turn; 0 during a turn. `clock` must not decrease.
+  [[nodiscard]] std::uint64_t free_from(std::uint64_t clock, std::uint64_t limit) {
+    if (rate_ == 0) return limit;
     while (first() + figures_.clocks <= clock) next();
-    return first() <= clock ? 0 : std::min(most, first() - clock);
+    return first() <= clock ? 0 : std::min(limit, first() - clock);
   }
 
-  /// Is that clock, none before the last that was asked for, in a turn? At most the next is known.
-  [[nodiscard]] bool has(std::uint64_t clock) const {
+  /// Whether `clock` is in a turn; it must be neither before the last requested clock nor after the next turn.
+  [[nodiscard]] bool is_in_turn(std::uint64_t clock) const {
     return rate_ > 0 && first() <= clock && clock < first() + figures_.clocks;
   }
 
-  /// Of such a turn, how many are left.
-  [[nodiscard]] std::uint64_t left_from(std::uint64_t clock) const { return first() + figures_.clocks - clock; }
+  /// Clocks left of the turn that contains `clock`.
+  [[nodiscard]] std::uint64_t turn_clocks_left(std::uint64_t clock) const { return first() + figures_.clocks - clock; }
 
  private:
-  [[nodiscard]] std::uint64_t first() const { return whole_ + (rest_ > 0 ? 1 : 0); }
+  [[nodiscard]] std::uint64_t first() const { return whole_clocks_ + (fraction_ > 0 ? 1 : 0); }
 
   void next() {
-    whole_ += clock_hz_ / rate_;
-    rest_ += clock_hz_ % rate_;
-    if (rest_ < rate_) return;
-    rest_ -= rate_;
-    ++whole_;
+    whole_clocks_ += clock_hz_ / rate_;
+    fraction_ += clock_hz_ % rate_;
+    if (fraction_ < rate_) return;
+    fraction_ -= rate_;
+    ++whole_clocks_;
   }
 
   RefreshFigures figures_;
   std::uint64_t clock_hz_;
-  std::uint64_t rate_ = 0;   ///< turns a second
-  std::uint64_t whole_ = 0;  ///< clocks before the turn at hand, or to come, rounded down
-  std::uint64_t rest_ = 0;   ///< of a clock, in parts of which there are `rate_`
+  std::uint64_t rate_ = 0;          ///< turns per second
+  std::uint64_t whole_clocks_ = 0;  ///< clocks before the current or next turn, rounded down
+  std::uint64_t fraction_ = 0;      ///< fraction of a clock, in units of 1 / rate_
 };
 
 }  // namespace csgsim::multi_processor

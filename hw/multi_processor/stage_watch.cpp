@@ -25,10 +25,10 @@ std::uint64_t StageWatch::passed() {
 
 void StageWatch::on_word() {
   const BusLines& lines = bus.read();
-  if (is_of_segment(lines.sent.kind)) prunes_ = true;
+  if (is_segment_record(lines.sent.kind)) prunes_ = true;
   if (!lines.sent.last) return;
   const std::uint64_t clocks = passed();
-  if (is_of_reading(lines.sent.kind)) {
+  if (is_halfspace_read(lines.sent.kind)) {
     stages_.second_pruning += clocks;
   } else if (lines.master != display_master) {
     stages_.sharing += clocks;

@@ -10,7 +10,7 @@
 
 namespace csgsim::multi_processor {
 
-/// Counts the clocks of the stages that all nodes are in together. No part of the hardware.
+/// Counts the clocks of the stages in which all nodes are together. Not a hardware unit.
 class StageWatch final : public sc_core::sc_module {
  public:
   sc_core::sc_in<BusLines> bus{"bus"};
@@ -21,8 +21,8 @@ class StageWatch final : public sc_core::sc_module {
 
   void begin() { stages_ = {}; }
 
-  /// Tells of the second pruning, sharing, rendering and barriers; the others are the display processor's.
-  void tell(StageClocks& stages) const {
+  /// Stores the clocks of second pruning, sharing, rendering and barriers; the display processor counts the others.
+  void store_stages(StageClocks& stages) const {
     stages.second_pruning = stages_.second_pruning;
     stages.sharing = stages_.sharing;
     stages.rendering = stages_.rendering;
@@ -37,7 +37,7 @@ class StageWatch final : public sc_core::sc_module {
 
   TimeBase time_;
   std::uint64_t since_ = 0;
-  bool prunes_ = false;  ///< the nodes do so next: a segment's data has come
+  bool prunes_ = false;  ///< the nodes prune next: data of a segment has arrived
   StageClocks stages_;
 };
 

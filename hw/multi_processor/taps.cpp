@@ -30,7 +30,7 @@ std::string_view kind_of(const BusLines& lines) {
   return lines.number == 0 ? "" : names.at(static_cast<std::size_t>(lines.sent.kind));
 }
 
-/// What becomes of a pixel while its node renders.
+/// States of a pixel while its node renders.
 class PixelStory {
  public:
   PixelStory(wave::Pixel pixel, const Node& node, const isa::Region& region, const machines::Machine& machine)
@@ -41,24 +41,24 @@ class PixelStory {
         place_(std::size_t{(pixel.y - region.y - own_.first_y) / machine.array.height} * own_.columns +
                (pixel.x - region.x - own_.first_x) / machine.array.width) {}
 
-  /// Of the instruction that is carried out there, in the subsegment's list.
+  /// Index of the instruction executed there, in the subsegment's list.
   [[nodiscard]] Number instruction() {
     if (!renders()) return std::nullopt;
-    // What would begin in a turn of the screen begins after it.
-    const std::uint64_t still = node_.stands_still() ? 1 : 0;
-    const auto found = std::ranges::find_if(moments_, [now = elapsed(), still](const PixelMoment& one) {
-      return one.clocks.begin + still <= now && now < one.clocks.end;
+    // An instruction that would begin in a turn of the screen begins after it.
+    const std::uint64_t stalled = node_.is_stalled() ? 1 : 0;
+    const auto found = std::ranges::find_if(moments_, [now = elapsed(), stalled](const PixelMoment& one) {
+      return one.clocks.begin + stalled <= now && now < one.clocks.end;
     });
-    return found == moments_.end() ? std::nullopt : Number(told_.list->first + found->index);
+    return found == moments_.end() ? std::nullopt : Number(replayed_.list->first + found->index);
   }
 
-  /// Of the pixel as it is; nothing, where it is none.
+  /// Current state of the pixel; empty if it has none.
   template <class Read>
   [[nodiscard]] Number state(const Read& read) {
     if (!renders()) {
-      const Kept& kept = node_.kept();
-      if (kept.pixels.pixels() == 0 || !(kept.region == region_)) return std::nullopt;
-      return Number(read(kept.pixels.of(place_)));
+      const SavedPixels& saved = node_.saved();
+      if (saved.pixels.pixels() == 0 || !(saved.region == region_)) return std::nullopt;
+      return Number(read(saved.pixels.of(place_)));
     }
     const bool begins = before_.pixels() == 0;
     if (begins && elapsed() < clearing_clocks(own_, machine_)) return std::nullopt;
@@ -69,14 +69,14 @@ class PixelStory {
   }
 
  private:
-  /// Clocks of the rendering.
-  [[nodiscard]] std::uint64_t elapsed() const { return node_.worked(); }
+  /// Elapsed clocks of the rendering.
+  [[nodiscard]] std::uint64_t elapsed() const { return node_.work_elapsed(); }
 
   bool renders() {
     const Rendering& now = node_.rendering();
     if (now.list == nullptr || !(now.list->region == region_)) return false;
-    if (now.list == told_.list && now.begun == told_.begun) return true;
-    told_ = now;
+    if (now.list == replayed_.list && now.start_clock == replayed_.start_clock) return true;
+    replayed_ = now;
     moments_.clear();
     const std::vector<systemc::Keep> keeps(now.list->instructions.size(), systemc::Keep::nothing);
     before_ = now.before->pixels() == 0 ? PixelMemory() : now.before->of(place_);
@@ -91,9 +91,9 @@ class PixelStory {
   const isa::Region region_;
   const machines::Machine& machine_;
   const NodePixels own_;
-  const std::size_t place_;  ///< of the pixel among the node's own
-  Rendering told_;           ///< what `moments_` are of
-  PixelMemory before_;       ///< of the pixel; empty where the list begins
+  const std::size_t place_;  ///< index of the pixel among the node's own
+  Rendering replayed_;       ///< the rendering that `moments_` belong to
+  PixelMemory before_;       ///< state of the pixel; empty at the start of a list
   std::vector<PixelMoment> moments_;
 };
 

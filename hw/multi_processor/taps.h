@@ -14,26 +14,27 @@
 #include "hw/wave/request.h"
 #include "hw/wave/tap.h"
 
-/// What waves show of a multi-processor.
+/// Wave taps of a multi-processor.
 namespace csgsim::multi_processor {
 
-/// `node_ROW_COLUMN`, of the node of that number.
+/// Name `node_ROW_COLUMN` of the node with that number.
 std::string node_name(std::uint32_t node, const isa::ArrayShape& nodes);
 
-/// `display.activity`, `.segment` of the picture.
+/// Taps `display.activity` and `.segment` of the picture.
 std::vector<wave::Tap> display_taps(const DisplayProcessor& display);
 
-/// `bus.activity`, `.master` who has it; of the word that all got last `.words`, how many there were, and `.kind`.
+/// Taps `bus.activity`; `.master` that holds the bus; `.words`, the number of words delivered; `.kind` of the last
+/// word.
 std::vector<wave::Tap> bus_taps(const ControlBus& bus, const sc_core::sc_signal<BusLines>& lines,
                                 const isa::ArrayShape& nodes);
 
-/// `PART.activity`, `.subsegment` that it renders.
+/// Taps `PART.activity` and `.subsegment` being rendered.
 std::vector<wave::Tap> node_taps(const std::string& part, const Node& node);
 
-/// A pixel while its node renders its subsegment: the instruction that the node carries out there, `.enable`, and a tap
-/// a field; and `.image`, the colour that the node holds for it. The node works out a whole subsegment at once: what
-/// becomes of the pixel is worked out again, by the same renderer, clock by clock. Throws InputError for a pixel that
-/// no subsegment holds.
+/// Taps of a pixel while its node renders its subsegment: the instruction that the node executes there, `.enable`, and
+/// one tap per field; and `.image`, the colour that the node holds for it. Since a node executes a whole subsegment at
+/// once, the pixel's states are recomputed clock by clock with the same renderer. Throws InputError for a pixel that no
+/// subsegment holds.
 std::vector<wave::Tap> pixel_taps(wave::Pixel pixel, const Node& node, const isa::Program& program,
                                   const machines::Machine& machine);
 

@@ -10,14 +10,14 @@
 
 namespace csgsim::multi_processor {
 
-/// That a processor takes for what it has done.
+/// Clocks of a processor for the counted tests.
 constexpr std::uint64_t clocks_of(const division::Counts& counts, const TestClocks& each) {
   return counts.boxes * each.primitive + counts.halfspaces * each.halfspace + counts.cells * each.cell +
          counts.nodes * each.tree_node + counts.instructions * each.instruction;
 }
 
-/// Of a node, which unpacks what it looks at.
-inline TestClocks with_unpacking(const RecordFormat& format, const Figures& figures) {
+/// Clocks of a node's tests, including unpacking of the tested numbers.
+inline TestClocks node_test_costs(const RecordFormat& format, const Figures& figures) {
   const auto unpacking = [&](const auto& numbers) {
     WordProcessor processor(figures);
     processor.unpack(std::span<const unsigned>(numbers));

@@ -10,8 +10,8 @@
 
 namespace csgsim::multi_processor {
 
-/// The clock that all parts have in common. Its edges are not simulated: a part that nothing can disturb sleeps for a
-/// whole number of clocks.
+/// The common clock of all units. Its edges are not simulated: a unit that cannot be disturbed sleeps for a whole
+/// number of clocks.
 class TimeBase {
  public:
   explicit TimeBase(const machines::Machine& machine) : period_(systemc::period_of(machine)) {}
@@ -27,9 +27,9 @@ class TimeBase {
   sc_core::sc_time period_;
 };
 
-/// Counts a part's clocks by what it is doing.
+/// Counts a unit's clocks by activity.
 template <class Activity, std::size_t activities>
-class Stays {
+class ActivityCounter {
  public:
   void begin(Activity first, std::uint64_t now) {
     clocks_ = {};
@@ -37,7 +37,7 @@ class Stays {
     since_ = now;
   }
 
-  /// Does something else from the clock `now` on, which is not before the last change.
+  /// Changes the activity from clock `now` on, which must not precede the last change.
   void change(Activity next, std::uint64_t now) {
     clocks_.add(activity_, now - since_);
     activity_ = next;
@@ -46,10 +46,10 @@ class Stays {
 
   [[nodiscard]] Activity now() const { return activity_; }
 
-  /// How long it has done what it does.
+  /// Clocks since the last change.
   [[nodiscard]] std::uint64_t since(std::uint64_t now) const { return now - since_; }
 
-  /// Until `now`.
+  /// Clocks by activity up to `now`.
   [[nodiscard]] machines::ClockTally<Activity, activities> clocks(std::uint64_t now) const {
     machines::ClockTally<Activity, activities> all = clocks_;
     all.add(activity_, now - since_);

@@ -25,30 +25,30 @@ namespace {
 using machines::ClockSpan;
 using machines::Machine;
 
-/// What is looked for besides the account, where it is not null.
-struct Wanted {
-  machines::Timeline* timeline = nullptr;  ///< blank, to be filled
-  std::uint32_t segment = 0;               ///< of the Program, whose parts are looked for
-  std::vector<BegunPart>* parts = nullptr;
+/// Optional results in addition to the account.
+struct Requested {
+  machines::Timeline* timeline = nullptr;  ///< blank timeline to fill, or null
+  std::uint32_t segment = 0;               ///< segment of the Program whose parts are requested
+  std::vector<StartedPart>* parts = nullptr;
 };
 
 using Met = std::span<const machines::MetPixels>;
 
-/// Clocks of a rendering that begins with that clock of the frame, as a timeline has them: its clock 0 begins a clock
-/// after the frame, where edges of the clock would first be.
-ClockSpan told(const ClockSpan& span, std::uint64_t begin, const Refresh& refresh) {
+/// Converts clocks of a rendering that begins in clock `begin` of the frame to timeline clocks: clock 0 of a timeline
+/// begins one clock after the frame, at the first possible clock edge.
+ClockSpan to_timeline(const ClockSpan& span, std::uint64_t begin, const Refresh& refresh) {
   const std::uint64_t end = refresh.end_of(begin, span.end) - 1;
   return {span.empty() ? end : refresh.end_of(begin, span.begin + 1) - 2, end};
 }
 
-/// A frame, stage after stage.
+/// Steps through a frame, stage by stage.
 class FrameModel {
  public:
-  FrameModel(const isa::Program& program, const Machine& machine, Met met, const Wanted& wanted)
+  FrameModel(const isa::Program& program, const Machine& machine, Met met, const Requested& requested)
       : program_(program),
         machine_(machine),
         met_(met),
-        wanted_(wanted),
+        requested_(requested),
         figures_(machines::own<Figures>(machine)),
         sizes_(sizes_of(program.display_model)),
         memory_(display_memory(program, sizes_, figures_)),
@@ -87,7 +87,7 @@ class FrameModel {
     const SegmentDivision division = division_of(parts);
     ++counted_.segment_count;
     divide(division);
-    const Passes passes = passes_of(parts, sizes_, machine_);
+    const Passes passes = plan_passes(parts, sizes_, machine_);
     is_far_ = passes.is_far;
     form_ = passes.form;
     broadcast_segment(division);
@@ -96,33 +96,33 @@ class FrameModel {
       ++counted_.active_segments;
       now = draw_lists(parts, passes, now);
     } else {
-      now = render({}, whole_of(parts), now);
+      now = render({}, segment_region(parts), now);
     }
     nodes_free_ = now;
   }
 
-  /// From the first list's division on; returns when all are rendered.
+  /// Draws from the division of the first list on; returns the clock in which all lists are rendered.
   std::uint64_t draw_lists(Subsegments parts, const Passes& passes, std::uint64_t now) {
     now = prune(parts, passes.divided, now);
-    std::vector<Piece> come;
+    std::vector<Piece> received;
     for (const Message& message : passes.messages) {
-      now = divide_on(message, now);
+      now = continue_dividing(message, now);
       now += share(message.words);
-      if (message.piece) come.push_back(*message.piece);
+      if (message.piece) received.push_back(*message.piece);
       if (!message.pauses && &message != &passes.messages.back()) continue;
       ++counted_.list_passes;
-      for (const Piece& piece : come) {
+      for (const Piece& piece : received) {
         const isa::Segment& part = parts[piece.subsegment];
-        const std::uint64_t begun = now;
-        now = render(part_of(part, piece), part.region, begun);
-        tell(part, piece, begun, now - figures_.barrier_clocks);
+        const std::uint64_t start_clock = now;
+        now = render(part_of(part, piece), part.region, start_clock);
+        record(part, piece, start_clock, now - figures_.barrier_clocks);
       }
-      come.clear();
+      received.clear();
     }
     return now;
   }
 
-  /// Twice where there is no memory for what is left.
+  /// The tests are counted twice if memory cannot hold the survivors.
   void divide(const SegmentDivision& division) {
     const TestClocks& each = figures_.display_tests;
     const std::uint64_t times = memory_.holds(division, sizes_, figures_) ? 1 : 2;
@@ -156,14 +156,14 @@ class FrameModel {
     display_free_ = std::max(display_free_, nodes_free_) + clocks;
   }
 
-  /// Clocks of the bus.
+  /// Counts a message on the bus and returns its clocks.
   std::uint64_t message(std::uint64_t words) {
     counted_.bus.add(BusActivity::busy, words * machine_.link.word_clocks);
     counted_.bus.add(BusActivity::granting, machine_.link.latency);
     return machine_.link.latency + words * machine_.link.word_clocks;
   }
 
-  /// `clocks`: of each node. Returns when all have come to the barrier and are let go on.
+  /// `clocks`: clocks of each node. Returns the clock in which the barrier releases all nodes.
   std::uint64_t prune(Subsegments parts, std::span<const std::uint64_t> clocks, std::uint64_t now) {
     std::uint64_t slowest = now;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -180,8 +180,8 @@ class FrameModel {
     return slowest + barrier();
   }
 
-  /// Of a node alone, which may read what it divides over the bus.
-  std::uint64_t divide_on(const Message& message, std::uint64_t now) {
+  /// Division by a single node, which may read half-spaces over the bus.
+  std::uint64_t continue_dividing(const Message& message, std::uint64_t now) {
     const ReadClocks read = read_clocks(sizes_, machine_);
     counted_.broadcast_halfspaces += message.reads;
     counted_.broadcast_words += message.reads * read.answer_words;
@@ -215,7 +215,7 @@ class FrameModel {
 
   std::uint64_t render(const ListPart& part, const isa::Region& region, std::uint64_t now) {
     std::uint64_t slowest = now;
-    // By columns and rows; where nodes branch, by where they are too.
+    // Keyed by columns and rows of a node's pixels; if nodes branch, also by their position.
     std::map<std::array<std::uint32_t, 4>, std::uint64_t> known;
     const RenderingClocks rendering(part, machine_);
     for (std::uint32_t i = 0; i < counted_.nodes.size(); ++i) {
@@ -244,31 +244,31 @@ class FrameModel {
             .form = form_};
   }
 
-  /// When the piece is rendered.
-  void tell(const isa::Segment& segment, const Piece& piece, std::uint64_t begin, std::uint64_t end) {
+  /// Records the clocks in which the piece is rendered.
+  void record(const isa::Segment& segment, const Piece& piece, std::uint64_t begin, std::uint64_t end) {
     const std::uint32_t number = number_of(segment);
     const ListPart part = part_of(segment, piece);
-    if (wanted_.parts != nullptr && number == wanted_.segment) wanted_.parts->push_back({part, begin, end});
-    if (wanted_.timeline == nullptr || piece.count == 0) return;
+    if (requested_.parts != nullptr && number == requested_.segment) requested_.parts->push_back({part, begin, end});
+    if (requested_.timeline == nullptr || piece.count == 0) return;
     const auto widen = [](ClockSpan& whole, const ClockSpan& one) {
       whole.begin = whole.empty() ? one.begin : std::min(whole.begin, one.begin);
       whole.end = std::max(whole.end, one.end);
     };
-    std::vector<ClockSpan>& issued = wanted_.timeline->issued[number];
+    std::vector<ClockSpan>& issued = requested_.timeline->issued[number];
     const RenderingClocks rendering(part, machine_);
     for (std::uint32_t i = 0; i < counted_.nodes.size(); ++i) {
       const NodePixels own = own_pixels(segment.region, i);
       if (own.count() == 0) continue;
       if (part.begins)
-        widen(wanted_.timeline->cleared[number], told({0, clearing_clocks(own, machine_)}, begin, refresh_));
+        widen(requested_.timeline->cleared[number], to_timeline({0, clearing_clocks(own, machine_)}, begin, refresh_));
       const auto first = rendering.spans_at(own, 0, 0);
       const auto last = rendering.spans_at(own, own.columns - 1, own.rows - 1);
       for (std::size_t index = 0; index < first.size(); ++index)
-        widen(issued[piece.first + index], told({first[index].begin, last[index].end}, begin, refresh_));
+        widen(issued[piece.first + index], to_timeline({first[index].begin, last[index].end}, begin, refresh_));
     }
   }
 
-  static isa::Region whole_of(Subsegments parts) {
+  static isa::Region segment_region(Subsegments parts) {
     const isa::Region& first = parts.front().region;
     const isa::Region& last = parts.back().region;
     return {first.x, first.y, last.x + last.width - first.x, last.y + last.height - first.y};
@@ -289,7 +289,7 @@ class FrameModel {
   const isa::Program& program_;
   const Machine& machine_;
   const Met met_;
-  const Wanted wanted_;
+  const Requested requested_;
   const Figures& figures_;
   const ModelSizes sizes_;
   const DisplayMemory memory_;
@@ -297,18 +297,18 @@ class FrameModel {
   const Refresh refresh_;
   FrameAccount counted_;
   ListForm form_;
-  bool is_far_ = false;             ///< half-spaces of the segment at hand stay with the display processor
-  std::uint64_t display_free_ = 0;  ///< when the display processor has sent what it has divided
-  std::uint64_t nodes_free_ = 0;    ///< when they have rendered the segment
+  bool is_far_ = false;             ///< half-spaces of the current segment stay with the display processor
+  std::uint64_t display_free_ = 0;  ///< clock in which the display processor has sent what it has divided
+  std::uint64_t nodes_free_ = 0;    ///< clock in which the nodes have rendered the segment
 };
 
-/// How the subsegment's list is written, if it is rendered in one pass.
+/// Form of the subsegment's list, if it is rendered in one pass.
 std::optional<ListForm> form_of_whole(const isa::Program& program, const Machine& machine, std::uint32_t segment) {
   const isa::Segment* const part = &program.segments[segment];
   const ModelSizes sizes = sizes_of(program.display_model);
   for (const Subsegments parts : by_segment(program, machine)) {
     if (part < parts.data() || part >= parts.data() + parts.size()) continue;
-    const Passes passes = passes_of(parts, sizes, machine);
+    const Passes passes = plan_passes(parts, sizes, machine);
     const auto is_of_part = [&](const Message& message) {
       return message.piece && &parts[message.piece->subsegment] == part;
     };
@@ -325,24 +325,24 @@ FrameClocks time_stages(const isa::Program& program, const Machine& machine, Met
   return FrameModel(program, machine, met, {}).run();
 }
 
-std::vector<BegunPart> begun_parts(const isa::Program& program, const Machine& machine, std::uint32_t segment,
-                                   Met met) {
-  std::vector<BegunPart> parts;
+std::vector<StartedPart> started_parts(const isa::Program& program, const Machine& machine, std::uint32_t segment,
+                                       Met met) {
+  std::vector<StartedPart> parts;
   FrameModel(program, machine, met, {.segment = segment, .parts = &parts}).run();
   return parts;
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
-                                 const machines::Told& told) const {
-  const FrameClocks timing = time_stages(program, machine, told.met);
+                                 const machines::Told& outcomes) const {
+  const FrameClocks timing = time_stages(program, machine, outcomes.met);
   return {.clocks = timing.clocks, .account = account(timing.account, machine.array)};
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
-                                                 const machines::Told& told) const {
+                                                 const machines::Told& outcomes) const {
   check_fits(program, machine);
   machines::Timeline timeline = machines::blank_timeline(program);
-  timeline.met.assign(told.met.begin(), told.met.end());
+  timeline.met.assign(outcomes.met.begin(), outcomes.met.end());
   FrameModel(program, machine, timeline.met, {.timeline = &timeline}).run();
   return timeline;
 }
@@ -356,19 +356,20 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   const std::uint32_t column = (x - part.region.x - own.first_x) / nodes.width;
   const std::uint32_t row = (y - part.region.y - own.first_y) / nodes.height;
   const Refresh refresh(isa::frame_header(program), machine);
-  std::vector<BegunPart> parts;
+  std::vector<StartedPart> parts;
   if (const std::optional<ListForm> form = form_of_whole(program, machine, segment)) {
-    // The timeline tells the first clock in which a node works on it.
+    // The timeline holds the first clock in which a node executes the list.
     const machines::MetPixels* const met = timeline.met.empty() ? nullptr : &timeline.met[segment];
     parts.push_back(
         {{.instructions = part.instructions, .met = met, .form = *form}, timeline.cleared[segment].begin + 1, 0});
   } else {
-    parts = begun_parts(program, machine, segment, timeline.met);
+    parts = started_parts(program, machine, segment, timeline.met);
   }
   std::vector<ClockSpan> all;
-  for (const BegunPart& one : parts) {
+  for (const StartedPart& one : parts) {
     const RenderingClocks rendering(one.part, machine);
-    for (const ClockSpan& span : rendering.spans_at(own, column, row)) all.push_back(told(span, one.begin, refresh));
+    for (const ClockSpan& span : rendering.spans_at(own, column, row))
+      all.push_back(to_timeline(span, one.begin, refresh));
   }
   return all;
 }

@@ -11,8 +11,9 @@
 
 namespace csgsim::multi_processor {
 
-/// Throws InputError for a Program without a display model, where that, a segment's half-spaces and a few instructions
-/// do not fit the memory of the display processor or of a node, and where a frame takes longer than is simulated.
+/// Throws InputError for a Program without a display model; if the model, a segment's half-spaces and a few
+/// instructions do not fit the memory of the display processor or of a node; and if a frame takes longer than the
+/// simulator supports.
 void check_fits(const isa::Program& program, const machines::Machine& machine);
 
 struct FrameClocks {
@@ -20,21 +21,21 @@ struct FrameClocks {
   FrameAccount account;
 };
 
-/// Worked out stage by stage (the modules count the same). `met`: as machines::Told; without it, where nodes branch, a
-/// bound.
+/// Computes the timing stage by stage; the clocked modules count the same. `met`: as in machines::Told; if it is empty
+/// and nodes branch, the result is an upper bound.
 FrameClocks time_stages(const isa::Program& program, const machines::Machine& machine,
                         std::span<const machines::MetPixels> met = {});
 
-/// Part of a subsegment's list, and the clocks of the frame from when the nodes begin to render it until the slowest
-/// has.
-struct BegunPart {
+/// Part of a subsegment's list, and the clocks of the frame from its start on the nodes until the slowest node has
+/// rendered it.
+struct StartedPart {
   ListPart part;
   std::uint64_t begin = 0;
   std::uint64_t end = 0;
 };
 
-/// A subsegment's, in order. `met`: as time_stages, which has to live as long as they do.
-std::vector<BegunPart> begun_parts(const isa::Program& program, const machines::Machine& machine, std::uint32_t segment,
-                                   std::span<const machines::MetPixels> met = {});
+/// Parts of a subsegment, in order. `met`: as in time_stages; it must outlive the result.
+std::vector<StartedPart> started_parts(const isa::Program& program, const machines::Machine& machine,
+                                       std::uint32_t segment, std::span<const machines::MetPixels> met = {});
 
 }  // namespace csgsim::multi_processor

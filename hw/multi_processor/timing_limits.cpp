@@ -18,31 +18,30 @@ namespace {
 
 using machines::Machine;
 
-constexpr double most_seconds = 1e6;
-constexpr double most_clocks_told = 1e18;
+constexpr double max_seconds = 1e6;
+constexpr double max_reported_clocks = 1e18;
 
 void check_display_memory(const DisplayMemory& memory, const Machine& machine) {
-  const std::uint64_t most = machines::own<Figures>(machine).display_memory_words;
-  if (memory.model_words <= most) return;
+  const std::uint64_t available = machines::own<Figures>(machine).display_memory_words;
+  if (memory.model_words <= available) return;
   throw InputError(
-      fmt::format("the model without its planes is {} words, and the display processor of {} has {}; take a machine "
-                  "file with more display.memory_words, or give the model fewer faces",
-                  memory.model_words, machine.name, most));
+      fmt::format("the model without its planes needs {} words, but the display processor of {} has {}; increase "
+                  "display.memory_words in the machine file, or use a model with fewer faces",
+                  memory.model_words, machine.name, available));
 }
 
-/// What a segment leaves has to be in the memory of all nodes or in the display processor's.
+/// The survivors of a segment must fit the memory of all nodes or of the display processor.
 void check_segment_memory(Subsegments parts, const ModelSizes& sizes, const DisplayMemory& memory,
                           const Machine& machine) {
   const bool is_far = list_room(parts, sizes, machine).is_far;
   if (!is_far || memory.holds(division_of(parts), sizes, machines::own<Figures>(machine))) return;
   throw InputError(fmt::format(
-      "what the segment at {},{} leaves of the model fits neither the memory of the nodes of {} nor that of "
-      "its display processor; take a machine file with more node.memory_words, display.memory_words or "
-      "subdivision.levels",
+      "the survivors of the segment at {},{} fit neither the memory of the nodes of {} nor that of its display "
+      "processor; increase node.memory_words, display.memory_words or subdivision.levels in the machine file",
       parts.front().region.x, parts.front().region.y, machine.name));
 }
 
-/// Where nothing fits: half-spaces are read over the bus, planes from the host, and the first pruning is done twice.
+/// Upper bound: half-spaces are read over the bus, planes from the host, and the first pruning is done twice.
 double test_clocks(const isa::Segment& part, const ModelSizes& sizes, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   const auto plane = static_cast<double>(far_plane_clocks(sizes, figures));
@@ -60,7 +59,7 @@ double test_clocks(const isa::Segment& part, const ModelSizes& sizes, const Mach
          clocks(part.instructions.size(), std::max(each.instruction, figures.number_clocks));
 }
 
-/// In words of a bit: of which no width of the bus takes more.
+/// Upper bound, in one-bit words: no bus width needs more words.
 double data_words(const isa::Segment& part, const ModelSizes& sizes) {
   const isa::DivisionCounts& counts = *part.division;
   const auto words = [&](std::uint64_t primitives, std::uint64_t halfspaces) {
@@ -76,24 +75,24 @@ void check_time(const isa::Program& program, const ModelSizes& sizes, const Mach
                   static_cast<double>(sizes.planes) * figures.transform_clocks +
                   static_cast<double>(frame_words(sizes, machine.link.width)) * machine.link.word_clocks;
   for (const isa::Segment& part : program.segments) {
-    // An instruction may have a bit more than on a link.
+    // An instruction may have one bit more than on a link.
     const double words = static_cast<double>(list_words(part, machine.link.width) + part.instructions.size()) + 100 +
                          data_words(part, sizes);
     clocks += test_clocks(part, sizes, machine) + words * machine.link.word_clocks + 2.0 * machine.link.latency +
               3.0 * figures.barrier_clocks;
-    // A message for each command at most, and a word more.
+    // Upper bound: one message per command, and one more word each.
     const double messages = static_cast<double>(part.instructions.size()) + 3;
     clocks += 2.0 * messages * (machine.link.latency + machine.link.word_clocks + figures.barrier_clocks);
-    clocks += most_rendering_clocks(part.instructions, part.region, longest_form(sizes, machine), machine);
+    clocks += max_rendering_clocks(part.instructions, part.region, longest_form(sizes, machine), machine);
   }
-  // The screen may leave a node one clock of so many.
+  // Upper bound of the slowdown by the screen's turns.
   const Refresh refresh(isa::frame_header(program), machine);
-  const double taken = static_cast<double>(refresh.turns_a_second()) * figures.refresh.clocks;
+  const double taken = static_cast<double>(refresh.turns_per_second()) * figures.refresh.clocks;
   clocks *= static_cast<double>(machine.clock_hz) / (static_cast<double>(machine.clock_hz) - taken);
-  if (clocks <= most_clocks_told && clocks <= most_seconds * static_cast<double>(machine.clock_hz)) return;
+  if (clocks <= max_reported_clocks && clocks <= max_seconds * static_cast<double>(machine.clock_hz)) return;
   throw InputError(
-      fmt::format("a frame may take {:.3g} clocks of {}, which is longer than is simulated; give it a smaller model or "
-                  "picture, or faster figures",
+      fmt::format("a frame may take {:.3g} clocks on {}, more than the simulator supports; use a smaller model or "
+                  "picture, or a faster machine",
                   clocks, machine.name));
 }
 
@@ -103,7 +102,7 @@ void check_fits(const isa::Program& program, const Machine& machine) {
   const ModelSizes sizes = sizes_of(program.display_model);
   if (sizes.planes == 0 && sizes.depth == 0) {
     throw InputError(fmt::format(
-        "the Program has no display model, which {} divides; compile the model for this machine", machine.name));
+        "the Program has no display model for {} to divide; compile the model for this machine", machine.name));
   }
   check_refresh(isa::frame_header(program), machine);
   check_time(program, sizes, machine);

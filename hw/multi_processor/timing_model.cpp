@@ -6,10 +6,10 @@ namespace csgsim::multi_processor {
 
 namespace {
 
-/// Bits that tell numbers from 0 to the most, one at least.
-std::uint64_t bits_to_tell(std::uint64_t most) {
+/// Bits to represent the numbers from 0 to `maximum`, at least one.
+std::uint64_t bits_for(std::uint64_t maximum) {
   std::uint64_t bits = 1;
-  while (most >> bits > 0) ++bits;
+  while (maximum >> bits > 0) ++bits;
   return bits;
 }
 
@@ -25,8 +25,7 @@ std::uint64_t frame_words(const ModelSizes& sizes, std::uint32_t word_bits) {
 
 std::uint64_t segment_words(const ModelSizes& sizes, std::uint64_t primitives, std::uint64_t halfspaces,
                             std::uint32_t word_bits) {
-  return quotient_up(bits_to_tell(sizes.primitives), word_bits) +
-         primitives * quotient_up(request_bits(sizes), word_bits) +
+  return quotient_up(bits_for(sizes.primitives), word_bits) + primitives * quotient_up(request_bits(sizes), word_bits) +
          halfspaces * quotient_up(halfspace_bits(sizes), word_bits);
 }
 
@@ -34,9 +33,9 @@ std::uint64_t halfspace_bits(const ModelSizes& sizes) {
   return 2 + 2 * std::uint64_t{sizes.slope} + sizes.constant + sizes.colour;
 }
 
-/// As a primitive that is left: an index and a number of half-spaces.
+/// A request has the form of the record of a surviving primitive: an index and a number of half-spaces.
 std::uint64_t request_bits(const ModelSizes& sizes) {
-  return bits_to_tell(sizes.primitives == 0 ? 0 : sizes.primitives - 1) + sizes.halfspaces;
+  return bits_for(sizes.primitives == 0 ? 0 : sizes.primitives - 1) + sizes.halfspaces;
 }
 
 std::uint64_t plane_bits(const ModelSizes& sizes) { return 1 + 2 * std::uint64_t{sizes.slope} + sizes.constant; }

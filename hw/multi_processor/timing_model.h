@@ -9,7 +9,7 @@ namespace csgsim::multi_processor {
 using division::ModelSizes;
 using division::sizes_of;
 
-/// What of the model is on the bus, or in a node's memory, in words of so many bits: each record begins at a new one.
+/// Words of the model's records on the bus or in a node's memory; each record begins at a new word.
 std::uint64_t frame_words(const ModelSizes& sizes, std::uint32_t word_bits);
 std::uint64_t segment_words(const ModelSizes& sizes, std::uint64_t primitives, std::uint64_t halfspaces,
                             std::uint32_t word_bits);

@@ -29,7 +29,7 @@ std::vector<Subsegments> by_segment(const isa::Program& program, const machines:
   return all;
 }
 
-/// Each subsegment meets all primitives that the segment leaves.
+/// Each subsegment tests all primitives that survive in the segment.
 SegmentDivision division_of(Subsegments parts) {
   const isa::DivisionCounts& counts = *parts.front().division;
   const std::uint64_t boxes = counts.sum().boxes;

@@ -19,20 +19,20 @@ namespace {
 
 using machines::Machine;
 
-/// What a node makes of its list until its memory is full.
-struct Made {
+/// The part of its list that a node builds before its memory is full.
+struct BuiltPart {
   std::size_t commands = 0;
-  std::uint64_t words = 0;  ///< of the node
+  std::uint64_t words = 0;  ///< words in the node's memory
   std::uint64_t clocks = 0;
-  std::uint64_t reads = 0;  ///< of far half-spaces
+  std::uint64_t reads = 0;  ///< half-spaces read from the display processor
 };
 
-/// No command takes more of a node's words.
-std::uint64_t most_command_words(const Machine& machine) {
+/// Maximum number of a node's words that a command takes.
+std::uint64_t max_command_words(const Machine& machine) {
   return quotient_up(isa::LinkWord::most_bits, machines::own<Figures>(machine).word_bits);
 }
 
-/// The commands of a list: its start, the instructions, its end.
+/// Words of a command of a list: its start, the instructions, its end.
 std::uint64_t command_words(const isa::Segment& part, std::size_t command, const ListForm& form,
                             std::uint32_t word_bits) {
   if (command == 0) return quotient_up(isa::wire_bits(isa::SegmentStart{}), word_bits);
@@ -41,22 +41,22 @@ std::uint64_t command_words(const isa::Segment& part, std::size_t command, const
   return quotient_up(isa::wire_bits(isa::SegmentEnd{}), word_bits);
 }
 
-std::size_t commands_of(const isa::Segment& part) { return part.instructions.size() + 2; }
+std::size_t count_commands(const isa::Segment& part) { return part.instructions.size() + 2; }
 
 std::uint64_t test_clocks(const isa::DivisionStep& step, const TestClocks& each) {
   return step.boxes * each.primitive + step.halfspaces * each.halfspace + step.cells * each.cell +
          step.nodes * each.tree_node;
 }
 
-/// Cuts a list into what fits so many words at a time. Tests come before the instructions that they lead to.
-class Maker {
+/// Divides a list into parts of at most `room` words. Tests precede the instructions that they lead to.
+class ListBuilder {
  public:
-  /// `read`: clocks to read a half-space over the bus; 0 where they are in the node's memory.
-  Maker(const isa::Segment& part, std::uint64_t room, std::uint64_t read, const ListForm& form, const TestClocks& each,
-        const Figures& figures)
+  /// `read`: clocks to read a half-space over the bus; 0 if half-spaces are in the node's memory.
+  ListBuilder(const isa::Segment& part, std::uint64_t room, std::uint64_t read, const ListForm& form,
+              const TestClocks& each, const Figures& figures)
       : part_(part), room_(room), read_(read), form_(form), each_(each), figures_(figures) {}
 
-  std::vector<Made> make() {
+  std::vector<BuiltPart> build() {
     put(0);
     for (const isa::DivisionStep& step : part_.division->steps) {
       now_.clocks += test_clocks(step, each_) + step.halfspaces * read_;
@@ -71,7 +71,7 @@ class Maker {
 
  private:
   void put_instruction() {
-    put(is_named(part_.instructions[next_ - 1], form_) ? figures_.number_clocks : each_.instruction);
+    put(uses_index(part_.instructions[next_ - 1], form_) ? figures_.number_clocks : each_.instruction);
   }
 
   void put(std::uint64_t clocks) {
@@ -89,60 +89,62 @@ class Maker {
   const TestClocks each_;
   const Figures& figures_;
   std::size_t next_ = 0;
-  Made now_;
-  std::vector<Made> all_;
+  BuiltPart now_;
+  std::vector<BuiltPart> all_;
 };
 
-/// Lists travel, node after node.
-class Traffic {
+/// Simulates the sending of the lists, node after node.
+class ListExchange {
  public:
-  Traffic(Subsegments parts, const ListRoom& room, std::uint64_t read, const ListForm& form, const TestClocks& each,
-          const Machine& machine)
+  ListExchange(Subsegments parts, const ListRoom& room, std::uint64_t read, const ListForm& form,
+               const TestClocks& each, const Machine& machine)
       : parts_(parts),
         form_(form),
         room_(room.words),
         is_far_(room.is_far),
         is_alone_(machine.array.width * machine.array.height == 1),
-        most_command_(most_command_words(machine)),
+        max_command_words_(max_command_words(machine)),
         node_bits_(machines::own<Figures>(machine).word_bits),
         bus_bits_(machine.link.width) {
     const std::uint64_t own_room = parts.size() == 1 || is_far_ ? room_ : room_ / 2;
     for (const isa::Segment& part : parts)
-      made_.push_back(Maker(part, own_room, is_far_ ? read : 0, form, each, machines::own<Figures>(machine)).make());
+      built_.push_back(
+          ListBuilder(part, own_room, is_far_ ? read : 0, form, each, machines::own<Figures>(machine)).build());
   }
 
   Passes run() {
     passes_.is_far = is_far_;
     passes_.form = form_;
-    for (const std::vector<Made>& list : made_) passes_.divided.push_back(is_far_ ? 0 : list.front().clocks);
+    for (const std::vector<BuiltPart>& list : built_) passes_.divided.push_back(is_far_ ? 0 : list.front().clocks);
     for (std::size_t node = 0; node < parts_.size(); ++node) send_list(node);
     return passes_;
   }
 
  private:
-  /// Has another node no room for one more command? Of the lists to come, the first parts are in memory.
-  [[nodiscard]] bool is_full() const { return !is_alone_ && room_ - waiting_ - received_ < most_command_; }
+  /// Whether another node has no room for one more command. The first parts of the lists still to be sent are in
+  /// memory.
+  [[nodiscard]] bool is_full() const { return !is_alone_ && room_ - waiting_ - received_ < max_command_words_; }
 
   void send_list(std::size_t node) {
     waiting_ = 0;
-    for (std::size_t other = node + 1; other < made_.size() && !is_far_; ++other)
-      waiting_ = std::max(waiting_, made_[other].front().words);
+    for (std::size_t other = node + 1; other < built_.size() && !is_far_; ++other)
+      waiting_ = std::max(waiting_, built_[other].front().words);
     std::size_t command = 0;
-    for (std::size_t i = 0; i < made_[node].size(); ++i) {
-      const Made& made = made_[node][i];
+    for (std::size_t i = 0; i < built_[node].size(); ++i) {
+      const BuiltPart& part_built = built_[node][i];
       if (i > 0 || is_far_) {
-        begin(node, made.clocks, made.reads);
+        begin(node, part_built.clocks, part_built.reads);
       } else {
         begin(node);
       }
-      for (const std::size_t end = command + made.commands; command < end; ++command) {
+      for (const std::size_t end = command + part_built.commands; command < end; ++command) {
         if (is_full()) {
           pause();
           begin(node);
         }
         send(command);
       }
-      if (i + 1 < made_[node].size()) pause();
+      if (i + 1 < built_[node].size()) pause();
     }
     if (is_far_) {
       stop();
@@ -161,16 +163,16 @@ class Traffic {
     now_.words += command_words(part, command, form_, bus_bits_);
     received_ += command_words(part, command, form_, node_bits_);
     if (command > 0 && command <= part.instructions.size()) ++now_.piece->count;
-    if (command + 1 == commands_of(part)) now_.piece->ends = true;
+    if (command + 1 == count_commands(part)) now_.piece->ends = true;
   }
 
-  /// A word that says so ends the message.
+  /// A pause word ends the message.
   void pause() {
     ++now_.words;
     stop();
   }
 
-  /// What is rendered leaves the memory.
+  /// Rendered parts leave the memory.
   void stop() {
     now_.pauses = true;
     passes_.messages.push_back(std::exchange(now_, {}));
@@ -182,12 +184,12 @@ class Traffic {
   const std::uint64_t room_;
   const bool is_far_;
   const bool is_alone_;
-  const std::uint64_t most_command_;
+  const std::uint64_t max_command_words_;
   const std::uint32_t node_bits_;
   const std::uint32_t bus_bits_;
-  std::vector<std::vector<Made>> made_;
+  std::vector<std::vector<BuiltPart>> built_;
   std::uint64_t received_ = 0;  ///< words of lists
-  std::uint64_t waiting_ = 0;   ///< words of the fullest node's own list
+  std::uint64_t waiting_ = 0;   ///< words of the own list of the fullest node
   Message now_;
   Passes passes_;
 };
@@ -197,18 +199,18 @@ class Traffic {
 ListRoom list_room(Subsegments parts, const ModelSizes& sizes, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   const SegmentDivision division = division_of(parts);
-  const std::uint64_t least = 2 * most_command_words(machine);
+  const std::uint64_t reserved = 2 * max_command_words(machine);
   std::uint64_t records = 0;
   for (const std::uint64_t halfspaces : {division.halfspaces, std::uint64_t{0}}) {
     records = frame_words(sizes, figures.word_bits) +
               segment_words(sizes, division.primitives, halfspaces, figures.word_bits);
-    if (records + least <= figures.memory_words)
+    if (records + reserved <= figures.memory_words)
       return {figures.memory_words - records, halfspaces < division.halfspaces};
   }
   throw InputError(fmt::format(
-      "the segment at {},{} asks for {} words of a node at once, and the nodes of {} have {}; take a machine file "
-      "with more node.memory_words or subdivision.levels",
-      parts.front().region.x, parts.front().region.y, records + least, machine.name, figures.memory_words));
+      "the segment at {},{} needs {} words of a node at once, but the nodes of {} have {}; increase node.memory_words "
+      "or subdivision.levels in the machine file",
+      parts.front().region.x, parts.front().region.y, records + reserved, machine.name, figures.memory_words));
 }
 
 ListForm list_form(Subsegments parts, bool is_far, const ModelSizes& sizes, const Machine& machine) {
@@ -238,11 +240,11 @@ ReadClocks read_clocks(const ModelSizes& sizes, const Machine& machine) {
   return read;
 }
 
-Passes passes_of(Subsegments parts, const ModelSizes& sizes, const Machine& machine) {
+Passes plan_passes(Subsegments parts, const ModelSizes& sizes, const Machine& machine) {
   const TestClocks each = node_test_clocks(sizes, machines::own<Figures>(machine));
   const ListRoom room = list_room(parts, sizes, machine);
   const ListForm form = list_form(parts, room.is_far, sizes, machine);
-  return Traffic(parts, room, read_clocks(sizes, machine).clocks(), form, each, machine).run();
+  return ListExchange(parts, room, read_clocks(sizes, machine).clocks(), form, each, machine).run();
 }
 
 }  // namespace csgsim::multi_processor

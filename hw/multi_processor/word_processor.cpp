@@ -15,7 +15,7 @@ namespace {
 
 constexpr unsigned sum_bits = 64;
 
-/// Does it combine E with a bit of memory, or load that?
+/// Whether the opcode combines E with a bit of memory or loads it.
 bool reads_first_bit(isa::Opcode opcode) {
   constexpr auto all =
       std::to_array<isa::Opcode>({isa::Opcode::enable_load, isa::Opcode::enable_and, isa::Opcode::enable_and_not,
@@ -28,15 +28,15 @@ bool reads_first_bit(isa::Opcode opcode) {
 void WordProcessor::fetch(const isa::Instruction& instruction, const ListForm& form) {
   spend(loop_.instruction);
   read_words(static_cast<unsigned>(entry_bits(instruction, form)));
-  const std::vector<unsigned> numbers = entry_numbers(instruction, form);
+  const std::vector<unsigned> numbers = entry_widths(instruction, form);
   unpack(std::span(numbers));
-  if (!is_named(instruction, form)) return;
+  if (!uses_index(instruction, form)) return;
   read_words(form.record_bits);
   unpack(std::span(form.record_numbers));
   spend(list_clocks_);
 }
 
-/// What is beside the number of the instruction has words of its own there.
+/// All operands except the opcode get separate words in the chain.
 void WordProcessor::link(const isa::Instruction& instruction, const ListForm& form) {
   fetch(instruction, form);
   spend(chain_.link);
@@ -50,7 +50,7 @@ void WordProcessor::call(const isa::Instruction& instruction) {
   for (const unsigned width : fields.widths().subspan(1)) read_words(width);
 }
 
-/// Whole words are found elsewhere in memory; each of the others takes what comes in from the next.
+/// Shifts by whole words cost nothing, since only addresses change; each remaining word also takes bits from the next.
 void WordProcessor::shift_words(unsigned bits, unsigned places) {
   const unsigned rest = places % word_bits_;
   const std::uint64_t whole = places / word_bits_;
@@ -64,8 +64,8 @@ void WordProcessor::shift_words(unsigned bits, unsigned places) {
   }
 }
 
-/// One that begins at that place of a word: what of it is in other words is brought beside it, and its last word is
-/// masked.
+/// Unpacks a number that begins at bit `place` of a word: its bits in other words are shifted into place, and its last
+/// word is masked.
 void WordProcessor::unpack(unsigned bits, unsigned place) {
   spend(field_clocks_);
   const std::uint64_t from = words(place + bits);
@@ -118,7 +118,7 @@ void WordProcessor::write(PixelMemory& memory, std::size_t pixel, isa::Field fie
   if (where) memory.write(pixel, field, value);
 }
 
-/// The low `width` bits as a two's complement number, shifted right with floor.
+/// The low `width` bits as a two's complement number, arithmetically shifted right (floor).
 std::int64_t WordProcessor::value_of(std::uint64_t sum, const isa::Linear& linear) {
   shift_words(linear.width, linear.shift);
   const unsigned unused = sum_bits - linear.width;
@@ -127,13 +127,13 @@ std::int64_t WordProcessor::value_of(std::uint64_t sum, const isa::Linear& linea
 
 void WordProcessor::branch(bool is_taken) {
   if (branches_.over == Branches::none) return;
-  whole_clocks_ += branches_.passed;
-  if (is_over_) return;
+  unbranched_clocks_ += branches_.passed;
+  if (skipping_) return;
   clocks_ += is_taken ? branches_.taken : branches_.passed;
-  is_over_ = is_taken;
+  skipping_ = is_taken;
 }
 
-void WordProcessor::look(const isa::Instruction& instruction, const PixelMemory& memory, std::size_t pixel) {
+void WordProcessor::test_enable(const isa::Instruction& instruction, const PixelMemory& memory, std::size_t pixel) {
   read_words(1);
   combine_words(1);
   if (!isa::acts_on_disabled(instruction.opcode)) branch(!memory.enabled(pixel));
@@ -143,7 +143,7 @@ void WordProcessor::act(const isa::Instruction& instruction, PixelMemory& memory
                         std::uint64_t sum) {
   const isa::Linear& linear = instruction.linear;
   carry_out(instruction, memory, pixel, linear.width > 0 ? value_of(sum, linear) : 0);
-  is_over_ = false;
+  skipping_ = false;
 }
 
 void WordProcessor::carry_out(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
@@ -158,7 +158,7 @@ void WordProcessor::carry_out(const isa::Instruction& instruction, PixelMemory& 
   const auto take = [&](isa::Field field) { return read(memory, pixel, field); };
   const auto put = [&](std::uint64_t value) { write(memory, pixel, first, value, e); };
   const bool bit = reads_first_bit(instruction.opcode) && take(first) != 0;
-  const auto beside = [&] {
+  const auto compare_operand = [&] {
     const auto number = static_cast<std::int64_t>(take(first));
     compare_words(std::max<unsigned>(linear.width, first.width));
     return number;
@@ -182,19 +182,19 @@ void WordProcessor::carry_out(const isa::Instruction& instruction, PixelMemory& 
     case Opcode::edge_not_negative: compare_words(1); return enable(f >= 0 && e);
     case Opcode::edge_negative:
     case Opcode::stripe: compare_words(1); return enable(f < 0 && e);
-    case Opcode::linear_ge: return enable(f >= beside() && e);
-    case Opcode::linear_gt: return enable(f > beside() && e);
-    case Opcode::linear_le: return enable(f <= beside() && e);
-    case Opcode::linear_lt: return enable(f < beside() && e);
-    case Opcode::linear_eq: return enable(f == beside() && e);
+    case Opcode::linear_ge: return enable(f >= compare_operand() && e);
+    case Opcode::linear_gt: return enable(f > compare_operand() && e);
+    case Opcode::linear_le: return enable(f <= compare_operand() && e);
+    case Opcode::linear_lt: return enable(f < compare_operand() && e);
+    case Opcode::linear_eq: return enable(f == compare_operand() && e);
     case Opcode::load_linear: return load(true);
-    case Opcode::keep_max: return keep(f > beside());
-    case Opcode::keep_min: return keep(f < beside());
+    case Opcode::keep_max: return keep(f > compare_operand());
+    case Opcode::keep_min: return keep(f < compare_operand());
     case Opcode::set_constant: return put(instruction.constant);
     case Opcode::copy: return put(take(second));
-    case Opcode::field_lt: return enable(beside() < number(second) && e);
-    case Opcode::field_le: return enable(beside() <= number(second) && e);
-    case Opcode::field_eq: return enable(beside() == number(second) && e);
+    case Opcode::field_lt: return enable(compare_operand() < number(second) && e);
+    case Opcode::field_le: return enable(compare_operand() <= number(second) && e);
+    case Opcode::field_eq: return enable(compare_operand() == number(second) && e);
     case Opcode::bit_and: combine_words(first.width); return put(take(second) & take(third));
     case Opcode::bit_or: combine_words(first.width); return put(take(second) | take(third));
     case Opcode::bit_xor: combine_words(first.width); return put(take(second) ^ take(third));
@@ -207,13 +207,13 @@ void WordProcessor::carry_out(const isa::Instruction& instruction, PixelMemory& 
     case Opcode::linear_plus: add_words(linear.width); return put(static_cast<std::uint64_t>(f) + take(first));
     case Opcode::linear_minus: add_words(linear.width); return put(static_cast<std::uint64_t>(f) - take(first));
     case Opcode::root: return put(root_of(take(first), first.width / 2U));
-    case Opcode::squares: throw std::logic_error("squares came to a machine of degree 1");
+    case Opcode::squares: throw std::logic_error("squares instruction on a machine of degree 1");
   }
 }
 
-/// The square root of a number of twice as many bits, and the remainder below it. The root is found bit by bit from the
-/// top: each trial brings two bits down to the remainder, puts together what to add or to subtract, both of which shift
-/// by two places, adds, and looks at the sign.
+/// Square root of a number of 2 x `bits` bits, and its remainder. The root is found bit by bit from the top: each trial
+/// shifts two bits into the remainder, forms the number to add or subtract by a shift of two places, adds it, and tests
+/// the sign.
 std::uint64_t WordProcessor::root_of(std::uint64_t field, unsigned bits) {
   const std::uint64_t radicand = field & ((std::uint64_t{1} << (2 * bits)) - 1);
   std::int64_t remainder = 0;
@@ -234,7 +234,7 @@ std::uint64_t WordProcessor::root_of(std::uint64_t field, unsigned bits) {
   return static_cast<std::uint64_t>(root) << (bits + 1) | left;
 }
 
-/// Disables a pixel that is written where the number does not fit.
+/// Disables a written pixel whose number does not fit.
 void WordProcessor::write_linear(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
                                  std::int64_t f, bool where) {
   const isa::Field target = instruction.fields[0];

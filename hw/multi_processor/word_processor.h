@@ -12,9 +12,8 @@
 
 namespace csgsim::multi_processor {
 
-/// What a node does to one pixel after the other, a word of some bits at a time, and the clocks that it takes. A field,
-/// a sum, and an enable bit begin at a word of their own. It does the same at every pixel, enabled or not, unless it
-/// branches over what has no effect there.
+/// Operations of a node on single pixels, word by word, and their clocks. A field, a sum and an enable bit each begin
+/// at a word. The work is the same at every pixel, enabled or not, unless the node branches over work without effect.
 class WordProcessor {
  public:
   explicit WordProcessor(const Figures& figures)
@@ -27,20 +26,20 @@ class WordProcessor {
         loop_(figures.loop) {}
 
   [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
-  /// What it would have taken if no branch were taken.
-  [[nodiscard]] std::uint64_t whole_clocks() const { return whole_clocks_; }
+  /// Clocks if no branch were taken.
+  [[nodiscard]] std::uint64_t unbranched_clocks() const { return unbranched_clocks_; }
 
   void count_pixel() { spend(loop_.pixel); }
   void count_row() { spend(loop_.row); }
 
-  /// Takes an instruction from the list, as it came; where a half-space's number came, it works out the expression.
+  /// Reads an instruction from the received list; if it holds a half-space's index, computes the expression.
   void fetch(const isa::Instruction& instruction, const ListForm& form);
 
-  /// Makes an instruction of the list a call in the chain of a native program; and calls it there.
+  /// Appends an instruction of the list to the call chain of a native program; call() executes it from there.
   void link(const isa::Instruction& instruction, const ListForm& form);
   void call(const isa::Instruction& instruction);
 
-  /// Gets numbers of so many bits, which follow each other from the beginning of a word on, into words of their own.
+  /// Unpacks consecutive numbers of the given widths, packed from the start of a word, to separate words.
   template <class Width, std::size_t count>
   void unpack(std::span<Width, count> widths) {
     if (field_clocks_ == unpacked) return;
@@ -51,39 +50,39 @@ class WordProcessor {
     }
   }
 
-  /// A*x + B*y + C, modulo 2^64.
+  /// Computes A*x + B*y + C, modulo 2^64.
   std::uint64_t start(const isa::Linear& linear, std::uint32_t x, std::uint32_t y);
 
-  /// What is to be added to F to go that far; A or B is the coefficient.
+  /// Increment of F over that distance; the coefficient is A or B.
   std::uint64_t step(const isa::Linear& linear, std::int64_t coefficient, std::uint32_t distance);
 
-  /// Goes on to the next pixel or row.
+  /// Advances the sum to the next pixel or row.
   void add(const isa::Linear& linear, std::uint64_t& sum, std::uint64_t step);
 
-  /// Every instruction begins by looking at E, and may have no more to do at the pixel.
-  void look(const isa::Instruction& instruction, const PixelMemory& memory, std::size_t pixel);
+  /// Tests E at the start of every instruction; may branch over the rest of it at the pixel.
+  void test_enable(const isa::Instruction& instruction, const PixelMemory& memory, std::size_t pixel);
 
-  /// Carries out the rest of a valid instruction at a pixel that it has looked at, whose sum is at hand.
+  /// Executes the rest of a valid instruction at a pixel whose E was tested and whose sum is computed.
   void act(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel, std::uint64_t sum);
 
-  /// Makes the memory and the enable bit of a pixel 0.
+  /// Clears the memory and the enable bit of a pixel.
   void clear(unsigned memory_bits) {
     write_words(memory_bits);
     write_words(1);
   }
 
-  /// Copies a field of a pixel into the image memory; or puts a constant there.
+  /// Reads a colour field of a pixel; store_colour() writes it, or a constant, to the image memory.
   std::uint32_t load_colour(const PixelMemory& memory, std::size_t pixel, isa::Field colour);
   void store_colour(isa::Field colour) { write_words(colour.width); }
 
  private:
   [[nodiscard]] std::uint64_t words(unsigned bits) const { return quotient_up(bits, word_bits_); }
-  /// Nothing of what a branch has gone over takes time.
+  /// Skipped work takes no time.
   void spend(std::uint64_t clocks) {
-    whole_clocks_ += clocks;
-    if (!is_over_) clocks_ += clocks;
+    unbranched_clocks_ += clocks;
+    if (!skipping_) clocks_ += clocks;
   }
-  /// Over the rest of the instruction.
+  /// Branches over the rest of the instruction.
   void branch(bool is_taken);
 
   void read_words(unsigned bits) { spend(words(bits) * operations_.read); }
@@ -114,8 +113,8 @@ class WordProcessor {
   std::uint32_t list_clocks_;
   LoopClocks loop_;
   std::uint64_t clocks_ = 0;
-  std::uint64_t whole_clocks_ = 0;
-  bool is_over_ = false;  ///< a branch is taken over the rest of the instruction at the pixel
+  std::uint64_t unbranched_clocks_ = 0;
+  bool skipping_ = false;  ///< a branch is taken over the rest of the instruction at the pixel
 };
 
 }  // namespace csgsim::multi_processor

@@ -7,7 +7,7 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// Of a part that no screen reads.
+/// Account of a unit without refresh and ring activities.
 machines::PartAccount part(std::string name, const SquareClocks& clocks) {
   using enum SquareActivity;
   return machines::part_of(
@@ -33,7 +33,7 @@ machines::PartAccount frame_buffer(const SquareClocks& clocks) {
                             waiting_for_frame_buffer, done, refreshing});
 }
 
-/// What hands out the squares, and what is before it.
+/// Adds the units that distribute the squares, and those before them.
 void add_front(const SquareAccount& counted, machines::Account& account) {
   if (!counted.ring) account.parts.push_back(part("host", counted.host));
   for (std::size_t i = 0; i < counted.processors.size(); ++i)
@@ -50,7 +50,7 @@ void add_front(const SquareAccount& counted, machines::Account& account) {
   if (counted.sender) account.parts.push_back(part("sender", *counted.sender));
 }
 
-/// Of the renderers' clocks those in which they draw.
+/// Share of the renderers' clocks spent drawing.
 machines::Share utilisation(const SquareAccount& counted) {
   machines::Share share{.name = "renderer_utilisation"};
   for (const SquareClocks& renderer : counted.renderers) {
@@ -62,7 +62,7 @@ machines::Share utilisation(const SquareAccount& counted) {
 
 }  // namespace
 
-SquareClocks whole(SquareClocks counted, SquareActivity rest, std::uint64_t clocks) {
+SquareClocks complete_clocks(SquareClocks counted, SquareActivity rest, std::uint64_t clocks) {
   counted.add(rest, clocks - counted.total());
   return counted;
 }

@@ -12,16 +12,16 @@
 
 namespace csgsim::pixel_square {
 
-/// Where a part of the pixel-square machine spends its clocks. Every clock of the frame is in one of these.
+/// Activities of a unit of the pixel-square machine. Every clock of the frame is counted under exactly one of them.
 enum class SquareActivity : std::uint8_t {
-  working,               ///< sending or taking the model; testing, writing, sending; clearing, drawing, moving; storing
-  waiting_for_host,      ///< the first word has not left the host, or the model has not arrived
-  waiting_for_divider,   ///< the FIFO of the model is full, no square is in the store, or no whole command has come
-  waiting_for_renderer,  ///< the store or the FIFO of the renderer chosen is full, or no colours have arrived
+  working,           ///< sending or receiving the model; testing, writing, sending; clearing, drawing, moving; storing
+  waiting_for_host,  ///< the first word has not left the host, or the model has not arrived
+  waiting_for_divider,       ///< the model FIFO is full, no square is in the store, or no complete command has arrived
+  waiting_for_renderer,      ///< the store or the FIFO of the chosen renderer is full, or no colours have arrived
   waiting_for_frame_buffer,  ///< the FIFO of clears is full, or a finished square has not moved out
-  done,                      ///< nothing is left to do; of a renderer, all after its last square has left the pixels
-  refreshing,                ///< the frame buffer alone: the screen takes a turn, and nothing is stored
-  waiting_for_ring,          ///< a graphics processor alone: its words wait for the ring
+  done,                      ///< no work is left; for a renderer, every clock after its last square has left the pixels
+  refreshing,                ///< frame buffer only: the screen takes a turn and nothing is stored
+  waiting_for_ring,          ///< graphics processors only: words wait for the ring
 };
 
 inline constexpr auto square_activity_names =
@@ -32,38 +32,39 @@ constexpr std::string_view name_of(SquareActivity activity) {
   return square_activity_names.at(static_cast<std::size_t>(activity));
 }
 
-/// Clocks of one part by activity; they add up to the frame's.
+/// Clocks of one unit by activity; they add up to the frame's clocks.
 using SquareClocks = machines::ClockTally<SquareActivity, square_activity_names.size()>;
 
-/// The clocks of a frame of so many: in those that are not accounted for a part was at `rest`.
-SquareClocks whole(SquareClocks counted, SquareActivity rest, std::uint64_t clocks);
+/// Completes `counted` to a frame of `clocks` clocks: the unaccounted clocks are added under `rest`.
+SquareClocks complete_clocks(SquareClocks counted, SquareActivity rest, std::uint64_t clocks);
 
-/// How a frame of the ring went by.
+/// Counts of the ring in one frame.
 struct RingAccount {
-  SquareClocks clocks;            ///< working: some channel carries a word
-  std::uint64_t words = 0;        ///< that it carried
-  std::uint64_t full_clocks = 0;  ///< in which every channel carried one, or the frame buffer took all it could
+  SquareClocks clocks;            ///< working: at least one channel carries a word
+  std::uint64_t words = 0;        ///< number of words carried
+  std::uint64_t full_clocks = 0;  ///< clocks in which every channel carried a word, or the frame buffer accepted its
+                                  ///< maximum
 
   bool operator==(const RingAccount&) const = default;
 };
 
-/// How the frame of a pixel-square machine went by.
+/// Counts of a pixel-square machine in one frame.
 struct SquareAccount {
   std::uint64_t squares_drawn = 0;
-  std::uint64_t squares_skipped = 0;            ///< that nothing touches: cleared by the frame buffer
-  SquareClocks host{};                          ///< of a machine without graphics processors
-  std::vector<SquareClocks> processors;         ///< of a machine that has some
-  std::optional<RingAccount> ring;              ///< the same
-  std::vector<SquareClocks> dividers;           ///< of a machine that has some
-  std::optional<SquareClocks> sender;           ///< the same: of what sends the squares that these have stored
-  std::vector<SquareClocks> renderers;          ///< of the pixel processors of each, not of its output buffer
-  std::vector<std::uint64_t> renderer_squares;  ///< drawn by each
+  std::uint64_t squares_skipped = 0;            ///< empty squares, cleared by the frame buffer
+  SquareClocks host{};                          ///< only without graphics processors
+  std::vector<SquareClocks> processors;         ///< only with graphics processors
+  std::optional<RingAccount> ring;              ///< only with graphics processors
+  std::vector<SquareClocks> dividers;           ///< only with dividers in the machine
+  std::optional<SquareClocks> sender;           ///< only with dividers: the unit that sends the stored squares
+  std::vector<SquareClocks> renderers;          ///< pixel processors of each renderer, without its output buffer
+  std::vector<std::uint64_t> renderer_squares;  ///< squares drawn by each renderer
   SquareClocks frame_buffer{};
 
   bool operator==(const SquareAccount&) const = default;
 };
 
-/// As it is told.
+/// Converts the counts to the account that statistics and reports show.
 machines::Account account(const SquareAccount& counted);
 
 }  // namespace csgsim::pixel_square

@@ -7,17 +7,17 @@
 
 namespace csgsim::pixel_square {
 
-/// What a renderer's controller counted for a command that it put on the wires. For who watches: no hardware reads it.
+/// Counts that a renderer's controller made for a command it issued. Read only by run listeners; no hardware reads it.
 struct CommandAccount {
   enum class Kind : std::uint8_t { start, instruction, end };
 
   Kind kind = Kind::start;
-  isa::Region region{};       ///< of a square that starts
-  std::uint64_t clocks = 0;   ///< of an instruction
-  std::uint64_t skipped = 0;  ///< instructions after it that are not carried out
+  isa::Region region{};       ///< region of a square that starts
+  std::uint64_t clocks = 0;   ///< clocks of an instruction
+  std::uint64_t skipped = 0;  ///< number of following instructions that are skipped
 };
 
-// Which nobody calls (hw/systemc/wire.h).
+// Required by sc_signal; never called (hw/systemc/wire.h).
 inline std::ostream& operator<<(std::ostream& stream, const CommandAccount& /*account*/) { return stream; }
 
 }  // namespace csgsim::pixel_square

@@ -4,8 +4,8 @@
 
 namespace csgsim::pixel_square {
 
-std::vector<isa::LinkWord> commands_of(const isa::Region& region, std::span<const isa::Instruction> instructions,
-                                       std::uint32_t link_width) {
+std::vector<isa::LinkWord> encode_square(const isa::Region& region, std::span<const isa::Instruction> instructions,
+                                         std::uint32_t link_width) {
   std::vector<isa::LinkWord> words;
   if (instructions.empty()) return words;
   const auto add = [&](const isa::LinkWord& word) { words.push_back(word); };

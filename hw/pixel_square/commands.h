@@ -10,8 +10,8 @@
 
 namespace csgsim::pixel_square {
 
-/// SegmentStart, the instructions and SegmentEnd in words of a link; none without instructions.
-std::vector<isa::LinkWord> commands_of(const isa::Region& region, std::span<const isa::Instruction> instructions,
-                                       std::uint32_t link_width);
+/// Encodes SegmentStart, the instructions and SegmentEnd as link words. Returns no words if there are no instructions.
+std::vector<isa::LinkWord> encode_square(const isa::Region& region, std::span<const isa::Instruction> instructions,
+                                         std::uint32_t link_width);
 
 }  // namespace csgsim::pixel_square

@@ -24,10 +24,10 @@ CornerDivider::CornerDivider(sc_core::sc_module_name name, const machines::Machi
 }
 
 void CornerDivider::begin(const machines::Size& picture, std::span<const isa::Region> squares,
-                          std::vector<std::size_t> own) {
+                          std::vector<std::size_t> assigned) {
   picture_ = picture;
   squares_ = squares;
-  own_ = std::move(own);
+  assigned_ = std::move(assigned);
   store_.begin();
   divider_.reset();
   list_.reset();
@@ -35,7 +35,7 @@ void CornerDivider::begin(const machines::Size& picture, std::span<const isa::Re
   square_.reset();
   clocks_ = {};
   state_ = {};
-  is_begun_ = true;
+  frame_pending_ = true;
   begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
@@ -43,32 +43,33 @@ SquareClocks CornerDivider::account(std::uint64_t clocks) const {
   SquareClocks all = receiver_.clocks();
   for (const SquareActivity one : {SquareActivity::working, SquareActivity::waiting_for_renderer})
     all.add(one, clocks_.of(one));
-  return whole(all, SquareActivity::done, clocks);
+  return complete_clocks(all, SquareActivity::done, clocks);
 }
 
 DividerStatus CornerDivider::status() const { return {state_.empty() ? "receiving" : state_, square_}; }
 
 void CornerDivider::work() {
   while (true) {
-    if (!std::exchange(is_begun_, false)) {
+    if (!std::exchange(frame_pending_, false)) {
       wait(begun_);
-      is_begun_ = false;
+      frame_pending_ = false;
     }
     wait(receiver_.received());
-    if (own_.empty()) {
+    if (assigned_.empty()) {
       state_ = name_of(SquareActivity::done);
       continue;
     }
     take_model();
-    SteppedDatapath path(header_, memory_, machine_, far_planes_, ends());
-    for (const std::size_t square : own_) divide(square, path);
-    let_pass();
+    SteppedDatapath path(header_, memory_, machine_, far_planes_, callbacks());
+    for (const std::size_t square : assigned_) divide(square, path);
+    wait_spent();
     square_.reset();
     state_ = name_of(SquareActivity::done);
   }
 }
 
-/// The boxes of the tree's nodes are worked out as they come, and go to their memory behind the last.
+/// The boxes of the tree's nodes are computed while the model is received, and written to their memory after its last
+/// word.
 void CornerDivider::take_model() {
   constexpr unsigned byte_bits = 8;
   const division::DisplayModel model = division::from_link(receiver_.bytes(), byte_bits);
@@ -81,12 +82,12 @@ void CornerDivider::take_model() {
 }
 
 void CornerDivider::divide(std::size_t square, SteppedDatapath& path) {
-  let_pass();
+  wait_spent();
   square_ = square;
   begun_square_ = false;
   state_ = "testing";
   const isa::Region& region = squares_[square];
-  if (figures_.levels == 2 && group_of(region) != group_) begin_group(group_of(region), path);
+  if (figures_.levels == 2 && enclosing_group(region) != group_) begin_group(enclosing_group(region), path);
   path.enter(list_ ? Level::listed : Level::whole);
   divider_->divide(region, list_ ? *list_ : divider_->all(), path);
   if (begun_square_) return store(isa::SegmentEnd{}, true);
@@ -103,7 +104,7 @@ void CornerDivider::begin_group(const isa::Region& group, SteppedDatapath& path)
   if (entries > figures_.list_entries) list_.reset();
 }
 
-isa::Region CornerDivider::group_of(const isa::Region& square) const {
+isa::Region CornerDivider::enclosing_group(const isa::Region& square) const {
   const std::uint32_t width = figures_.group_side * machine_.array.width;
   const std::uint32_t height = figures_.group_side * machine_.array.height;
   const std::uint32_t x = square.x / width * width;
@@ -111,11 +112,11 @@ isa::Region CornerDivider::group_of(const isa::Region& square) const {
   return {x, y, std::min(width, picture_.width - x), std::min(height, picture_.height - y)};
 }
 
-bool CornerDivider::are_together(const isa::Region& one, const isa::Region& other) const {
-  return figures_.levels == 2 && group_of(one) == group_of(other);
+bool CornerDivider::share_divider(const isa::Region& one, const isa::Region& other) const {
+  return figures_.levels == 2 && enclosing_group(one) == enclosing_group(other);
 }
 
-SteppedDatapath::Ends CornerDivider::ends() {
+SteppedDatapath::Callbacks CornerDivider::callbacks() {
   return {.spend = [this](std::uint64_t clocks) { spend(clocks); },
           .store_command =
               [this](const isa::Instruction& instruction) {
@@ -124,13 +125,13 @@ SteppedDatapath::Ends CornerDivider::ends() {
               }};
 }
 
-/// They go by when something is next seen of the divider.
+/// The clocks elapse in wait_spent(), before the divider's next externally visible action.
 void CornerDivider::spend(std::uint64_t clocks) {
   clocks_.add(SquareActivity::working, clocks);
   spent_ += clocks;
 }
 
-void CornerDivider::let_pass() {
+void CornerDivider::wait_spent() {
   if (spent_ > 0) wait(sc_core::sc_time::from_value(std::exchange(spent_, 0) * period_.value()));
 }
 
@@ -138,7 +139,7 @@ void CornerDivider::store(const isa::Command& command, bool is_last) {
   std::vector<StoredWord> words;
   isa::encode(command, machine_.link.width, [&](const isa::LinkWord& word) { words.push_back({.word = word}); });
   words.back().is_last = is_last;
-  let_pass();
+  wait_spent();
   state_ = "writing";
   if (store_.has_room_for(words.size())) {
     store_at_once(words);
@@ -148,24 +149,24 @@ void CornerDivider::store(const isa::Command& command, bool is_last) {
   state_ = "testing";
 }
 
-/// A clock each.
+/// Writes one word per clock; the store has room for all of them.
 void CornerDivider::store_at_once(std::span<const StoredWord> words) {
   std::uint64_t edge = systemc::edges(period_);
   for (const StoredWord& word : words) store_.write(word, ++edge);
   spend(words.size());
-  let_pass();
+  wait_spent();
 }
 
-/// In the clock that it takes to write, or in the first after it in which there is room.
+/// Writes the word in the next clock, or in the first later clock in which the store has room.
 void CornerDivider::store(const StoredWord& word) {
   spend(1);
-  let_pass();
+  wait_spent();
   while (!store_.has_room()) {
     const std::string_view before = std::exchange(state_, name_of(SquareActivity::waiting_for_renderer));
-    const std::uint64_t begun = systemc::edges(period_);
-    if (!store_.room_follows()) wait(store_.freed());
+    const std::uint64_t start_clock = systemc::edges(period_);
+    if (!store_.has_room_next()) wait(store_.freed());
     wait(period_);
-    clocks_.add(SquareActivity::waiting_for_renderer, systemc::edges(period_) - begun);
+    clocks_.add(SquareActivity::waiting_for_renderer, systemc::edges(period_) - start_clock);
     state_ = before;
   }
   store_.write(word);

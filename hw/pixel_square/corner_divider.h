@@ -18,29 +18,29 @@
 
 namespace csgsim::pixel_square {
 
-/// What a divider is at, for waves.
+/// State of a divider, for waves.
 struct DividerStatus {
-  std::string_view state;  ///< `receiving`, `testing`, `writing`, `done`, or what it waits for
+  std::string_view state;  ///< `receiving`, `testing`, `writing`, `done`, or the name of the stall
   std::optional<std::size_t> square;
 };
 
-/// A divider in the machine (thesis fig. 7.3, docs/machines/pixel-square.md). When the model has come it divides square
-/// after square out of its memory: it reads, tests and writes, one thing after another, and puts a word of the square's
-/// commands into the store at an edge at which there is room.
+/// A divider in the machine (thesis fig. 7.3, docs/machines/pixel-square.md). When the model has been received, it divides one
+/// square after another from its memory: it reads, tests and writes sequentially, and writes each word of the square's
+/// commands to the store at an edge at which the store has room.
 class CornerDivider final : public sc_core::sc_module {
  public:
   CornerDivider(sc_core::sc_module_name name, const machines::Machine& machine, const ModelReceiver& receiver);
 
-  /// A frame begins, with a picture of that size. It divides those of the squares, which have to live until the frame
-  /// is drawn, that it is told to, in this order.
-  void begin(const machines::Size& picture, std::span<const isa::Region> squares, std::vector<std::size_t> own);
+  /// Begins a frame with a picture of that size. The divider divides the squares with the indices `assigned`, in this
+  /// order. `squares` must outlive the frame.
+  void begin(const machines::Size& picture, std::span<const isa::Region> squares, std::vector<std::size_t> assigned);
 
-  /// Whether squares are divided by the same divider because they are in one group.
-  [[nodiscard]] bool are_together(const isa::Region& one, const isa::Region& other) const;
+  /// Whether both squares lie in one group, so that the same divider divides them.
+  [[nodiscard]] bool share_divider(const isa::Region& one, const isa::Region& other) const;
 
   [[nodiscard]] Store& store() { return store_; }
   [[nodiscard]] const Store& store() const { return store_; }
-  /// Of a frame of so many clocks.
+  /// Activities in a frame of `clocks` clocks.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const;
   [[nodiscard]] DividerStatus status() const;
 
@@ -49,10 +49,10 @@ class CornerDivider final : public sc_core::sc_module {
   void take_model();
   void divide(std::size_t square, SteppedDatapath& path);
   void begin_group(const isa::Region& group, SteppedDatapath& path);
-  [[nodiscard]] isa::Region group_of(const isa::Region& square) const;
-  [[nodiscard]] SteppedDatapath::Ends ends();
+  [[nodiscard]] isa::Region enclosing_group(const isa::Region& square) const;
+  [[nodiscard]] SteppedDatapath::Callbacks callbacks();
   void spend(std::uint64_t clocks);
-  void let_pass();
+  void wait_spent();
   void store_at_once(std::span<const StoredWord> words);
   void store(const isa::Command& command, bool is_last);
   void store(const StoredWord& word);
@@ -63,21 +63,21 @@ class CornerDivider final : public sc_core::sc_module {
   const ModelReceiver& receiver_;
   Store store_;
   std::span<const isa::Region> squares_;
-  std::vector<std::size_t> own_;
+  std::vector<std::size_t> assigned_;
   machines::Size picture_;
 
   division::ModelHeader header_;
   division::ModelMemory memory_;
-  std::optional<division::Divider> divider_;  ///< once the model is in
+  std::optional<division::Divider> divider_;  ///< set once the model has been received
   bool far_planes_ = false;
-  isa::Region group_;                         ///< that the list is of
-  std::optional<division::Candidates> list_;  ///< what the group leaves, if it fits
-  std::optional<std::size_t> square_;         ///< at hand
-  bool begun_square_ = false;                 ///< some of it is in the store
-  SquareClocks clocks_;                       ///< once the model is in
-  std::uint64_t spent_ = 0;                   ///< of these, clocks that have still to go by
+  isa::Region group_;                         ///< group that the list belongs to
+  std::optional<division::Candidates> list_;  ///< survivors of the group, if they fit the list memory
+  std::optional<std::size_t> square_;         ///< square in progress
+  bool begun_square_ = false;                 ///< part of the square is in the store
+  SquareClocks clocks_;                       ///< counted since the model was received
+  std::uint64_t spent_ = 0;                   ///< clocks already counted that have not yet elapsed
   std::string_view state_;
-  bool is_begun_ = false;  ///< a frame, which the thread has not seen
+  bool frame_pending_ = false;  ///< a frame has begun that the thread has not seen yet
   sc_core::sc_event begun_{"begun"};
 };
 

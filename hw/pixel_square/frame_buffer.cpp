@@ -46,14 +46,14 @@ void FrameBuffer::begin(const FrameContents& contents) {
 }
 
 void FrameBuffer::end_of_elaboration() {
-  // No range-based loop: to clang the iterators compare ambiguously in C++20.
+  // No range-based loop: clang reports an ambiguous iterator comparison in C++20.
   const auto add = [&](const auto& port) { words_written_ |= port.data_written_event(); };
   std::for_each(colours.begin(), colours.end(), add);
   std::for_each(clears.begin(), clears.end(), add);
   words_written_ |= begun_;
 }
 
-/// Sleeps while no port has a word and the screen changes nothing.
+/// Sleeps while all ports are empty and the screen's turn does not change.
 void FrameBuffer::on_clock() {
   if (!clock.posedge()) return;
   const std::uint64_t now = systemc::edges(period_);
@@ -61,10 +61,10 @@ void FrameBuffer::on_clock() {
   serve_ports();
   if (served_) return clocks_.add(SquareActivity::working);
   if (screen_.row()) clocks_.add(SquareActivity::refreshing);
-  if (!any_has_turn()) sleep();
+  if (!any_pending()) sleep();
 }
 
-/// Clocks that have gone by, in all of which but the last it slept.
+/// Accounts for the elapsed clocks; the buffer slept through all but the last.
 void FrameBuffer::count(std::uint64_t clocks) {
   if (screen_.row()) clocks_.add(SquareActivity::refreshing, clocks - 1);
   screen_.on_clocks(clocks);
@@ -96,7 +96,7 @@ void FrameBuffer::serve_ports() {
 }
 
 bool FrameBuffer::serve(std::size_t port) {
-  if (!has_turn(port) || !has_bank(port)) return false;
+  if (!has_pending(port) || !claim_bank(port)) return false;
   if (clears_through(port) && incoming_[port].gathered == header_bits) {
     clear(incoming_[port]);
     return true;
@@ -111,18 +111,18 @@ sc_core::sc_fifo_in<PortWord>& FrameBuffer::words(std::size_t port) {
   return clears_through(port) ? clears[port - colours.size()] : colours[port];
 }
 
-bool FrameBuffer::has_turn(std::size_t port) {
+bool FrameBuffer::has_pending(std::size_t port) {
   return (clears_through(port) && incoming_[port].gathered == header_bits) || words(port).num_available() > 0;
 }
 
-bool FrameBuffer::any_has_turn() {
+bool FrameBuffer::any_pending() {
   for (std::size_t port = 0; port < incoming_.size(); ++port)
-    if (has_turn(port)) return true;
+    if (has_pending(port)) return true;
   return false;
 }
 
-/// Takes the bank in which the port's next word begins; a word of a header needs none.
-bool FrameBuffer::has_bank(std::size_t port) {
+/// Claims the bank in which the port's next word begins; a header word needs none.
+bool FrameBuffer::claim_bank(std::size_t port) {
   const Incoming& square = incoming_[port];
   if (square.gathered < header_bits) return true;
   const std::uint32_t bank = bank_of(row_of(square));
@@ -146,9 +146,9 @@ void FrameBuffer::take_header(Incoming& square, const PortWord& word) const {
   if (square.gathered == header_bits) square.region = region_of(square.header);
 }
 
-/// The bits follow those before; those beyond the square's are padding.
+/// Appends the bits to those already stored; bits beyond the square's end are padding.
 void FrameBuffer::store(Incoming& square, std::span<const std::uint64_t> bits) {
-  const Cursor next = each_colour(square, [&](const Cursor& at, std::uint64_t from, unsigned count) {
+  const Cursor next = for_each_colour(square, [&](const Cursor& at, std::uint64_t from, unsigned count) {
     std::uint32_t& colour = pixel(square, at);
     if (at.place == 0) colour = 0;
     colour |= static_cast<std::uint32_t>(bits_of(bits, from, count)) << at.place;
@@ -160,26 +160,26 @@ void FrameBuffer::store(Incoming& square, std::span<const std::uint64_t> bits) {
 
 void FrameBuffer::clear(Incoming& square) {
   PortBits bits((port_bits_ + 63U) / 64U);
-  each_colour(square, [&](const Cursor& at, std::uint64_t from, unsigned count) {
+  for_each_colour(square, [&](const Cursor& at, std::uint64_t from, unsigned count) {
     put_bits(span_of(bits), from, count, contents_.background >> at.place & array::low_bits(count));
   });
   store(square, span_of(bits));
 }
 
-/// Bits of the next word that are of the square.
+/// Number of bits of the next word that belong to the square.
 std::uint64_t FrameBuffer::bits_to_come(const Incoming& square) const {
   return std::min<std::uint64_t>(port_bits_, colour_bits(square) - square.next_bit);
 }
 
-/// Calls act(at, from, count) for each pixel whose colour is, in part or whole, in the next word: so many bits of it
-/// from there on, the first of which is bit `from` of the word. Returns where the word after that begins.
-template <class Act>
-FrameBuffer::Cursor FrameBuffer::each_colour(const Incoming& square, const Act& act) const {
+/// Calls act(at, from, count) for each pixel whose colour lies at least partly in the next word: `count` bits, starting
+/// with bit `from` of the word, belong to position `at`. Returns the position at which the following word begins.
+template <class Visit>
+FrameBuffer::Cursor FrameBuffer::for_each_colour(const Incoming& square, const Visit& visit) const {
   Cursor at = square.next;
   const std::uint64_t end = bits_to_come(square);
   for (std::uint64_t from = 0; from < end;) {
     const auto count = static_cast<unsigned>(std::min<std::uint64_t>(contents_.colour_bits - at.place, end - from));
-    act(at, from, count);
+    visit(at, from, count);
     from += count;
     at.place += count;
     if (at.place < contents_.colour_bits) continue;

@@ -21,57 +21,57 @@ GraphicsProcessors::GraphicsProcessors(sc_core::sc_module_name name, const machi
       latency_(machine.link.latency),
       fifo_depth_(machines::own<Figures>(machine).port_fifo_depth),
       processors_(words.size()),
-      kept_(finished.size()),
-      handed_(finished.size()) {}
+      reserved_(finished.size()),
+      assigned_(finished.size()) {}
 
 void GraphicsProcessors::begin(std::span<const isa::Segment> segments) {
   segments_ = segments;
   next_ = 0;
   latency_left_ = latency_;
   std::ranges::fill(processors_, Processor{});
-  kept_.assign(kept_.size(), false);
+  reserved_.assign(reserved_.size(), false);
   skipped_ = 0;
   acted_at_ = systemc::edges(period_);
   begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
-bool GraphicsProcessors::are_done() const {
+bool GraphicsProcessors::all_done() const {
   return next_ == segments_.size() &&
          std::ranges::none_of(processors_, [](const Processor& processor) { return processor.square.has_value(); });
 }
 
 void GraphicsProcessors::end_of_elaboration() {
-  // No range-based loop: to clang the iterators compare ambiguously in C++20.
+  // No range-based loop: clang reports an ambiguous iterator comparison in C++20.
   std::for_each(words.begin(), words.end(), [&](const auto& port) { words_taken_ |= port.data_read_event(); });
   words_taken_ |= begun_;
 }
 
-/// What they wait for comes of words that the ring takes.
-bool GraphicsProcessors::all_wait() const {
+/// Whether every processor is stalled or done; only the ring taking a word can end a stall.
+bool GraphicsProcessors::all_stalled() const {
   using enum SquareActivity;
   return std::ranges::all_of(processors_, [](const Processor& one) {
     return one.activity == waiting_for_ring || one.activity == waiting_for_renderer || one.activity == done;
   });
 }
 
-/// Sleeps while all wait, and when all are done.
+/// Sleeps while every processor is stalled, and when all are done.
 void GraphicsProcessors::on_clock() {
-  if (are_done()) return next_trigger(begun_);
+  if (all_done()) return next_trigger(begun_);
   if (!clock.posedge()) return;
   const std::uint64_t now = systemc::edges(period_);
   const std::uint64_t slept = now - std::exchange(acted_at_, now) - 1;
   for (Processor& processor : processors_) processor.clocks.add(processor.activity, slept);
-  for (std::size_t i = 0; i < processors_.size(); ++i) let_go(i);
-  for (std::size_t i = 0; i < processors_.size(); ++i) note(i, act(i));
+  for (std::size_t i = 0; i < processors_.size(); ++i) release(i);
+  for (std::size_t i = 0; i < processors_.size(); ++i) record(i, act(i));
   if (latency_left_ > 0) --latency_left_;
-  if (all_wait()) next_trigger(words_taken_);
+  if (all_stalled()) next_trigger(words_taken_);
 }
 
-/// Of a processor whose words have all gone: its square and its renderer.
-void GraphicsProcessors::let_go(std::size_t number) {
+/// Releases the square and the renderer of a processor whose words have all left.
+void GraphicsProcessors::release(std::size_t number) {
   Processor& processor = processors_[number];
   if (!processor.all_sent || static_cast<std::size_t>(words[number].num_free()) < fifo_depth_) return;
-  if (processor.renderer) kept_[*processor.renderer] = false;
+  if (processor.renderer) reserved_[*processor.renderer] = false;
   processor.renderer.reset();
   processor.square.reset();
   processor.all_sent = false;
@@ -82,7 +82,7 @@ SquareActivity GraphicsProcessors::act(std::size_t number) {
   if (latency_left_ > 0) return SquareActivity::waiting_for_host;
   if (processor.all_sent) return SquareActivity::waiting_for_ring;
   if (!processor.square && !take_square(processor)) return SquareActivity::done;
-  if (!processor.is_clear && !processor.renderer && !ask_for_renderer(processor))
+  if (!processor.is_clear && !processor.renderer && !request_renderer(processor))
     return SquareActivity::waiting_for_renderer;
   if (words[number].num_free() == 0) return SquareActivity::waiting_for_ring;
   send(number);
@@ -93,21 +93,21 @@ bool GraphicsProcessors::take_square(Processor& processor) {
   if (next_ == segments_.size()) return false;
   const isa::Segment& segment = segments_[next_];
   processor.square = next_++;
-  processor.commands = commands_of(segment.region, segment.instructions, word_bits_);
+  processor.commands = encode_square(segment.region, segment.instructions, word_bits_);
   processor.is_clear = processor.commands.empty();
   processor.sent = 0;
   return true;
 }
 
-bool GraphicsProcessors::ask_for_renderer(Processor& processor) {
-  const auto unfinished = [&](std::size_t renderer) { return handed_[renderer] - finished[renderer].read(); };
-  for (std::size_t i = 0; i < kept_.size(); ++i) {
-    if (kept_[i] || (processor.renderer && unfinished(i) >= unfinished(*processor.renderer))) continue;
+bool GraphicsProcessors::request_renderer(Processor& processor) {
+  const auto unfinished = [&](std::size_t renderer) { return assigned_[renderer] - finished[renderer].read(); };
+  for (std::size_t i = 0; i < reserved_.size(); ++i) {
+    if (reserved_[i] || (processor.renderer && unfinished(i) >= unfinished(*processor.renderer))) continue;
     processor.renderer = i;
   }
   if (!processor.renderer) return false;
-  kept_[*processor.renderer] = true;
-  ++handed_[*processor.renderer];
+  reserved_[*processor.renderer] = true;
+  ++assigned_[*processor.renderer];
   return true;
 }
 
@@ -128,7 +128,7 @@ void GraphicsProcessors::send(std::size_t number) {
   ++skipped_;
 }
 
-void GraphicsProcessors::note(std::size_t number, SquareActivity activity) {
+void GraphicsProcessors::record(std::size_t number, SquareActivity activity) {
   Processor& processor = processors_[number];
   processor.activity = activity;
   processor.clocks.add(activity);

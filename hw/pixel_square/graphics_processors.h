@@ -19,74 +19,73 @@
 
 namespace csgsim::pixel_square {
 
-/// Processors that divide the model. Each takes the next square that no other has taken, asks for a renderer, and puts
-/// the square's commands on its place of the ring, a word a clock as long as there is room; of a square in which
-/// nothing is seen, a header for the frame buffer. It keeps the renderer, and takes no other square, until all of this
-/// is gone.
-///
-/// What it sends it has compiled while the frame before was drawn (hw/host). It asks for a renderer before its first
-/// word, and gets, of the renderers that no other processor keeps, the one with the
-/// fewest squares that it has not finished, the first of those. A renderer that is let go can be had at the next edge.
-/// Of processors that want the same at one edge the first gets it.
+/// Processors that divide the model. Each takes the next square that no other processor has taken, requests a renderer,
+/// and sends the square's commands to its port of the ring, one word a clock while there is room; for an empty square
+/// it sends a header to the frame buffer. It keeps the renderer, and takes no other square, until the ring has taken
+/// all of these words.
+/// Each processor sends what it compiled while the previous frame was drawn (hw/host). It requests a renderer before
+/// its first word. It is assigned the renderer with the fewest unfinished squares among those that no other processor
+/// keeps; ties go to the lowest number. A released renderer is available from the next edge on. If several processors
+/// request at the same edge, the lowest number is served first.
 class GraphicsProcessors final : public systemc::ClockedModule {
  public:
-  sc_core::sc_vector<sc_core::sc_fifo_out<RingWord>> words;  ///< one a processor
-  /// Of each: where its words go, a renderer, or behind the last the frame buffer.
+  sc_core::sc_vector<sc_core::sc_fifo_out<RingWord>> words;  ///< one per processor
+  /// Destination of each processor's words: a renderer, or the frame buffer (number of renderers).
   sc_core::sc_vector<sc_core::sc_out<std::uint64_t>> targets;
-  sc_core::sc_vector<sc_core::sc_in<std::uint64_t>> finished;  ///< squares that each renderer has finished
+  sc_core::sc_vector<sc_core::sc_in<std::uint64_t>> finished;  ///< squares finished by each renderer
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
   GraphicsProcessors(sc_core::sc_module_name name, const machines::Machine& machine);
 
-  /// Starts at the next edge. The segments have to live until the frame is drawn.
+  /// Starts at the next edge. The segments must outlive the frame.
   void begin(std::span<const isa::Segment> segments);
 
   [[nodiscard]] std::size_t count() const { return processors_.size(); }
   [[nodiscard]] std::uint64_t squares_skipped() const { return skipped_; }
-  /// Of a processor, in a frame of so many clocks.
+  /// Activities of a processor in a frame of `clocks` clocks.
   [[nodiscard]] SquareClocks account(std::size_t processor, std::uint64_t clocks) const {
-    return whole(processors_[processor].clocks, SquareActivity::done, clocks);
+    return complete_clocks(processors_[processor].clocks, SquareActivity::done, clocks);
   }
   [[nodiscard]] const SenderStatus& status(std::size_t processor) const { return processors_[processor].status; }
 
  private:
   struct Processor {
-    std::optional<std::size_t> square;    ///< at hand
-    bool is_clear = false;                ///< nothing is seen there
-    std::vector<isa::LinkWord> commands;  ///< of it, in words
-    std::size_t sent = 0;                 ///< words of these, or of its header
-    bool all_sent = false;                ///< but some wait for the ring
-    std::optional<std::size_t> renderer;  ///< that it keeps
-    SquareActivity activity{};            ///< in the clock that ended last, and in those slept since
+    std::optional<std::size_t> square;    ///< square in progress
+    bool is_clear = false;                ///< the square is empty
+    std::vector<isa::LinkWord> commands;  ///< commands of the square, as link words
+    std::size_t sent = 0;                 ///< words sent of these, or of the header
+    bool all_sent = false;                ///< all words are sent, but some still wait for the ring
+    std::optional<std::size_t> renderer;  ///< renderer that the processor keeps
+    SquareActivity activity{};            ///< activity of the last clock, and of the clocks slept since
     SquareClocks clocks;
     SenderStatus status;
   };
 
   void end_of_elaboration() override;
   void on_clock() override;
-  [[nodiscard]] bool all_wait() const;
-  [[nodiscard]] bool are_done() const;
-  void let_go(std::size_t number);
+  [[nodiscard]] bool all_stalled() const;
+  [[nodiscard]] bool all_done() const;
+  void release(std::size_t number);
   SquareActivity act(std::size_t number);
   bool take_square(Processor& processor);
-  bool ask_for_renderer(Processor& processor);
+  bool request_renderer(Processor& processor);
   void send(std::size_t number);
   [[nodiscard]] RingWord next_word(const Processor& processor) const;
-  void note(std::size_t number, SquareActivity activity);
+  void record(std::size_t number, SquareActivity activity);
 
   const sc_core::sc_time period_;
   const std::uint32_t word_bits_;
   const std::uint32_t latency_;
-  const std::size_t fifo_depth_;  ///< of a place of the ring
+  const std::size_t fifo_depth_;  ///< depth of a port of the ring
   std::span<const isa::Segment> segments_;
-  std::size_t next_ = 0;  ///< square that nobody has taken
+  std::size_t next_ = 0;  ///< first square that no processor has taken
   std::uint32_t latency_left_ = 0;
   std::vector<Processor> processors_;
-  std::vector<bool> kept_;             ///< renderers
-  std::vector<std::uint64_t> handed_;  ///< squares that each renderer has got
+  std::vector<bool> reserved_;           ///< renderers kept by a processor
+  std::vector<std::uint64_t> assigned_;  ///< squares assigned to each renderer
   std::uint64_t skipped_ = 0;
-  std::uint64_t acted_at_ = 0;             ///< edge
-  sc_core::sc_event_or_list words_taken_;  ///< by the ring, of any of them; or a frame has begun
+  std::uint64_t acted_at_ = 0;             ///< clock edge
+  sc_core::sc_event_or_list words_taken_;  ///< a word was taken from any processor, or a frame has begun
   sc_core::sc_event begun_{"begun"};
 };
 

@@ -23,7 +23,7 @@ std::optional<SquareActivity> HostSender::prepare(std::size_t /*square*/) {
 
 SquareStart HostSender::start(std::size_t square) {
   const isa::Segment& segment = segments_[square];
-  words_ = commands_of(segment.region, segment.instructions, link_width_);
+  words_ = encode_square(segment.region, segment.instructions, link_width_);
   next_ = 0;
   return {segment.region, words_.empty()};
 }

@@ -7,12 +7,12 @@
 
 namespace csgsim::pixel_square {
 
-/// A host that has divided the model, and sends what each square needs over its link.
+/// A host that has divided the model and sends the commands of each square over its link.
 class HostSender final : public Sender {
  public:
   HostSender(sc_core::sc_module_name name, const machines::Machine& machine);
 
-  /// Starts at the next edge. The segments have to live until the frame is drawn.
+  /// Starts at the next edge. The segments must outlive the frame.
   void begin(std::span<const isa::Segment> segments);
 
  private:
@@ -26,7 +26,7 @@ class HostSender final : public Sender {
   const std::uint32_t latency_;
   std::span<const isa::Segment> segments_;
   std::uint32_t latency_left_ = 0;
-  std::vector<isa::LinkWord> words_;  ///< of the square at hand
+  std::vector<isa::LinkWord> words_;  ///< words of the square in progress
   std::size_t next_ = 0;
 };
 

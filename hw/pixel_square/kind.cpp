@@ -45,95 +45,105 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     shared::link_fifo_depth,
     shared::link_latency,
     own_figure<Figures, &Figures::has_global_or>("global_or.present", "lines", 0, 1,
-                                                 "wired OR of a renderer's enable bits, back to its controller"),
-    machines::or_ideal(own_figure<Figures, &Figures::or_fan_in>(
-                           "global_or.fan_in", "lines", 2, 65536,
-                           "inputs of a gate of that OR, with a register behind each; ideal: it settles in a clock"),
-                       0),
+                                                 "wired OR of a renderer's enable bits, read by its controller"),
+    machines::or_ideal(
+        own_figure<Figures, &Figures::or_fan_in>(
+            "global_or.fan_in", "lines", 2, 65536,
+            "inputs of a gate of that OR, each gate followed by a register; ideal: it settles in a clock"),
+        0),
     own_figure<Figures, &Figures::renderers>("renderers.count", "renderers", 1, 1024, "squares drawn in parallel"),
     own_figure<Figures, &Figures::buffers>("renderers.buffers", "squares", 1, 2,
                                            "finished or unfinished squares that a renderer holds"),
-    machines::or_ideal(
-        own_figure<Figures, &Figures::move_bits>("renderers.move_bits", "bit planes", 1, isa::max_field_width,
-                                                 "of a finished square that move to the second buffer in a clock"),
-        all_planes),
+    machines::or_ideal(own_figure<Figures, &Figures::move_bits>(
+                           "renderers.move_bits", "bit planes", 1, isa::max_field_width,
+                           "bit planes of a finished square moved to the second buffer per clock"),
+                       all_planes),
     machines::or_ideal(own_figure<Figures, &Figures::latch_bits>(
                            "renderers.latch_bits", "bit planes", 1, isa::max_field_width,
-                           "of a row of a finished square that are latched in a clock, with one buffer"),
+                           "bit planes of a row of a finished square latched per clock, with one buffer"),
                        no_latch),
     own_figure<Figures, &Figures::backing_bits>(
         "backing.bits", "bits", 0, 1U << 20U,
-        "of each pixel in the memory behind a renderer, where finished squares wait, in place of a second buffer"),
-    machines::or_ideal(own_figure<Figures, &Figures::backing_width>("backing.width", "bits", 1, 1U << 20U,
-                                                                    "of a finished square that move there in a clock"),
-                       all_planes),
+        "bits per pixel of a memory behind each renderer where finished squares wait, instead of a second buffer"),
+    machines::or_ideal(
+        own_figure<Figures, &Figures::backing_width>("backing.width", "bits", 1, 1U << 20U,
+                                                     "bits of a finished square moved to the backing memory per clock"),
+        all_planes),
     own_figure<Figures, &Figures::port_bits>(
         "port.width", "bits", 1, 65536,
-        "of a word of colours that a bank of the frame buffer takes, or clears, in a clock"),
+        "bits of a colour word, which a bank of the frame buffer stores or clears per clock"),
     own_figure<Figures, &Figures::port_fifo_depth>("port.fifo_depth", "words", 1, most_clocks,
-                                                   "of each FIFO before the frame buffer"),
-    own_figure<Figures, &Figures::banks>("frame_buffer.banks", "banks", 1, 1024,
-                                         "that take a word each in a clock; the picture's rows are in them in turn"),
-    own_figure<Figures, &Figures::pictures>("frame_buffer.pictures", "pictures", 1, 2,
-                                            "2: one is shown while the other is drawn, and the screen takes no turns"),
+                                                   "depth of each FIFO before the frame buffer"),
+    own_figure<Figures, &Figures::banks>(
+        "frame_buffer.banks", "banks", 1, 1024,
+        "banks that each store one word per clock; the picture's rows are interleaved over them"),
+    own_figure<Figures, &Figures::pictures>(
+        "frame_buffer.pictures", "pictures", 1, 2,
+        "pictures held; with 2, one is shown while the other is drawn, and the screen takes no turns"),
     machines::or_ideal(
-        own_figure<Figures, &Figures::refresh_rate>("refresh.rate", "Hz", 1, 1000, "pictures a second on the screen"),
+        own_figure<Figures, &Figures::refresh_rate>("refresh.rate", "Hz", 1, 1000, "pictures shown per second"),
         not_shown),
     own_figure<Figures, &Figures::refresh_bits>("refresh.bits", "bits", 1, 1U << 24U,
-                                                "of the picture that go to the screen in a turn"),
+                                                "bits of the picture that the screen reads per turn"),
     own_figure<Figures, &Figures::refresh_clocks>("refresh.clocks", "clocks", 1, 1000,
-                                                  "in which such a turn takes a bank of the frame buffer"),
-    own_figure<Figures, &Figures::order>("divider.order", "", 0, 2, "in which squares are drawn", square_order_names),
+                                                  "clocks for which such a turn occupies a bank of the frame buffer"),
+    own_figure<Figures, &Figures::order>("divider.order", "", 0, 2, "order in which squares are drawn",
+                                         square_order_names),
     own_figure<Figures, &Figures::divider>("divider.kind", "", 0, 2,
-                                           "host: it divides the model a frame ahead; corners: the machine does; "
+                                           "host: the host divides the model a frame ahead; corners: the machine does; "
                                            "processors: graphics processors do, a frame ahead",
                                            divider_kind_names),
     own_figure<Figures, &Figures::processors>("processors.count", "processors", 1, 1024,
-                                              "that divide the model, square by square, where processors do"),
-    machines::or_ideal(own_figure<Figures, &Figures::ring_channels>(
-                           "ring.channels", "channels", 1, 4096, "words that the ring of processors carries at a time"),
-                       all_channels),
+                                              "graphics processors that divide the model, square by square"),
+    machines::or_ideal(
+        own_figure<Figures, &Figures::ring_channels>("ring.channels", "channels", 1, 4096,
+                                                     "words that the ring of processors carries concurrently"),
+        all_channels),
     own_figure<Figures, &Figures::ring_bits>("ring.width", "bits", 1, isa::LinkWord::most_bits,
-                                             "of a word of commands or colours on that ring"),
+                                             "bits of a word of commands or colours on that ring"),
     own_figure<Figures, &Figures::ring_word_clocks>("ring.word_clocks", "clocks", 1, most_clocks,
-                                                    "from one word on a channel of that ring to the next"),
-    own_figure<Figures, &Figures::dividers>("divider.count", "dividers", 1, 64,
-                                            "of corners: that divide groups of squares in turn, each with all below"),
+                                                    "clocks between two words on a channel of that ring"),
+    own_figure<Figures, &Figures::dividers>(
+        "divider.count", "dividers", 1, 64,
+        "with corners: dividers that take groups of squares round-robin, each with the following resources"),
     own_figure<Figures, &Figures::levels>("divider.levels", "levels", 1, 2,
-                                          "of corners: 2, for groups of squares first"),
-    own_figure<Figures, &Figures::group_side>("divider.group", "squares", 1, 1024, "of a group, along a row and down"),
+                                          "with corners: 2 divides groups of squares first"),
+    own_figure<Figures, &Figures::group_side>("divider.group", "squares", 1, 1024,
+                                              "squares of a group, horizontally and vertically"),
     own_figure<Figures, &Figures::list_entries>("divider.list", "entries", 0, 1'000'000'000,
-                                                "that what a group leaves has to fit"),
-    own_figure<Figures, &Figures::model_bits>("divider.memory", "bits", 1, 4'000'000'000,
-                                              "for the model; its planes stay with the host if it does not fit"),
+                                                "capacity of the list of a group's survivors"),
+    own_figure<Figures, &Figures::model_bits>(
+        "divider.memory", "bits", 1, 4'000'000'000,
+        "memory for the model; if the model does not fit, its planes stay on the host"),
     machines::or_ideal(own_figure<Figures, &Figures::record_bits>("divider.port", "bits", 1, isa::LinkWord::most_bits,
-                                                                  "of a record of the model that are read in a clock"),
+                                                                  "bits of a model record read per clock"),
                        isa::LinkWord::most_bits),
     own_figure<Figures, &Figures::halfspaces>("divider.halfspaces", "half-spaces", 1, 1'000'000'000,
-                                              "at hand for a surface; what is beyond goes to the model's memory"),
-    own_figure<Figures, &Figures::nodes>(
-        "divider.nodes", "nodes", 1, 1'000'000'000,
-        "of the tree at hand for a surface; what is beyond goes to the model's memory"),
+                                              "half-spaces held for a surface; the rest go to the model memory"),
+    own_figure<Figures, &Figures::nodes>("divider.nodes", "nodes", 1, 1'000'000'000,
+                                         "tree nodes held for a surface; the rest go to the model memory"),
     own_figure<Figures, &Figures::store_words>("divider.store", "words", 1, 1'000'000'000,
-                                               "of the link, for commands that have not left"),
-    machines::or_ideal(own_figure<Figures, &Figures::box_clocks>("divider.box_clocks", "clocks", 0, most_clocks,
-                                                                 "to hold the box of a primitive against a square's"),
-                       0),
+                                               "link words of the store for commands that have not left"),
+    machines::or_ideal(
+        own_figure<Figures, &Figures::box_clocks>("divider.box_clocks", "clocks", 0, most_clocks,
+                                                  "clocks to compare the box of a primitive with a square's"),
+        0),
     machines::or_ideal(
         own_figure<Figures, &Figures::halfspace_clocks>("divider.halfspace_clocks", "clocks", 0, most_clocks,
-                                                        "to test a half-space at four corners"),
+                                                        "clocks to test a half-space at four corners"),
         0),
-    machines::or_ideal(
-        own_figure<Figures, &Figures::cell_clocks>("divider.cell_clocks", "clocks", 0, most_clocks,
-                                                   "to hold a half-space of a side against the leaders of a cell"),
-        0),
+    machines::or_ideal(own_figure<Figures, &Figures::cell_clocks>(
+                           "divider.cell_clocks", "clocks", 0, most_clocks,
+                           "clocks to compare a half-space of a side with the leaders of a cell"),
+                       0),
     machines::or_ideal(own_figure<Figures, &Figures::node_clocks>("divider.node_clocks", "clocks", 0, most_clocks,
-                                                                  "to look at a node of the tree"),
+                                                                  "clocks to visit a node of the tree"),
                        0),
-    machines::or_ideal(own_figure<Figures, &Figures::linear_clocks>(
-                           "divider.linear_clocks", "clocks", 0, most_clocks,
-                           "to work out constant, width and shift of a linear instruction, besides its words"),
-                       0),
+    machines::or_ideal(
+        own_figure<Figures, &Figures::linear_clocks>(
+            "divider.linear_clocks", "clocks", 0, most_clocks,
+            "clocks to compute constant, width and shift of a linear instruction, in addition to its words"),
+        0),
     shared::host_processor,
     shared::host_count,
 });
@@ -142,7 +152,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
 
 void Kind::complete(Machine& machine) const { machines::check_evaluator(machine); }
 
-/// Graphics processors do it themselves.
+/// Graphics processors compile the model themselves.
 std::uint32_t Kind::hosts(const Machine& machine) const {
   const Figures& figures = figures_of(machine);
   return figures.divider == DividerKind::processors ? figures.processors : machine.host.count;
@@ -164,13 +174,13 @@ std::optional<Machine> Kind::subdivided(const Machine& machine, std::uint32_t le
 
 namespace {
 
-/// What a divider in the machine asks for.
+/// Checks the limits of a divider in the machine.
 void check_display_model(const isa::Program& program, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   if (figures.divider != DividerKind::corners) return;
   if (program.display_model.empty()) {
     throw InputError(fmt::format(
-        "the Program has no display model, which {} divides; compile the model for this machine", machine.name));
+        "the Program has no display model for {} to divide; compile the model for this machine", machine.name));
   }
   check_storage(program, machine);
   check_countable(program, machine);
@@ -180,27 +190,27 @@ void check_display_model(const isa::Program& program, const Machine& machine) {
 
 namespace {
 
-/// A renderer's answer stays with its controller.
+/// Rejects instructions whose answer the host needs: a renderer's answer reaches only its controller.
 void check_answers(const isa::Program& program, const Machine& machine) {
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const std::vector<isa::Instruction>& instructions = program.segments[s].instructions;
     const auto found = std::ranges::find(instructions, isa::Opcode::global_or, &isa::Instruction::opcode);
     if (found == instructions.end()) continue;
-    throw InputError(fmt::format(
-        "segment {}, instruction {}: global_or asks for an answer to the host, to which the renderers of {} "
-        "have no way back; leave it out, or take a machine of the kind frame-buffer, such as pixel-planes-4",
-        s, found - instructions.begin(), machine.name));
+    throw InputError(
+        fmt::format("segment {}, instruction {}: global_or returns an answer to the host, but the renderers of {} "
+                    "have no path to it; omit it, or use a machine of kind frame-buffer, such as pixel-planes-4",
+                    s, found - instructions.begin(), machine.name));
   }
 }
 
-/// A finished square has to fit.
+/// Rejects a colour wider than the backing memory.
 void check_backing(const isa::FrameHeader& header, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   if (figures.backing_bits == no_backing || header.colour.width <= figures.backing_bits) return;
   throw InputError(
-      fmt::format("a pixel has {} bits of colour, and {} of {} where finished squares wait; give "
-                  "backing.bits more, or 0 for a second buffer",
-                  header.colour.width, figures.backing_bits, machine.name));
+      fmt::format("a pixel has {} bits of colour, but the backing memory of {} holds {}; increase "
+                  "backing.bits, or set it to 0 to use a second buffer",
+                  header.colour.width, machine.name, figures.backing_bits));
 }
 
 }  // namespace
@@ -230,7 +240,7 @@ std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& m
 
 namespace {
 
-/// Of all dividers; the tree's nodes, and what is kept of cells' leaders, are not in it.
+/// Memory of all dividers, without the tree's nodes and the leaders of cells.
 std::uint64_t divider_memory_bits(const Machine& machine) {
   constexpr std::uint64_t list_entry_bits = 32;
   const Figures& figures = machines::own<Figures>(machine);

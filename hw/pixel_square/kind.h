@@ -5,27 +5,27 @@
 
 namespace csgsim::pixel_square {
 
-/// Renderers that draw squares of the picture into a frame buffer.
+/// The pixel-square kind: renderers that draw squares of the picture into a frame buffer.
 class Kind final : public machines::KindOf<Figures> {
  public:
   using KindOf::KindOf;
 
   void complete(Machine& machine) const override;
-  /// The squares of the machine's picture, as large as a renderer's array, those at the right and bottom edges cut off
-  /// there, in the machine's order; where a divider takes groups of squares first, group after group.
+  /// Squares of the machine's picture, each as large as a renderer's array and clipped at the right and bottom edges,
+  /// in the machine's order. If a divider divides groups of squares first, the squares are listed group by group.
   std::vector<isa::Region> regions(const Machine& machine) const override;
-  /// Of a renderer's pixels, for who skips instructions; no answer goes back to the host.
+  /// Whether renderers have a global OR, for skipping instructions; no answer returns to the host.
   bool has_global_or(const Machine& machine) const override;
   std::uint32_t hosts(const Machine& machine) const override;
   std::optional<machines::Division> division(const Machine& machine) const override;
-  /// With renderers as large as the parts. A segment has as many subsegments along a side as those of thesis 7.4.
+  /// Returns the machine with renderers as large as the parts. A segment is divided into the subsegments of thesis 7.4.
   std::optional<Machine> subdivided(const Machine& machine, std::uint32_t levels, machines::Parts parts) const override;
   void check(const Program& program, const Machine& machine) const override;
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
-  machines::FrameTiming time(const Program& program, const Machine& machine, const Told& told) const override;
-  /// When the controller of the renderer that draws the square has an instruction's steps on its wires; they come to
-  /// all of its pixels at once, through the levels of its trees.
-  std::optional<Timeline> timeline(const Program& program, const Machine& machine, const Told& told) const override;
+  machines::FrameTiming time(const Program& program, const Machine& machine, const Told& outcomes) const override;
+  /// Clocks in which the controller of the square's renderer has an instruction's steps on its wires; the steps reach
+  /// all pixels at once, after the levels of the trees.
+  std::optional<Timeline> timeline(const Program& program, const Machine& machine, const Told& outcomes) const override;
   Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
                  std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;

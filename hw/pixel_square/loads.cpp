@@ -13,7 +13,7 @@ std::uint64_t working(const machines::Account& account, std::string_view part) {
   return machines::clocks_of(account, part, name_of(SquareActivity::working));
 }
 
-/// Of the parts that are called so, with a number behind if there are several, the one that works most.
+/// Load of the busiest unit named `name`, or `name` followed by a number.
 machines::Load busiest(const machines::Account& account, std::string_view name, std::string_view does) {
   machines::Load load{std::string(name), does, 0};
   for (const machines::PartAccount& part : account.parts) {
@@ -24,7 +24,7 @@ machines::Load busiest(const machines::Account& account, std::string_view name, 
   return load;
 }
 
-/// What hands out the squares, and carries words.
+/// Loads of the units that distribute the squares, and of the ring.
 std::vector<machines::Load> front_loads(const machines::Account& account) {
   const bool has_ring = std::ranges::any_of(account.parts, [](const auto& part) { return part.part == "ring"; });
   if (has_ring) {

@@ -15,7 +15,7 @@ void ModelReceiver::begin(std::uint64_t bytes) {
   begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
-/// Sleeps when all has come.
+/// Sleeps once the model is complete.
 void ModelReceiver::on_clock() {
   if (bits_ == byte_bits * bytes_.size()) return next_trigger(begun_);
   if (!clock.posedge()) return;

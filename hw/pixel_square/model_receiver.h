@@ -12,7 +12,7 @@
 
 namespace csgsim::pixel_square {
 
-/// Takes the model from the link, a word a clock.
+/// Receives the model from the link, one word a clock.
 class ModelReceiver final : public systemc::ClockedModule {
  public:
   sc_core::sc_fifo_in<isa::LinkWord> model{"model"};
@@ -20,14 +20,14 @@ class ModelReceiver final : public systemc::ClockedModule {
   ModelReceiver(sc_core::sc_module_name name, const machines::Machine& machine)
       : systemc::ClockedModule(name), link_width_(machine.link.width) {}
 
-  /// Starts at the next edge, with a model of so many bytes, one at least.
+  /// Starts at the next edge; `bytes` is the size of the model, at least 1.
   void begin(std::uint64_t bytes);
 
-  /// Happens at the edge at which the last word comes.
+  /// Notified at the edge at which the last word arrives.
   [[nodiscard]] const sc_core::sc_event& received() const { return received_; }
-  /// What has come, a byte an element.
+  /// Received model, one byte per element.
   [[nodiscard]] const std::vector<isa::LinkWord>& bytes() const { return bytes_; }
-  /// Until then.
+  /// Activities until the model is complete.
   [[nodiscard]] const SquareClocks& clocks() const { return clocks_; }
 
  private:
@@ -36,7 +36,7 @@ class ModelReceiver final : public systemc::ClockedModule {
 
   const std::uint32_t link_width_;
   std::vector<isa::LinkWord> bytes_;
-  std::uint64_t bits_ = 0;  ///< that have come
+  std::uint64_t bits_ = 0;  ///< number of bits received
   SquareClocks clocks_;
   sc_core::sc_event begun_{"begun"};
   sc_core::sc_event received_{"received"};

@@ -15,7 +15,7 @@ void ModelSource::begin(std::span<const std::uint8_t> model) {
   begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
-/// Sleeps when it is done.
+/// Sleeps when the whole model is sent.
 void ModelSource::on_clock() {
   if (done()) {
     state_ = name_of(SquareActivity::done);

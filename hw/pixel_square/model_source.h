@@ -13,23 +13,24 @@
 
 namespace csgsim::pixel_square {
 
-/// The host's end of the link to a divider: sends the model, a word every `link.word_clocks`, in the last of these or
-/// in the first clock after it in which there is room; the first after `link.latency` clocks.
+/// The host's end of the link to a divider. Sends one word of the model every `link.word_clocks` clocks, in the last of
+/// them or in the first later clock in which the FIFO has room; the first word follows `link.latency` clocks after the
+/// start.
 class ModelSource final : public systemc::ClockedModule {
  public:
   sc_core::sc_fifo_out<isa::LinkWord> words{"words"};
 
   ModelSource(sc_core::sc_module_name name, const machines::Link& link);
 
-  /// Starts at the next edge. The bytes have to live until the frame is drawn.
+  /// Starts at the next edge. The bytes must outlive the frame.
   void begin(std::span<const std::uint8_t> model);
 
-  /// Of a frame of so many clocks.
+  /// Activities in a frame of `clocks` clocks.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
-    return whole(clocks_, SquareActivity::done, clocks);
+    return complete_clocks(clocks_, SquareActivity::done, clocks);
   }
 
-  /// For waves: words that have left, and what it did at the last edge.
+  /// Shown in waves: number of words sent, and the activity at the last edge.
   [[nodiscard]] std::uint64_t words_sent() const { return sent_ / link_.width; }
   [[nodiscard]] std::string_view state() const { return state_; }
 
@@ -41,9 +42,9 @@ class ModelSource final : public systemc::ClockedModule {
 
   const machines::Link link_;
   std::span<const std::uint8_t> model_;
-  std::uint64_t sent_ = 0;  ///< bits
+  std::uint64_t sent_ = 0;  ///< number of bits sent
   std::uint32_t latency_left_ = 0;
-  std::uint32_t elapsed_ = 0;  ///< clocks spent on the word at hand
+  std::uint32_t elapsed_ = 0;  ///< clocks spent on the current word
   SquareClocks clocks_;
   std::string_view state_;
   sc_core::sc_event begun_{"begun"};

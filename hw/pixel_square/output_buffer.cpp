@@ -9,7 +9,7 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// The colours of a row's pixels.
+/// Reads the colours of one row of pixels.
 void read(const pixel_planes::RefreshPort& memory, isa::Field colour, std::uint32_t row,
           std::vector<std::uint32_t>& colours) {
   for (std::uint32_t bit = 0; bit < colour.width; ++bit)
@@ -18,7 +18,7 @@ void read(const pixel_planes::RefreshPort& memory, isa::Field colour, std::uint3
 
 }  // namespace
 
-bool OutputBuffer::wants_row() const {
+bool OutputBuffer::needs_row() const {
   const std::uint64_t header = std::uint64_t{quotient_up(header_bits, port_bits_)} * port_bits_;
   return filled_ < size_ && std::max(first_, header) + port_bits_ > filled_;
 }

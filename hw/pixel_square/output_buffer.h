@@ -9,42 +9,42 @@
 
 namespace csgsim::pixel_square {
 
-/// A finished square, its header and its colours, which leaves in words of `port_bits`. Its rows come in one by one, or
+/// A finished square, header and colours, that leaves in words of `port_bits` bits. Its rows are loaded one by one, or
 /// all at once.
 class OutputBuffer {
  public:
   explicit OutputBuffer(std::uint32_t port_bits) : port_bits_(port_bits) {}
 
-  /// Begins a square of so many bits of colour a pixel: no row is in.
+  /// Begins a square with `colour_bits` bits of colour per pixel; no row is loaded.
   void begin(const isa::Region& region, std::uint32_t colour_bits);
 
-  /// The next row comes in: the field of each of its pixels, which the memory's corner holds.
+  /// Loads the next row: the colour field of each of its pixels, from the top left corner of the memory.
   void take_row(const pixel_planes::RefreshPort& memory, isa::Field colour);
 
-  /// So do all rows.
+  /// Begins a square and loads all its rows.
   void load(const pixel_planes::RefreshPort& memory, isa::Field colour, const isa::Region& region);
 
-  /// Some of the square has not left.
+  /// Whether part of the square has not left.
   [[nodiscard]] bool busy() const { return first_ < size_; }
 
-  /// While busy: all of the word to leave next is in.
+  /// Whether all bits of the next word are loaded; valid while busy.
   [[nodiscard]] bool has_word() const { return first_ + port_bits_ <= filled_ || filled_ == size_; }
 
-  /// Of the next word of colours something is not in.
-  [[nodiscard]] bool wants_row() const;
+  /// Whether some bits of the next word of colours are not loaded.
+  [[nodiscard]] bool needs_row() const;
   [[nodiscard]] PortWord word() const { return {slice_of(bits_, first_, port_bits_)}; }
 
-  /// It has left.
+  /// Advances past the word that has left.
   void advance() { first_ += port_bits_; }
 
  private:
   std::uint32_t port_bits_;
   isa::Region region_;
-  std::vector<std::uint32_t> colours_;  ///< of a row
+  std::vector<std::uint32_t> colours_;  ///< colours of one row
   std::vector<std::uint64_t> bits_;
-  std::uint32_t rows_ = 0;    ///< that are in
-  std::uint64_t first_ = 0;   ///< bit of the word to leave next
-  std::uint64_t filled_ = 0;  ///< bits that are in
+  std::uint32_t rows_ = 0;    ///< rows loaded
+  std::uint64_t first_ = 0;   ///< first bit of the next word
+  std::uint64_t filled_ = 0;  ///< bits loaded
   std::uint64_t size_ = 0;    ///< bits of the square
 };
 

@@ -12,7 +12,7 @@ OutputPort::OutputPort(sc_core::sc_module_name name, const Figures& figures)
   sensitive << clock.pos() << begun;
 }
 
-/// Sleeps while it has nothing to send.
+/// Sleeps while there is nothing to send.
 void OutputPort::act() {
   if (begun.event()) begin_square();
   if (clock.posedge()) {
@@ -33,7 +33,7 @@ void OutputPort::begin_square() {
 }
 
 void OutputPort::transfer() {
-  if (squares_.empty() || !squares_.front().wants_row() || latched_ < colour_.width) return;
+  if (squares_.empty() || !squares_.front().needs_row() || latched_ < colour_.width) return;
   squares_.front().take_row(*memory[0], colour_);
   latched_ = 0;
   --rows_to_latch_;
@@ -43,7 +43,7 @@ void OutputPort::latch() {
   if (rows_to_latch_ > 0 && latched_ < colour_.width) latched_ += latch_bits_;
 }
 
-/// The last square that has come may still move.
+/// Sends the next word; the last queued square may still be moving.
 void OutputPort::send() {
   if (squares_.empty() || (moving.read() && squares_.size() == 1)) return;
   OutputBuffer& square = squares_.front();

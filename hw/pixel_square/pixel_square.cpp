@@ -19,7 +19,7 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// Makes each member of a vector of FIFOs.
+/// Returns a function that creates the members of a vector of FIFOs.
 template <class Word>
 auto fifo_maker(int depth) {
   return [depth](const char* name, std::size_t /*index*/) { return new sc_core::sc_fifo<Word>(name, depth); };
@@ -31,7 +31,7 @@ int port_depth(const machines::Machine& machine) {
   return static_cast<int>(machines::own<Figures>(machine).port_fifo_depth);
 }
 
-/// What hands out headers of squares to clear.
+/// Number of units that send headers of squares to clear.
 std::size_t clearing_parts(const Figures& figures) { return has_ring(figures) ? figures.processors : 1; }
 
 }  // namespace
@@ -138,7 +138,7 @@ void PixelSquareMachine::begin_front(const isa::Program& program) {
   begin_dividers({header.shape.width, header.shape.height});
 }
 
-/// Groups of squares, or at one level squares, go to the dividers in turn.
+/// Assigns groups of squares, or single squares at one level, to the dividers round-robin.
 void PixelSquareMachine::begin_dividers(const machines::Size& picture) {
   machines::Machine drawing = machine_;
   drawing.picture = picture;
@@ -148,7 +148,7 @@ void PixelSquareMachine::begin_dividers(const machines::Size& picture) {
   std::size_t turn = 0;
   for (std::size_t square = 0; square < squares_.size(); ++square) {
     const CornerDivider& any = *front_.dividers.front();
-    if (square > 0 && !any.are_together(squares_[square - 1], squares_[square])) turn = (turn + 1) % own.size();
+    if (square > 0 && !any.share_divider(squares_[square - 1], squares_[square])) turn = (turn + 1) % own.size();
     own[turn].push_back(square);
     stores.push_back(&front_.dividers[turn]->store());
   }
@@ -156,17 +156,17 @@ void PixelSquareMachine::begin_dividers(const machines::Size& picture) {
   front_.sender->begin(squares_, std::move(stores));
 }
 
-/// Gives control back to who started the simulation, when all that belongs to this edge has happened.
+/// Returns control to the caller of run() after all events of this edge.
 void PixelSquareMachine::on_done() { sc_core::sc_pause(); }
 
 systemc::RunReport PixelSquareMachine::run(const isa::Program& program, systemc::RunListener& listener) {
   systemc::elaborate();
   check_division(program, machine_);
-  const std::uint64_t begun = edges();
+  const std::uint64_t start_clock = edges();
   begin(program, listener);
   if (!program.segments.empty()) systemc::run();
   retirement_.rethrow();
-  const std::uint64_t clocks = edges() - begun;
+  const std::uint64_t clocks = edges() - start_clock;
   std::uint64_t skipped = 0;
   std::for_each(renderers_.begin(), renderers_.end(), [&](const Renderer& one) { skipped += one.skipped(); });
   return {.clocks = clocks,
@@ -272,7 +272,7 @@ std::vector<wave::Tap> PixelSquareMachine::pixel_taps(wave::Pixel pixel, const i
     each.push_back(
         pixel_square::pixel_taps(pixel, segment, renderer.parts(), program, request.tree_levels, machine_.alu_bits));
   });
-  std::vector<wave::Tap> taps = of_whoever_shows(std::move(each));
+  std::vector<wave::Tap> taps = merge_taps(std::move(each));
   const std::string part = wave::part_of(pixel);
   taps.push_back(wave::number(part + ".renderer", 8, [this, segment]() -> wave::Number {
     for (std::size_t i = 0; i < renderers_.size(); ++i) {

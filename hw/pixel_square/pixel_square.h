@@ -33,29 +33,29 @@ namespace csgsim::pixel_square {
 ///           ├─▶ FIFO ─▶ renderer 1 ─▶ FIFO ─────▲  ▲
 ///           └─▶ FIFO of clears ────────────────────┘
 ///
-/// With dividers of its own there stand in the host's place, behind a FIFO for the model, what receives that, the
-/// dividers with a store each, and what sends the squares that are in these.
+/// If the machine has dividers, the host is replaced by a FIFO for the model, its receiver, the dividers with one
+/// store each, and the unit that sends the stored squares.
 ///
-/// With graphics processors there is a ring between FIFOs of theirs and of the renderers on one side, and those of the
-/// renderers and of the frame buffer on the other:
+/// If it has graphics processors, a ring connects the FIFOs of processors and renderers on its input side to those of
+/// renderers and frame buffer on its output side:
 ///
 ///     processor 0 ─▶ FIFO ─▶ ring ─▶ FIFO ─▶ renderer 0 ─▶ FIFO ─▶ ring
 ///     renderer 0  ─▶ FIFO ─▶ ring ─▶ FIFO ─▶ frame buffer
 ///
-/// All parts act on the rising edge of one clock. A word written at an edge can be read at the next; a place freed at
+/// All units act on the rising edge of one clock. A word written at an edge can be read at the next; an entry freed at
 /// an edge can be filled at the next.
 class PixelSquareMachine final : public sc_core::sc_module, public systemc::ClockedMachine {
  public:
   PixelSquareMachine(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form);
 
-  /// Draws a frame, until the frame buffer has stored the last word or cleared the last square. Without segments it
-  /// takes no clock.
+  /// Draws a frame, until the frame buffer has stored the last word or cleared the last square. A Program without
+  /// segments takes no clock.
   systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 
   [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
 
  private:
-  /// What hands out the squares: the host, or a divider and the host before it.
+  /// Units that distribute the squares: the host; the host and dividers; or graphics processors.
   struct Front {
     std::unique_ptr<HostSender> host;
     std::unique_ptr<sc_core::sc_fifo<isa::LinkWord>> model;
@@ -66,7 +66,7 @@ class PixelSquareMachine final : public sc_core::sc_module, public systemc::Cloc
     std::unique_ptr<GraphicsProcessors> processors;
   };
 
-  /// Of a machine with graphics processors: the ring, what waits for it, and what it has brought to the frame buffer.
+  /// Present with graphics processors: the ring, its input FIFOs, and the FIFOs that it fills for the frame buffer.
   struct RingParts {
     explicit RingParts(const machines::Machine& machine);
 
@@ -86,7 +86,7 @@ class PixelSquareMachine final : public sc_core::sc_module, public systemc::Cloc
   void bind_ring(const machines::Machine& machine);
   void begin_front(const isa::Program& program);
   void begin_dividers(const machines::Size& picture);
-  /// Of a machine without graphics processors.
+  /// Valid without graphics processors.
   [[nodiscard]] Sender& sender() { return front_.host ? static_cast<Sender&>(*front_.host) : *front_.sender; }
   [[nodiscard]] const Sender& sender() const {
     return front_.host ? static_cast<const Sender&>(*front_.host) : *front_.sender;
@@ -107,7 +107,7 @@ class PixelSquareMachine final : public sc_core::sc_module, public systemc::Cloc
 
   Front front_;
   std::unique_ptr<RingParts> ring_;
-  std::vector<isa::Region> squares_;  ///< of the frame, for dividers
+  std::vector<isa::Region> squares_;  ///< squares of the frame, for dividers
   sc_core::sc_vector<Renderer> renderers_;
   FrameBuffer frame_buffer_;
   systemc::SegmentNames names_;

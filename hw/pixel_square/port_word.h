@@ -8,21 +8,20 @@
 #include "hw/isa/program.h"
 #include "hw/isa/wire.h"
 
-/// What travels through the FIFOs before the frame buffer, one word a clock. Those before the renderers hold words of
-/// the link.
+/// Words of the FIFOs before the frame buffer, one word a clock. The FIFOs before the renderers hold link words.
 namespace csgsim::pixel_square {
 
-/// As a rule one element.
+/// Bits of a port word; usually one element.
 using PortBits = boost::container::small_vector<std::uint64_t, 1>;
 
 inline std::span<const std::uint64_t> span_of(const PortBits& bits) { return {bits.data(), bits.size()}; }
 inline std::span<std::uint64_t> span_of(PortBits& bits) { return {bits.data(), bits.size()}; }
 
-/// To the frame buffer: `port.width` bits, 64 an element, the first on the lowest wire; bits beyond the width are 0.
-///
-/// A square begins with its header, x, y, width and height of its region with wire_region_bits each, the least
-/// significant bit first. Its colours follow from a new word on, in row order, the least significant bit of each first.
-/// From the sender, a header alone asks for the square to be cleared.
+/// A word to the frame buffer: `port.width` bits, 64 per element, the first on the lowest wire; bits beyond the width
+/// are 0.
+/// A square begins with its header: x, y, width and height of its region, wire_region_bits each, least significant bit
+/// first. Its colours start with a new word, in row order, least significant bit of each colour first. A header without
+/// colours, sent by the sender, requests the clearing of the square.
 struct PortWord {
   PortBits bits;
 };
@@ -33,13 +32,13 @@ static_assert(header_bits == 64);
 std::uint64_t header_of(const isa::Region& region);
 isa::Region region_of(std::uint64_t header);
 
-/// Puts `count` bits (0 to 64) where only zeros are.
+/// Writes `count` bits (0 to 64); the destination bits must be 0.
 void put_bits(std::span<std::uint64_t> into, std::uint64_t first, unsigned count, std::uint64_t value);
 
-/// `count` bits from `first` on, those beyond the end 0.
+/// Returns `count` bits from bit `first` on; bits beyond the end are 0.
 PortBits slice_of(std::span<const std::uint64_t> bits, std::uint64_t first, std::uint32_t count);
 
-// Which nobody calls (hw/systemc/wire.h).
+// Required by sc_fifo; never called (hw/systemc/wire.h).
 inline std::ostream& operator<<(std::ostream& stream, const PortWord& /*word*/) { return stream; }
 
 }  // namespace csgsim::pixel_square

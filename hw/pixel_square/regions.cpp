@@ -24,7 +24,7 @@ std::vector<Place> by_rows(std::uint32_t columns, std::uint32_t rows, bool serpe
   return places;
 }
 
-/// Every other bit of the code, from the lowest on.
+/// Extracts the even-numbered bits of the code.
 std::uint32_t even_bits(std::uint64_t code) {
   std::uint32_t bits = 0;
   for (unsigned i = 0; i < 32; ++i) bits |= static_cast<std::uint32_t>(code >> (2 * i) & 1U) << i;
@@ -41,13 +41,13 @@ std::vector<Place> by_morton_codes(std::uint32_t columns, std::uint32_t rows) {
   return places;
 }
 
-/// Places of a grid, in the order.
+/// Squares of a grid, in drawing order.
 std::vector<Place> places(std::uint32_t columns, std::uint32_t rows, SquareOrder order) {
   return order == SquareOrder::morton ? by_morton_codes(columns, rows)
                                       : by_rows(columns, rows, order == SquareOrder::serpentine);
 }
 
-/// Group after group of so many squares a side; those in a group in the same order.
+/// Squares in groups of `side` x `side`; groups, and squares within a group, are in the same order.
 std::vector<Place> places_in_groups(std::uint32_t columns, std::uint32_t rows, SquareOrder order, std::uint32_t side) {
   std::vector<Place> all;
   for (const Place& group : places(quotient_up(columns, side), quotient_up(rows, side), order)) {

@@ -15,7 +15,7 @@ array::TreeForm tree_form(const machines::Machine& machine) {
 
 }  // namespace
 
-/// The accounts are those of the commands that are on their way to the pixels, one a clock, and of the one before.
+/// The FIFO of accounts holds the commands on their way to the pixels, one per clock, and the previous one.
 Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form)
     : sc_core::sc_module(name),
       trees_(tree_form(machine)),

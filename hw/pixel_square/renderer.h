@@ -18,7 +18,7 @@
 
 namespace csgsim::pixel_square {
 
-/// What waves look at, which lives as long as the renderer.
+/// References for waves, valid as long as the renderer.
 struct RendererParts {
   const SquareController& controller;
   const pixel_planes::PixelPipeline& pipeline;
@@ -26,7 +26,7 @@ struct RendererParts {
   array::TreeForm trees;
 };
 
-/// Draws one square after another, with the modules of Pixel-planes between a controller and an output port of its own:
+/// Draws one square after another, with the modules of Pixel-planes between a controller and its output port:
 ///
 ///     link ─▶ controller ─┬─▶ pixel pipeline ─▶ output port ─▶ colours
 ///               ▲         │    │                 ▲     │
@@ -34,8 +34,8 @@ struct RendererParts {
 ///               │         └─▶ a square begins to move  │
 ///               └──────────── squares that have left ──┘
 ///
-/// What the controller puts on the wires at an edge reaches the pixels at the next, and as many edges later as the
-/// multiplier trees have levels.
+/// A control word put on the wires at an edge reaches the pixels after one edge plus one edge per level of the
+/// multiplier trees.
 class Renderer final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
@@ -47,13 +47,13 @@ class Renderer final : public sc_core::sc_module {
   Renderer(sc_core::sc_module_name name, const machines::Machine& machine,
            systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
 
-  /// `colour`: what of a pixel's memory goes to the frame buffer. The names have to live until the frame is drawn.
+  /// `colour`: field of a pixel's memory that goes to the frame buffer. The names must outlive the frame.
   void begin(isa::Field colour, const systemc::SegmentNames& names);
 
-  /// Of the pixel processors, in a frame of so many clocks. Those after the last square are `done`.
+  /// Activities of the pixel processors in a frame of `clocks` clocks. Clocks after the last square are `done`.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const { return controller_.account(clocks); }
   [[nodiscard]] std::uint64_t squares() const { return controller_.squares(); }
-  /// Instructions that were not carried out, in the frame.
+  /// Number of skipped instructions in the frame.
   [[nodiscard]] std::uint64_t skipped() const { return completion_.skipped(); }
   [[nodiscard]] const array::PixelArray& pixels() const { return pipeline_.pixels(); }
 

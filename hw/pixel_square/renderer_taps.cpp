@@ -16,7 +16,7 @@ namespace {
 using wave::Number;
 using wave::Tap;
 
-/// What tells the number of the instruction at the pixels. Where `segment` is given, only one of that.
+/// Returns a function that reads the number of the instruction at the pixels; with `segment`, only instructions of it.
 std::function<Number()> at_pixels(const RendererParts& parts, const isa::Program& program,
                                   std::optional<std::uint32_t> segment) {
   return [parts, segment, firsts = isa::first_numbers(program)]() -> Number {
@@ -29,7 +29,7 @@ std::function<Number()> at_pixels(const RendererParts& parts, const isa::Program
 
 }  // namespace
 
-/// While memory is being cleared, some of it is still the square's before.
+/// While memory is being cleared, part of it still holds the previous square.
 bool has(const RendererParts& parts, std::uint32_t segment) {
   const pixel_planes::ControlWord& before = parts.pipeline.now().carried_out();
   return parts.completion.segment() == segment && !(before.clears && !before.last);

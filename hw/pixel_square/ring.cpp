@@ -41,17 +41,17 @@ void Ring::begin() {
 }
 
 void Ring::end_of_elaboration() {
-  // No range-based loop: to clang the iterators compare ambiguously in C++20.
+  // No range-based loop: clang reports an ambiguous iterator comparison in C++20.
   const auto add = [&](const auto& port) { words_written_ |= port.data_written_event(); };
   std::for_each(processors.begin(), processors.end(), add);
   std::for_each(renderers.begin(), renderers.end(), add);
   words_written_ |= begun_;
 }
 
-/// Since the machine was built.
+/// Clock edges since the machine was built.
 std::uint64_t Ring::edges() const { return systemc::edges(period_); }
 
-/// Sleeps while no source has a word.
+/// Sleeps while all sources are empty.
 void Ring::on_clock() {
   if (!clock.posedge()) return;
   if ((edges() - begun_at_) % word_clocks_ == 0) carry();

@@ -15,29 +15,30 @@
 
 namespace csgsim::pixel_square {
 
-/// Carries commands from graphics processors to renderers, headers of squares to clear and colours to the frame buffer:
-/// in the last of every `ring.word_clocks` clocks of a frame as many words as it has channels, of those that wait for
-/// it at most one of a source and one for a renderer, and for the frame buffer as many as that has banks. Sources, the
-/// processors and after them the renderers, are looked at from the one after the source that was served last; passed
-/// over are those without a word, or without room at its target.
+/// Carries commands from graphics processors to renderers, and headers of squares to clear and colours to the frame
+/// buffer. It carries words in the last of every `ring.word_clocks` clocks of a frame: at most one word per channel, at
+/// most one from each source and to each renderer, and at most one to the frame buffer per bank. The sources (the
+/// processors, then the renderers) are polled round-robin, starting after the source that was served last; sources
+/// without a word, or whose destination is full, are skipped.
 class Ring final : public systemc::ClockedModule {
  public:
   sc_core::sc_vector<sc_core::sc_fifo_in<RingWord>> processors;
-  sc_core::sc_vector<sc_core::sc_in<std::uint64_t>> targets;  ///< of each: a renderer, or the frame buffer behind them
-  sc_core::sc_vector<sc_core::sc_fifo_in<PortWord>> renderers;    ///< their colours
-  sc_core::sc_vector<sc_core::sc_fifo_out<isa::LinkWord>> links;  ///< to the renderers
-  sc_core::sc_vector<sc_core::sc_fifo_out<PortWord>> colours;     ///< to the frame buffer, one a renderer
-  sc_core::sc_vector<sc_core::sc_fifo_out<PortWord>> clears;      ///< to the frame buffer, one a processor
+  sc_core::sc_vector<sc_core::sc_in<std::uint64_t>> targets;    ///< destination of each processor: a renderer, or the frame buffer
+                                                                ///< (number of renderers)
+  sc_core::sc_vector<sc_core::sc_fifo_in<PortWord>> renderers;  ///< colours of each renderer
+  sc_core::sc_vector<sc_core::sc_fifo_out<isa::LinkWord>> links;  ///< outputs to the renderers
+  sc_core::sc_vector<sc_core::sc_fifo_out<PortWord>> colours;     ///< outputs to the frame buffer, one per renderer
+  sc_core::sc_vector<sc_core::sc_fifo_out<PortWord>> clears;      ///< outputs to the frame buffer, one per processor
 
   Ring(sc_core::sc_module_name name, const machines::Machine& machine);
 
-  /// A frame begins, with the next clock.
+  /// Begins a frame with the next clock.
   void begin();
 
   [[nodiscard]] RingAccount account(std::uint64_t clocks) const {
-    return {whole(clocks_, SquareActivity::waiting_for_divider, clocks), words_, full_clocks_};
+    return {complete_clocks(clocks_, SquareActivity::waiting_for_divider, clocks), words_, full_clocks_};
   }
-  /// For waves: words that have been carried in the frame; whether some channel carries one.
+  /// Shown in waves: number of words carried in the frame, and whether some channel carries a word.
   [[nodiscard]] std::uint64_t words() const { return words_; }
   [[nodiscard]] bool is_carrying() const { return edges() < busy_until_; }
 
@@ -56,15 +57,15 @@ class Ring final : public systemc::ClockedModule {
   const std::size_t channels_;
   const std::uint64_t word_clocks_;
   const std::size_t banks_;
-  std::uint64_t begun_at_ = 0;         ///< edge
-  std::size_t turn_ = 0;               ///< source that is asked first
-  std::vector<bool> taken_;            ///< renderers, in the clock at hand
-  std::size_t frame_buffer_left_ = 0;  ///< words that the frame buffer takes in it besides
+  std::uint64_t begun_at_ = 0;         ///< clock edge
+  std::size_t turn_ = 0;               ///< source that is polled first
+  std::vector<bool> taken_;            ///< renderers that have received a word in this clock
+  std::size_t frame_buffer_left_ = 0;  ///< words that the frame buffer can still accept in this clock
   SquareClocks clocks_;
   std::uint64_t words_ = 0;
   std::uint64_t full_clocks_ = 0;
-  std::uint64_t busy_until_ = 0;             ///< edge
-  sc_core::sc_event_or_list words_written_;  ///< at any source, or a frame has begun
+  std::uint64_t busy_until_ = 0;             ///< clock edge
+  sc_core::sc_event_or_list words_written_;  ///< a word was written at any source, or a frame has begun
   sc_core::sc_event begun_;
 };
 

@@ -7,14 +7,14 @@
 
 namespace csgsim::pixel_square {
 
-/// What a graphics processor puts on the ring: a word of commands for a renderer, or one of the header of a square that
+/// A word that a graphics processor puts on the ring: a command word for a renderer, or a header word of a square that
 /// the frame buffer clears.
 struct RingWord {
   isa::LinkWord command;
   PortWord header;
 };
 
-// Which nobody calls (hw/systemc/wire.h).
+// Required by sc_fifo; never called (hw/systemc/wire.h).
 inline std::ostream& operator<<(std::ostream& stream, const RingWord& /*word*/) { return stream; }
 
 }  // namespace csgsim::pixel_square

@@ -56,8 +56,8 @@ void check_screen(const isa::FrameHeader& header, const machines::Machine& machi
       figures.refresh_rate * turns_of({header.shape.width, header.shape.height}, header.colour.width, figures);
   if (turns == 0 || turns <= (machine.clock_hz - 1) / figures.refresh_clocks) return;
   throw InputError(
-      fmt::format("the screen takes {} turns a second of {} clocks each, and the frame buffer has {} clocks a second: "
-                  "nothing could be drawn; give refresh.bits more, or frame_buffer.pictures 2",
+      fmt::format("the screen takes {} turns a second of {} clocks each, but the frame buffer has {} clocks a second, "
+                  "which leaves none for drawing; increase refresh.bits, or set frame_buffer.pictures to 2",
                   turns, figures.refresh_clocks, machine.clock_hz));
 }
 

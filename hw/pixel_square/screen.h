@@ -8,46 +8,46 @@
 
 namespace csgsim::pixel_square {
 
-/// What the screen takes of the memory into which squares are drawn: turns, spread evenly over the time of a picture,
-/// in each of which `Figures::refresh_bits` of it go to a register, row by row, and are shown from there. With two
-/// pictures the screen reads the other one, and takes none.
+/// Turns that the screen takes of the memory into which squares are drawn. The turns are spread evenly over the time of
+/// a picture; each copies `Figures::refresh_bits` bits, row by row, to a register from which they are shown. With two
+/// pictures, the screen reads the other one and takes no turns.
 class Screen {
  public:
   Screen(const Figures& figures, std::uint64_t clock_hz);
 
-  /// A frame begins, and with it the time of a picture.
+  /// Begins a frame and the time of a picture.
   void begin(const machines::Size& picture, std::uint32_t colour_bits);
 
-  /// So many edges of the clock, at most as many as there are until the next change.
+  /// Advances by `clocks` edges, at most clocks_to_change().
   void on_clocks(std::uint64_t clocks);
 
-  /// Edges until a turn begins or ends; of a screen that takes turns.
+  /// Edges until a turn begins or ends; valid only if takes().
   [[nodiscard]] std::uint64_t clocks_to_change() const;
 
-  /// Of a turn in the clock that begins with the edge: the row in which it reads first.
+  /// First row read by the turn in the clock that begins with this edge, if any.
   [[nodiscard]] std::optional<std::uint32_t> row() const;
 
-  /// Whether it takes any turn.
+  /// Whether the screen takes turns.
   [[nodiscard]] bool takes() const { return step_ > 0; }
 
  private:
-  const std::uint64_t rate_;      ///< pictures a second; 0 for none
-  const std::uint64_t clock_hz_;  ///< clocks a second
-  const std::uint64_t bits_;      ///< of a turn
-  const std::uint32_t clocks_;    ///< of a turn
+  const std::uint64_t rate_;      ///< pictures per second; 0 for none
+  const std::uint64_t clock_hz_;  ///< clocks per second
+  const std::uint64_t bits_;      ///< bits per turn
+  const std::uint32_t clocks_;    ///< clocks per turn
   std::uint64_t picture_bits_ = 0;
   std::uint64_t row_bits_ = 1;
-  std::uint64_t step_ = 0;   ///< turns a second
-  std::uint64_t phase_ = 0;  ///< of them, since the last has come due
-  std::uint64_t next_ = 0;   ///< bit of the picture with which the next turn begins
-  std::uint64_t at_ = 0;     ///< the same of the turn at hand
-  std::uint32_t left_ = 0;   ///< clocks of it
+  std::uint64_t step_ = 0;   ///< turns per second
+  std::uint64_t phase_ = 0;  ///< progress to the next turn, in turns per second x clocks
+  std::uint64_t next_ = 0;   ///< first picture bit of the next turn
+  std::uint64_t at_ = 0;     ///< first picture bit of the current turn
+  std::uint32_t left_ = 0;   ///< clocks left of the current turn
 };
 
-/// Turns in which the screen shows that picture once.
+/// Number of turns that show the picture once.
 std::uint64_t turns_of(const machines::Size& picture, std::uint32_t colour_bits, const Figures& figures);
 
-/// Throws InputError if the screen takes every clock of the memory, or more.
+/// Throws InputError if the screen occupies every clock of the memory.
 void check_screen(const isa::FrameHeader& header, const machines::Machine& machine);
 
 }  // namespace csgsim::pixel_square

@@ -16,7 +16,7 @@ Sender::Sender(sc_core::sc_module_name name, const machines::Machine& machine, s
       period_(systemc::period_of(machine)),
       word_clocks_(word_clocks),
       port_bits_(machines::own<Figures>(machine).port_bits),
-      handed_(machines::own<Figures>(machine).renderers) {}
+      assigned_(machines::own<Figures>(machine).renderers) {}
 
 void Sender::begin_frame(std::size_t squares) {
   squares_ = squares;
@@ -30,7 +30,7 @@ void Sender::begin_frame(std::size_t squares) {
   begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
-/// Sleeps when it is done, and while it waits.
+/// Sleeps when all squares are sent, and while stalled.
 void Sender::on_clock() {
   if (index_ == squares_) {
     status_ = {.state = name_of(SquareActivity::done), .square = squares_, .renderer = std::nullopt};
@@ -44,7 +44,7 @@ void Sender::on_clock() {
   sleep();
 }
 
-/// Until what it waits for may be there at the next edge.
+/// Sleeps until the stall can end at the next edge.
 void Sender::sleep() {
   if (activity_ == SquareActivity::waiting_for_renderer) return next_trigger(links[*target_].data_read_event());
   if (activity_ == SquareActivity::waiting_for_frame_buffer) return next_trigger(clears.data_read_event());
@@ -55,16 +55,16 @@ void Sender::sleep() {
 SquareActivity Sender::act() {
   status_ = {.state = preparing(), .square = index_, .renderer = std::nullopt};
   if (!square_) {
-    if (const std::optional<SquareActivity> activity = prepare(index_)) return as_told(*activity);
+    if (const std::optional<SquareActivity> activity = prepare(index_)) return record_state(*activity);
     begin_square();
   }
   status_.state = "sending";
   const SquareActivity activity = send();
   status_.renderer = target_;
-  return as_told(activity);
+  return record_state(activity);
 }
 
-SquareActivity Sender::as_told(SquareActivity activity) {
+SquareActivity Sender::record_state(SquareActivity activity) {
   if (activity != SquareActivity::working) status_.state = name_of(activity);
   return activity;
 }
@@ -108,7 +108,7 @@ SquareActivity Sender::send_word() {
   if (word == nullptr) return SquareActivity::waiting_for_divider;
   if (!target_) {
     target_ = least_busy();
-    ++handed_[*target_];
+    ++assigned_[*target_];
   }
   if (!links[*target_].nb_write(*word)) return SquareActivity::waiting_for_renderer;
   if (pass()) end_square();
@@ -117,8 +117,8 @@ SquareActivity Sender::send_word() {
 
 std::size_t Sender::least_busy() const {
   std::size_t best = 0;
-  const auto unfinished = [&](std::size_t renderer) { return handed_[renderer] - finished[renderer].read(); };
-  for (std::size_t renderer = 1; renderer < handed_.size(); ++renderer) {
+  const auto unfinished = [&](std::size_t renderer) { return assigned_[renderer] - finished[renderer].read(); };
+  for (std::size_t renderer = 1; renderer < assigned_.size(); ++renderer) {
     if (unfinished(renderer) < unfinished(best)) best = renderer;
   }
   return best;

@@ -17,32 +17,32 @@
 
 namespace csgsim::pixel_square {
 
-/// A square that begins to leave.
+/// A square whose sending begins.
 struct SquareStart {
   isa::Region region;
-  bool is_clear = false;  ///< nothing is seen there, and no words follow
+  bool is_clear = false;  ///< the square is empty; no words follow
 };
 
-/// What a sender is at, for waves: as the edge left it with which the clock began.
+/// State of a sender, for waves, after the edge with which the clock began.
 struct SenderStatus {
-  std::string_view state;               ///< `receiving`, `testing`, `sending`, `done`, or what it waits for
-  std::size_t square = 0;               ///< as many as there are when it is done
-  std::optional<std::size_t> renderer;  ///< that gets it, once that is known
+  std::string_view state;               ///< `receiving`, `testing`, `sending`, `done`, or the name of the stall
+  std::size_t square = 0;               ///< index of the square; the number of squares when done
+  std::optional<std::size_t> renderer;  ///< renderer that receives the square, once chosen
 };
 
-/// Hands out the squares, one after another, a word every `word_clocks` clocks, as long as there is room. A square goes
-/// to the renderer with the fewest squares that it has not finished (the first of those); the header of one where
-/// nothing is seen goes to the frame buffer. What squares consist of is for those that derive from it to say.
+/// Distributes the squares one after another, one word every `word_clocks` clocks while there is room. A square goes to
+/// the renderer with the fewest unfinished squares (ties go to the lowest number); the header of an empty square goes
+/// to the frame buffer. Derived classes provide the words of a square.
 class Sender : public systemc::ClockedModule {
  public:
-  sc_core::sc_vector<sc_core::sc_fifo_out<isa::LinkWord>> links;  ///< one a renderer
-  sc_core::sc_vector<sc_core::sc_in<std::uint64_t>> finished;     ///< squares that each renderer has finished
+  sc_core::sc_vector<sc_core::sc_fifo_out<isa::LinkWord>> links;  ///< one per renderer
+  sc_core::sc_vector<sc_core::sc_in<std::uint64_t>> finished;     ///< squares finished by each renderer
   sc_core::sc_fifo_out<PortWord> clears{"clears"};
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
-  /// Of a frame of so many clocks.
+  /// Activities in a frame of `clocks` clocks.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
-    return whole(clocks_, SquareActivity::done, clocks);
+    return complete_clocks(clocks_, SquareActivity::done, clocks);
   }
   [[nodiscard]] std::uint64_t squares_skipped() const { return skipped_; }
   [[nodiscard]] const SenderStatus& status() const { return status_; }
@@ -50,32 +50,32 @@ class Sender : public systemc::ClockedModule {
  protected:
   Sender(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t word_clocks);
 
-  /// A frame of so many squares begins.
+  /// Begins a frame of `squares` squares.
   void begin_frame(std::size_t squares);
 
-  /// What is to be done in a clock before the square at hand can be sent; none, if it can.
+  /// Activity for this clock if the square cannot be sent yet; empty if it can.
   virtual std::optional<SquareActivity> prepare(std::size_t square) = 0;
 
-  /// While that is waiting_for_divider: after what event it can be otherwise; null if it has to be asked at each edge.
+  /// Event after which prepare() can return another result than waiting_for_divider; null to poll at each edge.
   [[nodiscard]] virtual const sc_core::sc_event* prepared(std::size_t /*square*/) const { return nullptr; }
 
-  /// What `working` means while a square is prepared, by name.
+  /// State name for `working` while a square is prepared.
   [[nodiscard]] virtual std::string_view preparing() const = 0;
 
-  /// Begins with the square that has been prepared.
+  /// Begins sending the prepared square.
   virtual SquareStart start(std::size_t square) = 0;
 
-  /// Of SegmentStart, its instructions, SegmentEnd the word that leaves next; null while it is not there.
+  /// Next word of SegmentStart, the instructions and SegmentEnd; null while it is not available.
   [[nodiscard]] virtual const isa::LinkWord* next_word() const = 0;
 
-  /// That word has left. Returns whether it was the last of the square.
+  /// Advances past the word that has left. Returns whether it was the last of the square.
   virtual bool pass() = 0;
 
  private:
   void on_clock() override;
   void sleep();
   SquareActivity act();
-  SquareActivity as_told(SquareActivity activity);
+  SquareActivity record_state(SquareActivity activity);
   SquareActivity send();
   SquareActivity send_header();
   SquareActivity send_word();
@@ -87,15 +87,15 @@ class Sender : public systemc::ClockedModule {
   const std::uint32_t word_clocks_;
   const std::uint32_t port_bits_;
   std::size_t squares_ = 0;
-  std::size_t index_ = 0;              ///< of the square at hand
-  std::optional<SquareStart> square_;  ///< once it is prepared
-  std::optional<std::size_t> target_;  ///< the renderer that gets it; none, if it is cleared
-  std::size_t sent_ = 0;               ///< words of its header
-  std::uint32_t elapsed_ = 0;          ///< clocks spent on the word at hand
-  std::vector<std::uint64_t> handed_;  ///< squares that each renderer has got
+  std::size_t index_ = 0;                ///< index of the square in progress
+  std::optional<SquareStart> square_;    ///< set once the square is prepared
+  std::optional<std::size_t> target_;    ///< renderer that receives the square; none if it is cleared
+  std::size_t sent_ = 0;                 ///< words of its header
+  std::uint32_t elapsed_ = 0;            ///< clocks spent on the current word
+  std::vector<std::uint64_t> assigned_;  ///< squares assigned to each renderer
   std::uint64_t skipped_ = 0;
-  std::uint64_t acted_at_ = 0;  ///< edge
-  SquareActivity activity_{};   ///< in the clock that ended there, and in those that it has slept since
+  std::uint64_t acted_at_ = 0;  ///< clock edge
+  SquareActivity activity_{};   ///< activity of the last clock, and of the clocks slept since
   SquareClocks clocks_;
   SenderStatus status_;
   sc_core::sc_event begun_{"begun"};

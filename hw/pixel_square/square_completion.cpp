@@ -11,16 +11,16 @@ SquareCompletion::SquareCompletion(sc_core::sc_module_name name) : sc_core::sc_m
   sensitive << retired << accounts.data_written();
 }
 
-/// A question is accounted for later than its step reaches the pixels; any other command before its last word does.
+/// The account of a question arrives after its step has reached the pixels; that of any other command arrives before.
 void SquareCompletion::complete() {
   CommandAccount account;
-  if (told_ == retired.read() || !accounts.nb_read(account)) return;
-  ++told_;
-  tell(account);
+  if (reported_ == retired.read() || !accounts.nb_read(account)) return;
+  ++reported_;
+  report(account);
   if (account.kind != CommandAccount::Kind::end) enabled_ = enable->count_enabled();
 }
 
-void SquareCompletion::tell(const CommandAccount& account) {
+void SquareCompletion::report(const CommandAccount& account) {
   switch (account.kind) {
     case CommandAccount::Kind::start:
       segment_ = names_->segment_of(account.region);

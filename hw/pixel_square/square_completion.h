@@ -11,8 +11,8 @@
 
 namespace csgsim::pixel_square {
 
-/// Tells who watches the run what a renderer's pixels have carried out, with what its controller counted for it. No
-/// part of the machine, and takes no clock: it acts between the edge that carries out a command and the next.
+/// Reports to the run listener which commands a renderer's pixels have completed, with the counts of its controller.
+/// Not a hardware unit: takes no clock, and acts between the edge that completes a command and the next.
 class SquareCompletion final : public sc_core::sc_module {
  public:
   sc_core::sc_in<std::uint64_t> retired{"retired"};
@@ -22,28 +22,28 @@ class SquareCompletion final : public sc_core::sc_module {
 
   explicit SquareCompletion(sc_core::sc_module_name name);
 
-  /// The names have to live until the frame is drawn.
+  /// The names must outlive the frame.
   void begin(const systemc::SegmentNames& names) {
     names_ = &names;
     segment_.reset();
     skipped_ = 0;
   }
 
-  /// Instructions that were not carried out, since begin.
+  /// Number of skipped instructions since begin().
   [[nodiscard]] std::uint64_t skipped() const { return skipped_; }
 
-  /// For waves: which segment the pixels draw, or have drawn last; none before the first.
+  /// Shown in waves: the segment that the pixels draw, or drew last; none before the first.
   [[nodiscard]] std::optional<std::uint32_t> segment() const { return segment_; }
 
  private:
   void complete();
-  void tell(const CommandAccount& account);
+  void report(const CommandAccount& account);
 
   const systemc::SegmentNames* names_ = nullptr;
-  std::optional<std::uint32_t> segment_;  ///< that the square is
-  std::uint32_t index_ = 0;               ///< of the instruction that comes next
+  std::optional<std::uint32_t> segment_;  ///< segment of the current square
+  std::uint32_t index_ = 0;               ///< index of the next instruction
   std::uint64_t enabled_ = 0;
-  std::uint64_t told_ = 0;  ///< commands, since the machine was built
+  std::uint64_t reported_ = 0;  ///< number of commands reported since the machine was built
   std::uint64_t skipped_ = 0;
 };
 

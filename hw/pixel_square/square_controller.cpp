@@ -57,11 +57,11 @@ std::string_view SquareController::state() const {
   return names.at(static_cast<std::size_t>(state_));
 }
 
-/// Since the machine was built.
+/// Clock edges since the machine was built.
 std::uint64_t SquareController::edges() const { return systemc::edges(period_); }
 
-/// At a clock edge; and when the last word of a square has left at one, which frees the pixels without a second buffer.
-/// Sleeps without a square, until a word comes.
+/// Runs at a clock edge, and when the last word of a square leaves at one, which frees the pixels without a second
+/// buffer. While idle, sleeps until a word arrives.
 void SquareController::act() {
   const bool was_idle = state_ == State::idle;
   if (clock.posedge()) {
@@ -78,7 +78,7 @@ void SquareController::act() {
   sleep();
 }
 
-/// The clocks that have gone by, which it returns.
+/// Accounts for the elapsed clocks and returns their number.
 std::uint64_t SquareController::count() {
   const std::uint64_t now = edges();
   const std::uint64_t clocks = now - std::exchange(acted_at_, now);
@@ -122,23 +122,23 @@ void SquareController::finish() {
   finished.write(++finished_count_);
 }
 
-/// For the clock that begins now.
+/// Issues the control word of the clock that begins now.
 void SquareController::put_control_word() {
   if ((state_ == State::idle || state_ == State::drawing) && !is_issuing()) take_command();
   switch (state_) {
-    case State::idle: activity_ = SquareActivity::waiting_for_divider; return rest();
+    case State::idle: activity_ = SquareActivity::waiting_for_divider; return put_idle_word();
     case State::clearing: activity_ = SquareActivity::working; return clear();
     case State::drawing:
       activity_ = is_issuing() ? SquareActivity::working : SquareActivity::waiting_for_divider;
-      return is_issuing() ? issue() : rest();
+      return is_issuing() ? issue() : put_idle_word();
     case State::asking:
       activity_ = SquareActivity::working;
       ++instruction_clocks_;
-      return rest();
+      return put_idle_word();
     case State::draining: activity_ = SquareActivity::working; return drain();
-    case State::moving: activity_ = SquareActivity::working; return rest();
+    case State::moving: activity_ = SquareActivity::working; return put_idle_word();
     case State::drawn:
-    case State::leaving: activity_ = SquareActivity::waiting_for_frame_buffer; return rest();
+    case State::leaving: activity_ = SquareActivity::waiting_for_frame_buffer; return put_idle_word();
   }
 }
 
@@ -190,21 +190,21 @@ void SquareController::issue() {
   accounts.nb_write({.kind = CommandAccount::Kind::instruction, .clocks = instruction_clocks_});
 }
 
-/// A word without a step goes behind the last one.
+/// A word without a step follows the last step.
 void SquareController::drain() {
-  if (clocks_left_ <= latency_) return rest();
+  if (clocks_left_ <= latency_) return put_idle_word();
   put({.last = true, .ordinal = ordinal_});
   accounts.nb_write({.kind = CommandAccount::Kind::end});
 }
 
-void SquareController::rest() {
-  if (resting_) return;
+void SquareController::put_idle_word() {
+  if (wires_idle_) return;
   put({});
-  resting_ = true;
+  wires_idle_ = true;
 }
 
-/// Until something is to be done, if nothing is before the next edge. A word that comes when there is room for it is
-/// taken at the next edge.
+/// Sleeps past the next edge if nothing is to be done at it. A word that arrives while there is room for it is received
+/// at the next edge.
 void SquareController::sleep() {
   const bool holds = receiver_.holds();
   if (!holds && link.num_available() > 0) return;
@@ -216,10 +216,10 @@ void SquareController::sleep() {
       return;
     case State::drawing:
       if (holds && sequencer_.busy()) return sleep(issue_ahead());
-      if (!holds && resting_) next_trigger(link.data_written_event());
+      if (!holds && wires_idle_) next_trigger(link.data_written_event());
       return;
     case State::draining:
-      if (resting_) sleep(clocks_left_);
+      if (wires_idle_) sleep(clocks_left_);
       return;
     case State::moving: return sleep(clocks_left_);
     case State::drawn:
@@ -234,7 +234,7 @@ void SquareController::sleep(std::uint64_t clocks) {
   next_trigger(time, link.data_written_event());
 }
 
-/// What follows, but for the last word of it. Returns in how many clocks that is to be put.
+/// Issues all remaining clearing words but the last. Returns the number of clocks until the last one is due.
 std::uint64_t SquareController::clear_ahead() {
   while (clocks_left_ > 1) {
     ++put_at_;
@@ -243,7 +243,7 @@ std::uint64_t SquareController::clear_ahead() {
   return put_at_ + 1 - acted_at_;
 }
 
-/// The same.
+/// Issues all remaining steps but the last, which it keeps. Returns the number of clocks until the last one is due.
 std::uint64_t SquareController::issue_ahead() {
   array::BitStep step = sequencer_.issue();
   for (; !step.last; step = sequencer_.issue()) {
@@ -256,7 +256,7 @@ std::uint64_t SquareController::issue_ahead() {
 
 void SquareController::put(const ControlWord& word, const array::RootBits& bits) {
   wires->put(put_at_, word, bits);
-  resting_ = false;
+  wires_idle_ = false;
 }
 
 void SquareController::put_step(const array::BitStep& step) {

@@ -9,13 +9,13 @@
 namespace csgsim::pixel_square {
 
 SteppedDatapath::SteppedDatapath(const division::ModelHeader& header, const division::ModelMemory& memory,
-                                 const machines::Machine& machine, bool far_planes, Ends ends)
+                                 const machines::Machine& machine, bool far_planes, Callbacks callbacks)
     : Datapath(header),
       memory_(memory),
       machine_(machine),
       figures_(machines::own<Figures>(machine)),
       far_planes_(far_planes),
-      ends_(std::move(ends)) {}
+      callbacks_(std::move(callbacks)) {}
 
 std::uint64_t SteppedDatapath::plane_clocks() const {
   if (!far_planes_) return memory_.plane_words();
@@ -24,7 +24,7 @@ std::uint64_t SteppedDatapath::plane_clocks() const {
 }
 
 division::PrimitiveHead SteppedDatapath::read_primitive(std::uint32_t primitive) {
-  ends_.spend(memory_.primitive_words() + (level_ == Level::listed ? 1 : 0));
+  callbacks_.spend(memory_.primitive_words() + (level_ == Level::listed ? 1 : 0));
   return memory_.primitive(primitive);
 }
 
@@ -38,19 +38,19 @@ division::Plane SteppedDatapath::read_plane(std::uint32_t index) {
   return memory_.plane(index);
 }
 
-void SteppedDatapath::on_box() { ends_.spend(figures_.box_clocks); }
+void SteppedDatapath::on_box() { callbacks_.spend(figures_.box_clocks); }
 
-/// The next half-space of a list is read while one is tested.
+/// Reading the next half-space of a list overlaps with testing the current one.
 void SteppedDatapath::on_corner_test(bool is_last) {
   const std::uint64_t test = figures_.halfspace_clocks;
-  ends_.spend(testing_ ? std::max(read_, test) : read_);
+  callbacks_.spend(testing_ ? std::max(read_, test) : read_);
   testing_ = !is_last;
-  if (is_last) ends_.spend(test);
+  if (is_last) callbacks_.spend(test);
   if (level_ != Level::group && counts().halfspaces > figures_.halfspaces)
-    ends_.spend(spilt_halfspace_clocks(figures_));
+    callbacks_.spend(spilt_halfspace_clocks(figures_));
 }
 
-/// The first level has no memory for what it has tested, and reads and tests it again.
+/// The first level has no memory for tested half-spaces, so it reads and tests them again.
 void SteppedDatapath::on_cell(std::uint64_t halfspaces) {
   std::uint64_t each = figures_.cell_clocks;
   if (level_ == Level::group) {
@@ -58,18 +58,18 @@ void SteppedDatapath::on_cell(std::uint64_t halfspaces) {
   } else if (counts().halfspaces > figures_.halfspaces) {
     each += spilt_halfspace_clocks(figures_);
   }
-  ends_.spend(halfspaces * each);
+  callbacks_.spend(halfspaces * each);
 }
 
 void SteppedDatapath::on_node() {
-  ends_.spend(figures_.node_clocks);
-  if (counts().nodes > figures_.nodes) ends_.spend(spilt_node_clocks(figures_));
+  callbacks_.spend(figures_.node_clocks);
+  if (counts().nodes > figures_.nodes) callbacks_.spend(spilt_node_clocks(figures_));
 }
 
 void SteppedDatapath::on_instruction(const isa::Instruction& instruction) {
   if (isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear))
-    ends_.spend(figures_.linear_clocks);
-  ends_.store_command(instruction);
+    callbacks_.spend(figures_.linear_clocks);
+  callbacks_.store_command(instruction);
 }
 
 }  // namespace csgsim::pixel_square

@@ -10,22 +10,22 @@
 
 namespace csgsim::pixel_square {
 
-/// How the divider of a machine spends its clocks (docs/machines/pixel-square.md): it reads records through a port of
-/// so many bits, tests what they hold, and writes instructions.
+/// Counts the clocks of a machine's divider (docs/machines/pixel-square.md), which reads records through a port of
+/// `divider.port` bits, tests them, and writes instructions.
 class SteppedDatapath final : public division::Datapath {
  public:
-  /// What it is at: the first of two levels, a square from the list that this has left, or a square from the whole
-  /// model.
+  /// Input of the divider: the first of two levels, a square from the list that this level produced, or a square from
+  /// the whole model.
   enum class Level : std::uint8_t { group, listed, whole };
 
-  struct Ends {
-    std::function<void(std::uint64_t)> spend;                    ///< so many clocks go by
-    std::function<void(const isa::Instruction&)> store_command;  ///< a command goes to the store, word by word
+  struct Callbacks {
+    std::function<void(std::uint64_t)> spend;                    ///< accounts for that number of clocks
+    std::function<void(const isa::Instruction&)> store_command;  ///< writes a command to the store, word by word
   };
 
-  /// `far_planes`: the planes did not fit the divider's memory, and are read from the host's over the link.
+  /// `far_planes`: the planes did not fit the divider's memory and are read from the host over the link.
   SteppedDatapath(const division::ModelHeader& header, const division::ModelMemory& memory,
-                  const machines::Machine& machine, bool far_planes, Ends ends);
+                  const machines::Machine& machine, bool far_planes, Callbacks callbacks);
 
   void enter(Level level) { level_ = level; }
 
@@ -44,10 +44,10 @@ class SteppedDatapath final : public division::Datapath {
   const machines::Machine& machine_;
   const Figures& figures_;
   const bool far_planes_;
-  const Ends ends_;
+  const Callbacks callbacks_;
   Level level_ = Level::whole;
-  std::uint64_t read_ = 0;  ///< clocks of the records of the test at hand
-  bool testing_ = false;    ///< a test goes on beside what is read
+  std::uint64_t read_ = 0;  ///< clocks to read the records of the current test
+  bool testing_ = false;    ///< a test overlaps with the current read
 };
 
 }  // namespace csgsim::pixel_square

@@ -16,17 +16,19 @@ namespace {
 
 constexpr std::uint64_t byte_bits = 8;
 
-std::uint64_t beyond(std::uint64_t needed, std::uint64_t there) { return needed > there ? needed - there : 0; }
-
-/// Bits of what the memories for a surface at hand do not hold.
-std::uint64_t spilt_bits(const isa::DivisionStep& surface, const Figures& figures) {
-  constexpr std::uint64_t most = std::uint64_t{1} << 40U;
-  return std::min(beyond(surface.halfspaces, figures.halfspaces), most) * halfspace_entry_bits(figures) +
-         std::min(beyond(surface.nodes, figures.nodes), most) * node_entry_bits;
+std::uint64_t beyond(std::uint64_t needed, std::uint64_t available) {
+  return needed > available ? needed - available : 0;
 }
 
-/// The groups that the machine's dividers make; none for one level.
-std::vector<division::Group> groups_of(const isa::Program& program, const machines::Machine& machine) {
+/// Bits that overflow the half-space and node memories of the current surface.
+std::uint64_t spilt_bits(const isa::DivisionStep& surface, const Figures& figures) {
+  constexpr std::uint64_t max_overflow = std::uint64_t{1} << 40U;
+  return std::min(beyond(surface.halfspaces, figures.halfspaces), max_overflow) * halfspace_entry_bits(figures) +
+         std::min(beyond(surface.nodes, figures.nodes), max_overflow) * node_entry_bits;
+}
+
+/// Groups formed by the machine's dividers; none with one level.
+std::vector<division::Group> divider_groups(const isa::Program& program, const machines::Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   if (figures.levels < 2) return {};
   std::vector<isa::Region> regions;
@@ -50,8 +52,8 @@ void check_storage(const isa::Program& program, const machines::Machine& machine
     kept -= std::min(kept, sizes.planes * plane_bits);
   if (kept > figures.model_bits) {
     throw InputError(
-        fmt::format("the display model has {} bits besides its planes, and the divider's memory holds {}; give "
-                    "divider.memory more, or the model fewer faces",
+        fmt::format("the display model has {} bits without its planes, but the divider's memory holds {}; increase "
+                    "divider.memory, or use a model with fewer faces",
                     kept, figures.model_bits));
   }
   for (const isa::Segment& square : program.segments) {
@@ -59,9 +61,9 @@ void check_storage(const isa::Program& program, const machines::Machine& machine
       const std::uint64_t spilt = spilt_bits(surface, figures);
       if (spilt <= figures.model_bits - kept) continue;
       throw InputError(fmt::format(
-          "the square at {},{} has {} half-spaces and {} nodes of the tree to look at for one surface: with "
-          "the model's {} bits these are more than divider.halfspaces, divider.nodes and divider.memory "
-          "hold; give them more, or the model fewer faces",
+          "the square at {},{} needs {} half-spaces and {} tree nodes for one surface; together with the model's {} "
+          "bits these exceed divider.halfspaces, divider.nodes and divider.memory; increase them, or use a model with "
+          "fewer faces",
           square.region.x, square.region.y, surface.halfspaces, surface.nodes, kept));
     }
   }
@@ -70,7 +72,7 @@ void check_storage(const isa::Program& program, const machines::Machine& machine
 void check_division(const isa::Program& program, const machines::Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   if (figures.divider != DividerKind::corners) return;
-  division::check_division(program, groups_of(program, machine), figures.list_entries);
+  division::check_division(program, divider_groups(program, machine), figures.list_entries);
 }
 
 }  // namespace csgsim::pixel_square

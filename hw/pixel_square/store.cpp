@@ -19,19 +19,19 @@ void Store::begin() {
 void Store::write(const StoredWord& word, std::uint64_t edge) {
   words_.push_back({word, edge});
   if (word.is_last) ends_.push_back(edge);
-  if (word.is_last || words_.size() == depth_) tell_after(edge);
+  if (word.is_last || words_.size() == depth_) notify_after(edge);
 }
 
-/// An earlier notification that is pending stays: who wakes with it asks again.
-void Store::tell_after(std::uint64_t edge) {
+/// An earlier pending notification is kept; the woken process checks again.
+void Store::notify_after(std::uint64_t edge) {
   ready_.notify(sc_core::sc_time::from_value((edge + 1 - this->edge()) * period_.value()));
 }
 
 const sc_core::sc_event& Store::ready() {
   if (!ends_.empty()) {
-    tell_after(ends_.front());
+    notify_after(ends_.front());
   } else if (words_.size() == depth_) {
-    tell_after(words_.back().edge);
+    notify_after(words_.back().edge);
   }
   return ready_;
 }

@@ -11,41 +11,41 @@
 
 namespace csgsim::pixel_square {
 
-/// What a divider stores of a square: its commands word by word, or that nothing is seen in it.
+/// An entry of a divider's store: one word of a square's commands, or the mark of an empty square.
 struct StoredWord {
   isa::LinkWord word;
-  bool is_clear = false;  ///< no word, but all of a square in which nothing is seen
-  bool is_last = false;   ///< of its square
+  bool is_clear = false;  ///< marks an empty square; `word` is unused
+  bool is_last = false;   ///< last entry of its square
 };
 
-/// The memory between a divider, which writes a word at an edge, and what sends the squares, which takes one. A word
-/// written at an edge can be taken at the next; a place freed at an edge can be filled at the next.
+/// The memory between a divider, which writes one word per edge, and the sender, which reads one. A word written at an
+/// edge can be read at the next; an entry freed at an edge can be filled at the next.
 class Store {
  public:
   explicit Store(const machines::Machine& machine);
 
   void begin();
 
-  // The divider's end.
+  // Interface to the divider.
   [[nodiscard]] bool has_room() const { return words_.size() + (taken_at_ == edge() ? 1U : 0U) < depth_; }
-  /// Without room at this edge, whether there is some at the next whatever happens.
-  [[nodiscard]] bool room_follows() const { return words_.size() < depth_; }
-  /// From this edge on.
+  /// Valid without room at this edge: whether room at the next edge is guaranteed.
+  [[nodiscard]] bool has_room_next() const { return words_.size() < depth_; }
+  /// Writes a word that is visible after this edge.
   void write(const StoredWord& word) { write(word, edge()); }
-  /// From a later edge on; there has to be room for it whatever happens.
+  /// Writes a word that becomes visible after the later edge `edge`; room for it must be guaranteed.
   void write(const StoredWord& word, std::uint64_t edge);
-  /// Whether there is room for so many at any edge from the next on, whatever happens.
+  /// Whether room for `words` words is guaranteed from the next edge on.
   [[nodiscard]] bool has_room_for(std::uint64_t words) const { return words_.size() + words <= depth_; }
-  /// Happens when there will be room at the next edge.
+  /// Notified when there will be room at the next edge.
   [[nodiscard]] const sc_core::sc_event& freed() const { return freed_; }
 
-  // The sender's end.
-  /// Whether a square can be begun: it is whole, or there is no room for more of it.
+  // Interface to the sender.
+  /// Whether sending of a square can begin: the square is complete, or the store is full.
   [[nodiscard]] bool may_begin() const;
-  /// Null if none has been written at an earlier edge.
+  /// Oldest word; null if none was written at an earlier edge.
   [[nodiscard]] const StoredWord* front() const;
   void take();
-  /// While no square can be begun: happens at an edge at which one may be.
+  /// Valid while no square can begin: notified at an edge at which one may be able to.
   [[nodiscard]] const sc_core::sc_event& ready();
 
   [[nodiscard]] std::uint64_t fill() const;
@@ -57,13 +57,13 @@ class Store {
   };
 
   [[nodiscard]] std::uint64_t edge() const { return systemc::edges(period_); }
-  void tell_after(std::uint64_t edge);
+  void notify_after(std::uint64_t edge);
 
   const sc_core::sc_time period_;
   const std::uint64_t depth_;
   std::deque<Written> words_;
-  std::deque<std::uint64_t> ends_;  ///< edges at which the last words of squares were written that are there
-  std::uint64_t taken_at_ = 0;      ///< edge
+  std::deque<std::uint64_t> ends_;  ///< edges at which the last words of the stored squares were written
+  std::uint64_t taken_at_ = 0;      ///< clock edge
   sc_core::sc_event freed_;
   sc_core::sc_event ready_;
 };

@@ -8,14 +8,13 @@
 
 namespace csgsim::pixel_square {
 
-/// Sends what dividers have stored, square after square, a word a clock. A square is begun when all of it is there, or
-/// no more of it fits: then the rest follows as there is room.
+/// Sends the squares that dividers have stored, one after another, a word a clock. Sending of a square begins when it
+/// is complete, or when the store is full; then its remaining words follow as they are stored.
 class StoreSender final : public Sender {
  public:
   StoreSender(sc_core::sc_module_name name, const machines::Machine& machine) : Sender(name, machine, 1) {}
 
-  /// Starts at the next edge: the squares, and of each the store that it comes from. Both have to live until the frame
-  /// is drawn.
+  /// Starts at the next edge. `stores` gives the store of each square. Squares and stores must outlive the frame.
   void begin(std::span<const isa::Region> squares, std::vector<Store*> stores);
 
  private:
@@ -30,7 +29,7 @@ class StoreSender final : public Sender {
 
   std::span<const isa::Region> squares_;
   std::vector<Store*> stores_;
-  Store* store_ = nullptr;  ///< of the square at hand
+  Store* store_ = nullptr;  ///< store of the square in progress
 };
 
 }  // namespace csgsim::pixel_square

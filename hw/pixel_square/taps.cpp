@@ -68,7 +68,7 @@ std::vector<Tap> frame_buffer_taps(const FrameBuffer& buffer, const isa::Program
           wave::number("frame_buffer.refreshed_row", 32, [&buffer] { return Number(buffer.refreshed()); })};
 }
 
-std::vector<Tap> of_whoever_shows(std::vector<std::vector<Tap>> renderers) {
+std::vector<Tap> merge_taps(std::vector<std::vector<Tap>> renderers) {
   std::vector<Tap> merged = std::move(renderers.front());
   for (std::size_t renderer = 1; renderer < renderers.size(); ++renderer) {
     for (std::size_t i = 0; i < merged.size(); ++i)

@@ -36,20 +36,20 @@ std::size_t processors_in(const Machine& machine) {
   return has_ring(figures) ? figures.processors : 0;
 }
 
-/// The machine's parts, and the order in which they act.
+/// The machine's units, stepped in the order of the agenda.
 class FrameModel {
  public:
   FrameModel(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips,
-             machines::Timeline* told)
+             machines::Timeline* timeline)
       : program_(program),
         machine_(machine),
         parts_{machines::own<Figures>(machine).renderers, dividers_in(machine), processors_in(machine)},
         agenda_(parts_.count()),
         clears_(machines::own<Figures>(machine).port_fifo_depth, parts_.sender(), parts_.frame_buffer(), agenda_),
         renderers_(renderers(program, machine, agenda_)),
-        dividers_(dividers(told)),
-        sender_(program, machine, dividers_, renderers_, clears_, agenda_, skips, told),
-        processors_(program, machine, renderers_, agenda_, skips, told),
+        dividers_(dividers(timeline)),
+        sender_(program, machine, dividers_, renderers_, clears_, agenda_, skips, timeline),
+        processors_(program, machine, renderers_, agenda_, skips, timeline),
         ring_(machine, processors_, renderers_, agenda_),
         frame_buffer_(program, machine, ports(), agenda_) {}
 
@@ -71,19 +71,20 @@ class FrameModel {
     return all;
   }
 
-  std::vector<DividerTiming> dividers(machines::Timeline* told) {
+  std::vector<DividerTiming> dividers(machines::Timeline* timeline) {
     std::vector<DividerTiming> all;
     for (std::size_t i = 0; i < parts_.dividers; ++i)
-      all.emplace_back(program_, machine_, parts_.divider(i), parts_.sender(), agenda_, told);
+      all.emplace_back(program_, machine_, parts_.divider(i), parts_.sender(), agenda_, timeline);
     if (all.empty()) return all;
-    const std::vector<std::size_t> takes = dividers_of(program_, machine_);
-    for (std::size_t square = 0; square < takes.size(); ++square) all[takes[square]].give(square);
+    const std::vector<std::size_t> divider_of_square = dividers_of(program_, machine_);
+    for (std::size_t square = 0; square < divider_of_square.size(); ++square)
+      all[divider_of_square[square]].assign(square);
     return all;
   }
 
   [[nodiscard]] bool has_processors() const { return parts_.processors > 0; }
 
-  /// Of the frame buffer.
+  /// Ports of the frame buffer.
   std::vector<Fifo<TimedPortWord>*> ports() {
     std::vector<Fifo<TimedPortWord>*> all;
     for (Fifo<TimedPortWord>& carried : ring_.carried()) all.push_back(&carried);
@@ -93,7 +94,7 @@ class FrameModel {
     return all;
   }
 
-  /// The words of the model follow each other as fast as the host can send and the FIFO take them.
+  /// The words of the model follow each other as fast as the host can send them and the FIFO can take them.
   void take_model() {
     const machines::Link& link = machine_.link;
     const std::uint64_t words = quotient_up(8 * std::uint64_t{program_.display_model.size()}, link.width);
@@ -131,7 +132,7 @@ class FrameModel {
     } else if (dividers_.empty()) {
       account.host = sender_.clocks(end);
     } else {
-      account.host = host_.whole(end);
+      account.host = host_.complete(end);
       account.sender = sender_.clocks(end);
     }
     for (DividerTiming& divider : dividers_) account.dividers.push_back(divider.clocks(end));
@@ -151,7 +152,7 @@ class FrameModel {
   Fifo<TimedPortWord> clears_;
   std::vector<RendererTiming> renderers_;
   std::vector<DividerTiming> dividers_;
-  PartClocks host_;  ///< before dividers
+  PartClocks host_;  ///< the host, with dividers in the machine
   SenderTiming sender_;
   ProcessorsTiming processors_;
   RingTiming ring_;
@@ -165,19 +166,19 @@ SquareTiming time_squares(const isa::Program& program, const Machine& machine, s
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
-                                 const machines::Told& told_by_run) const {
-  const SquareTiming timing = time_squares(program, machine, told_by_run.skips);
+                                 const machines::Told& outcomes) const {
+  const SquareTiming timing = time_squares(program, machine, outcomes.skips);
   return {.clocks = timing.clocks, .account = account(timing.account)};
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
-                                                 const machines::Told& told_by_run) const {
-  machines::Timeline told = machines::blank_timeline(program);
-  FrameModel(program, machine, told_by_run.skips, &told).run();
-  return told;
+                                                 const machines::Told& outcomes) const {
+  machines::Timeline result = machines::blank_timeline(program);
+  FrameModel(program, machine, outcomes.skips, &result).run();
+  return result;
 }
 
-/// The controller has a question until the answer is there, the pixels for one clock.
+/// A question occupies the controller until its answer arrives, but the pixels for one clock.
 std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
                                                 const Machine& machine, std::uint32_t segment, std::uint32_t /*x*/,
                                                 std::uint32_t /*y*/) const {

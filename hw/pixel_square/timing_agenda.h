@@ -13,15 +13,15 @@
 
 #include "hw/pixel_square/account.h"
 
-/// What the clocks of a frame are worked out with, from edge to edge at which something happens. Every part acts at
-/// edges, on what the edges before have left.
+/// Event-driven timing: units act only at the clock edges at which something happens, on the state that earlier edges
+/// left.
 namespace csgsim::pixel_square {
 
-/// Number of a clock edge, from 1.
+/// Number of a clock edge, counted from 1.
 using Time = std::uint64_t;
 
-/// The numbers that the parts have in the agenda. At one edge a part comes before those with higher numbers: the pixels
-/// before their decoder, which can take a word where they take a command; graphics processors come in their order. The
+/// Numbers of the units in the agenda. At one edge, units act in the order of their numbers: the pixels before their
+/// decoder, which can take a word at the edge at which they take a command; graphics processors in their order. The
 /// order of the others does not matter.
 struct PartNumbers {
   std::size_t renderers = 1;
@@ -39,15 +39,15 @@ struct PartNumbers {
   [[nodiscard]] std::size_t count() const { return processor(processors); }
 };
 
-/// Who comes after `number` of so many that take turns.
+/// Round-robin successor of `number`, modulo `count`.
 constexpr std::size_t next_in_turn(std::size_t number, std::size_t count) {
   return number + 1 == count ? 0 : number + 1;
 }
 
-/// Some of the numbers below a count.
-class Numbers {
+/// Set of numbers below a bound.
+class IndexSet {
  public:
-  explicit Numbers(std::size_t count) : words_((count + 63) / 64) {}
+  explicit IndexSet(std::size_t count) : words_((count + 63) / 64) {}
 
   [[nodiscard]] bool empty() const {
     return std::ranges::all_of(words_, [](std::uint64_t word) { return word == 0; });
@@ -55,7 +55,7 @@ class Numbers {
   void add(std::size_t number) { words_[number / 64] |= bit(number); }
   void remove(std::size_t number) { words_[number / 64] &= ~bit(number); }
 
-  /// The least, if there is any, which is no longer there then.
+  /// Removes and returns the smallest element, if any.
   std::optional<std::size_t> take() {
     for (std::size_t i = 0; i < words_.size(); ++i) {
       const std::uint64_t word = words_[i];
@@ -66,60 +66,60 @@ class Numbers {
     return std::nullopt;
   }
 
-  /// Calls `ask` with each, once around from `first` on, as long as it returns true. Only the one that is asked may
-  /// change meanwhile.
-  template <class Ask>
-  void each_from(std::size_t first, const Ask& ask) const {
+  /// Calls `visit` with each element, in cyclic order from `first` on, until it returns false. `visit` may change the
+  /// set only at the element that it was called with.
+  template <class Visit>
+  void for_each_from(std::size_t first, const Visit& visit) const {
     if (words_.empty()) return;
     const std::uint64_t before_first = bit(first) - 1;
-    if (!each_in(first / 64, ~before_first, ask)) return;
+    if (!visit_word(first / 64, ~before_first, visit)) return;
     for (std::size_t i = 1; i < words_.size(); ++i)
-      if (!each_in((first / 64 + i) % words_.size(), ~std::uint64_t{0}, ask)) return;
-    each_in(first / 64, before_first, ask);
+      if (!visit_word((first / 64 + i) % words_.size(), ~std::uint64_t{0}, visit)) return;
+    visit_word(first / 64, before_first, visit);
   }
 
  private:
   static constexpr std::uint64_t bit(std::size_t number) { return std::uint64_t{1} << number % 64; }
 
-  template <class Ask>
-  bool each_in(std::size_t word, std::uint64_t mask, const Ask& ask) const {
+  template <class Visit>
+  bool visit_word(std::size_t word, std::uint64_t mask, const Visit& visit) const {
     for (std::uint64_t left = words_[word] & mask; left != 0; left &= left - 1)
-      if (!ask(word * 64 + static_cast<std::size_t>(std::countr_zero(left)))) return false;
+      if (!visit(word * 64 + static_cast<std::size_t>(std::countr_zero(left)))) return false;
     return true;
   }
 
   std::vector<std::uint64_t> words_;
 };
 
-/// When which part acts next. A part sleeps while nothing but another part can let it go on. Most parts act again at
-/// the next edge: those of this edge and of the next are sets of bits, the others a heap.
+/// Schedule of the units' next edges. A unit sleeps while only another unit can end its stall. Most units act again at
+/// the next edge, so the units of this edge and the next are bit sets; the others are in a heap.
 class Agenda {
  public:
-  explicit Agenda(std::size_t parts) : due_(parts, never), here_(parts), next_(parts) {}
+  explicit Agenda(std::size_t parts) : due_(parts, never), this_edge_(parts), next_edge_(parts) {}
 
-  /// Whatever stood there for the part is forgotten. `when` is this edge or a later one.
+  /// Schedules the unit for `when`, this edge or a later one, and discards its previous entry.
   void put(std::size_t part, Time when) {
     due_[part] = when;
     if (when == now_) {
-      here_.add(part);
+      this_edge_.add(part);
     } else if (when == now_ + 1) {
-      next_.add(part);
+      next_edge_.add(part);
     } else {
       later_.emplace(when, part);
     }
   }
 
-  /// Has a sleeping part look again.
+  /// Schedules the unit if it sleeps.
   void wake(std::size_t part, Time when) {
     if (due_[part] == never) put(part, when);
   }
 
-  /// The part that acts next, and when.
+  /// Next unit to act, and its edge.
   std::pair<Time, std::size_t> next() {
     for (;;) {
-      const std::optional<std::size_t> part = here_.take();
+      const std::optional<std::size_t> part = this_edge_.take();
       if (!part) {
-        go_on();
+        advance();
       } else if (due_[*part] == now_) {
         due_[*part] = never;
         return {now_, *part};
@@ -130,22 +130,22 @@ class Agenda {
  private:
   static constexpr Time never = ~Time{0};
 
-  /// To the next edge at which a part acts.
-  void go_on() {
-    now_ = next_.empty() ? later_.top().first : now_ + 1;
-    std::swap(here_, next_);
-    for (; !later_.empty() && later_.top().first == now_; later_.pop()) here_.add(later_.top().second);
+  /// Advances to the next edge at which a unit acts.
+  void advance() {
+    now_ = next_edge_.empty() ? later_.top().first : now_ + 1;
+    std::swap(this_edge_, next_edge_);
+    for (; !later_.empty() && later_.top().first == now_; later_.pop()) this_edge_.add(later_.top().second);
   }
 
   using Entry = std::pair<Time, std::size_t>;
   Time now_ = 0;
-  std::vector<Time> due_;  ///< of each part, or never
-  Numbers here_;
-  Numbers next_;
+  std::vector<Time> due_;  ///< next edge of each unit; `never` while it sleeps
+  IndexSet this_edge_;
+  IndexSet next_edge_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> later_;
 };
 
-/// Between two parts: a word wakes its reader, a free place its writer.
+/// A FIFO between two units. Writing wakes its reader, and reading wakes its writer.
 template <class Word>
 class Fifo {
  public:
@@ -155,14 +155,14 @@ class Fifo {
   [[nodiscard]] bool has_word(Time now) const { return !words_.empty() && words_.front().second < now; }
   [[nodiscard]] bool has_room(Time now) const { return words_.size() + (read_ == now ? 1U : 0U) < depth_; }
 
-  /// Without a word (without room) now, there is one at the next edge.
-  [[nodiscard]] bool word_follows() const { return !words_.empty(); }
-  [[nodiscard]] bool room_follows() const { return words_.size() < depth_; }
+  /// Valid without a word (or room) at this edge: whether there is one at the next.
+  [[nodiscard]] bool has_word_next() const { return !words_.empty(); }
+  [[nodiscard]] bool has_room_next() const { return words_.size() < depth_; }
 
   [[nodiscard]] const Word& oldest() const { return words_.front().first; }
 
-  /// From now on `number` is among those as long as there is a word.
-  void show(Numbers& with_words, std::size_t number) {
+  /// Keeps `number` in the set while the FIFO is not empty.
+  void track_in(IndexSet& with_words, std::size_t number) {
     with_words_ = &with_words;
     number_ = number;
   }
@@ -188,22 +188,22 @@ class Fifo {
   std::size_t writer_;
   std::size_t reader_;
   Agenda* agenda_;
-  boost::circular_buffer<std::pair<Word, Time>> words_;  ///< with the edge at which each was written
+  boost::circular_buffer<std::pair<Word, Time>> words_;  ///< words, each with the edge at which it was written
   Time read_ = 0;                                        ///< edge of the last read
-  Numbers* with_words_ = nullptr;
+  IndexSet* with_words_ = nullptr;
   std::size_t number_ = 0;
 };
 
-/// The clocks of a part, accounted for in order.
+/// Activities of a unit, accounted for in chronological order.
 class PartClocks {
  public:
   void work(Time clocks) { add(SquareActivity::working, clocks); }
 
-  /// Did that in all clocks before `now` that have not been accounted for.
-  void wait(SquareActivity why, Time now) { add(why, now - next_); }
+  /// Accounts all clocks before `now` that are not yet accounted for to `why`.
+  void wait(SquareActivity why, Time now) { add(why, now - next_clock_); }
 
-  /// The frame's clocks, `end` the last.
-  [[nodiscard]] const SquareClocks& whole(Time end) {
+  /// Completes the account; `end` is the frame's last clock.
+  [[nodiscard]] const SquareClocks& complete(Time end) {
     wait(SquareActivity::done, end + 1);
     return clocks_;
   }
@@ -211,11 +211,11 @@ class PartClocks {
  private:
   void add(SquareActivity activity, Time clocks) {
     clocks_.add(activity, clocks);
-    next_ += clocks;
+    next_clock_ += clocks;
   }
 
   SquareClocks clocks_;
-  Time next_ = 1;
+  Time next_clock_ = 1;
 };
 
 }  // namespace csgsim::pixel_square

@@ -11,7 +11,7 @@ namespace csgsim::pixel_square {
 
 std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_t square,
                                          const machines::Machine& machine, std::span<const machines::Skip> skips,
-                                         machines::Timeline* told) {
+                                         machines::Timeline* timeline) {
   const isa::Segment& segment = program.segments[square];
   std::vector<TimedCommand> commands;
   if (segment.instructions.empty()) return commands;
@@ -20,12 +20,12 @@ std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_
   commands.push_back({.kind = CommandKind::start,
                       .words = isa::wire_words(isa::SegmentStart{segment.region}, width),
                       .clocks = std::max<std::uint64_t>(1, machine.clear_clocks),
-                      .told = told == nullptr ? nullptr : &told->cleared[square]});
+                      .span = timeline == nullptr ? nullptr : &timeline->cleared[square]});
   for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
     commands.push_back({.kind = CommandKind::instruction,
                         .words = isa::wire_words(segment.instructions[i], width),
                         .clocks = machines::clocks(segment.instructions[i], machine),
-                        .told = told == nullptr ? nullptr : &told->issued[square][i]});
+                        .span = timeline == nullptr ? nullptr : &timeline->issued[square][i]});
   }
   auto skip = std::ranges::lower_bound(skips, square, {}, &machines::Skip::segment);
   for (; skip != skips.end() && skip->segment == square; ++skip)

@@ -12,10 +12,10 @@
 
 namespace csgsim::pixel_square {
 
-/// What a renderer is told of a square: SegmentStart, its instructions, SegmentEnd; nothing without instructions.
-/// `skips`: of the run, in program order. `told`, unless null, is a blank timeline, which the renderers fill.
+/// Commands of a square for a renderer: SegmentStart, its instructions, SegmentEnd; none if it has no instructions.
+/// `skips`: skips of the run, in program order. `timeline`: null, or a blank timeline that the renderers fill.
 std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_t square,
                                          const machines::Machine& machine, std::span<const machines::Skip> skips,
-                                         machines::Timeline* told);
+                                         machines::Timeline* timeline);
 
 }  // namespace csgsim::pixel_square

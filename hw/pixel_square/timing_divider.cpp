@@ -9,41 +9,41 @@
 namespace csgsim::pixel_square {
 
 DividerTiming::DividerTiming(const isa::Program& program, const machines::Machine& machine, std::size_t part,
-                             std::size_t sender, Agenda& agenda, machines::Timeline* told)
+                             std::size_t sender, Agenda& agenda, machines::Timeline* timeline)
     : program_(program),
       machine_(machine),
       division_(program, machine),
       part_(part),
       agenda_(&agenda),
-      told_(told),
+      timeline_(timeline),
       store_(machines::own<Figures>(machine).store_words, part, sender, agenda) {}
 
 void DividerTiming::begin(Time now, std::uint64_t words) {
   clocks_.work(words);
   clocks_.wait(SquareActivity::waiting_for_host, now + 1);
-  before_ = division_.of_tree();
+  before_ = division_.tree_clocks();
   next(now);
 }
 
-/// What is stored of a square, with the tests between. A group's first square counts what the group takes.
+/// Lists the stored words of a square and the tests between them. A group's first square includes the group's tests.
 void DividerTiming::list_pieces(std::size_t square) {
   const isa::Segment& segment = program_.segments[square];
   const isa::DivisionCounts& counts = *segment.division;
   const bool is_first = counts.group_boxes > 0 || counts.group_entries > 0;
   if (is_first) {
-    before_ += division_.of_group(counts);
+    before_ += division_.group_clocks(counts);
     from_list_ = division_.is_listed(counts.group_entries);
   }
-  const std::vector<TimedCommand> commands = timed_commands(program_, square, machine_, {}, told_);
+  const std::vector<TimedCommand> commands = timed_commands(program_, square, machine_, {}, timeline_);
   const auto store = [&](const TimedCommand& command, std::uint64_t clocks) {
     pieces_.push_back({std::exchange(before_, 0) + clocks, command.words, {command, false}});
   };
   std::size_t instruction = 0;
   for (const isa::DivisionStep& step : counts.steps) {
-    before_ += division_.of_tests(step, from_list_);
+    before_ += division_.test_clocks(step, from_list_);
     for (std::uint64_t i = 0; i < step.instructions; ++i, ++instruction) {
       // The square begins in the store when its first instruction is written.
-      const std::uint64_t clocks = division_.of_instruction(segment.instructions[instruction]);
+      const std::uint64_t clocks = division_.instruction_clocks(segment.instructions[instruction]);
       if (instruction > 0) {
         store(commands[instruction + 1], clocks);
         continue;
@@ -61,12 +61,12 @@ void DividerTiming::list_pieces(std::size_t square) {
   }
 }
 
-/// After a piece that was whole at that edge.
+/// Starts the next piece after one that was complete at edge `now`.
 void DividerTiming::next(Time now) {
   if (pieces_.empty()) {
-    if (own_.empty()) return;
-    list_pieces(own_.front());
-    own_.pop_front();
+    if (assigned_.empty()) return;
+    list_pieces(assigned_.front());
+    assigned_.pop_front();
   }
   stored_ = 0;
   const Time until = pieces_.front().clocks + 1;
@@ -77,7 +77,7 @@ void DividerTiming::next(Time now) {
 void DividerTiming::act(Time now) {
   if (pieces_.empty()) return;
   if (!store_.has_room(now)) {
-    if (store_.room_follows()) agenda_->put(part_, now + 1);
+    if (store_.has_room_next()) agenda_->put(part_, now + 1);
     return;
   }
   clocks_.wait(SquareActivity::waiting_for_renderer, now + 1);

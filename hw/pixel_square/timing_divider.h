@@ -13,28 +13,28 @@
 
 namespace csgsim::pixel_square {
 
-/// A divider, as edges see it: what it tests between the words that it stores, and when there is room for these.
+/// Edge-level model of a divider: the clocks of tests between stored words, and the stalls until the store has room.
 class DividerTiming {
  public:
-  /// `told`, unless null, is a blank timeline, which the renderers fill.
+  /// `timeline`: null, or a blank timeline that the renderers fill.
   DividerTiming(const isa::Program& program, const machines::Machine& machine, std::size_t part, std::size_t sender,
-                Agenda& agenda, machines::Timeline* told);
+                Agenda& agenda, machines::Timeline* timeline);
 
   [[nodiscard]] StoreTiming& store() { return store_; }
 
-  /// One more square is its own; they come in the order of the Program.
-  void give(std::size_t square) { own_.push_back(square); }
+  /// Assigns one more square to the divider, in program order.
+  void assign(std::size_t square) { assigned_.push_back(square); }
 
-  /// The model's last word came at that edge, after so many clocks in which one came.
+  /// Starts when the model's last word has arrived at edge `now`, after `words` clocks in which a word arrived.
   void begin(Time now, std::uint64_t words);
 
-  /// What it does at an edge.
+  /// Acts at an edge.
   void act(Time now);
 
-  [[nodiscard]] const SquareClocks& clocks(Time end) { return clocks_.whole(end); }
+  [[nodiscard]] const SquareClocks& clocks(Time end) { return clocks_.complete(end); }
 
  private:
-  /// Words that are stored one after another, and the clocks of tests before the first.
+  /// Words stored without tests between them, and the clocks of tests before the first.
   struct Piece {
     std::uint64_t clocks = 0;
     std::uint64_t words = 0;
@@ -49,13 +49,13 @@ class DividerTiming {
   const DivisionClocks division_;
   const std::size_t part_;
   Agenda* agenda_;
-  machines::Timeline* told_;
+  machines::Timeline* timeline_;
   StoreTiming store_;
   PartClocks clocks_;
-  std::deque<std::size_t> own_;  ///< squares that are to be divided
-  std::deque<Piece> pieces_;     ///< of the square at hand
-  std::uint64_t stored_ = 0;     ///< words of the piece at hand
-  std::uint64_t before_ = 0;     ///< clocks of tests that come before the next piece besides its own
+  std::deque<std::size_t> assigned_;  ///< squares still to be divided
+  std::deque<Piece> pieces_;          ///< remaining pieces of the current square
+  std::uint64_t stored_ = 0;          ///< words of the current piece
+  std::uint64_t before_ = 0;          ///< clocks of tests before the next piece, in addition to its own
   bool from_list_ = false;
 };
 

@@ -21,7 +21,7 @@ namespace {
 
 const Figures& figures_of(const machines::Machine& machine) { return machines::own<Figures>(machine); }
 
-std::uint64_t beyond(std::uint64_t needed, std::uint64_t there) { return needed - std::min(needed, there); }
+std::uint64_t beyond(std::uint64_t needed, std::uint64_t available) { return needed - std::min(needed, available); }
 
 }  // namespace
 
@@ -38,35 +38,35 @@ DivisionClocks::DivisionClocks(const isa::Program& program, const machines::Mach
   halfspace_ = quotient_up(std::uint64_t{sizes.plane} + 1 + sizes.colour, port) + plane;
 }
 
-std::uint64_t DivisionClocks::of_tree() const { return nodes_ * figures_of(machine_).node_clocks; }
+std::uint64_t DivisionClocks::tree_clocks() const { return nodes_ * figures_of(machine_).node_clocks; }
 
-/// A list takes the longer of reading and testing for each half-space, and once the shorter.
-std::uint64_t DivisionClocks::of_lists(std::uint64_t lists, std::uint64_t halfspaces, std::uint64_t read) const {
+/// Reading and testing overlap: each half-space takes the longer of both, and each list the shorter once.
+std::uint64_t DivisionClocks::list_clocks(std::uint64_t lists, std::uint64_t halfspaces, std::uint64_t read) const {
   const std::uint64_t test = figures_of(machine_).halfspace_clocks;
   return halfspaces * std::max(read, test) + lists * std::min(read, test);
 }
 
-std::uint64_t DivisionClocks::of_group(const isa::DivisionCounts& first) const {
+std::uint64_t DivisionClocks::group_clocks(const isa::DivisionCounts& first) const {
   const Figures& figures = figures_of(machine_);
   const std::uint64_t again = std::max(halfspace_, std::uint64_t{figures.halfspace_clocks});
   return first.group_boxes * (primitive_ + figures.box_clocks) +
-         of_lists(first.group_lists, first.group_halfspaces, halfspace_) +
+         list_clocks(first.group_lists, first.group_halfspaces, halfspace_) +
          first.group_cells * (figures.cell_clocks + again) +
          std::min<std::uint64_t>(first.group_entries, figures.list_entries);
 }
 
-std::uint64_t DivisionClocks::of_tests(const isa::DivisionStep& step, bool from_list) const {
+std::uint64_t DivisionClocks::test_clocks(const isa::DivisionStep& step, bool from_list) const {
   const Figures& figures = figures_of(machine_);
   const std::uint64_t number = from_list ? 1 : 0;
   const std::uint64_t spilt = beyond(step.halfspaces, figures.halfspaces);
   const std::uint64_t cell = figures.cell_clocks + (spilt > 0 ? spilt_halfspace_clocks(figures) : 0);
   return step.boxes * (primitive_ + number + figures.box_clocks) +
-         of_lists(step.lists, step.halfspaces, halfspace_ + number) + spilt * spilt_halfspace_clocks(figures) +
+         list_clocks(step.lists, step.halfspaces, halfspace_ + number) + spilt * spilt_halfspace_clocks(figures) +
          step.cells * cell + step.nodes * figures.node_clocks +
          beyond(step.nodes, figures.nodes) * spilt_node_clocks(figures);
 }
 
-std::uint64_t DivisionClocks::of_instruction(const isa::Instruction& instruction) const {
+std::uint64_t DivisionClocks::instruction_clocks(const isa::Instruction& instruction) const {
   const bool is_linear = isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear);
   return is_linear ? figures_of(machine_).linear_clocks : 0;
 }
@@ -93,28 +93,28 @@ std::vector<std::size_t> dividers_of(const isa::Program& program, const machines
 }
 
 void check_countable(const isa::Program& program, const machines::Machine& machine) {
-  constexpr std::uint64_t most_tests = std::uint64_t{1} << 36U;
-  constexpr std::uint64_t most_clocks = std::uint64_t{1} << 60U;
+  constexpr std::uint64_t max_tests = std::uint64_t{1} << 36U;
+  constexpr std::uint64_t max_clocks = std::uint64_t{1} << 60U;
   const DivisionClocks clocks(program, machine);
-  const auto refuse = [&] {
+  const auto reject = [&] {
     throw InputError(
-        fmt::format("the divider would test for more than {} clocks; give it a smaller model, or {} "
-                    "fewer clocks a test",
-                    most_clocks, machine.name));
+        fmt::format("the divider would test for more than {} clocks; use a smaller model, or reduce the clocks "
+                    "per test of {}",
+                    max_clocks, machine.name));
   };
-  const auto require_few = [&](std::initializer_list<std::uint64_t> counts) {
-    if (std::ranges::any_of(counts, [](std::uint64_t count) { return count > most_tests; })) refuse();
+  const auto require_countable = [&](std::initializer_list<std::uint64_t> counts) {
+    if (std::ranges::any_of(counts, [](std::uint64_t count) { return count > max_tests; })) reject();
   };
-  double all = static_cast<double>(clocks.of_tree());
+  double all = static_cast<double>(clocks.tree_clocks());
   for (const isa::Segment& segment : program.segments) {
     const isa::DivisionCounts& own = *segment.division;
-    require_few({own.group_boxes, own.group_lists, own.group_halfspaces, own.group_cells});
-    all += static_cast<double>(clocks.of_group(own));
+    require_countable({own.group_boxes, own.group_lists, own.group_halfspaces, own.group_cells});
+    all += static_cast<double>(clocks.group_clocks(own));
     for (const isa::DivisionStep& step : own.steps) {
-      require_few({step.boxes, step.lists, step.halfspaces, step.cells, step.nodes});
-      all += static_cast<double>(clocks.of_tests(step, true));
+      require_countable({step.boxes, step.lists, step.halfspaces, step.cells, step.nodes});
+      all += static_cast<double>(clocks.test_clocks(step, true));
     }
-    if (all > static_cast<double>(most_clocks)) refuse();
+    if (all > static_cast<double>(max_clocks)) reject();
   }
 }
 

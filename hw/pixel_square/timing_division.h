@@ -9,36 +9,36 @@
 
 namespace csgsim::pixel_square {
 
-/// What the tests and readings of a divider take, worked out from their numbers and the widths of a model's records.
+/// Clocks of a divider's tests and reads, computed from their numbers and from the widths of the model's records.
 class DivisionClocks {
  public:
   DivisionClocks(const isa::Program& program, const machines::Machine& machine);
 
-  /// Between the model's last word and the first square.
-  [[nodiscard]] std::uint64_t of_tree() const;
-  /// Of the first level, before a group's first square, which counts it.
-  [[nodiscard]] std::uint64_t of_group(const isa::DivisionCounts& first) const;
-  /// Of the tests for a surface. `from_list`: of a square of a group whose list holds what it leaves.
-  [[nodiscard]] std::uint64_t of_tests(const isa::DivisionStep& step, bool from_list) const;
-  /// Of an instruction before its first word.
-  [[nodiscard]] std::uint64_t of_instruction(const isa::Instruction& instruction) const;
-  /// Whether a group of two levels that leaves so many entries is divided from its list.
+  /// Clocks between the model's last word and the first square.
+  [[nodiscard]] std::uint64_t tree_clocks() const;
+  /// Clocks of the first level, spent before a group's first square, which records the counts.
+  [[nodiscard]] std::uint64_t group_clocks(const isa::DivisionCounts& first) const;
+  /// Clocks of the tests for a surface. `from_list`: the square is divided from its group's list.
+  [[nodiscard]] std::uint64_t test_clocks(const isa::DivisionStep& step, bool from_list) const;
+  /// Clocks of an instruction before its first word.
+  [[nodiscard]] std::uint64_t instruction_clocks(const isa::Instruction& instruction) const;
+  /// Whether a group that leaves `entries` survivors is divided from its list.
   [[nodiscard]] bool is_listed(std::uint64_t entries) const;
 
  private:
-  [[nodiscard]] std::uint64_t of_lists(std::uint64_t lists, std::uint64_t halfspaces, std::uint64_t read) const;
+  [[nodiscard]] std::uint64_t list_clocks(std::uint64_t lists, std::uint64_t halfspaces, std::uint64_t read) const;
 
   const machines::Machine& machine_;
   std::uint64_t nodes_ = 0;
   // Clocks to read a record.
   std::uint64_t primitive_ = 0;
-  std::uint64_t halfspace_ = 0;  ///< with its plane
+  std::uint64_t halfspace_ = 0;  ///< including its plane
 };
 
-/// Which divider divides each square: groups, or at one level squares, in turn.
+/// Divider of each square: groups, or single squares at one level, are assigned round-robin.
 std::vector<std::size_t> dividers_of(const isa::Program& program, const machines::Machine& machine);
 
-/// Throws InputError where a frame's tests would take more clocks than are counted.
+/// Throws InputError if a frame's tests would exceed the range of the clock counter.
 void check_countable(const isa::Program& program, const machines::Machine& machine);
 
 }  // namespace csgsim::pixel_square

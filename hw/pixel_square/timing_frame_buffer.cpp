@@ -16,9 +16,9 @@ FrameBufferTiming::FrameBufferTiming(const isa::Program& program, const machines
       ports_(std::move(ports)),
       agenda_(agenda),
       screen_(program, machine),
-      giving_(ports_.size()),
+      ready_ports_(ports_.size()),
       clears_(ports_.size() - renderers_) {
-  for (std::size_t i = 0; i < ports_.size(); ++i) ports_[i]->show(giving_, i);
+  for (std::size_t i = 0; i < ports_.size(); ++i) ports_[i]->track_in(ready_ports_, i);
 }
 
 void FrameBufferTiming::store(Time now) {
@@ -28,15 +28,15 @@ void FrameBufferTiming::store(Time now) {
   if (shown) taken_.push_back(*shown);
   const std::size_t turns = banks_ - taken_.size();
   std::size_t served = 0;
-  bool word_follows = false;
-  giving_.each_from(turn_, [&](std::size_t port) {
+  bool has_word_next = false;
+  ready_ports_.for_each_from(turn_, [&](std::size_t port) {
     const std::optional<TimedPortWord> word = waiting(port, now);
     if (word && served < turns && take_bank(*word)) {
       take(port, *word, now);
       ++served;
       turn_ = next_in_turn(port, ports);
     }
-    word_follows = word_follows || word || ports_[port]->word_follows();
+    has_word_next = has_word_next || word || ports_[port]->has_word_next();
     return true;
   });
   if (served > 0) {
@@ -44,10 +44,10 @@ void FrameBufferTiming::store(Time now) {
     clocks_.work(1);
     if (shown) ++shared_;
   }
-  if (served > 0 || word_follows) agenda_.put(PartNumbers{renderers_}.frame_buffer(), now + 1);
+  if (served > 0 || has_word_next) agenda_.put(PartNumbers{renderers_}.frame_buffer(), now + 1);
 }
 
-/// The word that a port could get rid of.
+/// The word that a port could deliver at this edge.
 std::optional<TimedPortWord> FrameBufferTiming::waiting(std::size_t port, Time now) {
   if (clears_now(port)) {
     const LeavingSquare& clear = clears_[port - renderers_];
@@ -57,7 +57,7 @@ std::optional<TimedPortWord> FrameBufferTiming::waiting(std::size_t port, Time n
   return ports_[port]->oldest();
 }
 
-/// False if its bank is taken already.
+/// Returns false if the word's bank is already claimed.
 bool FrameBufferTiming::take_bank(const TimedPortWord& word) {
   if (!word.row) return true;
   const std::uint32_t bank = *word.row % banks_;
@@ -73,11 +73,11 @@ void FrameBufferTiming::take(std::size_t port, const TimedPortWord& word, Time n
     ports_[port]->read(now);
     if (port >= renderers_ && word.last) clears_[port - renderers_] = background_of(word.cleared);
   }
-  has_something(port) ? giving_.add(port) : giving_.remove(port);
+  has_pending(port) ? ready_ports_.add(port) : ready_ports_.remove(port);
   if (word.last && !clears_now(port) && ++stored_ == program_.segments.size()) end_ = now;
 }
 
-/// The words that clear it.
+/// Words that clear the square.
 LeavingSquare FrameBufferTiming::background_of(std::size_t square) const {
   LeavingSquare words(program_.segments[square].region, isa::frame_header(program_).colour.width,
                       colour_word_bits(machines::own<Figures>(machine_)));
@@ -86,7 +86,7 @@ LeavingSquare FrameBufferTiming::background_of(std::size_t square) const {
 }
 
 SquareClocks FrameBufferTiming::clocks(Time end) {
-  SquareClocks clocks = clocks_.whole(end);
+  SquareClocks clocks = clocks_.complete(end);
   const std::uint64_t alone = screen_.clocks_until(end) - shared_;
   clocks.add(SquareActivity::refreshing, alone);
   clocks.clocks[static_cast<std::size_t>(SquareActivity::waiting_for_renderer)] -= alone;

@@ -45,12 +45,12 @@ void LeavingSquare::skip_header() {
   header_words_ = 0;
 }
 
-Time RowLatch::there(std::uint32_t row) {
+Time RowLatch::transfer_edge(std::uint32_t row) {
   for (; rows_ <= row; ++rows_) {
-    over_ = std::max(latched_, wanted_);
-    latched_ = over_ + clocks_;
+    transferred_ = std::max(latched_, needed_);
+    latched_ = transferred_ + clocks_;
   }
-  return over_;
+  return transferred_;
 }
 
 }  // namespace csgsim::pixel_square

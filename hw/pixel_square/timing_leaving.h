@@ -8,10 +8,10 @@
 
 namespace csgsim::pixel_square {
 
-/// Words in which a square's place leaves for the frame buffer.
+/// Number of words of a square's header.
 std::uint64_t header_words(std::uint64_t port_bits);
 
-/// The words in which a square leaves for the frame buffer: those of its header, and those of its colours.
+/// The words in which a square leaves for the frame buffer: first its header, then its colours.
 class LeavingSquare {
  public:
   LeavingSquare() = default;
@@ -19,53 +19,54 @@ class LeavingSquare {
 
   [[nodiscard]] std::uint64_t words_left() const { return words_; }
 
-  /// Of the next word, rows of the square; nothing for a word of the header.
+  /// First and last row of the square in the next word; empty for a header word.
   struct Rows {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
   };
   [[nodiscard]] std::optional<Rows> rows() const;
 
-  /// The picture's row in which the next word begins; nothing for one of the header.
+  /// Row of the picture in which the next word begins; empty for a header word.
   [[nodiscard]] std::optional<std::uint32_t> picture_row() const;
 
-  /// It leaves.
+  /// Advances past the word that has left.
   void advance();
 
-  /// No word of the header leaves.
+  /// Drops the words of the header.
   void skip_header();
 
  private:
-  std::uint32_t top_ = 0;  ///< row of the picture
+  std::uint32_t top_ = 0;  ///< picture row of the square's first row
   std::uint64_t port_bits_ = 1;
   std::uint64_t row_bits_ = 1;
-  std::uint64_t header_words_ = 0;  ///< still to leave
-  std::uint64_t words_ = 0;         ///< still to leave, with those
-  std::uint64_t bits_ = 0;          ///< of colours, still to leave
-  std::uint32_t row_ = 0;           ///< in which the next word of colours begins
-  std::uint64_t at_ = 0;            ///< and at which bit of it
+  std::uint64_t header_words_ = 0;  ///< header words still to leave
+  std::uint64_t words_ = 0;         ///< words still to leave, including the header's
+  std::uint64_t bits_ = 0;          ///< colour bits still to leave
+  std::uint32_t row_ = 0;           ///< row in which the next word of colours begins
+  std::uint64_t at_ = 0;            ///< first bit of that word within the row
 };
 
-/// When the rows of a square in one buffer are where words are made of them. The first is latched from the edge after
-/// the one at which the square begins to leave; each other from that at which the row before it goes over into the
-/// register from which words leave. It does so when it is latched and the next word of colours cannot be made without.
+/// Edges at which rows of a square in a single buffer are available for sending. Latching of the first row starts at
+/// the edge after the square begins to leave; latching of each other row starts when the previous row is transferred to
+/// the output register. A row is transferred once it is latched and the next word of colours needs it.
 class RowLatch {
  public:
-  /// `clocks`: in which a row is latched.
-  RowLatch(std::uint64_t clocks, Time begun) : clocks_(clocks), latched_(begun + 1 + clocks), wanted_(begun + 1) {}
+  /// `clocks`: clocks to latch a row.
+  RowLatch(std::uint64_t clocks, Time start_clock)
+      : clocks_(clocks), latched_(start_clock + 1 + clocks), needed_(start_clock + 1) {}
 
-  /// The edge at which the row goes over, of which the next word of colours needs something.
-  [[nodiscard]] Time there(std::uint32_t row);
+  /// Edge at which `row`, part of the next word of colours, is transferred.
+  [[nodiscard]] Time transfer_edge(std::uint32_t row);
 
-  /// A word of colours leaves.
-  void pass(Time now) { wanted_ = now + 1; }
+  /// Records that a word of colours leaves at edge `now`.
+  void record_word(Time now) { needed_ = now + 1; }
 
  private:
   std::uint64_t clocks_;
-  Time latched_;            ///< from that edge on the next row can go over
-  Time wanted_;             ///< from that edge on the next word of colours is made
-  Time over_ = 0;           ///< edge at which the last did
-  std::uint32_t rows_ = 0;  ///< that have
+  Time latched_;            ///< edge from which the next row can be transferred
+  Time needed_;             ///< edge from which the next word of colours is formed
+  Time transferred_ = 0;    ///< edge of the last transfer
+  std::uint32_t rows_ = 0;  ///< rows transferred
 };
 
 }  // namespace csgsim::pixel_square

@@ -7,14 +7,14 @@ namespace csgsim::pixel_square {
 
 ProcessorsTiming::ProcessorsTiming(const isa::Program& program, const machines::Machine& machine,
                                    std::vector<RendererTiming>& renderers, Agenda& agenda,
-                                   std::span<const machines::Skip> skips, machines::Timeline* told)
+                                   std::span<const machines::Skip> skips, machines::Timeline* timeline)
     : program_(program),
       machine_(machine),
       renderers_(renderers),
       agenda_(agenda),
       skips_(skips),
-      told_(told),
-      keeps_(renderers.size()) {
+      timeline_(timeline),
+      reservations_(renderers.size()) {
   const Figures& figures = machines::own<Figures>(machine);
   if (!has_ring(figures)) return;
   const PartNumbers parts{.renderers = renderers.size(), .processors = figures.processors};
@@ -31,12 +31,12 @@ void ProcessorsTiming::begin() {
 void ProcessorsTiming::act(std::size_t number, Time now) {
   Processor& processor = processors_[number];
   if (processor.all_sent) return;
-  processor.clocks.wait(processor.waits, now);
+  processor.clocks.wait(processor.activity, now);
   if (!processor.square && !take_square(processor)) return sleep(processor, SquareActivity::done);
-  if (!processor.commands.empty() && !processor.renderer && !ask_for_renderer(processor, now))
+  if (!processor.commands.empty() && !processor.renderer && !request_renderer(processor, now))
     return sleep(processor, SquareActivity::waiting_for_renderer);
   if (!processor.words.has_room(now)) {
-    if (processor.words.room_follows()) agenda_.put(processor.part, now + 1);
+    if (processor.words.has_room_next()) agenda_.put(processor.part, now + 1);
     return sleep(processor, SquareActivity::waiting_for_ring);
   }
   send(processor, now);
@@ -45,26 +45,26 @@ void ProcessorsTiming::act(std::size_t number, Time now) {
 bool ProcessorsTiming::take_square(Processor& processor) {
   if (next_ == program_.segments.size()) return false;
   processor.square = next_++;
-  processor.commands = timed_commands(program_, *processor.square, machine_, skips_, told_);
+  processor.commands = timed_commands(program_, *processor.square, machine_, skips_, timeline_);
   processor.command = 0;
   processor.sent = 0;
   return true;
 }
 
-bool ProcessorsTiming::ask_for_renderer(Processor& processor, Time now) {
+bool ProcessorsTiming::request_renderer(Processor& processor, Time now) {
   std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < keeps_.size(); ++i) {
-    if (keeps_[i].kept) continue;
-    if (keeps_[i].free_from > now) {
-      agenda_.put(processor.part, keeps_[i].free_from);
+  for (std::size_t i = 0; i < reservations_.size(); ++i) {
+    if (reservations_[i].reserved) continue;
+    if (reservations_[i].free_from > now) {
+      agenda_.put(processor.part, reservations_[i].free_from);
       continue;
     }
     if (!best || renderers_[i].unfinished(now) < renderers_[*best].unfinished(now)) best = i;
   }
   if (!best) return false;
   processor.renderer = best;
-  keeps_[*best].kept = true;
-  renderers_[*best].hand();
+  reservations_[*best].reserved = true;
+  renderers_[*best].assign();
   return true;
 }
 
@@ -74,7 +74,7 @@ void ProcessorsTiming::send(Processor& processor, Time now) {
   if (word.ends && !word.renderer) ++skipped_;
   processor.words.write(now, word);
   processor.clocks.work(1);
-  processor.waits = SquareActivity::waiting_for_ring;
+  processor.activity = SquareActivity::waiting_for_ring;
   if (!processor.all_sent) agenda_.put(processor.part, now + 1);
 }
 
@@ -97,13 +97,13 @@ TimedRingWord ProcessorsTiming::next_word(Processor& processor) {
 void ProcessorsTiming::leave(std::size_t number, Time now) {
   Processor& processor = processors_[number];
   processor.clocks.wait(SquareActivity::waiting_for_ring, now + 1);
-  if (processor.renderer) keeps_[*processor.renderer] = {.kept = false, .free_from = now + 1};
+  if (processor.renderer) reservations_[*processor.renderer] = {.reserved = false, .free_from = now + 1};
   processor.renderer.reset();
   processor.square.reset();
   processor.all_sent = false;
   agenda_.put(processor.part, now + 1);
   for (const Processor& other : processors_)
-    if (other.waits == SquareActivity::waiting_for_renderer) agenda_.wake(other.part, now + 1);
+    if (other.activity == SquareActivity::waiting_for_renderer) agenda_.wake(other.part, now + 1);
 }
 
 }  // namespace csgsim::pixel_square

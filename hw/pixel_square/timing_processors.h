@@ -15,38 +15,38 @@
 
 namespace csgsim::pixel_square {
 
-/// What a graphics processor puts on the ring.
+/// A word that a graphics processor puts on the ring.
 struct TimedRingWord {
-  std::optional<std::size_t> renderer;  ///< none: the frame buffer
+  std::optional<std::size_t> renderer;  ///< destination; none: the frame buffer
   TimedLinkWord command;
   TimedPortWord header;
-  bool ends = false;  ///< the last of its square
+  bool ends = false;  ///< last word of its square
 };
 
-/// The graphics processors, as edges see them.
+/// Edge-level model of the graphics processors.
 class ProcessorsTiming {
  public:
-  /// `skips`: of the run, in program order. `told`, unless null, is a blank timeline, which the renderers fill.
+  /// `skips`: skips of the run, in program order. `timeline`: null, or a blank timeline that the renderers fill.
   ProcessorsTiming(const isa::Program& program, const machines::Machine& machine,
                    std::vector<RendererTiming>& renderers, Agenda& agenda, std::span<const machines::Skip> skips,
-                   machines::Timeline* told);
+                   machines::Timeline* timeline);
 
-  /// The frame begins.
+  /// Begins the frame.
   void begin();
 
-  /// What one of them does at an edge.
+  /// One processor acts at an edge.
   void act(std::size_t number, Time now);
 
-  /// The ring has taken the last word of its square: the renderer and the processor are free from the next edge on.
+  /// The ring has taken the last word of the processor's square: renderer and processor are free from the next edge on.
   void leave(std::size_t number, Time now);
 
-  /// What waits for the ring.
+  /// Words that wait for the ring.
   [[nodiscard]] Fifo<TimedRingWord>& words(std::size_t number) { return processors_[number].words; }
 
   [[nodiscard]] std::size_t count() const { return processors_.size(); }
   [[nodiscard]] std::uint64_t skipped() const { return skipped_; }
   [[nodiscard]] const SquareClocks& clocks(std::size_t number, Time end) {
-    return processors_[number].clocks.whole(end);
+    return processors_[number].clocks.complete(end);
   }
 
  private:
@@ -54,35 +54,35 @@ class ProcessorsTiming {
     std::size_t part;
     Fifo<TimedRingWord> words;
     PartClocks clocks{};
-    SquareActivity waits = SquareActivity::waiting_for_host;  ///< in clocks that have not been accounted for
+    SquareActivity activity = SquareActivity::waiting_for_host;  ///< activity in the clocks not yet accounted for
     std::optional<std::size_t> square{};
     std::vector<TimedCommand> commands{};
-    std::size_t command = 0;  ///< of these, at hand
-    std::uint64_t sent = 0;   ///< words of it, or of the header
-    bool all_sent = false;    ///< but some wait for the ring
+    std::size_t command = 0;  ///< index of the current command
+    std::uint64_t sent = 0;   ///< words sent of that command, or of the header
+    bool all_sent = false;    ///< all words are sent, but some still wait for the ring
     std::optional<std::size_t> renderer{};
   };
-  /// Whether somebody keeps a renderer, and from which edge on nobody does.
-  struct Keep {
-    bool kept = false;
+  /// Whether a processor keeps the renderer, and the edge from which it is available after its release.
+  struct Reservation {
+    bool reserved = false;
     Time free_from = 0;
   };
 
   bool take_square(Processor& processor);
-  bool ask_for_renderer(Processor& processor, Time now);
+  bool request_renderer(Processor& processor, Time now);
   void send(Processor& processor, Time now);
   [[nodiscard]] TimedRingWord next_word(Processor& processor);
-  void sleep(Processor& processor, SquareActivity why) { processor.waits = why; }
+  void sleep(Processor& processor, SquareActivity why) { processor.activity = why; }
 
   const isa::Program& program_;
   const machines::Machine& machine_;
   std::vector<RendererTiming>& renderers_;
   Agenda& agenda_;
   std::span<const machines::Skip> skips_;
-  machines::Timeline* told_;
+  machines::Timeline* timeline_;
   std::vector<Processor> processors_;
-  std::vector<Keep> keeps_;  ///< of the renderers
-  std::size_t next_ = 0;     ///< square that nobody has taken
+  std::vector<Reservation> reservations_;  ///< one per renderer
+  std::size_t next_ = 0;                   ///< first square that no processor has taken
   std::uint64_t skipped_ = 0;
 };
 

@@ -11,19 +11,19 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// What the pixels begin with at the first edge after the frame was asked for, where clock 0 of a timeline begins, they
-/// are accounted for from this time on.
+/// Clock 0 of a timeline begins at the first edge after the frame is requested. A command that the pixels take at that
+/// edge is accounted for from edge 2 on.
 constexpr Time first_edge = 2;
 
 PartNumbers numbers(const machines::Machine& machine) { return {machines::own<Figures>(machine).renderers}; }
 
-/// What brings commands.
-std::size_t before(const machines::Machine& machine) {
+/// Unit that delivers commands.
+std::size_t command_source(const machines::Machine& machine) {
   return has_ring(machines::own<Figures>(machine)) ? numbers(machine).ring() : numbers(machine).sender();
 }
 
-/// What takes colours.
-std::size_t behind(const machines::Machine& machine) {
+/// Unit that receives colours.
+std::size_t colour_sink(const machines::Machine& machine) {
   return has_ring(machines::own<Figures>(machine)) ? numbers(machine).ring() : numbers(machine).frame_buffer();
 }
 
@@ -32,7 +32,7 @@ Time latch_clocks(const Figures& figures, std::uint32_t colour_bits) {
   return latches ? quotient_up(colour_bits, figures.latch_bits) : 0;
 }
 
-/// From the pixels to where a finished square waits.
+/// Clocks to move a finished square from the pixels to its buffer.
 Time move_clocks(const machines::Machine& machine, std::uint32_t colour_bits) {
   const Figures& figures = machines::own<Figures>(machine);
   if (figures.backing_bits != no_backing) {
@@ -56,13 +56,13 @@ RendererTiming::RendererTiming(const machines::Machine& machine, std::uint32_t c
       port_bits_(colour_word_bits(machines::own<Figures>(machine))),
       move_clocks_(move_clocks(machine, colour_bits)),
       latch_clocks_(latch_clocks(machines::own<Figures>(machine), colour_bits)),
-      link_(machine.link.fifo_depth, before(machine), decoder_, agenda),
-      colours_(machines::own<Figures>(machine).port_fifo_depth, output_, behind(machine), agenda) {}
+      link_(machine.link.fifo_depth, command_source(machine), decoder_, agenda),
+      colours_(machines::own<Figures>(machine).port_fifo_depth, output_, colour_sink(machine), agenda) {}
 
 void RendererTiming::decode(Time now) {
   if (command_) return;
   if (!link_.has_word(now)) {
-    if (link_.word_follows()) agenda_->put(decoder_, now + 1);
+    if (link_.has_word_next()) agenda_->put(decoder_, now + 1);
     return;
   }
   command_ = link_.read(now).whole;
@@ -79,13 +79,13 @@ void RendererTiming::draw(Time now) {
     return agenda_->wake(decoder_, now);
   }
   clocks_.wait(SquareActivity::waiting_for_divider, now);
-  obey(*std::exchange(command_, std::nullopt), now);
+  execute(*std::exchange(command_, std::nullopt), now);
 }
 
-void RendererTiming::obey(const TimedCommand& command, Time now) {
+void RendererTiming::execute(const TimedCommand& command, Time now) {
   agenda_->wake(decoder_, now);
   clocks_.work(command.clocks);
-  if (command.told != nullptr) *command.told = {now - first_edge, now - first_edge + command.clocks};
+  if (command.span != nullptr) *command.span = {now - first_edge, now - first_edge + command.clocks};
   skips_left_ = command.skips;
   if (command.kind == CommandKind::end) {
     drawn_ = LeavingSquare(*command.region, colour_bits_, port_bits_);
@@ -94,7 +94,7 @@ void RendererTiming::obey(const TimedCommand& command, Time now) {
   agenda_->put(pixels_, now + command.clocks);
 }
 
-/// A drawn square leaves the pixels when there is room for it, which one that has left at an earlier edge makes.
+/// A drawn square leaves the pixels when the buffer has room; a square that left at an earlier edge frees an entry.
 void RendererTiming::move_out(Time now) {
   const std::uint64_t room = std::max<std::uint64_t>(waiting_, 1);
   if (squares_.size() >= room) return;
@@ -133,15 +133,15 @@ void RendererTiming::leave(Time now) {
   LeavingSquare& square = squares_.front();
   const std::optional<LeavingSquare::Rows> rows = latch_ ? square.rows() : std::nullopt;
   if (rows) {
-    const Time there = latch_->there(rows->last);
-    if (there > now) return agenda_->put(output_, there);
+    const Time edge = latch_->transfer_edge(rows->last);
+    if (edge > now) return agenda_->put(output_, edge);
   }
   if (!colours_.has_room(now)) {
-    if (colours_.room_follows()) agenda_->put(output_, now + 1);
+    if (colours_.has_room_next()) agenda_->put(output_, now + 1);
     return;
   }
   colours_.write(now, {.last = square.words_left() == 1, .row = square.picture_row()});
-  if (rows) latch_->pass(now);
+  if (rows) latch_->record_word(now);
   square.advance();
   if (square.words_left() > 0) return agenda_->put(output_, now + 1);
   squares_.pop_front();

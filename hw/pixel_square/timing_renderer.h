@@ -13,28 +13,28 @@ namespace csgsim::pixel_square {
 
 enum class CommandKind : std::uint8_t { start, instruction, end };
 
-/// What a renderer is told.
+/// A command as a renderer receives it.
 struct TimedCommand {
   CommandKind kind = CommandKind::start;
-  std::uint64_t words = 0;              ///< on the link
-  std::uint64_t clocks = 0;             ///< of the pixels' controller
-  const isa::Region* region = nullptr;  ///< with the end: of the square
-  std::uint64_t skips = 0;              ///< instructions after it that are not carried out
-  machines::ClockSpan* told = nullptr;  ///< unless null, becomes the clocks of the frame that these are
+  std::uint64_t words = 0;              ///< number of link words
+  std::uint64_t clocks = 0;             ///< clocks of the pixels' controller
+  const isa::Region* region = nullptr;  ///< region of the square; set in the end command
+  std::uint64_t skips = 0;              ///< number of following instructions that are skipped
+  machines::ClockSpan* span = nullptr;  ///< null, or receives the clocks of the frame that the command occupies
 };
 
-/// Some bits of a command; the last bring the whole of it.
+/// Part of a command; the last part carries the whole command.
 struct TimedLinkWord {
   std::optional<TimedCommand> whole;
 };
 
 struct TimedPortWord {
-  bool last = false;                 ///< of the square, or of the header of one to clear
-  std::optional<std::uint32_t> row;  ///< of the picture, in which it begins; none for a word of a header
-  std::size_t cleared = 0;           ///< with the last of such a header: the number of the square
+  bool last = false;                 ///< last word of the square, or of the header of a square to clear
+  std::optional<std::uint32_t> row;  ///< row of the picture in which the word begins; none for a header word
+  std::size_t cleared = 0;           ///< number of the square; set in the last word of the header of a square to clear
 };
 
-/// A renderer, as edges see it: the decoder of its commands, its pixels, and what their squares leave through.
+/// Edge-level model of a renderer: its command decoder, its pixels, and its output.
 class RendererTiming {
  public:
   RendererTiming(const machines::Machine& machine, std::uint32_t colour_bits, std::size_t renderer, Agenda& agenda);
@@ -42,51 +42,53 @@ class RendererTiming {
   [[nodiscard]] Fifo<TimedLinkWord>& link() { return link_; }
   [[nodiscard]] Fifo<TimedPortWord>& colours() { return colours_; }
 
-  // What its three parts do at an edge.
+  // Each of the three units acts at an edge.
   void decode(Time now);
   void draw(Time now);
   void leave(Time now);
 
-  /// It gets one more square.
-  void hand() { ++handed_; }
+  /// Assigns one more square to the renderer.
+  void assign() { ++assigned_; }
 
-  /// Squares that it has got and, as can be told at that edge, not finished.
-  [[nodiscard]] std::uint64_t unfinished(Time now) const { return handed_ - finished_ + (finished_at_ == now ? 1 : 0); }
+  /// Assigned squares that, as visible at that edge, are not finished.
+  [[nodiscard]] std::uint64_t unfinished(Time now) const {
+    return assigned_ - finished_ + (finished_at_ == now ? 1 : 0);
+  }
 
   [[nodiscard]] std::uint64_t finished() const { return finished_; }
-  [[nodiscard]] const SquareClocks& clocks(Time end) { return clocks_.whole(end); }
+  [[nodiscard]] const SquareClocks& clocks(Time end) { return clocks_.complete(end); }
 
  private:
-  void obey(const TimedCommand& command, Time now);
+  void execute(const TimedCommand& command, Time now);
   void move_out(Time now);
   void finish(Time now);
 
   Agenda* agenda_;
-  std::size_t pixels_;   ///< part
-  std::size_t decoder_;  ///< part
-  std::size_t output_;   ///< part
-  std::uint64_t
-      waiting_;   ///< finished squares that may wait beside the one that is drawn; 0: they leave from the pixels
-  Time latency_;  ///< from the controller to the pixels
+  std::size_t pixels_;     ///< unit number
+  std::size_t decoder_;    ///< unit number
+  std::size_t output_;     ///< unit number
+  std::uint64_t waiting_;  ///< finished squares that can wait in addition to the one being drawn; 0: squares leave from
+                           ///< the pixels
+  Time latency_;           ///< clocks from the controller to the pixels
   std::uint32_t colour_bits_;
   std::uint64_t port_bits_;
-  Time move_clocks_;   ///< to the second buffer
-  Time latch_clocks_;  ///< of a row, with one buffer; 0: nothing is latched
+  Time move_clocks_;   ///< clocks to move a square to the second buffer or the backing store
+  Time latch_clocks_;  ///< clocks to latch a row, with one buffer; 0: nothing is latched
 
   Fifo<TimedLinkWord> link_;
   Fifo<TimedPortWord> colours_;
-  PartClocks clocks_;  ///< of the pixels
+  PartClocks clocks_;  ///< clocks of the pixels
 
-  std::optional<TimedCommand> command_;  ///< that the decoder holds
-  std::optional<LeavingSquare> drawn_;   ///< a square that is drawn and has not moved
-  std::uint64_t skips_left_ = 0;         ///< commands that are to be dropped
-  bool moving_ = false;                  ///< a square, to the second buffer
-  bool leaving_ = false;                 ///< a square, from the pixels' memory
-  std::deque<LeavingSquare> squares_;    ///< that have not left, the first of which leaves
-  Time whole_at_ = 0;                    ///< edge at which the last of them was, where it waits
-  std::optional<RowLatch> latch_;        ///< of its rows
-  Time left_ = 0;                        ///< edge of its last word
-  std::uint64_t handed_ = 0;
+  std::optional<TimedCommand> command_;  ///< command held by the decoder
+  std::optional<LeavingSquare> drawn_;   ///< a drawn square that has not moved
+  std::uint64_t skips_left_ = 0;         ///< commands still to be dropped
+  bool moving_ = false;                  ///< a square moves to the second buffer
+  bool leaving_ = false;                 ///< a square leaves from the pixels' memory
+  std::deque<LeavingSquare> squares_;    ///< squares that have not left completely; the first is leaving
+  Time whole_at_ = 0;                    ///< edge at which the last of them was complete in the buffer
+  std::optional<RowLatch> latch_;        ///< latch for the rows of the leaving square
+  Time left_ = 0;                        ///< edge at which the last square's last word left
+  std::uint64_t assigned_ = 0;
   std::uint64_t finished_ = 0;
   Time finished_at_ = 0;
 };

@@ -20,21 +20,21 @@ RingTiming::RingTiming(const machines::Machine& machine, ProcessorsTiming& proce
   if (channels_ == all_channels) channels_ = sources;
   const std::size_t frame_buffer = PartNumbers{.renderers = renderers.size()}.frame_buffer();
   for (std::size_t i = 0; i < sources; ++i) carried_.emplace_back(figures.port_fifo_depth, part_, frame_buffer, agenda);
-  for (std::size_t i = 0; i < processors.count(); ++i) processors.words(i).show(sources_, i);
-  for (std::size_t i = 0; i < renderers.size(); ++i) renderers[i].colours().show(sources_, processors.count() + i);
+  for (std::size_t i = 0; i < processors.count(); ++i) processors.words(i).track_in(sources_, i);
+  for (std::size_t i = 0; i < renderers.size(); ++i) renderers[i].colours().track_in(sources_, processors.count() + i);
 }
 
-/// Sleeps while nothing but another part can let a word go.
+/// Sleeps while only another unit can unblock a word.
 void RingTiming::carry(Time now) {
   if (now % word_clocks_ != 0) return agenda_.put(part_, step_after(now));
   const std::size_t sources = processors_.count() + renderers_.size();
   to_frame_buffer_ = 0;
   std::size_t carried = 0;
-  bool look_again = false;
-  sources_.each_from(turn_, [&](std::size_t source) {
-    const Found found = carry_from(source, now);
-    look_again = look_again || found != Found::stuck;
-    if (found != Found::carried) return true;
+  bool retry = false;
+  sources_.for_each_from(turn_, [&](std::size_t source) {
+    const Outcome outcome = carry_from(source, now);
+    retry = retry || outcome != Outcome::stuck;
+    if (outcome != Outcome::carried) return true;
     turn_ = next_in_turn(source, sources);
     return ++carried < channels_;
   });
@@ -44,18 +44,18 @@ void RingTiming::carry(Time now) {
     clocks_.work(word_clocks_);
   }
   if (carried == channels_ || to_frame_buffer_ == banks_) ++full_steps_;
-  if (look_again) agenda_.put(part_, step_after(now));
+  if (retry) agenda_.put(part_, step_after(now));
 }
 
-RingTiming::Found RingTiming::carry_from(std::size_t source, Time now) {
+RingTiming::Outcome RingTiming::carry_from(std::size_t source, Time now) {
   return source < processors_.count() ? carry_from_processor(source, now)
                                       : carry_from_renderer(source - processors_.count(), now);
 }
 
 namespace {
 
-/// Whether words could go from one place to the other at that edge, or, if not, could at a later one though nothing
-/// else happens.
+/// Whether a word can pass between the two FIFOs at this edge (passes), or at a later one without another event
+/// (will_pass).
 template <class From, class To>
 bool passes(const Fifo<From>& from, const Fifo<To>& to, Time now) {
   return from.has_word(now) && to.has_room(now);
@@ -63,41 +63,43 @@ bool passes(const Fifo<From>& from, const Fifo<To>& to, Time now) {
 
 template <class From, class To>
 bool will_pass(const Fifo<From>& from, const Fifo<To>& to) {
-  return from.word_follows() && to.room_follows();
+  return from.has_word_next() && to.has_room_next();
 }
 
 }  // namespace
 
-/// A renderer is kept by one processor, so that no two have words for it.
-RingTiming::Found RingTiming::carry_from_processor(std::size_t number, Time now) {
+/// A renderer is kept by one processor, so no two processors have words for the same renderer.
+RingTiming::Outcome RingTiming::carry_from_processor(std::size_t number, Time now) {
   Fifo<TimedRingWord>& words = processors_.words(number);
   const std::optional<std::size_t> renderer = words.oldest().renderer;
   const bool may_go = renderer || to_frame_buffer_ < banks_;
   const auto pass = [&](auto& to, const auto& word_of) {
-    if (!may_go || !passes(words, to, now)) return will_pass(words, to) ? Found::later : Found::stuck;
+    if (!may_go || !passes(words, to, now)) return will_pass(words, to) ? Outcome::later : Outcome::stuck;
     const TimedRingWord word = words.read(now);
     to.write(now, word_of(word));
     if (word.ends) processors_.leave(number, now);
-    return Found::carried;
+    return Outcome::carried;
   };
   if (renderer) return pass(renderers_[*renderer].link(), [](const TimedRingWord& word) { return word.command; });
-  const Found found = pass(carried_[renderers_.size() + number], [](const TimedRingWord& word) { return word.header; });
-  if (found == Found::carried) ++to_frame_buffer_;
-  return found;
+  const Outcome outcome =
+      pass(carried_[renderers_.size() + number], [](const TimedRingWord& word) { return word.header; });
+  if (outcome == Outcome::carried) ++to_frame_buffer_;
+  return outcome;
 }
 
-RingTiming::Found RingTiming::carry_from_renderer(std::size_t number, Time now) {
+RingTiming::Outcome RingTiming::carry_from_renderer(std::size_t number, Time now) {
   Fifo<TimedPortWord>& words = renderers_[number].colours();
   Fifo<TimedPortWord>& to = carried_[number];
-  if (to_frame_buffer_ == banks_ || !passes(words, to, now)) return will_pass(words, to) ? Found::later : Found::stuck;
+  if (to_frame_buffer_ == banks_ || !passes(words, to, now))
+    return will_pass(words, to) ? Outcome::later : Outcome::stuck;
   to.write(now, words.read(now));
   ++to_frame_buffer_;
-  return Found::carried;
+  return Outcome::carried;
 }
 
 RingAccount RingTiming::account(Time end) {
   clocks_.wait(SquareActivity::waiting_for_divider, end + 1);
-  return {clocks_.whole(end), words_, full_steps_ * word_clocks_};
+  return {clocks_.complete(end), words_, full_steps_ * word_clocks_};
 }
 
 }  // namespace csgsim::pixel_square

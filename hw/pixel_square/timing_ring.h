@@ -11,27 +11,27 @@
 
 namespace csgsim::pixel_square {
 
-/// The ring, as edges see it.
+/// Edge-level model of the ring.
 class RingTiming {
  public:
   RingTiming(const machines::Machine& machine, ProcessorsTiming& processors, std::vector<RendererTiming>& renderers,
              Agenda& agenda);
 
-  /// What it does at an edge: in every last clock of a channel's word it carries what waits.
+  /// Acts at an edge: carries waiting words in the last clock of each word period.
   void carry(Time now);
 
-  /// What it has brought to the frame buffer: colours of each renderer, and behind these headers of each processor.
+  /// FIFOs to the frame buffer: colours of each renderer, followed by headers of each processor.
   [[nodiscard]] std::vector<Fifo<TimedPortWord>>& carried() { return carried_; }
 
   [[nodiscard]] RingAccount account(Time end);
 
  private:
-  /// What became of a source at an edge.
-  enum class Found : std::uint8_t { stuck, later, carried };
+  /// Result of polling a source at an edge.
+  enum class Outcome : std::uint8_t { stuck, later, carried };
 
-  Found carry_from(std::size_t source, Time now);
-  Found carry_from_processor(std::size_t number, Time now);
-  Found carry_from_renderer(std::size_t number, Time now);
+  Outcome carry_from(std::size_t source, Time now);
+  Outcome carry_from_processor(std::size_t number, Time now);
+  Outcome carry_from_renderer(std::size_t number, Time now);
   [[nodiscard]] Time step_after(Time now) const { return (now / word_clocks_ + 1) * word_clocks_; }
 
   const Time word_clocks_;
@@ -43,9 +43,9 @@ class RingTiming {
   std::size_t channels_;
   std::vector<Fifo<TimedPortWord>> carried_;
   PartClocks clocks_;
-  Numbers sources_;                  ///< with words: processors, and behind them renderers
-  std::size_t turn_ = 0;             ///< source that is asked first
-  std::size_t to_frame_buffer_ = 0;  ///< words carried there at it
+  IndexSet sources_;                 ///< sources that hold words: processors, then renderers
+  std::size_t turn_ = 0;             ///< source that is polled first
+  std::size_t to_frame_buffer_ = 0;  ///< words carried to the frame buffer at this edge
   std::uint64_t words_ = 0;
   std::uint64_t full_steps_ = 0;
 };

@@ -9,7 +9,7 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// For products of two rates.
+/// Holds products of two rates.
 __extension__ using Wide = unsigned __int128;
 
 }  // namespace
@@ -17,8 +17,8 @@ __extension__ using Wide = unsigned __int128;
 ScreenTiming::ScreenTiming(const isa::Program& program, const machines::Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   const isa::FrameHeader header = isa::frame_header(program);
-  turns_a_picture_ = turns_of({header.shape.width, header.shape.height}, header.colour.width, figures);
-  turns_a_second_ = turns_a_picture_ * figures.refresh_rate;
+  turns_per_picture_ = turns_of({header.shape.width, header.shape.height}, header.colour.width, figures);
+  turns_per_second_ = turns_per_picture_ * figures.refresh_rate;
   clock_hz_ = machine.clock_hz;
   turn_clocks_ = figures.refresh_clocks;
   turn_bits_ = figures.refresh_bits;
@@ -26,34 +26,34 @@ ScreenTiming::ScreenTiming(const isa::Program& program, const machines::Machine&
   banks_ = figures.banks;
 }
 
-/// That have begun.
+/// Number of turns that have begun.
 std::uint64_t ScreenTiming::turns_until(Time now) const {
-  return static_cast<std::uint64_t>(Wide{now} * turns_a_second_ / clock_hz_);
+  return static_cast<std::uint64_t>(Wide{now} * turns_per_second_ / clock_hz_);
 }
 
-Time ScreenTiming::begin_of(std::uint64_t turn) const {
-  return static_cast<Time>((Wide{turn} * clock_hz_ + turns_a_second_ - 1) / turns_a_second_);
+Time ScreenTiming::turn_start(std::uint64_t turn) const {
+  return static_cast<Time>((Wide{turn} * clock_hz_ + turns_per_second_ - 1) / turns_per_second_);
 }
 
 void ScreenTiming::go_to(std::uint64_t turn) {
-  next_ = begin_of(turn + 1);
+  next_ = turn_start(turn + 1);
   if (turn == 0) return;
-  end_ = begin_of(turn) + turn_clocks_;
-  const std::uint64_t row = (turn - 1) % turns_a_picture_ * turn_bits_ / row_bits_;
+  end_ = turn_start(turn) + turn_clocks_;
+  const std::uint64_t row = (turn - 1) % turns_per_picture_ * turn_bits_ / row_bits_;
   bank_ = static_cast<std::uint32_t>(row % banks_);
 }
 
 std::optional<std::uint32_t> ScreenTiming::bank(Time now) {
-  if (turns_a_second_ == 0) return std::nullopt;
+  if (turns_per_second_ == 0) return std::nullopt;
   if (now >= next_) go_to(turns_until(now));
   return now < end_ ? std::optional(bank_) : std::nullopt;
 }
 
 std::uint64_t ScreenTiming::clocks_until(Time end) const {
-  if (turns_a_second_ == 0) return 0;
+  if (turns_per_second_ == 0) return 0;
   const std::uint64_t turns = turns_until(end);
   if (turns == 0) return 0;
-  return (turns - 1) * turn_clocks_ + std::min(turn_clocks_, end - begin_of(turns) + 1);
+  return (turns - 1) * turn_clocks_ + std::min(turn_clocks_, end - turn_start(turns) + 1);
 }
 
 }  // namespace csgsim::pixel_square

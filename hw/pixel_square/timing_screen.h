@@ -9,35 +9,35 @@
 
 namespace csgsim::pixel_square {
 
-/// What the screen takes of the frame buffer, as edges see it. Turn k, from 1, begins at the first edge e for
-/// which e / (clocks a second) is not less than k / (turns a second).
+/// Edge-level model of the screen's turns of the frame buffer. Turn k, from 1, begins at the first edge e for which e /
+/// (clocks per second) >= k / (turns per second).
 class ScreenTiming {
  public:
   ScreenTiming(const isa::Program& program, const machines::Machine& machine);
 
-  /// The bank that a turn takes in the clock that begins with that edge, which is not before the one asked for last.
+  /// Bank that a turn occupies in the clock that begins with edge `now`. Successive calls must not decrease `now`.
   [[nodiscard]] std::optional<std::uint32_t> bank(Time now);
 
-  /// Clocks in turns, up to the one that begins with that edge.
+  /// Number of clocks in turns, up to and including the clock that begins with edge `end`.
   [[nodiscard]] std::uint64_t clocks_until(Time end) const;
 
  private:
   [[nodiscard]] std::uint64_t turns_until(Time now) const;
-  [[nodiscard]] Time begin_of(std::uint64_t turn) const;
+  [[nodiscard]] Time turn_start(std::uint64_t turn) const;
   void go_to(std::uint64_t turn);
 
-  std::uint64_t turns_a_picture_;
-  std::uint64_t turns_a_second_;
+  std::uint64_t turns_per_picture_;
+  std::uint64_t turns_per_second_;
   std::uint64_t clock_hz_;
   std::uint64_t turn_clocks_;
   std::uint64_t turn_bits_;
   std::uint64_t row_bits_;
   std::uint32_t banks_;
 
-  // Of the turn that was asked for last.
+  // State of the turn that was requested last.
   std::uint32_t bank_ = 0;
-  Time end_ = 0;   ///< 0: it is none
-  Time next_ = 0;  ///< the next one begins
+  Time end_ = 0;   ///< first edge after the turn; 0: there is none
+  Time next_ = 0;  ///< edge at which the next turn begins
 };
 
 }  // namespace csgsim::pixel_square

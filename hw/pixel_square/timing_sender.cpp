@@ -11,7 +11,7 @@ namespace csgsim::pixel_square {
 SenderTiming::SenderTiming(const isa::Program& program, const machines::Machine& machine,
                            std::vector<DividerTiming>& dividers, std::vector<RendererTiming>& renderers,
                            Fifo<TimedPortWord>& clears, Agenda& agenda, std::span<const machines::Skip> skips,
-                           machines::Timeline* told)
+                           machines::Timeline* timeline)
     : program_(program),
       machine_(machine),
       part_(PartNumbers{renderers.size()}.sender()),
@@ -21,28 +21,28 @@ SenderTiming::SenderTiming(const isa::Program& program, const machines::Machine&
       clears_(clears),
       agenda_(agenda),
       skips_(skips),
-      told_(told),
-      waits_(dividers.empty() ? SquareActivity::waiting_for_host : SquareActivity::waiting_for_divider) {}
+      timeline_(timeline),
+      activity_(dividers.empty() ? SquareActivity::waiting_for_host : SquareActivity::waiting_for_divider) {}
 
-/// The stores wake the sender of what dividers make.
+/// If there are dividers, their stores wake the sender.
 void SenderTiming::begin() {
   if (!is_host()) return agenda_.put(part_, 1);
   clocks_.wait(SquareActivity::waiting_for_host, 1 + machine_.link.latency);
   begin_host_square();
-  go_on(machine_.link.latency);
+  schedule_next(machine_.link.latency);
 }
 
 void SenderTiming::begin_host_square() {
-  commands_ = timed_commands(program_, square_, machine_, skips_, told_);
+  commands_ = timed_commands(program_, square_, machine_, skips_, timeline_);
   command_ = 0;
   begun_ = true;
   is_clear_ = commands_.empty();
 }
 
-/// False where it has to wait.
+/// Returns false if the sender has to wait.
 bool SenderTiming::begin_square(Time now) {
   if (!store().may_begin(now)) {
-    sleep(SquareActivity::waiting_for_divider, store().word_follows(), now);
+    sleep(SquareActivity::waiting_for_divider, store().has_word_next(), now);
     return false;
   }
   begun_ = true;
@@ -51,42 +51,42 @@ bool SenderTiming::begin_square(Time now) {
   return true;
 }
 
-void SenderTiming::sleep(SquareActivity why, bool look_again, Time now) {
-  waits_ = why;
-  if (look_again) agenda_.put(part_, now + 1);
+void SenderTiming::sleep(SquareActivity why, bool retry, Time now) {
+  activity_ = why;
+  if (retry) agenda_.put(part_, now + 1);
 }
 
 void SenderTiming::send(Time now) {
   if (square_ == program_.segments.size()) return;
-  clocks_.wait(waits_, now);
+  clocks_.wait(activity_, now);
   if (!begun_ && !begin_square(now)) return;
   is_clear_ ? send_header(now) : send_word(now);
 }
 
 void SenderTiming::send_header(Time now) {
-  if (!clears_.has_room(now)) return sleep(SquareActivity::waiting_for_frame_buffer, clears_.room_follows(), now);
+  if (!clears_.has_room(now)) return sleep(SquareActivity::waiting_for_frame_buffer, clears_.has_room_next(), now);
   const bool last = sent_ + 1 == header_words(machines::own<Figures>(machine_).port_bits);
   clears_.write(now, {.last = last, .row = std::nullopt, .cleared = square_});
   clocks_.work(1);
   ++sent_;
-  if (!last) return go_on(now);
+  if (!last) return schedule_next(now);
   ++skipped_;
   end_square(now);
 }
 
 void SenderTiming::send_word(Time now) {
   if (!is_host() && !store().has_word(now))
-    return sleep(SquareActivity::waiting_for_divider, store().word_follows(), now);
+    return sleep(SquareActivity::waiting_for_divider, store().has_word_next(), now);
   if (!target_) {
     target_ = least_busy(now);
-    renderers_[*target_].hand();
+    renderers_[*target_].assign();
   }
   Fifo<TimedLinkWord>& link = renderers_[*target_].link();
-  if (!link.has_room(now)) return sleep(SquareActivity::waiting_for_renderer, link.room_follows(), now);
+  if (!link.has_room(now)) return sleep(SquareActivity::waiting_for_renderer, link.has_room_next(), now);
   const TimedStored word = take_word(now);
   link.write(now, {word.whole});
   clocks_.work(1);
-  word.is_last ? end_square(now) : go_on(now);
+  word.is_last ? end_square(now) : schedule_next(now);
 }
 
 TimedStored SenderTiming::take_word(Time now) {
@@ -97,8 +97,8 @@ TimedStored SenderTiming::take_word(Time now) {
   return {command, ++command_ == commands_.size()};
 }
 
-/// The next word begins to leave behind that edge.
-void SenderTiming::go_on(Time now) {
+/// Sends the next word after the word clocks that follow this edge.
+void SenderTiming::schedule_next(Time now) {
   const Time word_clocks = is_host() ? machine_.link.word_clocks : 1;
   clocks_.work(word_clocks - 1);
   agenda_.put(part_, now + word_clocks);
@@ -111,7 +111,7 @@ void SenderTiming::end_square(Time now) {
   target_.reset();
   if (square_ == program_.segments.size()) return;
   if (is_host()) begin_host_square();
-  go_on(now);
+  schedule_next(now);
 }
 
 std::size_t SenderTiming::least_busy(Time now) const {

@@ -8,13 +8,13 @@
 
 namespace csgsim::pixel_square {
 
-/// A word that a divider has stored.
+/// A word stored by a divider.
 struct TimedStored {
-  std::optional<TimedCommand> whole;  ///< with the last word of a command
-  bool is_last = false;               ///< of its square
+  std::optional<TimedCommand> whole;  ///< set in the last word of a command
+  bool is_last = false;               ///< last word of its square
 };
 
-/// A divider's store, as edges see it.
+/// Edge-level model of a divider's store.
 class StoreTiming {
  public:
   StoreTiming(std::size_t depth, std::size_t divider, std::size_t sender, Agenda& agenda)
@@ -34,11 +34,11 @@ class StoreTiming {
   }
 
   [[nodiscard]] bool has_room(Time now) const { return words_.has_room(now); }
-  [[nodiscard]] bool room_follows() const { return words_.room_follows(); }
+  [[nodiscard]] bool has_room_next() const { return words_.has_room_next(); }
   [[nodiscard]] bool has_word(Time now) const { return words_.has_word(now); }
-  [[nodiscard]] bool word_follows() const { return words_.word_follows(); }
+  [[nodiscard]] bool has_word_next() const { return words_.has_word_next(); }
 
-  /// Whether a square can be begun: all of it is there, or there is no room for more.
+  /// Whether sending of a square can begin: the square is complete, or the store is full.
   [[nodiscard]] bool may_begin(Time now) const {
     return (!ends_.empty() && ends_.front() < now) || (filled_ == depth_ && written_ < now);
   }
@@ -47,7 +47,7 @@ class StoreTiming {
   std::size_t depth_;
   std::size_t filled_ = 0;
   Time written_ = 0;       ///< edge of the last word
-  std::deque<Time> ends_;  ///< edges at which the last words of squares were written that are there
+  std::deque<Time> ends_;  ///< edges at which the last words of the stored squares were written
   Fifo<TimedStored> words_;
 };
 

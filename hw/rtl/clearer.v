@@ -1,17 +1,18 @@
-// The words that make memory and registers 0: CLOCKS of them, over which the memory's bits are spread evenly
-// (hw/pixel_planes/clear_step.h: in word k, from 0, those from k * MEMORY_BITS / CLOCKS to before the next word's).
+// Issues the words that clear memory and registers: CLOCKS words, over which the memory's bits are distributed evenly
+// (hw/pixel_planes/clear_step.h: word k, from 0, clears the bits from k * MEMORY_BITS / CLOCKS up to the next word's
+// first).
 `include "faults.vh"
 
 module clearer #(
   parameter MEMORY_BITS = 72,
-  parameter CLOCKS = 1,        // 1 at least
+  parameter CLOCKS = 1,        // at least 1
   parameter ADDRESS = 7
 ) (
   input wire clk,
   input wire reset,
-  input wire begins,                // a word goes out at this edge, the first
-  input wire goes_on,               // or another
-  input wire [ADDRESS:0] limit,     // bits from this on stay
+  input wire begins,                // the first word is issued at this edge
+  input wire goes_on,               // a further word is issued
+  input wire [ADDRESS:0] limit,     // bits from this one on are kept
   output wire [ADDRESS-1:0] address,
   output wire [ADDRESS:0] count,
   output wire last
@@ -22,7 +23,7 @@ module clearer #(
   localparam [31:0] END = CLOCKS - 1;
   localparam STEPS = $clog2(CLOCKS + 1) + 1;
   reg [STEPS-1:0] step;
-  reg [STEPS-1:0] rest;  // of the bits times the clocks that have gone by, over CLOCKS
+  reg [STEPS-1:0] rest;  // remainder of bits times elapsed clocks divided by CLOCKS
   reg [ADDRESS:0] done;
 
   wire [STEPS-1:0] this_step = begins ? 0 : step;

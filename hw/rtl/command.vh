@@ -1,7 +1,7 @@
-// Where the parts of a command lie (docs/instruction-set.md, "On a link"), and the numbers of commands.
+// Positions of the fields of a command (docs/instruction-set.md, "On a link"), and the numbers of commands.
 /* verilator lint_off UNUSEDPARAM */
-localparam COMMAND_BITS = 222;  // the longest: 18 + 18 + 3 * 62 bits
-localparam SQUARES_BITS = 186;  // the coefficients of squares: 3 * 62 bits
+localparam COMMAND_BITS = 222;  // longest command: 18 + 18 + 3 * 62 bits
+localparam SQUARES_BITS = 186;  // coefficients of squares: 3 * 62 bits
 
 localparam ENABLE_ALL = 6'd0, ENABLE_INVERT = 6'd1, ENABLE_LOAD = 6'd2, ENABLE_AND = 6'd3, ENABLE_AND_NOT = 6'd4,
            ENABLE_OR = 6'd5, ENABLE_XOR = 6'd6, ENABLE_STORE = 6'd7, EDGE_NOT_NEGATIVE = 6'd8, EDGE_NEGATIVE = 6'd9,
@@ -12,6 +12,6 @@ localparam ENABLE_ALL = 6'd0, ENABLE_INVERT = 6'd1, ENABLE_LOAD = 6'd2, ENABLE_A
            SQUARES = 6'd33, LINEAR_PLUS = 6'd34, LINEAR_MINUS = 6'd35, ROOT = 6'd36,
            SEGMENT = 6'd61, SEGMENT_END = 6'd62, FRAME_END = 6'd63;
 
-localparam FIELD_0 = 6, FIELD_1 = 24, FIELD_2 = 42;  // base in 12 bits, width in 6
+localparam FIELD_0 = 6, FIELD_1 = 24, FIELD_2 = 42;  // 12 bits of base, 6 of width
 localparam BASE_BITS = 12;
 /* verilator lint_on UNUSEDPARAM */

@@ -1,6 +1,6 @@
-// The control word of each clock on its way to the pixels, where it meets the bits of F that entered the trees with it:
-// LATENCY registers, 1 at least, one for each level of the trees (thesis 7.2.1). A clock before, `early` has the word,
-// so that what decodes addresses of memory has them in registers of its own when the word is there.
+// Delays each control word until it meets, at the pixels, the bits of F that entered the trees with it: LATENCY
+// registers, at least 1, one for each level of the trees (thesis 7.2.1). One clock earlier the word is on `early`, so
+// that memory addresses can be decoded into registers in time.
 module control_delay #(
   parameter LATENCY = 6,
   parameter BITS = 64

@@ -1,42 +1,45 @@
-// The word that the controller broadcasts to every pixel in a clock, from bit 0 up. Needs the parameters ALU_BITS and
-// ADDRESS (bits of an address of pixel memory) and SIDE (bits of a number of columns or rows).
+// The word that the controller broadcasts to every pixel each clock, from bit 0 up. Each comment gives the width in
+// bits and the meaning; "per place" means one bit per place of the ALU. Needs the parameters ALU_BITS, ADDRESS (bits of
+// an address of pixel memory) and SIDE (bits of a number of columns or rows).
 //
 // The ALU of a pixel is a ripple adder of ALU_BITS places (thesis 7.2.1: "logical operations and comparisons of values
-// can be performed in the ALU by a one-bit adder"). At each place it adds p, q and a carry, where p is operand x, blanked
-// and inverted a place, and q is operand y, blanked and inverted as a whole.
+// can be performed in the ALU by a one-bit adder"). At each place it adds p, q and a carry, where p is operand x,
+// blanked and inverted per place, and q is operand y, blanked and inverted as a whole.
 
 /* verilator lint_off UNUSEDPARAM */
-localparam CW_X_SELECT = 0;                                // 2: operand x, see X_...
-localparam CW_Y_ENABLE = CW_X_SELECT + 2;                  // 1: operand y is E; else it is read from memory
-localparam CW_Y_ZERO = CW_Y_ENABLE + 1;                    // 1: and is blanked
-localparam CW_Y_INVERT = CW_Y_ZERO + 1;                    // 1: and inverted
-localparam CW_X_ZERO = CW_Y_INVERT + 1;                    // a place: operand x is blanked
-localparam CW_X_INVERT = CW_X_ZERO + ALU_BITS;             // a place: and inverted; so a constant comes in too
-localparam CW_ACTIVE = CW_X_INVERT + ALU_BITS;             // a place: takes part; the carry runs past the others
+localparam CW_X_SELECT = 0;                                // 2: source of operand x, see X_...
+localparam CW_Y_ENABLE = CW_X_SELECT + 2;                  // 1: operand y is E; otherwise it is read from memory
+localparam CW_Y_ZERO = CW_Y_ENABLE + 1;                    // 1: operand y is blanked
+localparam CW_Y_INVERT = CW_Y_ZERO + 1;                    // 1: operand y is inverted
+localparam CW_X_ZERO = CW_Y_INVERT + 1;                    // per place: operand x is blanked
+localparam CW_X_INVERT = CW_X_ZERO + ALU_BITS;             // per place: operand x is inverted; with blanking, a
+                                                           // constant
+localparam CW_ACTIVE = CW_X_INVERT + ALU_BITS;             // per place: takes part; the carry bypasses the others
 localparam CW_CARRY_IN = CW_ACTIVE + ALU_BITS;             // 2: see CARRY_...
-localparam CW_RIPPLE = CW_CARRY_IN + 2;                    // 1: places hand their carry on; else all get the same
-localparam CW_SUM = CW_RIPPLE + 1;                         // 1: the result is the sum; else the carry out
+localparam CW_RIPPLE = CW_CARRY_IN + 2;                    // 1: the carry ripples through the places; otherwise all get
+                                                           // the same
+localparam CW_SUM = CW_RIPPLE + 1;                         // 1: the result is the sum; otherwise the carry out
 localparam CW_INVERT = CW_SUM + 1;                         // 1: the result for E or K is inverted
-localparam CW_WRITE = CW_INVERT + 1;                       // 1: active places are written where E
-localparam CW_WRITE_ALL = CW_WRITE + 1;                    // 1: or everywhere
-localparam CW_WRITE_SELECTED = CW_WRITE_ALL + 1;           // 1: or only where K too
+localparam CW_WRITE = CW_INVERT + 1;                       // 1: active places are written where E is 1
+localparam CW_WRITE_ALL = CW_WRITE + 1;                    // 1: active places are written everywhere
+localparam CW_WRITE_SELECTED = CW_WRITE_ALL + 1;           // 1: active places are written where E and K are 1
 localparam CW_LATCH = CW_WRITE_SELECTED + 1;               // 1: active places of x are latched
-localparam CW_SET_ENABLE = CW_LATCH + 1;                   // 1: E becomes the result
-localparam CW_AND_ENABLE = CW_SET_ENABLE + 1;              // 1: and what it was
-localparam CW_SET_CARRY = CW_AND_ENABLE + 1;               // 1: K becomes the last carry
-localparam CW_SELECT = CW_SET_CARRY + 1;                   // 1: or E and the result
+localparam CW_SET_ENABLE = CW_LATCH + 1;                   // 1: E := result
+localparam CW_AND_ENABLE = CW_SET_ENABLE + 1;              // 1: E := E and result
+localparam CW_SET_CARRY = CW_AND_ENABLE + 1;               // 1: K := last carry
+localparam CW_SELECT = CW_SET_CARRY + 1;                   // 1: K := E and result
 localparam CW_STREAM = CW_SELECT + 1;                      // 1: a bit of F arrives with the word
-localparam CW_QUESTION = CW_STREAM + 1;                    // 1: is E 1 at any pixel?
-localparam CW_CLEAR = CW_QUESTION + 1;                     // 1: registers become 0, and the memory bits said below
-localparam CW_X = CW_CLEAR + 1;                            // address of operand x, or of y where there is one read port
+localparam CW_QUESTION = CW_STREAM + 1;                    // 1: asks whether E is 1 at any pixel
+localparam CW_CLEAR = CW_QUESTION + 1;                     // 1: clears registers and the memory bits given below
+localparam CW_X = CW_CLEAR + 1;                            // address of operand x, or of y with one read port
 localparam CW_Y = CW_X + ADDRESS;                          // address of operand y
-localparam CW_W = CW_Y + ADDRESS;                          // address written, or the first cleared
-localparam CW_COUNT = CW_W + ADDRESS;                      // memory bits to clear
-localparam CW_COLUMNS = CW_COUNT + ADDRESS + 1;            // of a clear: pixels right of these
-localparam CW_ROWS = CW_COLUMNS + SIDE;                    // or below these take no part
-localparam CW_X_BY_FLAG = CW_ROWS + SIDE;                  // 1: operand x is inverted where G is 0: a root subtracts there
-localparam CW_SET_FLAG = CW_X_BY_FLAG + 1;                 // 1: G becomes the result, inverted
-localparam CW_REFRESH = CW_SET_FLAG + 1;                   // 1: the scan-out latches the bit at x, of the row in CW_ROWS
+localparam CW_W = CW_Y + ADDRESS;                          // address to write, or the first to clear
+localparam CW_COUNT = CW_W + ADDRESS;                      // number of memory bits to clear
+localparam CW_COLUMNS = CW_COUNT + ADDRESS + 1;            // for a clear: pixels right of this column
+localparam CW_ROWS = CW_COLUMNS + SIDE;                    // or below this row take no part
+localparam CW_X_BY_FLAG = CW_ROWS + SIDE;                  // 1: operand x is inverted where G is 0 (root subtraction)
+localparam CW_SET_FLAG = CW_X_BY_FLAG + 1;                 // 1: G := inverted result
+localparam CW_REFRESH = CW_SET_FLAG + 1;                   // 1: the scan-out latches the bit at x of the row in CW_ROWS
 localparam CONTROL_BITS = CW_REFRESH + 1;
 
 localparam X_TREE = 2'd0, X_LATCH = 2'd1, X_MEMORY = 2'd2, X_ENABLE = 2'd3;

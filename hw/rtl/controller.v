@@ -1,10 +1,10 @@
-// The controller: takes commands from the link, and puts bits of the coefficients and a control word for the pixels on
-// the wires at each edge. Written from the instruction table (hw/isa/opcodes.h) and docs/machines/pixel-planes.md,
+// The controller: takes commands from the link, and puts coefficient bits and a control word for the pixels on the
+// wires at each edge. Written from the instruction table (hw/isa/opcodes.h) and docs/machines/pixel-planes.md,
 // "Controller", "Segments", "Global OR", "Scan-out" and "Buffers" (thesis 7.2.1).
 //
-// An instruction has the wires as long as it has steps; a refresh word that the scan-out asks for goes before the next
-// command, and wherever the controller waits for something. With two buffers a finished picture is copied into the
-// topmost bits as soon as the last row of the one before has been latched.
+// An instruction occupies the wires for its steps; a refresh word that the scan-out requests precedes the next command,
+// and is sent whenever the controller waits. With two buffers, a finished picture is copied to the topmost bits as soon
+// as the last row of the previous picture has been latched.
 `include "faults.vh"
 
 module controller #(
@@ -13,52 +13,52 @@ module controller #(
   parameter ALU_BITS = 1,
   parameter DEGREE = 1,
   parameter LINK = 32,
-  parameter LATENCY = 6,        // clocks from the wires to the pixels, 1 at least
-  parameter CLEAR_CLOCKS = 1,   // 1 at least
-  parameter SHOWS = 1,          // there is a scan-out
-  parameter BUFFERS = 1,        // or 2
+  parameter LATENCY = 6,        // clocks from the wires to the pixels, at least 1
+  parameter CLEAR_CLOCKS = 1,   // at least 1
+  parameter SHOWS = 1,          // whether there is a scan-out
+  parameter BUFFERS = 1,        // 1 or 2
   parameter ADDRESS = 7,
   parameter SIDE = 5
 ) (
   input wire clk,
   input wire reset,
 
-  input wire frame,                        // the host has one
-  output reg request,                      // of the words from an instruction on
+  input wire frame,                        // the host has a frame
+  output reg request,                      // requests the words from an instruction on
   output reg [31:0] request_from,
   input wire [LINK-1:0] word,
   input wire word_valid,
   output wire take_word,
   output wire drop_words,
 
-  input wire refresh,                      // the scan-out asks for a word,
+  input wire refresh,                      // the scan-out requests a refresh word
   input wire [ADDRESS-1:0] refresh_address,
   input wire [SIDE-1:0] refresh_row,
-  output wire take_refresh,                // which goes out at this edge
-  input wire latched,                      // it has a picture's last row
-  output reg picture,                      // for it to take
+  output wire take_refresh,                // the refresh word is sent at this edge
+  input wire latched,                      // the scan-out has latched the last row of a picture
+  output reg picture,                      // a picture is ready for the scan-out
   output reg [11:0] picture_base,
   output reg [5:0] picture_width,
   input wire take_picture,
 
-  output reg first,                        // the wires to the trees
+  output reg first,                        // wires to the trees, from here to yy
   output reg a,
   output reg b,
   output reg c,
   output reg xx,
   output reg xy,
   output reg yy,
-  output reg [CONTROL_BITS-1:0] control,   // and to the pixels
+  output reg [CONTROL_BITS-1:0] control,   // wires to the pixels
   input wire answer_valid,
   input wire answer,
 
-  output reg told,                         // the host of an answer
+  output reg told,                         // reports an answer to the host
   output reg told_any,
-  output reg done,                         // with the frame
-  output reg [31:0] clocks,                // of the frame, until it was done
+  output reg done,                         // the frame is done
+  output reg [31:0] clocks,                // clocks of the frame until it was done
 
-  output reg [3:0] spent,                  // what the clock that begins is spent on: hw/rtl/spent.vh
-  output reg refresh_waits                 // one was asked for, and not sent at the edge
+  output reg [3:0] spent,                  // use of the clock that begins: hw/rtl/spent.vh
+  output reg refresh_waits                 // a refresh word was requested but not sent at the edge
 );
 `include "command.vh"
 `include "control_word.vh"
@@ -71,26 +71,26 @@ module controller #(
   localparam [31:0] WAY = LATENCY;
   localparam [COMMAND_BITS-1:0] NOTHING = 0;
   reg [2:0] state;
-  reg [COMMAND_BITS-1:0] current;  // that is being carried out
+  reg [COMMAND_BITS-1:0] current;  // command being executed
   reg [5:0] at;
   reg pass;
   reg [5:0] turn;
   reg [31:0] next_instruction;
   reg drop_again;
-  reg jumped;                      // and no command has come since
+  reg jumped;                      // no command has arrived since the jump
   reg [7:0] drained;
-  reg unlatched;                   // rows of the picture are still to be latched
+  reg unlatched;                   // rows of the picture remain to be latched
 
   wire whole;
   wire [COMMAND_BITS-1:0] received;
 
-  // What an answer does in the clock in which it is there.
+  // Effects of an answer in the clock in which it arrives.
   wire answered = state == ANSWERING && answer_valid;
   wire asks_skip = current[5:0] == SKIP_IF_NONE;
   wire jump = answered && asks_skip && !answer;
   assign drop_words = jump | drop_again;
 
-  // A refresh word goes where no command has the control wires, and a command begins where neither it nor another has.
+  // A refresh word is sent when no command uses the control wires, and a command begins when neither does.
   assign take_refresh = refresh && state != ISSUING && state != CLEARING && state != COPYING;
   wire shown_until_now = unlatched & ~latched;
   wire free = (state == READY || (answered && !jump)) && !take_refresh;
@@ -101,7 +101,7 @@ module controller #(
   wire begins_clear = take && number == SEGMENT;
   wire ends_frame = take && number == FRAME_END;
 
-  // The end of a frame: what the pixels hold is copied first, unless there is but one buffer or nothing to be shown.
+  // End of a frame: the colours are copied first, unless there is one buffer or nothing to show.
   reg [11:0] colour_base;
   reg [5:0] colour_width;
   wire begins_hold = COPIES && ends_frame && received[FIELD_0 + BASE_BITS +: 6] != 0;
@@ -117,7 +117,7 @@ module controller #(
     .clk(clk), .reset(reset), .drop(drop_words), .word(word), .word_valid(word_valid), .take_word(take_word),
     .whole(whole), .command(received), .take(take));
 
-  // The steps of an instruction, or of a copy: enable_all, then copy.
+  // Steps of an instruction or of a copy: enable_all, then copy.
   wire begins_steps = begins_instruction | begins_copy;
   reg [COMMAND_BITS-1:0] command;
   always @* begin
@@ -164,7 +164,7 @@ module controller #(
   wire asks = command[5:0] == GLOBAL_OR || command[5:0] == SKIP_IF_NONE;
   wire [31:0] after_jump = next_instruction + current[6 +: 32];
 
-  // What squares leave for the next instruction.
+  // Coefficients that an instruction squares leaves for the next instruction.
   generate
     if (DEGREE > 1) begin : quadratic
       reg [SQUARES_BITS-1:0] kept;
@@ -241,8 +241,8 @@ module controller #(
       drained <= 0;
     end
 
-    // The frame is done when its last step has been carried out, LATENCY clocks after the edge at which the command that
-    // ends it begins, or after the last step of the copy.
+    // The frame is done when its last step has been executed: LATENCY clocks after the edge at which the command that
+    // ends the frame begins, or after the last step of the copy.
     if (drains) begin
       drained <= drained_here + 1;
       state <= DRAINING;
@@ -278,7 +278,7 @@ module controller #(
     end
   end
 
-  // For counters.v.
+  // Outputs for counters.v.
   wire waits_for_command = begins_frame || ((state == READY || answered) && !begins_instruction && !begins_clear &&
                                             !ends_frame);
   wire after_jump_still = (jump || (jumped && !take && !begins_frame)) && !`FAULT(`FAULT_COUNT);

@@ -1,22 +1,22 @@
-// Where the clocks of a frame go, counted as the stats of csgsim do (docs/machines/pixel-planes.md): for a testbench,
-// beside the machine, on the controller's wires. The counts are of the frame that is being drawn, or was drawn last;
-// they add up to its clocks.
+// Counts the clocks of a frame by use, as the stats of csgsim do (docs/machines/pixel-planes.md): for a testbench,
+// connected to the controller's wires. The counts refer to the current frame, or to the last one; they add up to its
+// clocks.
 module counters (
   input wire clk,
   input wire reset,
-  input wire begins,                // the controller asks for a frame: its request, from instruction 0 on
-  input wire [3:0] spent,           // of the controller
-  input wire refresh_waits,         // likewise
+  input wire begins,                // start of a frame: the controller requests instruction 0
+  input wire [3:0] spent,           // from the controller
+  input wire refresh_waits,         // from the controller
   output reg [31:0] issuing,
   output reg [31:0] clearing,
-  output reg [31:0] starved,        // idle, as no command has come
+  output reg [31:0] starved,        // idle, waiting for a command
   output reg [31:0] answering,
   output reg [31:0] jumping,
-  output reg [31:0] refreshing,     // words, where nothing else was to be done
+  output reg [31:0] refreshing,     // refresh words sent while nothing else was to do
   output reg [31:0] holding,
   output reg [31:0] copying,
   output reg [31:0] draining,
-  output reg [31:0] waits           // clocks in which a refresh word was asked for and had to wait
+  output reg [31:0] waits           // clocks in which a requested refresh word had to wait
 );
 `include "spent.vh"
 

@@ -1,4 +1,4 @@
-// BITS wires with LENGTH registers, one behind the other.
+// Delays BITS wires by LENGTH registers in series.
 module delay #(
   parameter LENGTH = 0,
   parameter BITS = 1

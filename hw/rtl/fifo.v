@@ -1,5 +1,5 @@
-// A FIFO of DEPTH words of BITS bits, as that of the link (docs/machines/pixel-planes.md, "Link"). What goes in at an
-// edge can be taken at the next, and a place that becomes free at an edge can be filled at the next.
+// A FIFO of DEPTH words of BITS bits, used for the link (docs/machines/pixel-planes.md, "Link"). A word written at an
+// edge can be read at the next; an entry freed at an edge can be filled at the next.
 `include "faults.vh"
 
 module fifo #(
@@ -8,13 +8,13 @@ module fifo #(
 ) (
   input wire clk,
   input wire reset,
-  input wire drop,            // all that is in before this edge
+  input wire drop,            // drops all words written before this edge
   input wire [BITS-1:0] in,
   input wire in_valid,
   output wire in_ready,
   output wire [BITS-1:0] out,
   output wire out_valid,
-  input wire take             // out; only where it is valid
+  input wire take             // reads `out`; only while it is valid
 );
   localparam PLACE = DEPTH > 1 ? $clog2(DEPTH) : 1;
   localparam COUNT = $clog2(DEPTH + 1);

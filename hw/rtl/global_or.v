@@ -1,6 +1,6 @@
-// The OR of the enable bits of all pixels: gates of FAN_IN inputs with a register behind each, level below level, so
-// that what was asked is answered a clock a level later (docs/machines/pixel-planes.md, "Global OR"). With FAN_IN 0
-// one gate has all, and settles within the clock.
+// The OR of the enable bits of all pixels: levels of gates with FAN_IN inputs and a register each, so that an answer
+// takes one clock per level (docs/machines/pixel-planes.md, "Global OR"). With FAN_IN 0 a single gate has all inputs
+// and settles within the clock.
 module global_or #(
   parameter LINES = 64,
   parameter FAN_IN = 64

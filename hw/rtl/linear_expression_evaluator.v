@@ -1,8 +1,8 @@
-// The multiplier trees of the Linear Expression Evaluator (thesis 7.2.1 and fig. 7.1; docs/machines/pixel-planes.md):
-// A*x + B*y + C at every pixel, a bit a clock, LEVELS_X + LEVELS_Y clocks after its bits of A, B and C have entered,
-// least significant first, streams back to back. An X tree brings each column its sum, and below each a Y tree each of
-// its pixels. With DEGREE 2 XX*x*x + XY*x*y + YY*y*y besides (docs/machines/pixel-planes.md). Pixel (x, y) is leaf y *
-// WIDTH + x.
+// The multiplier trees of the Linear Expression Evaluator (thesis 7.2.1 and fig. 7.1; docs/machines/pixel-planes.md).
+// They compute A*x + B*y + C at every pixel, one bit per clock, LEVELS_X + LEVELS_Y clocks after the bits of A, B and C
+// have entered, least significant bit first, with streams back to back. An X tree delivers a sum to each column, and a
+// Y tree per column delivers one to each pixel. With DEGREE 2 they add XX*x*x + XY*x*y + YY*y*y
+// (docs/machines/pixel-planes.md). Pixel (x, y) is leaf y * WIDTH + x.
 `include "faults.vh"
 
 module linear_expression_evaluator #(
@@ -10,22 +10,22 @@ module linear_expression_evaluator #(
   parameter HEIGHT = 8,
   parameter LEVELS_X = 3,  // $clog2(WIDTH)
   parameter LEVELS_Y = 3,
-  parameter DEGREE = 1     // or 2
+  parameter DEGREE = 1     // 1 or 2
 ) (
   input wire clk,
   input wire reset,
-  input wire first,        // bits of a stream are on these:
+  input wire first,        // first bits of a stream are on the following wires
   input wire a,
   input wire b,
   input wire c,
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire xx,           // with DEGREE 2
+  input wire xx,           // used with DEGREE 2
   input wire xy,
   input wire yy,
   /* verilator lint_on UNUSEDSIGNAL */
   output wire [WIDTH*HEIGHT-1:0] leaves
 );
-  // What square_tree.v wants to be told.
+  // Additional levels that square_tree.v needs.
   localparam MORE_X = DEGREE > 1 && LEVELS_X > 3 ? LEVELS_X - 3 : 0;
   localparam MORE_Y = DEGREE > 1 && LEVELS_Y > 3 ? LEVELS_Y - 3 : 0;
 
@@ -40,7 +40,7 @@ module linear_expression_evaluator #(
 
   generate
     if (DEGREE == 1) begin : linear
-      // A wire that no level looks at has no length; B is needed when C's sums come out of the X tree, and later.
+      // The delay of an unused wire is 0; B is needed from the clock in which C's sums leave the X tree.
       localparam DELAY_A = LEVELS_X > 0 ? LEVELS_X - 1 : 0;
       localparam DELAY_B = LEVELS_Y > 0 ? LEVELS_X + LEVELS_Y - 1 : 0;
       wire late_a;

@@ -1,11 +1,11 @@
-// Words of a bit at each of PIXELS pixels: a word line is an address, a bit line a pixel. Each port has a row that
-// comes out of a register in the same clock, so that block RAM, which takes addresses at an edge, can be this; what was
-// written at the edge before is read, for which synthesis adds registers beside a RAM that does not say so.
+// Words of one bit at each of PIXELS pixels: a word line is an address, a bit line a pixel. Each port has a registered
+// row address whose data is read in the same clock, so that block RAM, which takes addresses at an edge, can implement
+// it. A read returns data written at the previous edge; synthesis adds registers to a RAM without this property.
 module memory_bank #(
   parameter PIXELS = 64,
   parameter WORDS = 72,
   parameter ROW = 7,
-  parameter PORTS = 1          // to read
+  parameter PORTS = 1          // number of read ports
 ) (
   input wire clk,
   input wire [PORTS*ROW-1:0] rows,
@@ -13,7 +13,7 @@ module memory_bank #(
   input wire write,
   input wire [ROW-1:0] row,
   input wire [PIXELS-1:0] written,
-  input wire [PIXELS-1:0] mask  // the pixels that are written
+  input wire [PIXELS-1:0] mask  // pixels to write
 );
   localparam DEPTH = WORDS > 1 ? 1 << ROW : 1;
   reg [PIXELS-1:0] words [0:DEPTH-1];
@@ -25,7 +25,7 @@ module memory_bank #(
     end
   endgenerate
 
-  // The same twice: synthesis makes a RAM's write mask of one, the other is fast to simulate.
+  // Two equivalent forms: synthesis infers a RAM's write mask from the first; the second simulates faster.
 `ifdef SYNTHESIS
   integer j;
   always @(posedge clk)

@@ -1,10 +1,10 @@
 // LANES serial multiplier trees (thesis 7.2.1 and fig. 7.1): each adds multiplicand * i to its stream for each leaf i,
-// LEVELS clocks later. Node 1 is the root, those below node n are 2n and 2n + 1, and leaf i is number 2^LEVELS + i.
-// Nodes that have no leaf are left out.
+// LEVELS clocks later. Node 1 is the root, the children of node n are 2n and 2n + 1, and leaf i is node 2^LEVELS + i.
+// Nodes without a leaf are omitted.
 //
-// The multiplicand enters LEVELS - 1 clocks after the stream, on a wire that all levels share, so that at level k it is
-// worth h = 2^(LEVELS - 1 - k) times itself. It counts there from bit LEVELS - 1 - k of the stream on; until then the
-// wire has the end of the stream before.
+// The multiplicand enters LEVELS - 1 clocks after the stream, on a wire shared by all levels, so that at level k it has
+// the weight h = 2^(LEVELS - 1 - k). It is used there from bit LEVELS - 1 - k of the stream on; until then the wire
+// carries the end of the previous stream.
 `include "faults.vh"
 
 module multiplier_tree #(
@@ -14,7 +14,7 @@ module multiplier_tree #(
 ) (
   input wire clk,
   input wire reset,
-  input wire [LEVELS:0] begins,   // a stream, at each level
+  input wire [LEVELS:0] begins,   // start of a stream at each level
   input wire multiplicand,
   input wire [LANES-1:0] in,
   output wire [LEAVES*LANES-1:0] out   // the lanes of leaf 0 first

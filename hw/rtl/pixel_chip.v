@@ -1,6 +1,6 @@
-// A chip of PIXELS pixels (thesis 7.2.1: 64 to 128), which obey the same control word: a bit-serial processor with its
-// registers at each, and memory whose word lines they share. Vectors have a bit a pixel; where they have several places
-// of the ALU, the least significant first.
+// A chip of PIXELS pixels (thesis 7.2.1: 64 to 128) that execute the same control word: each has a bit-serial processor
+// with its registers, and memory whose word lines they share. Vectors have one bit per pixel; if they have several
+// places of the ALU, the least significant place comes first.
 module pixel_chip #(
   parameter PIXELS = 64,
   parameter MEMORY_BITS = 72,
@@ -15,14 +15,14 @@ module pixel_chip #(
   input wire clk,
   input wire reset,
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire [CONTROL_BITS-1:0] early,          // the control word that will be here in the next clock
+  input wire [CONTROL_BITS-1:0] early,          // control word of the next clock
   /* verilator lint_on UNUSEDSIGNAL */
   input wire [CONTROL_BITS-1:0] control,
-  input wire [ADDRESS-1:0] early_shown,         // address for the scan-out's own port, in the next clock
-  input wire [PIXELS-1:0] in_region,            // of a word that clears
+  input wire [ADDRESS-1:0] early_shown,         // address for the scan-out's separate port in the next clock
+  input wire [PIXELS-1:0] in_region,            // pixels of the region in a clearing word
   input wire [PIXELS-1:0] tree,                 // bits of F
   output wire [PIXELS-1:0] enable,
-  output wire [PIXELS-1:0] shown                // what the scan-out reads
+  output wire [PIXELS-1:0] shown                // bits read by the scan-out
 );
 `include "control_word.vh"
 

@@ -1,8 +1,8 @@
-// The memory of a chip's pixels, MEMORY_BITS at each (thesis 7.2.1): one or two ports to read and one to write, a port
-// having ALU_BITS adjacent bits; and with OWN_PORT another to read, one bit wide, for the scan-out. There are as many
-// banks as the ALU has places, or as bits are cleared in a clock, if these are more.
+// The memory of a chip's pixels, MEMORY_BITS bits each (thesis 7.2.1): one or two read ports and a write port, ALU_BITS
+// adjacent bits wide; and with OWN_PORT a further read port for the scan-out, one bit wide. The number of banks is that
+// of the ALU's places or of the bits cleared in a clock, whichever is larger.
 //
-// Addresses come a clock early, before the control word is at the pixels, for the ports' registers.
+// Addresses arrive one clock before the control word is at the pixels, for the ports' registers.
 `include "faults.vh"
 
 module pixel_memory #(
@@ -17,14 +17,14 @@ module pixel_memory #(
   input wire clk,
   input wire [ADDRESS-1:0] early_x,
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire [ADDRESS-1:0] early_y,             // with two reads
-  input wire [ADDRESS-1:0] early_shown,         // with a port of its own
+  input wire [ADDRESS-1:0] early_y,             // with two read ports
+  input wire [ADDRESS-1:0] early_shown,         // with a separate port
   /* verilator lint_on UNUSEDSIGNAL */
   input wire [ADDRESS-1:0] early_w,
-  input wire [ADDRESS:0] early_count,           // bits to clear from there on
-  input wire clear,                             // at every pixel; nothing else is written then
-  input wire [ALU_BITS-1:0] write,              // those places
-  input wire [PIXELS-1:0] may_write,            // at those pixels
+  input wire [ADDRESS:0] early_count,           // number of bits to clear from that address on
+  input wire clear,                             // clears at every pixel; nothing else is written then
+  input wire [ALU_BITS-1:0] write,              // places to write
+  input wire [PIXELS-1:0] may_write,            // pixels to write
   input wire [PIXELS*ALU_BITS-1:0] written,
   output reg [PIXELS*ALU_BITS-1:0] read_x,
   output reg [PIXELS*ALU_BITS-1:0] read_y,
@@ -46,7 +46,7 @@ module pixel_memory #(
   memory_port #(.ALU_BITS(ALU_BITS), .BANKS(BANKS), .ADDRESS(ADDRESS), .ROW(ROW)) port_w (
     .clk(clk), .early(early_w), .rows(rows_w), .homes(homes_w));
 
-  // Which banks a clear meets.
+  // Banks selected by a clear.
   wire [ADDRESS:0] start = {1'b0, early_w} % NUMBER[ADDRESS:0];
   reg [BANKS-1:0] cleared;
   wire [PORTS*BANKS*PIXELS-1:0] delivered;  // by port, then by bank
@@ -84,7 +84,7 @@ module pixel_memory #(
     end
   endgenerate
 
-  // The ALU's places turn to the banks that they meet.
+  // Routes the banks' bits to the places of the ALU.
   integer j, k;
   always @* begin
     read_x = {(PIXELS*ALU_BITS){1'b0}};

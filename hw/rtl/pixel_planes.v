@@ -1,32 +1,33 @@
-// The whole machine (docs/machines/pixel-planes.md, and docs/machines/pixel-planes.md of degree 2): link, controller,
-// delay of the control word, multiplier trees, a pixel processor with its memory at every pixel, the OR of their enable
-// bits, and the scan-out. Pixel (x, y) is number y * WIDTH + x. All of it has one clock; every output but word_ready
-// comes from a register.
+// The whole machine (docs/machines/pixel-planes.md, and docs/machines/pixel-planes.md with degree 2): link,
+// controller, delay of the control word, multiplier trees, a pixel processor with memory at every pixel, the OR of the
+// enable bits, and the scan-out. Pixel (x, y) is number y * WIDTH + x. The machine has a single clock; every output
+// except word_ready is registered.
 //
-// The host has words of LINK bits for a frame, and holds `frame` at 1 until the machine asks for those from instruction
-// 0 on. A request that is out in a clock is with the host at the edge that ends it. A word moves at an edge at which it
+// The host has words of LINK bits for a frame, and holds `frame` at 1 until the machine requests the words from
+// instruction 0 on. A request issued in a clock reaches the host at the edge that ends it. A word is transferred at an
+// edge at which it is valid and the machine is ready.
 // is valid and the machine ready.
 `include "faults.vh"
 
 module pixel_planes #(
-  parameter WIDTH = 8,          // pixels: two in all, at least
+  parameter WIDTH = 8,          // pixels: at least two in total
   parameter HEIGHT = 8,
-  parameter MEMORY_BITS = 40,   // of a pixel
-  parameter MEMORY_READS = 1,   // a clock, or 2
+  parameter MEMORY_BITS = 40,   // per pixel
+  parameter MEMORY_READS = 1,   // reads per clock, 1 or 2
   parameter ALU_BITS = 1,       // places of the ALU
-  parameter DEGREE = 1,         // of expressions, or 2
-  parameter ROOTS = 1,          // 0: Programs have no `root`
-  parameter LINK = 32,          // bits of a word
-  parameter FIFO_DEPTH = 16,    // words
-  parameter CLEAR_CLOCKS = 1,   // in which memory becomes 0
-  parameter HAS_OR = 1,         // 0: Programs ask nothing
-  parameter FAN_IN = 64,        // inputs of a gate of that OR; 0: one gate has all
-  parameter SCAN_PIXELS = 1,    // shown a clock; 0: nothing is
-  parameter SCAN_SHARED = 0,    // 1: colours are read through the pixels' one port
-  parameter BUFFERS = 1,        // pictures in memory, or 2
-  parameter COLOUR_BITS = 24,   // of a pixel that is shown, at most
+  parameter DEGREE = 1,         // degree of expressions, 1 or 2
+  parameter ROOTS = 1,          // 0: Programs contain no `root`
+  parameter LINK = 32,          // bits of a link word
+  parameter FIFO_DEPTH = 16,    // words of the FIFO
+  parameter CLEAR_CLOCKS = 1,   // clocks to clear memory
+  parameter HAS_OR = 1,         // 0: Programs contain no questions
+  parameter FAN_IN = 64,        // inputs of a gate of that OR; 0: a single gate
+  parameter SCAN_PIXELS = 1,    // pixels shown per clock; 0: none
+  parameter SCAN_SHARED = 0,    // 1: colours are read through the pixels' port
+  parameter BUFFERS = 1,        // pictures in memory, 1 or 2
+  parameter COLOUR_BITS = 24,   // maximum bits of a shown pixel
   parameter CHIP = 64,          // pixels that share word lines and their decoders
-  // How many wires `video` has at least.
+  // Minimum number of wires of `video`.
   parameter VIDEO = SCAN_PIXELS > 0 ? SCAN_PIXELS * COLOUR_BITS : 1
 ) (
   input wire clk,
@@ -35,22 +36,22 @@ module pixel_planes #(
   input wire [7:0] fault,
 `endif
 
-  input wire frame,                 // the host has one
-  output wire request,              // of the words from that instruction of the frame on
+  input wire frame,                 // the host has a frame
+  output wire request,              // requests the words from instruction request_from on
   output wire [31:0] request_from,
   input wire [LINK-1:0] word,
   input wire word_valid,
   output wire word_ready,
-  output wire told,                 // the answer to a global_or
+  output wire told,                 // reports the answer to a global_or
   output wire told_any,
-  output wire done,                 // with the frame: it is drawn, and copied if there are two buffers
-  output wire [31:0] clocks,        // of the frame
+  output wire done,                 // the frame is drawn, and copied with two buffers
+  output wire [31:0] clocks,        // clocks of the frame
 
-  output wire video_valid,          // pixels are shown in this clock,
-  output wire video_row,            // the first of a row,
-  output wire video_frame,          // and of a picture
-  output wire [VIDEO-1:0] video,    // from the left, COLOUR_BITS each; beyond the end of a row 0
-  output wire shown                 // a picture has been, to its end
+  output wire video_valid,          // pixels are shown in this clock
+  output wire video_row,            // they are the first of a row
+  output wire video_frame,          // they are the first of a picture
+  output wire [VIDEO-1:0] video,    // pixels from the left, COLOUR_BITS each; 0 beyond the end of a row
+  output wire shown                 // a picture has been shown completely
 );
   localparam ADDRESS = MEMORY_BITS > 1 ? $clog2(MEMORY_BITS) : 1;
   localparam SIDE = $clog2((WIDTH > HEIGHT ? WIDTH : HEIGHT) + 1);
@@ -81,8 +82,8 @@ module pixel_planes #(
   /* verilator lint_off UNUSEDSIGNAL */
   wire [3:0] spent;     // for counters.v
   wire refresh_waits;
-  // For waves.
-  wire stream = at_pixels[CW_STREAM];  // `tree` has bits of F
+  // Signals for waves.
+  wire stream = at_pixels[CW_STREAM];  // `tree` carries bits of F
   wire [ALU_BITS-1:0] active = at_pixels[CW_ACTIVE +: ALU_BITS];
   /* verilator lint_on UNUSEDSIGNAL */
 

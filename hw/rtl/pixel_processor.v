@@ -1,15 +1,15 @@
-// Pixels that obey the same control word: at each a bit-serial processor of ALU_BITS places with enable E, carry K, a
-// latch for what a memory with one port reads first, and with ROOTS a flag G. Written from the meanings of the
-// instruction table (hw/isa/opcodes.h), docs/machines/pixel-planes.md and thesis 7.2.1: "logical operations and
-// comparisons of values can be performed in the ALU by a one-bit adder". Vectors have a bit a pixel; where they have
-// several places of the ALU, the least significant first.
+// Pixels that execute the same control word: each has a bit-serial processor of ALU_BITS places with enable E, carry K,
+// a latch for the first operand of a memory with one read port, and with ROOTS a flag G. Written from the meanings of
+// the instruction table (hw/isa/opcodes.h), docs/machines/pixel-planes.md and thesis 7.2.1: "logical operations and
+// comparisons of values can be performed in the ALU by a one-bit adder". Vectors have one bit per pixel; if they have
+// several places of the ALU, the least significant place comes first.
 `include "faults.vh"
 
 module pixel_processor #(
   parameter PIXELS = 1,
-  parameter MEMORY_READS = 1,  // with two nothing is ever latched
+  parameter MEMORY_READS = 1,  // with two, the latch is unused
   parameter ALU_BITS = 1,
-  parameter ROOTS = 1,         // 0: there is no flag, and `root` takes none
+  parameter ROOTS = 1,         // 0: no flag, and `root` is not supported
   parameter ADDRESS = 7,
   parameter SIDE = 5
 ) (
@@ -18,9 +18,9 @@ module pixel_processor #(
   /* verilator lint_off UNUSEDSIGNAL */
   input wire [CONTROL_BITS-1:0] control,
   /* verilator lint_on UNUSEDSIGNAL */
-  input wire [PIXELS-1:0] in_region,              // of a word that clears
+  input wire [PIXELS-1:0] in_region,              // pixels of the region in a clearing word
   input wire [PIXELS-1:0] tree,                   // bits of F
-  input wire [PIXELS*ALU_BITS-1:0] memory_x,      // what the read ports deliver
+  input wire [PIXELS*ALU_BITS-1:0] memory_x,      // data of the read ports
   input wire [PIXELS*ALU_BITS-1:0] memory_y,
   output reg [PIXELS*ALU_BITS-1:0] written,
   output wire [PIXELS-1:0] may_write,
@@ -36,12 +36,12 @@ module pixel_processor #(
   wire [1:0] x_select = control[CW_X_SELECT +: 2];
   wire [1:0] carry_in = control[CW_CARRY_IN +: 2];
   wire clear = control[CW_CLEAR];
-  reg [PIXELS-1:0] present;  // part of the segment
+  reg [PIXELS-1:0] present;  // pixel is part of the segment
 
   wire [PIXELS-1:0] first_carry = carry_in == CARRY_KEPT ? carry & ~{PIXELS{`FAULT(`FAULT_CARRY)}}
                                                          : {PIXELS{carry_in == CARRY_ONE}};
   wire [PIXELS-1:0] result;
-  wire [PIXELS-1:0] turned;  // where operand x is inverted, as a root subtracts there
+  wire [PIXELS-1:0] turned;  // operand x is inverted, since a root subtracts there
   generate
     if (ROOTS != 0) begin : roots
       reg [PIXELS-1:0] negative;

@@ -1,6 +1,6 @@
-// The pixel processors and memories, in chips of CHIP pixels (the last may have fewer), which carry out one control
-// word a clock; and the port through which the scan-out reads a memory bit of a row of pixels. Pixel (x, y) is number y
-// * WIDTH + x, and in chip number / CHIP.
+// The pixel processors and memories, in chips of CHIP pixels (the last may have fewer), which execute one control word
+// per clock; and the port through which the scan-out reads a memory bit of a row of pixels. Pixel (x, y) is number y *
+// WIDTH + x, in chip number / CHIP.
 `include "faults.vh"
 
 module pixel_processors #(
@@ -12,31 +12,31 @@ module pixel_processors #(
   parameter ALU_BITS = 1,
   parameter ROOTS = 1,
   parameter CLEAR_CLOCKS = 1,
-  parameter OWN_PORT = 0,          // for the scan-out; else it reads through the pixels'
+  parameter OWN_PORT = 0,          // separate port for the scan-out; otherwise it shares the pixels'
   parameter ADDRESS = 7,
   parameter SIDE = 5
 ) (
   input wire clk,
   input wire reset,
-  input wire [CONTROL_BITS-1:0] early,          // the control word that will be here in the next clock
+  input wire [CONTROL_BITS-1:0] early,          // control word of the next clock
   input wire [CONTROL_BITS-1:0] control,
   input wire [WIDTH*HEIGHT-1:0] tree,           // bits of F
   output wire [WIDTH*HEIGHT-1:0] enable,
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire [ADDRESS-1:0] shown_address,       // at an edge, of the port of its own
+  input wire [ADDRESS-1:0] shown_address,       // read at an edge through the separate port
   input wire [SIDE-1:0] shown_row,
   /* verilator lint_on UNUSEDSIGNAL */
-  output reg [WIDTH-1:0] line                   // in the clock after that edge, or after that with a refresh word
+  output reg [WIDTH-1:0] line                   // valid in the clock after that edge, or after that with a refresh word
 );
 `include "control_word.vh"
 
   localparam PIXELS = WIDTH * HEIGHT;
   localparam CHIPS = (PIXELS + CHIP - 1) / CHIP;
-  // So that a bank has one word to clear in a clock at most.
+  // Chosen so that a bank has at most one word to clear per clock.
   localparam CLEARED = (MEMORY_BITS + CLEAR_CLOCKS - 1) / CLEAR_CLOCKS;
   localparam BANKS = CLEARED > ALU_BITS ? CLEARED : ALU_BITS;
 
-  // Lines along columns and rows.
+  // Select lines along columns and rows.
   wire [PIXELS-1:0] in_region;
   wire [SIDE-1:0] columns = control[CW_COLUMNS +: SIDE];
   wire [SIDE-1:0] rows = control[CW_ROWS +: SIDE];
@@ -68,7 +68,7 @@ module pixel_processors #(
     end
   endgenerate
 
-  // The row's bits, from all columns' lines.
+  // Bits of the selected row, from the lines of all columns.
   wire [SIDE-1:0] chosen;
   reg [WIDTH-1:0] read;
   integer i;

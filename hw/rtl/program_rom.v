@@ -1,17 +1,18 @@
-// The host as a memory: the words of a frame, as `csgsim rtl` writes them, sent whenever the machine asks. It does what
-// the host's end of the link does (docs/machines/pixel-planes.md, "Link"): a request names the instruction to go on
-// from; LATENCY clocks after the edge at which it has come the first word is on the link, for WORD_CLOCKS clocks, and
-// then until there is room for it.
+// A host that is a ROM: sends the words of a frame, as written by `csgsim rtl`, whenever the machine requests them. It
+// behaves like the host's end of the link (docs/machines/pixel-planes.md, "Link"): a request names the instruction at
+// which to resume; LATENCY clocks after the edge at which it arrives, the first word is on the link, for WORD_CLOCKS
+// clocks and then until there is room for it.
 //
-// WORDS_FILE has a word of LINK bits a line, in hexadecimal, as $readmemh takes it. BEGINS_FILE has, for each of
-// INSTRUCTIONS instructions and one more, the number of the word to go on with when all before it are over.
+// WORDS_FILE contains one word of LINK bits per line, in hexadecimal, in the format of $readmemh. BEGINS_FILE contains,
+// for each of INSTRUCTIONS instructions and one more, the number of the word at which to resume when all earlier
+// instructions are complete.
 module program_rom #(
   parameter LINK = 32,
   parameter WORDS = 1,
   parameter INSTRUCTIONS = 1,
   parameter LATENCY = 0,
   parameter WORD_CLOCKS = 1,
-  parameter FRAMES = 1,                 // that the same words are drawn so often; 0: without end
+  parameter FRAMES = 1,                 // number of times that the words are drawn; 0: endless
   parameter WORDS_FILE = "",
   parameter BEGINS_FILE = ""
 ) (
@@ -47,10 +48,10 @@ module program_rom #(
     end
   endgenerate
 
-  reg [PLACE-1:0] next;     // the word on the link, or that will be
-  reg [WAITS-1:0] latent;   // clocks until it is
-  reg [STAYS-1:0] on_link;  // clocks that it still has to be there
-  reg [31:0] frames;        // that the machine has begun
+  reg [PLACE-1:0] next;     // index of the word on the link, or of the next
+  reg [WAITS-1:0] latent;   // clocks until it is on the link
+  reg [STAYS-1:0] on_link;  // remaining clocks of the word on the link
+  reg [31:0] frames;        // number of frames begun by the machine
 
   wire sends = latent == 0 && next != END[PLACE-1:0];
   assign frame = FRAMES == 0 || frames != TIMES;

@@ -1,7 +1,7 @@
-// The machine's end of the link: a register that gathers words of LINK bits until a command is whole, and holds it
-// until it is taken (docs/instruction-set.md, "On a link"; docs/machines/pixel-planes.md, "Link"). A word goes in at
-// an edge; a command whose last word came at an edge can be taken at the next, at which the next command's first word
-// is taken.
+// The machine's end of the link: a register that collects words of LINK bits until a command is complete, and holds the
+// command until it is taken (docs/instruction-set.md, "On a link"; docs/machines/pixel-planes.md, "Link"). A word is
+// stored at an edge; a command whose last word arrived at an edge can be taken at the next, at which the next command's
+// first word is also accepted.
 `include "faults.vh"
 
 module receiver #(
@@ -9,31 +9,31 @@ module receiver #(
 ) (
   input wire clk,
   input wire reset,
-  input wire drop,                         // what has been gathered
+  input wire drop,                         // drops the collected words
   input wire [LINK-1:0] word,
   input wire word_valid,
   output wire take_word,
-  output wire whole,                       // a command is in the register
+  output wire whole,                       // a command is complete
   output wire [COMMAND_BITS-1:0] command,
-  input wire take                          // and is taken at this edge
+  input wire take                          // the command is taken at this edge
 );
 `include "command.vh"
 
   localparam REGISTER = ((COMMAND_BITS + LINK - 1) / LINK) * LINK;
   localparam [31:0] EACH = LINK;
   /* verilator lint_off UNUSEDSIGNAL */
-  reg [REGISTER-1:0] gathered;  // the last word may have more than the longest command
+  reg [REGISTER-1:0] gathered;  // the last word may extend beyond the longest command
   /* verilator lint_on UNUSEDSIGNAL */
-  reg [8:0] count;              // bits of it
+  reg [8:0] count;              // number of bits collected
 
   assign command = gathered[COMMAND_BITS-1:0];
   wire [5:0] number = gathered[5:0];
 
-  // The bits that can be told before the width of coefficients or a constant is known, and where that width is.
+  // Number of bits known before the width of coefficients or of a constant, and the position of that width.
   reg [8:0] fixed;
   reg linear;
   reg constant;
-  reg behind_field;  // the width of the coefficients
+  reg behind_field;  // position of the width of the coefficients
   always @* begin
     fixed = 6;
     linear = 1'b0;
@@ -78,7 +78,7 @@ module receiver #(
     else if (take | take_word) count <= (take ? 9'd0 : count) + (take_word ? EACH[8:0] : 9'd0);
   end
 
-  // Each word has its place; what lies beyond the last is 0.
+  // Each word has its position; bits beyond the last word are 0.
   genvar w;
   generate
     for (w = 0; w < REGISTER / LINK; w = w + 1) begin : place

@@ -1,48 +1,48 @@
 // Shows each picture that the controller has finished, once (docs/machines/pixel-planes.md, "Scan-out"; thesis
-// 7.2.1). A row's colour bits are latched, one bit of all its pixels at a time; then the row is shifted out, PIXELS of
-// them a clock, while the next is latched. At a port of its own a bit is latched in each clock; at a shared port the
-// controller is asked for a refresh word for each bit, and the bit is latched in the clock in which that is at the
-// pixels.
+// 7.2.1). The colour bits of a row are latched, one bit of all its pixels at a time; then the row is shifted out,
+// PIXELS pixels per clock, while the next is latched. A separate port latches one bit per clock; with a shared port, a
+// refresh word is requested from the controller for each bit, and the bit is latched in the clock in which the word is
+// at the pixels.
 //
-// What is read comes a clock after it counts as latched (pixel_processors.v), and joins the row then, or goes with it
-// where the row is shifted at that edge. Rows are held a plane of WIDTH pixels a bit of colour.
+// A bit that is read arrives one clock after it counts as latched (pixel_processors.v), and then joins the row, or is
+// shifted out with it if the row is shifted at that edge. Rows are stored as one plane of WIDTH pixels per colour bit.
 `include "faults.vh"
 
 module scan_out #(
   parameter WIDTH = 8,
   parameter HEIGHT = 8,
-  parameter PIXELS = 1,        // shown a clock
-  parameter COLOUR_BITS = 24,  // of a picture at most; more are left out
-  parameter SHARED = 0,        // the pixels' port
+  parameter PIXELS = 1,        // pixels shown per clock
+  parameter COLOUR_BITS = 24,  // maximum of a picture; further bits are omitted
+  parameter SHARED = 0,        // shares the pixels' port
   parameter ADDRESS = 7,
   parameter SIDE = 5
 ) (
   input wire clk,
   input wire reset,
-  input wire picture,                        // one is finished,
+  input wire picture,                        // a picture is finished
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire [11:0] picture_base,            // in these bits of every pixel
+  input wire [11:0] picture_base,            // position of its colour in every pixel
   /* verilator lint_on UNUSEDSIGNAL */
-  input wire [5:0] picture_width,            // 1 at least
+  input wire [5:0] picture_width,            // at least 1
   output wire take_picture,
-  output wire refresh,                       // a word is asked for
+  output wire refresh,                       // requests a refresh word
   output wire [ADDRESS-1:0] refresh_address,
   output wire [SIDE-1:0] refresh_row,
-  input wire take_refresh,                   // the controller sends it
+  input wire take_refresh,                   // the controller sends the word
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire refreshes,                      // one is at the pixels
+  input wire refreshes,                      // a refresh word is at the pixels
   /* verilator lint_on UNUSEDSIGNAL */
-  output wire [ADDRESS-1:0] shown_address,   // read at an edge, at a port of its own
+  output wire [ADDRESS-1:0] shown_address,   // read at an edge through the separate port
   output wire [SIDE-1:0] shown_row,
-  input wire [WIDTH-1:0] line,               // what has been read
-  output reg latched,                        // the last row is
+  input wire [WIDTH-1:0] line,               // bits that were read
+  output reg latched,                        // the last row has been latched
   output reg video_valid,
-  output reg video_row,                      // these are the first pixels of a row,
-  output reg video_frame,                    // and of a picture
-  output reg [PIXELS*COLOUR_BITS-1:0] video, // the leftmost pixel first; what goes beyond the row is 0
-  output reg shown                           // the picture, to its end
+  output reg video_row,                      // these are the first pixels of a row
+  output reg video_frame,                    // these are the first pixels of a picture
+  output reg [PIXELS*COLOUR_BITS-1:0] video, // the leftmost pixel first; 0 beyond the row
+  output reg shown                           // the picture has been shown completely
 );
-  localparam GROUPS = (WIDTH + PIXELS - 1) / PIXELS;  // clocks of a row
+  localparam GROUPS = (WIDTH + PIXELS - 1) / PIXELS;  // clocks per row
   localparam LEFT = $clog2(GROUPS + 1);
   localparam PADDED = GROUPS * PIXELS;
   localparam [31:0] ALL_GROUPS = GROUPS;
@@ -52,13 +52,13 @@ module scan_out #(
   reg showing;
   reg [11:0] base;
   reg [5:0] width;
-  reg [SIDE-1:0] row;    // being latched
-  reg [5:0] asked;       // bits of it
-  reg [5:0] held;        // bits of it that have been latched
-  reg [LEFT-1:0] left;   // clocks until the row before it has been shifted out
+  reg [SIDE-1:0] row;    // row being latched
+  reg [5:0] asked;       // number of its bits that were requested
+  reg [5:0] held;        // number of its bits that were latched
+  reg [LEFT-1:0] left;   // clocks until the previous row has been shifted out
 
-  // At an edge: a picture is begun; a latched row goes into the empty shift register; pixels are shown; a bit is latched
-  // or asked for.
+  // State at an edge: a picture is begun; a latched row is loaded into the empty shift register; pixels are shown; a
+  // bit is latched or requested.
   assign take_picture = picture & ~showing;
   wire active = picture | showing;
   wire [11:0] base_here = take_picture ? picture_base : base;
@@ -103,8 +103,8 @@ module scan_out #(
     end
   endgenerate
 
-  reg arrives;                 // what was latched at the edge before
-  reg [5:0] arrives_at;        // bit of the colour
+  reg arrives;                 // a bit latched at the previous edge arrives
+  reg [5:0] arrives_at;        // its bit number in the colour
   always @(posedge clk) begin
     latched <= latches && held_next == width_here && row_here == LAST_ROW[SIDE-1:0];
     shown <= ends;

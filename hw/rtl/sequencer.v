@@ -1,14 +1,14 @@
-// The control word and coefficient bits of one clock of an instruction, from its command: no registers (thesis 7.2.1;
-// hw/isa/opcodes.h has what each instruction means, docs/instruction-set.md its clocks).
+// Computes the control word and coefficient bits of one clock of an instruction from its command; combinational (thesis
+// 7.2.1; hw/isa/opcodes.h defines each instruction, docs/instruction-set.md its clocks).
 //
-// F meets a field from its lowest bit, after `shift` bits of fraction. So that K is the comparison with the bits so
-// far, it begins as the answer for two empty numbers; beyond the field F meets zeros, and its sign decides.
-// Instructions of the table that read two fields with one port latch s first, then meet it with the other.
+// F is compared with a field from its lowest bit, after `shift` bits of fraction. K holds the comparison of the bits
+// processed; it starts with the result for two empty numbers. Beyond the field F is compared with zeros, and its sign
+// decides. Instructions of the table that read two fields with one port latch s first, then combine it with the other.
 //
 // A root of w bits has w turns. In turn k, from 0, the k + 3 bits of the field from 2(w - 1 - k) up are four times the
-// remainder and two bits more. From them 4q + 1 is subtracted, q being the k bits of the root so far, which lie above
-// them; or 4q + 3 is added, where the remainder was negative, which G keeps. As a sum, either begins with a bit 1 and,
-// with the carry of a subtraction, another. What comes of the top bit is the sign; its inverse is the root's next bit.
+// remainder plus two more bits. The turn subtracts 4q + 1, where q is the k-bit partial root stored above them; or, if
+// the remainder was negative, as recorded in G, adds 4q + 3. In both cases the added number begins with a bit 1; a
+// subtraction also has a carry in. The top bit of the result is the sign; its inverse is the next bit of the root.
 `include "faults.vh"
 
 module sequencer #(
@@ -16,17 +16,17 @@ module sequencer #(
   parameter ALU_BITS = 1,
   parameter ADDRESS = 7,
   parameter SIDE = 5,
-  parameter DEGREE = 1   // 2: of the linear expression's bits those of squares are a part
+  parameter DEGREE = 1   // 2: adds the coefficients of squares to linear expressions
 ) (
   input wire [COMMAND_BITS-1:0] command,
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire [SQUARES_BITS-1:0] squares,  // coefficients that the instruction before has left; 0 if that was no `squares`
+  input wire [SQUARES_BITS-1:0] squares,  // coefficients left by a preceding `squares`, otherwise 0
   /* verilator lint_on UNUSEDSIGNAL */
-  input wire [5:0] at,    // bit of the stream or field, the first of the clock
-  input wire pass,        // of two through a stream, or the read after the first
-  input wire [5:0] turn,  // of a root, in which `at` counts from 0
+  input wire [5:0] at,    // first bit of the clock in the stream or field
+  input wire pass,        // second pass through a stream, or the read after the first
+  input wire [5:0] turn,  // turn of a root, in which `at` counts from 0
   output reg [CONTROL_BITS-1:0] control,
-  output reg first,       // bit of a stream
+  output reg first,       // first bit of a stream
   output reg a,
   output reg b,
   output reg c,
@@ -42,7 +42,7 @@ module sequencer #(
 `include "control_word.vh"
 
   localparam [31:0] ALU = ALU_BITS;
-  localparam FRACTION = 6;  // of a linear expression's head, the width before it
+  localparam FRACTION = 6;  // offset of the fraction in a linear expression's head, after the width
 
   wire [5:0] number = command[5:0];
   wire [6:0] at_7 = {1'b0, at};
@@ -53,7 +53,7 @@ module sequencer #(
   wire [5:0] width_0 = command[FIELD_0 + BASE_BITS +: 6];
   wire [5:0] width_1 = command[FIELD_1 + BASE_BITS +: 6];
 
-  // The linear expression.
+  // Linear expression.
   wire no_field = number == EDGE_NOT_NEGATIVE || number == EDGE_NEGATIVE || number == STRIPE;
   wire [5:0] width = no_field ? command[FIELD_0 +: 6] : command[FIELD_1 +: 6];
   wire [5:0] shift = no_field ? command[FIELD_0 + FRACTION +: 6] : command[FIELD_1 + FRACTION +: 6];
@@ -67,7 +67,7 @@ module sequencer #(
                 number == LINEAR_MINUS;
 
   wire sign = at + 6'd1 == width;
-  wire whole = at >= shift;  // not of the fraction
+  wire whole = at >= shift;  // not part of the fraction
   wire [5:0] place = at - shift;
   wire in_field = whole && place < width_0;
   wire begins_field = whole && place == 0;
@@ -104,7 +104,7 @@ module sequencer #(
   reg [11:0] address_w;
   /* verilator lint_on UNUSEDSIGNAL */
 
-  // The fields and s of `add`, where a place has a bit of them.
+  // Places that have a bit of the target field, and of s of `add`.
   wire [ALU_BITS-1:0] in_target;
   wire [ALU_BITS-1:0] in_second;
   genvar i;
@@ -116,9 +116,10 @@ module sequencer #(
     end
   endgenerate
 
-  // Tasks read what the block below reads too: a simulator that looks for what wakes the block does not look into them.
+  // Tasks read only signals that the block below also reads, since a simulator does not derive the block's sensitivity
+  // from tasks.
 
-  // An operand of two: x is s, y the other field.
+  // Selects two operands: x is s, y the other field.
   task meet(input [11:0] base_x, input [11:0] base_y);
     begin
       address_x = base_x + at_12;
@@ -127,7 +128,7 @@ module sequencer #(
     end
   endtask
 
-  // K := is x > y, or x >= y, in the bits so far.
+  // K := whether x > y, or x >= y, for the bits processed.
   task compare(input or_equal, input is_first);
     begin
       y_zero = 1'b0;
@@ -139,13 +140,13 @@ module sequencer #(
     end
   endtask
 
-  // F against field 0: K says whether F is greater, or also if it is equal, where the sign is met too.
+  // Compares F with field 0: K holds whether F is greater (or equal), once the sign is processed.
   task compare_stream(input or_equal);
     begin
       active[0] = whole;
       if (whole) begin
         compare(or_equal, begins_field);
-        if (!in_field) y_zero = 1'b1;  // y inverted is 1: the bit of the field is 0
+        if (!in_field) y_zero = 1'b1;  // inverted y is 1: the bit of the field is 0
         if (sign) begin                // a negative F is less than any field
           x_invert[0] = 1'b1;
           y_invert = 1'b0;
@@ -187,7 +188,7 @@ module sequencer #(
         {set_enable, and_enable} = 2'b11;
         x_invert[0] = 1'b1;
       end
-      ENABLE_OR: begin  // the carry out of x + E + 1
+      ENABLE_OR: begin  // carry out of x + E + 1
         set_enable = 1'b1;
         {y_enable, y_zero, sum} = 3'b100;
         carry_in = CARRY_ONE;
@@ -221,7 +222,7 @@ module sequencer #(
         carry_in = CARRY_ONE;
         address_y = base_0 + {6'd0, place};
       end
-      LOAD_LINEAR: begin  // a 1 beyond the field does not fit, nor does a sign
+      LOAD_LINEAR: begin  // a 1 beyond the field, or a sign, does not fit
         write = in_field;
         {set_enable, and_enable} = {2{whole && !in_field}};
         x_invert[0] = whole && !in_field;
@@ -235,7 +236,7 @@ module sequencer #(
         end else begin
           write = in_field;
           write_selected = 1'b1;
-          if (whole && !in_field) begin  // not the carry out of x + K, where it does not fit
+          if (whole && !in_field) begin  // inverted carry out of x + K: does not fit
             {set_enable, and_enable} = 2'b11;
             {sum, invert} = 2'b01;
             carry_in = CARRY_KEPT;
@@ -260,7 +261,7 @@ module sequencer #(
         address_y = remainder;
         address_w = remainder;
         write = 1'b1;
-        y_zero = ends_turn && turn == 0;  // its bit is not one of the number
+        y_zero = ends_turn && turn == 0;  // this bit is not part of the number
         y_invert = ends_turn;
         x_zero[0] = !of_root;
         x_invert[0] = at < 2 || (ends_turn && turn == 0);
@@ -299,13 +300,13 @@ module sequencer #(
         {set_enable, and_enable} = 2'b11;
         carry_in = CARRY_ONE;
       end
-      BIT_AND, BIT_AND_NOT: begin  // the carry out of x + y
+      BIT_AND, BIT_AND_NOT: begin  // carry out of x + y
         meet(base_1, base_2);
         write = 1'b1;
         sum = 1'b0;
         y_invert = number == BIT_AND_NOT;
       end
-      BIT_OR: begin  // the carry out of x + y + 1
+      BIT_OR: begin  // carry out of x + y + 1
         meet(base_1, base_2);
         write = 1'b1;
         sum = 1'b0;

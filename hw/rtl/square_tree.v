@@ -1,29 +1,31 @@
-// LANES multiplier trees of degree 2 (docs/machines/pixel-planes.md, "Trees"): of its value and slope each makes
-// value + slope * i + C * i * i for each leaf i, LEVELS clocks later. Nodes are numbered as in multiplier_tree.v.
+// LANES multiplier trees of degree 2 (docs/machines/pixel-planes.md, "Trees"): from its value and slope, each computes
+// for each leaf i the number value + slope * i + C * i * i, LEVELS clocks later. Nodes are numbered as in
+// multiplier_tree.v.
 //
-// The coefficient C of the square comes with the streams, and goes through registers that all nodes of a level share. At
-// level k, with h = 2^s and s = LEVELS - 1 - k, it is h * h * C if it has been delayed by k + 2s clocks, and 2h * C by
-// k + s + 1; it counts from bit 2s of the streams on, or s + 1. Until then its wire has the end of the streams before.
+// The coefficient C of the square arrives with the streams and passes through registers shared by all nodes of a level.
+// The wire at level k, with h = 2^s and s = LEVELS - 1 - k, carries h * h * C if delayed by k + 2s clocks, and 2h * C
+// if delayed by k + s + 1; it is used from bit 2s of the streams on, or s + 1. Until then it carries the end of the
+// previous streams.
 `include "faults.vh"
 
 module square_tree #(
   parameter LEAVES = 8,
   parameter LEVELS = 3,  // $clog2(LEAVES)
-  parameter MORE = 0,    // LEVELS - 3, or 0 if that is less
+  parameter MORE = 0,    // LEVELS - 3, or 0 if negative
   parameter LANES = 1
 ) (
   input wire clk,
   input wire reset,
-  input wire [LEVELS+MORE:0] begins,  // streams, at each level and so many clocks later (tree_levels.v)
+  input wire [LEVELS+MORE:0] begins,  // start of the streams at each level and in later clocks (tree_levels.v)
   input wire square,                  // bit of C
   input wire [LANES-1:0] value,
   input wire [LANES-1:0] slope,
   output wire [LEAVES*LANES-1:0] out  // the lanes of leaf 0 first
 );
   localparam ROUNDED = 1 << LEVELS;
-  localparam WIRE = LEVELS > 1 ? 2 * LEVELS - 2 : LEVELS;  // the longest delay of C
+  localparam WIRE = LEVELS > 1 ? 2 * LEVELS - 2 : LEVELS;  // longest delay of C
 
-  wire [WIRE:0] squares;  // C, so many clocks later
+  wire [WIRE:0] squares;  // C, delayed by the index in clocks
   assign squares[0] = square;
   genvar j, k, i;
   generate
@@ -44,8 +46,8 @@ module square_tree #(
   generate
     for (k = 0; k < LEVELS; k = k + 1) begin : level
       localparam S = LEVELS - 1 - k;
-      wire counts;         // the slope's bit, from bit S on
-      wire counts_square;  // h * h * C, from bit 2S on
+      wire counts;         // the slope's bit is used, from bit S on
+      wire counts_square;  // h * h * C is used, from bit 2S on
       wire counts_slope = ~|begins[k+S:k];
       if (S > 0) begin : late
         assign counts = ~|begins[k+S-1:k];

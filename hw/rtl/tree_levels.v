@@ -1,13 +1,13 @@
-// Where the streams in a multiplier tree of LEVELS levels begin: at level k (the root is level 0) k clocks after the
-// root; the last are the leaves. MORE clocks are told besides, so that who takes a window of them knows how long ago a
-// stream began: that at level k began less than m clocks ago if one of the m wires from begins[k] on is 1.
+// Start of the streams in a multiplier tree of LEVELS levels: at level k (the root is level 0), k clocks after the
+// root; the last level holds the leaves. MORE further clocks are output, so that a window of wires gives the age of a
+// stream: the stream at level k began less than m clocks ago if one of the m wires from begins[k] on is 1.
 module tree_levels #(
   parameter LEVELS = 3,
   parameter MORE = 0
 ) (
   input wire clk,
   input wire reset,
-  input wire first,                     // a stream's first bit is at the root
+  input wire first,                     // first bit of a stream at the root
   output wire [LEVELS+MORE:0] begins
 );
   generate

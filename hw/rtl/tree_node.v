@@ -1,5 +1,5 @@
-// The nodes of LANES multiplier trees (thesis 7.2.1 and fig. 7.1) at one place: at each a one-bit adder that keeps its
-// carry. Streams come least significant bit first and back to back, and leave a clock later.
+// The nodes of LANES multiplier trees (thesis 7.2.1 and fig. 7.1) at one position: each is a one-bit adder that keeps
+// its carry. Streams arrive back to back, least significant bit first, and leave one clock later.
 `include "faults.vh"
 
 module tree_node #(
@@ -7,10 +7,10 @@ module tree_node #(
 ) (
   input wire clk,
   input wire reset,
-  input wire first,         // bit of a stream
+  input wire first,         // first bit of a stream
   input wire multiplicand,
   input wire [LANES-1:0] in,
-  output reg [LANES-1:0] left,    // the same
+  output reg [LANES-1:0] left,    // the unchanged stream
   output reg [LANES-1:0] right    // the sum
 );
   reg [LANES-1:0] carry;

@@ -1,25 +1,24 @@
-// The host behind a serial line (uart_receiver.v: 8N1, BIT clocks a bit): a board is fed from a computer. Messages are
-// bytes, numbers least significant byte first.
+// A host behind a serial line (uart_receiver.v: 8N1, BIT clocks per bit), so that a computer can feed a board. Messages
+// are bytes; numbers are sent least significant byte first.
 //
 //   to the board                          to the computer
-//   'F'            a frame waits          'R' and 4 bytes   send the words from that instruction of the frame on
-//   'S'            answers an 'R'         'K'               a word has gone to the machine
+//   'F'            a frame is available   'R' and 4 bytes   send the words from that instruction of the frame on
+//   'S'            answers an 'R'         'K'               the machine has taken a word
 //   'W' and bytes  a word                 'A' and 1 byte    the answer to a question: is any pixel enabled?
-//                                         'D' and 4 bytes   the frame is done, after so many clocks
+//                                         'D' and 4 bytes   the frame is done, after that number of clocks
 //
-// A word has as many bytes as its LINK bits take. Words that were sent before an 'S' are dropped: it is sent once for
-// each 'R', before the words that this asks for. The computer has WINDOW words at most under way that no 'K' has been
-// sent for since the 'S'; so nothing is lost, however long the machine takes. Unknown bytes where a message should
-// begin are passed over.
+// A word has the number of bytes that its LINK bits need. Words sent before an 'S' are dropped: 'S' is sent once for
+// each 'R', before the requested words. The computer keeps at most WINDOW words unacknowledged by a 'K' since the 'S',
+// so nothing is lost, however long the machine takes. Unknown bytes at the start of a message are skipped.
 module uart_host #(
   parameter LINK = 32,
-  parameter BIT = 104,        // 115,200 bits a second at 12 MHz
+  parameter BIT = 104,        // 115,200 bits per second at 12 MHz
   parameter WINDOW = 16,      // words
-  parameter ANSWERS = 64      // kept until they can be sent: the words that the machine and this hold, at least
+  parameter ANSWERS = 64      // capacity for unsent answers: at least the words held by the machine and this module
 ) (
   input wire clk,
   input wire reset,
-  input wire from_computer,   // the lines
+  input wire from_computer,   // serial lines
   output wire to_computer,
   output wire frame,
   input wire request,
@@ -36,14 +35,14 @@ module uart_host #(
   localparam [31:0] LAST = BYTES - 1;
   localparam [7:0] FRAME = "F", START = "S", WORD = "W", ASK = "R", TAKEN = "K", ANSWER = "A", DONE = "D";
 
-  // From the computer.
+  // Messages from the computer.
   wire [7:0] got;
   wire got_valid;
   uart_receiver #(.BIT(BIT)) receiver (
     .clk(clk), .reset(reset), .line(from_computer), .value(got), .valid(got_valid));
 
-  reg waits;                  // a frame does
-  reg stopped;                // words are those of an earlier request
+  reg waits;                  // a frame is available
+  reg stopped;                // incoming words belong to an earlier request
   reg in_word;
   reg [5:0] byte_number;
   /* verilator lint_off UNUSEDSIGNAL */
@@ -77,7 +76,7 @@ module uart_host #(
     end
   end
 
-  // To the machine.
+  // Words to the machine.
   wire queued;
   /* verilator lint_off UNUSEDSIGNAL */
   wire room;
@@ -88,20 +87,20 @@ module uart_host #(
     .clk(clk), .reset(reset), .drop(request), .in(gathered_now[LINK-1:0]), .in_valid(ends_word & ~stopped & ~request),
     .in_ready(room), .out(word), .out_valid(queued), .take(taken));
 
-  // To the computer: of each kind of message what is still to be sent.
+  // Messages to the computer: per kind of message, the data still to be sent.
   localparam COUNT = $clog2(WINDOW + 1);
   reg asks, ends;
   reg [31:0] from;
   reg [31:0] spent;
   reg [COUNT-1:0] acknowledged;
-  reg [31:0] number;          // that is being sent
-  reg [2:0] bytes;            // of it, still to be sent
+  reg [31:0] number;          // number being sent
+  reg [2:0] bytes;            // bytes of it still to be sent
   reg [7:0] value;
   reg valid;
   wire ready;
   uart_sender #(.BIT(BIT)) sender (
     .clk(clk), .reset(reset), .value(value), .valid(valid), .ready(ready), .line(to_computer));
-  wire next = !valid || ready;                       // a byte can be put out
+  wire next = !valid || ready;                       // the next byte can be output
   wire answers, answer;
   /* verilator lint_off UNUSEDSIGNAL */
   wire answer_room;

@@ -1,18 +1,19 @@
-// Bytes from a serial line: 8 data bits, least significant first, no parity, one stop bit; BIT clocks a bit, 4 at least.
+// Receives bytes from a serial line: 8 data bits, least significant first, no parity, one stop bit; BIT clocks per bit,
+// at least 4.
 module uart_receiver #(
   parameter BIT = 104
 ) (
   input wire clk,
   input wire reset,
-  input wire line,          // 1 at rest
+  input wire line,          // 1 when idle
   output reg [7:0] value,
-  output reg valid          // for a clock; a byte whose stop bit is 0 is dropped
+  output reg valid          // 1 for one clock; a byte whose stop bit is 0 is dropped
 );
   localparam [31:0] FULL = BIT - 1;
   localparam [31:0] HALF = BIT / 2 - 1;
-  reg [1:0] settled;        // the line comes from elsewhere
-  reg [15:0] clocks;        // until the next bit is looked at
-  reg [3:0] bits;           // still to come, the start bit first; 0: none
+  reg [1:0] settled;        // synchronizer, since the line is asynchronous
+  reg [15:0] clocks;        // clocks until the next bit is sampled
+  reg [3:0] bits;           // bits still to be received, including the start bit; 0: none
   wire now = settled[1];
 
   always @(posedge clk) begin
@@ -25,7 +26,7 @@ module uart_receiver #(
       clocks <= clocks - 16'd1;
     end else begin
       clocks <= FULL[15:0];
-      bits <= bits == 4'd10 && now ? 4'd0 : bits - 4'd1;  // it was no start bit
+      bits <= bits == 4'd10 && now ? 4'd0 : bits - 4'd1;  // not a start bit
       if (bits == 4'd1) valid <= now;
       else value <= {now, value[7:1]};
     end

@@ -1,4 +1,4 @@
-// Bytes to a serial line: 8 data bits, least significant first, no parity, one stop bit; BIT clocks a bit.
+// Sends bytes to a serial line: 8 data bits, least significant first, no parity, one stop bit; BIT clocks per bit.
 module uart_sender #(
   parameter BIT = 104
 ) (
@@ -6,13 +6,13 @@ module uart_sender #(
   input wire reset,
   input wire [7:0] value,
   input wire valid,
-  output wire ready,        // for a byte, at this edge
+  output wire ready,        // accepts a byte at this edge
   output wire line
 );
   localparam [31:0] FULL = BIT - 1;
-  reg [8:0] rest;           // the bit on the line first
+  reg [8:0] rest;           // remaining bits; the bit on the line is the lowest
   reg [15:0] clocks;
-  reg [3:0] bits;           // on the line, and after it
+  reg [3:0] bits;           // number of bits on the line and after it
   assign ready = bits == 0;
   assign line = bits == 0 || rest[0];
 

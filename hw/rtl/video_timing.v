@@ -1,7 +1,7 @@
-// Sync signals for a monitor, counted a pixel clock: WIDTH pixels of a line are active, then come front porch, sync
-// pulse and back porch; then HEIGHT lines with the same. The scan-out itself has no pauses and shows each picture once;
-// who drives a monitor from it puts a memory of a picture between the two, which is read at x and y. The figures are
-// those of 640 x 480 at 60 Hz, 25.175 MHz.
+// Sync signals for a monitor, counted in pixel clocks: WIDTH pixels of a line are active, followed by front porch, sync
+// pulse and back porch; HEIGHT lines have the same structure. The scan-out itself has no pauses and shows each picture
+// once; driving a monitor requires a picture memory between the two, which is read at x and y. The defaults are those
+// of 640 x 480 at 60 Hz, 25.175 MHz.
 module video_timing #(
   parameter WIDTH = 640,       // pixels
   parameter FRONT_X = 16,
@@ -11,13 +11,13 @@ module video_timing #(
   parameter FRONT_Y = 10,
   parameter SYNC_Y = 2,
   parameter BACK_Y = 33,
-  parameter POSITIVE = 0       // 1: sync pulses are 1
+  parameter POSITIVE = 0       // 1: sync pulses are active high
 ) (
   input wire clk,
   input wire reset,
-  output reg [15:0] x,         // of the pixel in this clock
+  output reg [15:0] x,         // position of the pixel in this clock
   output reg [15:0] y,
-  output wire active,          // it is to be seen; else all is to be black
+  output wire active,          // the pixel is visible; otherwise the output must be black
   output wire hsync,
   output wire vsync
 );

@@ -8,13 +8,13 @@ namespace csgsim::scan_line {
 
 machines::Account account(const LineAccount& counted, const machines::Machine& machine, std::uint64_t clocks) {
   using enum LineActivity;
-  const auto part = [](const char* name, const LineClocks& tally, std::initializer_list<LineActivity> told) {
-    return machines::part_of(name, tally, line_activity_names, told);
+  const auto part = [](const char* name, const LineClocks& tally, std::initializer_list<LineActivity> shown) {
+    return machines::part_of(name, tally, line_activity_names, shown);
   };
   const std::uint64_t cells = std::uint64_t{machine.array.width} * machines::own<Figures>(machine).chains;
   return {.counts = {{"lines", counted.lines},
                      {"packets", counted.packets},
-                     {"most_packets", counted.most_packets},
+                     {"most_packets", counted.max_packets},
                      {"line_budget", counted.line_budget},
                      {"late_lines", counted.late_lines},
                      {"link_words", counted.link_words},

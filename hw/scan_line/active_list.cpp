@@ -16,7 +16,7 @@ void ActiveList::begin(std::span<const isa::RowExtent> primitives) {
   }
 }
 
-std::size_t ActiveList::go_to(std::uint32_t row) {
+std::size_t ActiveList::advance_to(std::uint32_t row) {
   if (row < next_bucket_) {
     active_.clear();
     next_bucket_ = 0;
@@ -26,9 +26,9 @@ std::size_t ActiveList::go_to(std::uint32_t row) {
     const std::vector<std::uint32_t>& bucket = buckets_[next_bucket_];
     active_.insert(active_.end(), bucket.begin(), bucket.end());
   }
-  const std::size_t looked_at = active_.size();
+  const std::size_t visited = active_.size();
   std::erase_if(active_, [&](std::uint32_t primitive) { return primitives_[primitive].last < row; });
-  return looked_at;
+  return visited;
 }
 
 }  // namespace csgsim::scan_line

@@ -9,32 +9,32 @@
 
 namespace csgsim::scan_line {
 
-/// Where a part of a scan-line array spends its clocks. Every clock of the frame is in one of these.
+/// Activities of the units of a scan-line array. Every clock of the frame is counted under exactly one of them.
 enum class LineActivity : std::uint8_t {
-  sorting,              ///< the host puts primitives into the buckets of their first lines
-  updating,             ///< the host goes through the active list for a line
+  sorting,              ///< the host sorts primitives into the buckets of their first lines
+  updating,             ///< the host updates the active list for a line
   preparing,            ///< the host prepares the instructions of a line
-  starting,             ///< the host hands a line over to a link
-  latency,              ///< the frame's first word is on its way over the link
+  starting,             ///< the host transfers a line to a link
+  latency,              ///< the frame's first word is in transit on the link
   sending,              ///< a word is sent
   entering,             ///< a packet enters the chain
   showing,              ///< a pixel is at the refresh port
-  waiting_for_host,     ///< no line has been handed over
-  waiting_for_link,     ///< the link has not begun with the chain's line before; no packet has come over it
+  waiting_for_host,     ///< no line has been transferred
+  waiting_for_link,     ///< the link has not begun the previous line of the chain; no packet has arrived over it
   waiting_for_entry,    ///< the FIFO of the link is full
-  waiting_for_refresh,  ///< a mark waits until the refresh path is free
+  waiting_for_refresh,  ///< a mark waits for the refresh path to become free
   waiting_for_line,     ///< no line is in the shift chain
-  done,                 ///< nothing is left to do
+  done,                 ///< no work is left
 };
 
 inline constexpr auto line_activity_names = std::to_array<std::string_view>(
     {"sorting", "updating", "preparing", "starting", "latency", "sending", "entering", "showing", "waiting_for_host",
      "waiting_for_link", "waiting_for_entry", "waiting_for_refresh", "waiting_for_line", "done"});
 
-/// Clocks of one part by activity.
+/// Clocks of one unit by activity.
 using LineClocks = machines::ClockTally<LineActivity, line_activity_names.size()>;
 
-/// Counts the clocks of a part. At each edge the part says what it does until the next.
+/// Counts the clocks of a unit. At each edge the unit reports its activity until the next edge.
 class ActivityCounter {
  public:
   void begin() { *this = {}; }
@@ -45,7 +45,7 @@ class ActivityCounter {
   }
   [[nodiscard]] const LineClocks& clocks() const { return clocks_; }
 
-  /// Of a frame of so many clocks, after whose last edge that was counted the part had nothing left to do.
+  /// Clocks in a frame of `frame` clocks; clocks after the last counted edge are `done`.
   [[nodiscard]] LineClocks clocks_of(std::uint64_t frame) const {
     LineClocks all = clocks_;
     const std::uint64_t counted = clocks_.total();
@@ -55,7 +55,7 @@ class ActivityCounter {
     return all;
   }
 
-  /// What it does until the next edge, by name; nothing before the first.
+  /// Name of the activity until the next edge; empty before the first edge.
   [[nodiscard]] std::string_view now() const {
     return begun_ ? line_activity_names.at(static_cast<std::size_t>(now_)) : std::string_view();
   }

@@ -36,17 +36,17 @@ void CellChain::on_clock() {
   if (departure.kind == PacketKind::mark) --frame.lines_left;
 }
 
-/// The frame that has a packet in the cells: the first of which lines are left.
+/// The first frame with lines left, to which the oldest packet in the cells belongs.
 CellChain::Frame& CellChain::leaving() {
   const auto found =
       std::find_if(frames_.begin(), frames_.end(), [](const Frame& frame) { return frame.lines_left > 0; });
-  if (found == frames_.end()) throw std::logic_error("a packet left the cells that is of no frame");
+  if (found == frames_.end()) throw std::logic_error("a packet that belongs to no frame left the cells");
   return *found;
 }
 
 void CellChain::retire(const Departure& departure) {
   EntryAccount account;
-  if (!accounts.nb_read(account)) SC_REPORT_FATAL("csgsim", "a packet left the chain that nobody accounted for");
+  if (!accounts.nb_read(account)) SC_REPORT_FATAL("csgsim", "a packet without an account left the chain");
   const SnapshotView line(departure.snapshot);
   if (departure.kind == PacketKind::mark) return retirement->after_segment(departure.segment, line);
   retirement->after_instruction({.segment = departure.segment,

@@ -14,14 +14,14 @@
 
 namespace csgsim::scan_line {
 
-/// What a chain counted of a frame.
+/// Counts of a chain in one frame.
 struct CellCounts {
-  std::uint64_t fill_clocks = 0;  ///< until a packet was in the last cell of a line for the first time; 0: none was
-  std::uint64_t busy_cells = 0;   ///< as Departure has them, of all packets
+  std::uint64_t fill_clocks = 0;  ///< clocks until a packet first reached the last cell of a line; 0: none did
+  std::uint64_t busy_cells = 0;   ///< sum of Departure::busy_cells over all packets
 };
 
-/// A whole chain as one module: a packet's beat enters cell 0 each clock, and a pixel leaves at the refresh port. What
-/// leaves the last cell of a line has been carried out.
+/// A whole chain as one module: each clock, a packet's beat enters cell 0 and a pixel leaves at the refresh port. A
+/// packet that leaves the last cell of a line is completed.
 class CellChain final : public systemc::ClockedModule {
  public:
   sc_core::sc_in<Beat> entry{"entry"};
@@ -34,10 +34,10 @@ class CellChain final : public systemc::ClockedModule {
   /// Empties the chain, for lines of that many pixels.
   void clear(std::uint32_t pixels);
 
-  /// A frame begins, of which so many lines come. Lines of those before may still be in the cells.
+  /// Begins a frame of `lines` lines. Lines of earlier frames may still be in the cells.
   void begin(std::size_t lines);
 
-  /// What was counted of the oldest frame that has not been taken, all lines of which have left the cells.
+  /// Removes and returns the counts of the oldest frame; all its lines must have left the cells.
   CellCounts take();
 
   [[nodiscard]] const Chain& chain() const { return chain_; }
@@ -45,8 +45,8 @@ class CellChain final : public systemc::ClockedModule {
  private:
   void on_clock() override;
   struct Frame {
-    std::size_t lines_left = 0;  ///< that have not left the cells
-    Periods periods{};           ///< since it began
+    std::size_t lines_left = 0;  ///< lines that have not left the cells
+    Periods periods{};           ///< clock periods since the frame began
     CellCounts counts{};
   };
 
@@ -54,7 +54,7 @@ class CellChain final : public systemc::ClockedModule {
   void retire(const Departure& departure);
 
   Chain chain_;
-  std::deque<Frame> frames_;  ///< that have not been taken
+  std::deque<Frame> frames_;  ///< frames whose counts have not been taken
 };
 
 }  // namespace csgsim::scan_line

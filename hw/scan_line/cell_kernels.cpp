@@ -19,14 +19,14 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Of what the ALU has found, by bit of the flags.
-constexpr int carry_flag = 0;  // out of the bits gone through; of a difference the borrow
+// Bit numbers of the ALU's condition flags.
+constexpr int carry_flag = 0;  // carry out of the processed bits; borrow of a difference
 constexpr int differs_flag = 1;
-constexpr int beyond_flag = 2;    // a bit of x is 1 above the field that it is meant to fit
-constexpr int negative_flag = 3;  // the highest bit of the value
-constexpr int x_flag = 4;         // and of the operands
+constexpr int beyond_flag = 2;    // a bit of x above the target field's width is 1
+constexpr int negative_flag = 3;  // highest bit of the value
+constexpr int x_flag = 4;         // highest bits of the operands
 constexpr int y_flag = 5;
-// Of a root: the carry likewise, and whether the remainder is negative.
+// Flags of a root: the carry as above, and whether the remainder is negative.
 constexpr int remainder_flag = 1;
 
 void fetch(const FieldPart& part, std::uint64_t* fetched, const Lanes& lanes, CellRange range) {
@@ -36,8 +36,8 @@ void fetch(const FieldPart& part, std::uint64_t* fetched, const Lanes& lanes, Ce
   });
 }
 
-/// The root found so far takes the field's upper bits, which the remainder does not need any more; its bit k is tried
-/// against k + 3 bits of the field.
+/// The partial root occupies the field's upper bits, which the remainder no longer needs. Bit k of the root is
+/// tried with k + 3 bits of the field.
 void try_root(const Packet& packet, const CellStep& step, const Lanes& lanes, CellRange range) {
   const std::uint32_t bits = packet.accesses.target.field.width / 2U;
   const std::uint32_t length = step.root_bit + 3;
@@ -83,7 +83,7 @@ HWY_INLINE Vector result_of(AluFunction function, Vector x, Vector y, Vector car
   return hn::Zero(Tag());
 }
 
-void go_through(const Packet& packet, AluBits bits, const Lanes& lanes, CellRange range) {
+void run_alu(const Packet& packet, AluBits bits, const Lanes& lanes, CellRange range) {
   Operands operands(packet, lanes, range);
   const bool begins = bits.from == 0;
   const std::uint32_t field_bits = packet.brings_f() ? packet.instruction.fields[0].width : 0U;
@@ -108,8 +108,8 @@ void go_through(const Packet& packet, AluBits bits, const Lanes& lanes, CellRang
   });
 }
 
-/// Where x - y, or F less the field, lets a comparison hold; all ones or zeros.
-struct Holds {
+/// Results of x - y (F minus the field) for which a comparison holds.
+struct Condition {
   bool where_less = false;
   bool where_equal = false;
   bool where_greater = false;
@@ -118,7 +118,7 @@ struct Holds {
 
 struct Comparison {
   isa::Opcode opcode;
-  Holds holds;
+  Condition holds;
 };
 
 constexpr auto comparisons = std::to_array<Comparison>({
@@ -135,19 +135,19 @@ constexpr auto comparisons = std::to_array<Comparison>({
     {isa::Opcode::load_linear, {true, true, true}},
 });
 
-constexpr Holds holds_of(isa::Opcode opcode) {
+constexpr Condition condition_of(isa::Opcode opcode) {
   for (const Comparison& row : comparisons)
     if (row.opcode == opcode) return row.holds;
   return {};
 }
 
-/// What the ALU has found; nothing of operands without bits.
-class Found {
+/// Condition flags computed by the ALU; all zero for operands without bits.
+class AluFlags {
  public:
-  HWY_INLINE Found(const Packet& packet, const Lanes& lanes)
-      : holds_(holds_of(packet.instruction.opcode)), flags_(packet.work.bits == 0 ? nullptr : lanes.flags) {}
+  HWY_INLINE AluFlags(const Packet& packet, const Lanes& lanes)
+      : holds_(condition_of(packet.instruction.opcode)), flags_(packet.work.bits == 0 ? nullptr : lanes.flags) {}
 
-  HWY_INLINE void look(Place at) { now_ = flags_ == nullptr ? hn::Zero(Tag()) : load(flags_, at); }
+  HWY_INLINE void load_flags(Place at) { now_ = flags_ == nullptr ? hn::Zero(Tag()) : load(flags_, at); }
 
   [[nodiscard]] HWY_INLINE Vector holds() const {
     const Vector equal = hn::Xor(bit<differs_flag>(now_), set(1));
@@ -160,7 +160,7 @@ class Found {
     return spread(held);
   }
 
-  /// x the field.
+  /// Whether F fits the target field; x is F.
   [[nodiscard]] HWY_INLINE Vector fits() const {
     return spread(hn::Xor(hn::Or(bit<x_flag>(now_), bit<beyond_flag>(now_)), set(1)));
   }
@@ -171,12 +171,12 @@ class Found {
     return select(spread(hn::Xor(x, bit<y_flag>(now_))), x, bit<negative_flag>(now_));
   }
 
-  Holds holds_;
+  Condition holds_;
   const std::uint64_t* flags_;
   Vector now_ = hn::Zero(Tag());
 };
 
-/// Puts enable(place, what it was) in place of the enable bits. Returns how many there were.
+/// Replaces the enable bits by enable(place, old value). Returns the number of cells that were enabled.
 template <class Enable>
 HWY_ATTR HWY_INLINE std::uint64_t change_enable(const Lanes& lanes, CellRange range, const Enable& enable) {
   Vector count = hn::Zero(Tag());
@@ -188,43 +188,43 @@ HWY_ATTR HWY_INLINE std::uint64_t change_enable(const Lanes& lanes, CellRange ra
   return hn::GetLane(hn::SumOfLanes(Tag(), count));
 }
 
-std::uint64_t keep_enable(const Lanes& lanes, CellRange range) {
+std::uint64_t count_enabled(const Lanes& lanes, CellRange range) {
   Vector count = hn::Zero(Tag());
   each(range, [&](Place at) HWY_ATTR { count = hn::Sub(count, at.inside(load(lanes.enable, at))); });
   return hn::GetLane(hn::SumOfLanes(Tag(), count));
 }
 
-/// Puts enable(what it was, whether the field is not 0) in place of the enable bits.
+/// Replaces the enable bits by enable(old value, whether the field is nonzero).
 template <class Enable>
-HWY_ATTR HWY_INLINE std::uint64_t meet_bit(const Packet& packet, const Lanes& lanes, CellRange range,
-                                           const Enable& enable) {
+HWY_ATTR HWY_INLINE std::uint64_t combine_enable(const Packet& packet, const Lanes& lanes, CellRange range,
+                                                 const Enable& enable) {
   const Source source(packet, lanes, 0);
   return change_enable(lanes, range,
                        [&](Place at, Vector before) HWY_ATTR { return enable(before, spread(any(source.at(at)))); });
 }
 
-/// Leaves those enabled where F is negative, or where it is not.
-std::uint64_t meet_sign(const Packet& packet, bool wanted, const Lanes& lanes, CellRange range) {
+/// Keeps cells enabled where F is negative (`negative`) or not negative.
+std::uint64_t keep_where_sign(const Packet& packet, bool negative, const Lanes& lanes, CellRange range) {
   Expression f(packet, range.first);
-  const Vector other = wanted ? hn::Zero(Tag()) : set(~std::uint64_t{0});
+  const Vector other = negative ? hn::Zero(Tag()) : set(~std::uint64_t{0});
   return change_enable(lanes, range, [&](Place, Vector before) HWY_ATTR {
     return hn::And(before, hn::Xor(spread(bit<lane_bits - 1>(f.next())), other));
   });
 }
 
 std::uint64_t compare(const Packet& packet, const Lanes& lanes, CellRange range) {
-  Found found(packet, lanes);
+  AluFlags found(packet, lanes);
   return change_enable(lanes, range, [&](Place at, Vector before) HWY_ATTR {
-    found.look(at);
+    found.load_flags(at);
     return hn::And(before, found.holds());
   });
 }
 
-/// F is to be written where the comparison holds, and where it does not fit the cell is disabled.
+/// Marks F for writing where the comparison holds, and disables cells there if F does not fit.
 std::uint64_t keep_f(const Packet& packet, const Lanes& lanes, CellRange range) {
-  Found found(packet, lanes);
+  AluFlags found(packet, lanes);
   return change_enable(lanes, range, [&](Place at, Vector before) HWY_ATTR {
-    found.look(at);
+    found.load_flags(at);
     const Vector writes = hn::And(before, found.holds());
     store(writes, lanes.writes, at);
     return hn::AndNot(hn::AndNot(found.fits(), writes), before);
@@ -239,18 +239,18 @@ std::uint64_t act(const Packet& packet, const Lanes& lanes, CellRange range) {
     case Opcode::enable_invert:
       return change_enable(lanes, range, [](Place, Vector before) HWY_ATTR { return hn::Not(before); });
     case Opcode::enable_load:
-      return meet_bit(packet, lanes, range, [](Vector, Vector field) HWY_ATTR { return field; });
+      return combine_enable(packet, lanes, range, [](Vector, Vector field) HWY_ATTR { return field; });
     case Opcode::enable_and:
-      return meet_bit(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::And(e, field); });
+      return combine_enable(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::And(e, field); });
     case Opcode::enable_and_not:
-      return meet_bit(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::AndNot(field, e); });
+      return combine_enable(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::AndNot(field, e); });
     case Opcode::enable_or:
-      return meet_bit(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::Or(e, field); });
+      return combine_enable(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::Or(e, field); });
     case Opcode::enable_xor:
-      return meet_bit(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::Xor(e, field); });
-    case Opcode::edge_not_negative: return meet_sign(packet, false, lanes, range);
+      return combine_enable(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::Xor(e, field); });
+    case Opcode::edge_not_negative: return keep_where_sign(packet, false, lanes, range);
     case Opcode::edge_negative:
-    case Opcode::stripe: return meet_sign(packet, true, lanes, range);
+    case Opcode::stripe: return keep_where_sign(packet, true, lanes, range);
     case Opcode::linear_ge:
     case Opcode::linear_gt:
     case Opcode::linear_le:
@@ -279,7 +279,7 @@ std::uint64_t act(const Packet& packet, const Lanes& lanes, CellRange range) {
     case Opcode::skip_if_none:
     case Opcode::squares: break;
   }
-  return keep_enable(lanes, range);
+  return count_enabled(lanes, range);
 }
 
 /// Writes the part of value(place) where mask(place) is all ones.
@@ -313,13 +313,13 @@ void write(const Packet& packet, const FieldPart& part, const Lanes& lanes, Cell
   }
 }
 
-std::uint64_t CarryOut(const Packet& packet, std::span<const CellStep> steps, const Lanes& lanes, CellRange range) {
+std::uint64_t Execute(const Packet& packet, std::span<const CellStep> steps, const Lanes& lanes, CellRange range) {
   std::uint64_t enabled = 0;
   for (const CellStep& step : steps) {
     for (std::size_t source = 0; source < step.reads.size(); ++source)
       if (step.reads[source].bits.width > 0) fetch(step.reads[source], lanes.fetched[source], lanes, range);
     if (step.trial.count > 0) try_root(packet, step, lanes, range);
-    if (step.alu.count > 0) go_through(packet, step.alu, lanes, range);
+    if (step.alu.count > 0) run_alu(packet, step.alu, lanes, range);
     if (step.acts) enabled += act(packet, lanes, range);
     if (step.writes.bits.width > 0) write(packet, step.writes, lanes, range);
   }
@@ -340,7 +340,7 @@ void AddBits(const std::uint64_t* lanes, CellRange range, std::span<std::uint64_
     const std::uint64_t bits = bytes[0];
     const std::size_t place = at.first % lane_bits;
     words[at.first / lane_bits] |= bits << place;
-    if (place + most_lanes > lane_bits && bits >> (lane_bits - place) != 0)
+    if (place + max_lanes > lane_bits && bits >> (lane_bits - place) != 0)
       words[at.first / lane_bits + 1] |= bits >> (lane_bits - place);
   });
 }
@@ -353,12 +353,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace csgsim::scan_line::kernels {
 
-HWY_EXPORT(CarryOut);
+HWY_EXPORT(Execute);
 HWY_EXPORT(AnyOnes);
 HWY_EXPORT(AddBits);
 
-std::uint64_t carry_out(const Packet& packet, std::span<const CellStep> steps, const Lanes& lanes, CellRange range) {
-  return HWY_DYNAMIC_DISPATCH(CarryOut)(packet, steps, lanes, range);
+std::uint64_t execute(const Packet& packet, std::span<const CellStep> steps, const Lanes& lanes, CellRange range) {
+  return HWY_DYNAMIC_DISPATCH(Execute)(packet, steps, lanes, range);
 }
 
 void add_bits(const std::uint64_t* lanes, CellRange range, std::span<std::uint64_t> words) {

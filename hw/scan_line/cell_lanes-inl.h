@@ -1,4 +1,4 @@
-// Included once for each instruction set, by Highway's rule: no plain include guard.
+// Included once per instruction set, as Highway requires: no plain include guard.
 #if defined(CSGSIM_CELL_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGSIM_CELL_LANES_INL_H
 #undef CSGSIM_CELL_LANES_INL_H
@@ -16,7 +16,7 @@
 #include "hw/isa/opcodes.h"
 #include "hw/scan_line/cell_kernels.h"
 
-/// Vectors of cells: what loops over them read and write.
+/// Vector operations for the loops over cells.
 HWY_BEFORE_NAMESPACE();
 namespace csgsim::scan_line::kernels {
 namespace HWY_NAMESPACE {
@@ -24,39 +24,39 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Tag = hn::CappedTag<std::uint64_t, most_lanes>;
+using Tag = hn::CappedTag<std::uint64_t, max_lanes>;
 using Vector = hn::Vec<Tag>;
 
 constexpr std::uint32_t lane_bits = 64;
 
-/// The low bits of a word are 1; `bits` is below 64.
+/// Word with the low `bits` bits set; `bits` is below 64.
 constexpr std::uint64_t ones(std::uint32_t bits) { return (std::uint64_t{1} << bits) - 1; }
 
 HWY_INLINE Vector set(std::uint64_t number) { return hn::Set(Tag(), number); }
 HWY_INLINE Vector left(Vector value, std::uint32_t bits) { return hn::ShiftLeftSame(value, static_cast<int>(bits)); }
 HWY_INLINE Vector right(Vector value, std::uint32_t bits) { return hn::ShiftRightSame(value, static_cast<int>(bits)); }
 
-/// Bit `from` of each number as 0 or 1.
+/// Bit `from` of each number, as 0 or 1.
 template <int from>
 HWY_INLINE Vector bit(Vector value) {
   return hn::And(hn::ShiftRight<from>(value), set(1));
 }
 
-/// All ones for 1, zeros for 0.
+/// All ones for 1, all zeros for 0.
 HWY_INLINE Vector spread(Vector bit_of) { return hn::Sub(hn::Zero(Tag()), bit_of); }
 
-/// 1 for any number but 0.
+/// 1 for any nonzero number, otherwise 0.
 HWY_INLINE Vector any(Vector value) { return hn::IfThenElseZero(hn::Ne(value, hn::Zero(Tag())), set(1)); }
 
 HWY_INLINE Vector select(Vector mask, Vector a, Vector b) { return hn::Xor(b, hn::And(mask, hn::Xor(a, b))); }
 
-/// A vector of cells: those from `first` on, of which `left` are still in the range.
+/// A vector of cells starting at `first`; `left` cells of the range remain.
 struct Place {
   std::size_t first;
   std::size_t left;
 
   [[nodiscard]] HWY_INLINE bool whole() const { return left >= hn::Lanes(Tag()); }
-  /// Zeros beyond the range.
+  /// The value with zeros beyond the range.
   [[nodiscard]] HWY_INLINE Vector inside(Vector value) const {
     return whole() ? value : hn::IfThenElseZero(hn::FirstN(Tag(), left), value);
   }
@@ -72,14 +72,14 @@ HWY_INLINE void store(Vector value, std::uint64_t* lanes, Place at) {
   }
 }
 
-/// Calls body(place) for every vector.
+/// Calls body(place) for every vector of the range.
 template <class Body>
 HWY_ATTR HWY_INLINE void each(CellRange range, const Body& body) {
   for (std::size_t first = range.first; first < range.end; first += hn::Lanes(Tag()))
     body(Place{first, range.end - first});
 }
 
-/// F in cell after cell: what the adders have come to.
+/// Values of F in consecutive cells, as the adders compute them.
 class Expression {
  public:
   HWY_INLINE Expression(const Packet& packet, std::uint32_t first)
@@ -90,8 +90,8 @@ class Expression {
     const auto c = static_cast<std::uint64_t>(linear.c);
     const auto square = static_cast<std::uint64_t>(packet.square);
     const std::uint64_t count = hn::Lanes(Tag());
-    HWY_ALIGN std::uint64_t sums[most_lanes];
-    HWY_ALIGN std::uint64_t steps[most_lanes];
+    HWY_ALIGN std::uint64_t sums[max_lanes];
+    HWY_ALIGN std::uint64_t steps[max_lanes];
     for (std::uint64_t lane = 0; lane < count; ++lane) {
       const std::uint64_t x = first + lane;
       sums[lane] = (square * x + a) * x + c;
@@ -102,7 +102,7 @@ class Expression {
     second_ = set(2 * square * count * count);
   }
 
-  /// In the cells of the next vector, as a number in two's complement.
+  /// F in the cells of the next vector, in two's complement.
   HWY_INLINE Vector next() {
     constexpr hn::RebindToSigned<Tag> with_sign;
     const auto high = hn::BitCast(with_sign, left(sum_, unused_));
@@ -119,7 +119,7 @@ class Expression {
   Vector second_;
 };
 
-/// A field that has been read, 0 for one that the packet has not.
+/// A field that was read; 0 if the packet does not read it.
 class Source {
  public:
   HWY_INLINE Source(const Packet& packet, const Lanes& lanes, std::size_t number)
@@ -132,7 +132,7 @@ class Source {
   const std::uint64_t* fetched_;
 };
 
-/// What the ALU meets, vector after vector: F is the first, where there is one; a constant is the second.
+/// Operands of the ALU, vector by vector: F, if present, is the first; a constant is the second.
 class Operands {
  public:
   HWY_INLINE Operands(const Packet& packet, const Lanes& lanes, CellRange range)
@@ -158,7 +158,7 @@ class Operands {
   Vector constant_;
 };
 
-/// What of a field lies in one 64-bit word, or in two beside each other.
+/// Bits of a field that lie in one 64-bit word or in two adjacent words.
 HWY_INLINE Vector bits_at(const Lanes& lanes, isa::Field bits, Place at) {
   const std::uint64_t* const words = lanes.memory + bits.base / lane_bits * lanes.stride;
   const std::uint32_t shift = bits.base % lane_bits;
@@ -175,10 +175,10 @@ HWY_INLINE void blend(std::uint64_t* words, Vector value, Vector mask, Place at)
 HWY_INLINE void put_bits(const Lanes& lanes, isa::Field bits, Vector value, Vector mask, Place at) {
   std::uint64_t* const words = lanes.memory + bits.base / lane_bits * lanes.stride;
   const std::uint32_t shift = bits.base % lane_bits;
-  const Vector wanted = hn::And(mask, set(ones(bits.width)));
-  blend(words, left(value, shift), left(wanted, shift), at);
+  const Vector required = hn::And(mask, set(ones(bits.width)));
+  blend(words, left(value, shift), left(required, shift), at);
   if (shift + bits.width > lane_bits)
-    blend(words + lanes.stride, right(value, lane_bits - shift), right(wanted, lane_bits - shift), at);
+    blend(words + lanes.stride, right(value, lane_bits - shift), right(required, lane_bits - shift), at);
 }
 
 }  // namespace

@@ -10,17 +10,17 @@ namespace csgsim::scan_line {
 
 namespace {
 
-/// The words of a cell's memory that the ports go through in one clock after another.
+/// Schedule of the memory ports: the words that they access in consecutive clocks.
 class Ports {
  public:
   explicit Ports(const CellShape& cell) : cell_(cell) {}
 
-  /// The next of `words`, of which `done` have been: up to which of them.
+  /// Index after the words accessed in the next clock; `done` of `words` words have been accessed.
   [[nodiscard]] std::uint32_t end(std::uint32_t done, std::uint32_t words) const {
     return cell_.ports == 0 ? words : std::min(words, done + cell_.ports);
   }
 
-  /// What of the field is in those of its words.
+  /// Part of the field in words [first, end) of its words.
   [[nodiscard]] FieldPart part(const FieldWords& words, std::uint32_t first, std::uint32_t end) const {
     if (first >= end) return {};
     const std::uint32_t begins = std::max<std::uint32_t>(words.field.base, (words.first + first) * cell_.word_bits);
@@ -32,10 +32,10 @@ class Ports {
   const CellShape& cell_;
 };
 
-/// How far the ports have come with a packet's sources, one after the other.
-class Reading {
+/// Progress of the ports through a packet's sources, read one after the other.
+class ReadProgress {
  public:
-  Reading(const Accesses& accesses, const CellShape& cell)
+  ReadProgress(const Accesses& accesses, const CellShape& cell)
       : sources_(accesses.sources), ports_(cell), words_(sources_[0].count + std::uint32_t{sources_[1].count}) {}
 
   [[nodiscard]] bool done() const { return done_ == words_; }
@@ -56,17 +56,17 @@ class Reading {
   std::uint32_t done_ = 0;
 };
 
-/// How far shifter and ALU have come with the operands.
-class Working {
+/// Progress of shifter and ALU through the operands.
+class WorkProgress {
  public:
-  Working(const CellWork& work, const CellShape& cell) : work_(work), cell_(cell) { skip_moves(); }
+  WorkProgress(const CellWork& work, const CellShape& cell) : work_(work), cell_(cell) { skip_moves(); }
 
   [[nodiscard]] bool done() const { return move_ == work_.moves.size() && taken_ == work_.bits; }
 
-  /// A word moves on, or, if all lie where they are wanted, the ALU takes the next bits.
+  /// Moves one word, or, once all words are aligned, processes the ALU's next bits.
   AluBits clock() {
     if (move_ < work_.moves.size()) {
-      move_on();
+      advance_move();
       return {};
     }
     const AluBits taken{taken_, std::min(alu_width(cell_, work_.bits), work_.bits - taken_)};
@@ -79,7 +79,7 @@ class Working {
     while (move_ < work_.moves.size() && (cell_.shift_bits == 0 || work_.moves.at(move_).distance == 0)) ++move_;
   }
 
-  void move_on() {
+  void advance_move() {
     const Move& move = work_.moves.at(move_);
     moved_ += cell_.shift_bits;
     if (moved_ < move.distance) return;
@@ -92,16 +92,16 @@ class Working {
 
   const CellWork& work_;
   const CellShape& cell_;
-  std::size_t move_ = 0;     ///< of the work's
-  std::uint32_t word_ = 0;   ///< of its operand
-  std::uint32_t moved_ = 0;  ///< bits, of that word
-  std::uint32_t taken_ = 0;  ///< bits that the ALU has gone through
+  std::size_t move_ = 0;     ///< index of the current move
+  std::uint32_t word_ = 0;   ///< word of the moved operand
+  std::uint32_t moved_ = 0;  ///< bits by which that word has moved
+  std::uint32_t taken_ = 0;  ///< bits that the ALU has processed
 };
 
-/// How far a root has come: its bit of number k is tried by a sum of k + 3 bits.
-class Rooting {
+/// Progress of a root: its bit k is tried by a sum of k + 3 bits.
+class RootProgress {
  public:
-  Rooting(const Packet& packet, const CellShape& cell)
+  RootProgress(const Packet& packet, const CellShape& cell)
       : cell_(cell),
         bits_(packet.instruction.opcode == isa::Opcode::root ? packet.accesses.target.field.width / 2U : 0) {}
 
@@ -133,22 +133,22 @@ void require(bool done, const char* what) {
 void find_instruction_steps(const Packet& packet, const CellShape& cell, std::vector<CellStep>& steps) {
   const Accesses& accesses = packet.accesses;
   const Ports ports(cell);
-  Reading reading(accesses, cell);
-  Working working(packet.work, cell);
-  Rooting rooting(packet, cell);
+  ReadProgress read_progress(accesses, cell);
+  WorkProgress work_progress(packet.work, cell);
+  RootProgress root_progress(packet, cell);
   std::uint32_t written = 0;
   for (std::uint32_t number = 0; number < packet.beats; ++number) {
     CellStep& step = steps[number];
-    step.reads = reading.clock();
+    step.reads = read_progress.clock();
     if (number >= accesses.work_from && number <= accesses.result) {
-      rooting.clock(step);
-      step.alu = working.clock();
+      root_progress.clock(step);
+      step.alu = work_progress.clock();
     }
     if (number < accesses.result) continue;
     if (number == accesses.result) {
-      require(reading.done(), "a cell acts before its ports have read the fields");
-      require(working.done(), "a cell acts before its shifter and ALU are through");
-      require(rooting.done(), "a cell acts before it has found all bits of a root");
+      require(read_progress.done(), "a cell acts before its ports have read the fields");
+      require(work_progress.done(), "a cell acts before its shifter and ALU have finished");
+      require(root_progress.done(), "a cell acts before it has found all bits of a root");
       step.acts = true;
     }
     const std::uint32_t first = written;
@@ -159,7 +159,7 @@ void find_instruction_steps(const Packet& packet, const CellShape& cell, std::ve
 
 }  // namespace
 
-void find_steps(const Packet& packet, const CellShape& cell, std::vector<CellStep>& steps) {
+void compute_steps(const Packet& packet, const CellShape& cell, std::vector<CellStep>& steps) {
   steps.assign(packet.beats, {});
   steps.front().clears = packet.begins_line;
   switch (packet.kind) {
@@ -167,8 +167,8 @@ void find_steps(const Packet& packet, const CellShape& cell, std::vector<CellSte
     case PacketKind::clear: steps.back().clears = true; break;
     case PacketKind::instruction: find_instruction_steps(packet, cell, steps); break;
     case PacketKind::mark: {
-      Reading reading(packet.accesses, cell);
-      for (CellStep& step : steps) step.reads = reading.clock();
+      ReadProgress read_progress(packet.accesses, cell);
+      for (CellStep& step : steps) step.reads = read_progress.clock();
       steps.back().holds = true;
       break;
     }

@@ -9,15 +9,15 @@
 
 namespace csgsim::scan_line {
 
-/// What of a field the ports read or write in a clock.
+/// Part of a field that the ports read or write in one clock.
 struct FieldPart {
-  isa::Field bits{};       ///< of memory; none if it has no width
-  std::uint32_t from = 0;  ///< bit of the field that is the lowest of them
+  isa::Field bits{};       ///< bits of memory; none if the width is 0
+  std::uint32_t from = 0;  ///< bit of the field that is the lowest of these bits
 
   constexpr bool operator==(const FieldPart&) const = default;
 };
 
-/// Bits that the ALU goes through in a clock.
+/// Bits that the ALU processes in one clock.
 struct AluBits {
   std::uint32_t from = 0;
   std::uint32_t count = 0;  ///< 0: none
@@ -25,24 +25,24 @@ struct AluBits {
   constexpr bool operator==(const AluBits&) const = default;
 };
 
-/// What each cell does in the clock in which a beat is in it, in this order. Every cell does the same.
+/// Operations of a cell in the clock in which a beat is in it, in this order. All cells do the same.
 struct CellStep {
   bool clears = false;               ///< memory and enable become 0
-  std::array<FieldPart, 2> reads{};  ///< of the sources
-  bool begins_root = false;          ///< the first of its trials
-  std::uint32_t root_bit = 0;        ///< that is tried, the highest is 0
-  AluBits trial{};                   ///< of the sum of its trial
-  AluBits alu{};                     ///< of the operands
-  bool acts = false;                 ///< enable bit and what is written are there at the end of the clock
-  FieldPart writes{};                ///< of the target
-  bool holds = false;                ///< the hold register takes what has been read
+  std::array<FieldPart, 2> reads{};  ///< parts of the sources
+  bool begins_root = false;          ///< first trial of a root
+  std::uint32_t root_bit = 0;        ///< root bit being tried; the highest is 0
+  AluBits trial{};                   ///< bits of the trial's sum
+  AluBits alu{};                     ///< bits of the operands
+  bool acts = false;                 ///< the enable bit and the values to write are final at the end of the clock
+  FieldPart writes{};                ///< part of the target
+  bool holds = false;                ///< the hold register stores what was read
 
   constexpr bool operator==(const CellStep&) const = default;
 };
 
-/// What cells do with the packet's beats: the ports go through the words of its fields, the shifter moves operands word
-/// by word, then the ALU goes through their bits, each as wide as it is. Throws std::logic_error if the packet has a
-/// result before a field has been read, the ALU is through, or a root is complete.
-void find_steps(const Packet& packet, const CellShape& cell, std::vector<CellStep>& steps);
+/// Computes the cells' steps for the packet's beats: the ports read the words of its fields, the shifter moves operands
+/// word by word, then the ALU processes their bits, each at its own width per clock. Throws std::logic_error if the
+/// packet has a result before all fields are read, the ALU has finished, or the root is complete.
+void compute_steps(const Packet& packet, const CellShape& cell, std::vector<CellStep>& steps);
 
 }  // namespace csgsim::scan_line

@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::uint32_t storage_bits = 64;
 
-/// Cells that are looked at together, whether any of them is enabled.
+/// Number of cells that are tested together for an enabled one.
 constexpr std::uint32_t block_cells = 64;
 
 }  // namespace
 
 Cells::Cells(std::uint32_t count, std::uint32_t memory_bits)
     : count_(count),
-      stride_(count + kernels::most_lanes),
+      stride_(count + kernels::max_lanes),
       cell_words_(quotient_up(memory_bits, storage_bits)),
       memory_(stride_ * cell_words_),
       enable_(stride_),
@@ -39,36 +39,36 @@ kernels::Lanes Cells::lanes() {
           .writes = writes_.data()};
 }
 
-std::uint64_t Cells::carry_out(const Packet& packet, std::span<const CellStep> steps, CellRange range) {
+std::uint64_t Cells::execute(const Packet& packet, std::span<const CellStep> steps, CellRange range) {
   if (range.first >= range.end) return 0;
   if (steps.front().clears) clear(range);
-  const std::uint64_t enabled = kernels::carry_out(packet, steps, lanes(), range);
+  const std::uint64_t enabled = kernels::execute(packet, steps, lanes(), range);
   if (steps.back().holds) hold(packet, range);
   return enabled;
 }
 
-std::uint64_t Cells::carry_out_all(const Packet& packet, std::span<const CellStep> steps, CellRange range) {
+std::uint64_t Cells::execute_all(const Packet& packet, std::span<const CellStep> steps, CellRange range) {
   if (packet.kind == PacketKind::clear) {
     clear(range);
     return 0;
   }
   if (packet.kind == PacketKind::mark || isa::acts_on_disabled(packet.instruction.opcode))
-    return carry_out(packet, steps, range);
+    return execute(packet, steps, range);
   if (packet.begins_line) {
     clear(range);
     return 0;
   }
   std::uint64_t enabled = 0;
-  std::uint32_t first = range.first;  // of the blocks that are carried out together
+  std::uint32_t first = range.first;  // first cell of the blocks that are executed together
   for (std::uint32_t block = range.first; block < range.end;) {
     const std::uint32_t next = std::min(range.end, block + block_cells);
     if (!any_enabled({block, next})) {
-      enabled += carry_out(packet, steps, {first, block});
+      enabled += execute(packet, steps, {first, block});
       first = next;
     }
     block = next;
   }
-  return enabled + carry_out(packet, steps, {first, range.end});
+  return enabled + execute(packet, steps, {first, range.end});
 }
 
 bool Cells::any_enabled(CellRange range) const {
@@ -89,7 +89,7 @@ void Cells::clear(CellRange range) {
   std::fill_n(&enable_[range.first], count, 0U);
 }
 
-/// Of a line that shows nothing, whose mark has no field, 0.
+/// A line without colours, whose mark has no field, holds 0.
 void Cells::hold(const Packet& mark, CellRange range) {
   const bool has_colour = !mark.background && mark.accesses.sources[0].count > 0;
   const auto constant = static_cast<std::uint32_t>(mark.background ? mark.instruction.constant : 0);

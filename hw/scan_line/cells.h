@@ -13,28 +13,27 @@ namespace csgsim::scan_line {
 
 using kernels::CellRange;
 
-/// The cells of a chain, or below a tree. Each has a memory of words with so many ports, an enable bit, a shifter, an
-/// ALU, and registers: two fields that have been read, what the ALU has made of them, a field to be written, and what
-/// is held for the refresh. The memory writes single bits of a word. A root is taken by the ALU, in the register of the
-/// first field read. F comes from the adders before the cell (words_in), whose sums follow from the coefficients.
+/// The cells of a chain or of a tree. Each has a memory of words with `ports` ports, an enable bit, a shifter, an ALU,
+/// and registers: two fields that were read, the ALU's result, a field to write, and the value held for the refresh.
+/// The memory can write single bits of a word. A root is computed by the ALU in the register of the first field. F
+/// comes from the adders before the cell (words_in); their sums follow from the coefficients.
 ///
-/// Cells do not depend on each other, so any may be ahead of others; each has to be given all steps in order.
+/// Cells are independent of each other, so some may be simulated ahead of others; each must execute all steps in order.
 class Cells {
  public:
   Cells(std::uint32_t count, std::uint32_t memory_bits);
 
   [[nodiscard]] std::uint32_t count() const { return count_; }
 
-  /// These cells carry out the steps, of the packet's beats. Returns how many of them were enabled when they acted.
-  std::uint64_t carry_out(const Packet& packet, std::span<const CellStep> steps, CellRange range);
+  /// Executes steps of the packet's beats in these cells. Returns the number that were enabled in the acting step.
+  std::uint64_t execute(const Packet& packet, std::span<const CellStep> steps, CellRange range);
 
-  /// Likewise all steps of the packet; cells in which that leaves memory, enable and hold register as they are need not
-  /// carry them out.
-  std::uint64_t carry_out_all(const Packet& packet, std::span<const CellStep> steps, CellRange range);
+  /// Executes all steps of the packet; cells whose memory, enable and hold register would not change may be omitted.
+  std::uint64_t execute_all(const Packet& packet, std::span<const CellStep> steps, CellRange range);
 
   [[nodiscard]] bool enabled(std::uint32_t cell) const { return enable_[cell] != 0; }
   [[nodiscard]] std::uint64_t read(std::uint32_t cell, isa::Field field) const;
-  /// What the cell holds for the refresh.
+  /// Value that the cell holds for the refresh.
   [[nodiscard]] std::uint32_t held(std::uint32_t cell) const { return hold_[cell]; }
 
   /// Sets the enable bits of the range in words of 64 cells.
@@ -42,7 +41,7 @@ class Cells {
     kernels::add_bits(enable_.data(), range, words);
   }
 
-  /// 64-bit words of a cell's memory.
+  /// Number of 64-bit words of a cell's memory.
   [[nodiscard]] std::size_t cell_words() const { return cell_words_; }
   [[nodiscard]] std::uint64_t memory_word(std::uint32_t cell, std::size_t word) const {
     return memory_[word * stride_ + cell];
@@ -59,7 +58,7 @@ class Cells {
   std::size_t cell_words_;
   std::vector<std::uint64_t> memory_;
   std::vector<std::uint64_t> enable_;
-  std::vector<std::uint64_t> fetched_;  ///< the first of every cell, then the second
+  std::vector<std::uint64_t> fetched_;  ///< the first field of every cell, then the second
   std::vector<std::uint64_t> value_;
   std::vector<std::uint64_t> flags_;
   std::vector<std::uint64_t> writes_;

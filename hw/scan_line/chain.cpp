@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t plane_bits = 64;
 
-/// With that beat cells of a line begin to hold a pixel of it.
+/// Beat with which the cells of a line begin to hold a pixel of the line.
 std::uint32_t clearing_beat(const Packet& packet) {
   return packet.kind == PacketKind::clear && !packet.begins_line ? packet.beats - 1 : 0;
 }
@@ -29,7 +29,7 @@ Chain::Chain(std::uint32_t cells, std::uint32_t memory_bits, const CellShape& sh
 void Chain::begin(std::uint32_t pixels) {
   catch_up(pixels_ - 1);
   for (std::uint32_t cell = 0; cell < pixels_; ++cell) sums_before_[cell] = sum(cell);
-  brought_.reset();
+  last_f_packet_.reset();
   cleared_.reset();
   pixels_ = pixels;
   oldest_ = 0;
@@ -41,7 +41,7 @@ void Chain::begin(std::uint32_t pixels) {
   departed_snapshot_ = no_snapshot;
   snapshots_.clear();
   unused_.clear();
-  due_ = 0;
+  next_beat_ = 0;
 }
 
 void Chain::step(const Beat& entering) {
@@ -70,7 +70,7 @@ Beat Chain::beat_in(std::uint32_t cell) const {
 std::optional<std::uint32_t> Chain::segment_of(std::uint32_t cell) const {
   for (std::size_t i = count_; i > 0; --i) {
     const Flight& one = flight(i - 1);
-    if (clears(one.packet) && beats_in(one, cell) > clearing_beat(one.packet)) return one.packet.segment;
+    if (clears(one.packet) && beats_executed(one, cell) > clearing_beat(one.packet)) return one.packet.segment;
   }
   return cleared_;
 }
@@ -78,10 +78,10 @@ std::optional<std::uint32_t> Chain::segment_of(std::uint32_t cell) const {
 std::uint64_t Chain::sum(std::uint32_t cell) const {
   for (std::size_t i = count_; i > 0; --i) {
     const Flight& one = flight(i - 1);
-    const std::uint32_t beats = beats_in(one, cell);
+    const std::uint32_t beats = beats_executed(one, cell);
     if (one.packet.brings_f() && beats > 0) return sum_in(one.packet, beats, cell, shape_);
   }
-  return brought_ ? sum_in(*brought_, brought_->words, cell, shape_) : sums_before_[cell];
+  return last_f_packet_ ? sum_in(*last_f_packet_, last_f_packet_->words, cell, shape_) : sums_before_[cell];
 }
 
 bool Chain::enabled(std::uint32_t cell) const {
@@ -105,7 +105,7 @@ void Chain::shift() {
 
 void Chain::transfer() {
   if (!transfers_) return;
-  if (shifting_) throw std::logic_error("a line came to the refresh path before the line ahead had left it");
+  if (shifting_) throw std::logic_error("a line reached the refresh path before the previous line had left it");
   for (std::uint32_t cell = 0; cell < pixels_; ++cell) shift_[cell] = cells_.held(cell);
   shifted_ = 0;
   shifting_ = true;
@@ -114,30 +114,30 @@ void Chain::transfer() {
 }
 
 void Chain::enter(const Beat& beat) {
-  if (beat.number != due_) throw std::logic_error("a packet does not enter beat by beat");
+  if (beat.number != next_beat_) throw std::logic_error("a packet does not enter beat by beat");
   if (beat.packet == nullptr) return;
   if (beat.number == 0) take(*beat.packet);
-  due_ = beat.last() ? 0 : beat.number + 1;
+  next_beat_ = beat.last() ? 0 : beat.number + 1;
   if (network_ == Network::chain && beat.packet->kind == PacketKind::mark && beat.last()) hold();
 }
 
 void Chain::take(const Packet& packet) {
   Flight& entering = flight(count_++);
   entering.packet = packet;
-  find_steps(packet, shape_, entering.steps);
+  compute_steps(packet, shape_, entering.steps);
   entering.entered = clock_;
   entering.done_cells.clear();
   entering.enabled = 0;
   entering.snapshot = packet.keep != Keep::nothing ? take_snapshot(packet.keep) : no_snapshot;
 }
 
-/// A mark comes to the first cell.
+/// A mark reaches the first cell.
 void Chain::hold() {
-  if (held_) throw std::logic_error("a mark came to hold registers that the refresh path had not read");
+  if (held_) throw std::logic_error("a mark reached hold registers that the refresh path had not read");
   held_ = true;
 }
 
-/// The oldest packet is the one that has come farthest.
+/// The oldest packet is the one that has advanced farthest.
 void Chain::depart() {
   if (departed_snapshot_ != no_snapshot) unused_.push_back(departed_snapshot_);
   departed_snapshot_ = no_snapshot;
@@ -159,7 +159,7 @@ void Chain::depart() {
     if (network_ == Network::trees) hold();
     transfers_ = true;
   }
-  if (packet.brings_f()) brought_ = packet;
+  if (packet.brings_f()) last_f_packet_ = packet;
   if (clears(packet)) cleared_ = packet.segment;
   oldest_ = oldest_ + 1 == flights_.size() ? 0 : oldest_ + 1;
   --count_;
@@ -170,52 +170,52 @@ Chain::Flight& Chain::flight(std::size_t number) const {
   return flights_[place < flights_.size() ? place : place - flights_.size()];
 }
 
-/// Beats of the packet that have been in the cell.
-std::uint32_t Chain::beats_in(const Flight& flight, std::uint32_t cell) const {
+/// Number of beats of the packet that have been in the cell.
+std::uint32_t Chain::beats_executed(const Flight& flight, std::uint32_t cell) const {
   const std::uint64_t first = flight.entered + clocks_to(cell);
   if (clock_ <= first) return 0;
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(clock_ - first, flight.packet.beats));
 }
 
-/// Cells that the beat has been in.
+/// Number of cells that the beat has been in.
 std::uint32_t Chain::cells_reached(const Flight& flight, std::uint32_t beat) const {
   const std::uint64_t entered = flight.entered + beat;
   if (network_ == Network::trees) return clock_ > entered + clocks_to(0) ? pixels_ : 0;
   return clock_ > entered ? static_cast<std::uint32_t>(std::min<std::uint64_t>(clock_ - entered, pixels_)) : 0;
 }
 
-/// The cell, and those before it, have then done all that the beats that have been in them ask.
+/// Executes all pending beats in the cell and in those before it.
 void Chain::catch_up(std::uint32_t cell) const {
   for (std::size_t i = 0; i < count_; ++i) {
     Flight& one = flight(i);
     if (!one.done_cells.empty() && one.done_cells.back() > cell) continue;
-    const std::uint32_t beats = beats_in(one, cell);
+    const std::uint32_t beats = beats_executed(one, cell);
     if (beats > 0) one.done_cells.resize(one.packet.beats);
     for (std::uint32_t beat = 0; beat < beats; ++beat)
       catch_up(one, beat, std::min(cell + 1, cells_reached(one, beat)));
   }
 }
 
-/// Cells before `end` have then done what the beat asks.
+/// Executes the beat in the cells before `end`.
 void Chain::catch_up(Flight& flight, std::uint32_t beat, std::uint32_t end) const {
   std::uint32_t& done = flight.done_cells[beat];
   if (done >= end) return;
   const CellRange range{done, end};
-  flight.enabled += cells_.carry_out(flight.packet, std::span(flight.steps).subspan(beat, 1), range);
-  if (beat + 1 == flight.packet.beats) take_down(flight, range);
+  flight.enabled += cells_.execute(flight.packet, std::span(flight.steps).subspan(beat, 1), range);
+  if (beat + 1 == flight.packet.beats) record_snapshot(flight, range);
   done = end;
 }
 
-/// All cells of the line have then done all that the packet asks.
+/// Executes the packet completely in all cells of the line.
 void Chain::finish(Flight& flight) {
   if (flight.done_cells.empty()) {
-    flight.enabled += cells_.carry_out_all(flight.packet, flight.steps, {0, pixels_});
-    return take_down(flight, {0, pixels_});
+    flight.enabled += cells_.execute_all(flight.packet, flight.steps, {0, pixels_});
+    return record_snapshot(flight, {0, pixels_});
   }
   for (std::uint32_t beat = 0; beat < flight.packet.beats; ++beat) catch_up(flight, beat, pixels_);
 }
 
-void Chain::take_down(const Flight& flight, CellRange range) const {
+void Chain::record_snapshot(const Flight& flight, CellRange range) const {
   if (flight.snapshot == no_snapshot) return;
   Snapshot& snapshot = snapshots_[flight.snapshot];
   cells_.add_enabled(range, snapshot.enable);

@@ -15,12 +15,12 @@ void ChainLink::begin(const PictureLines& frame, std::size_t lines_to_send) {
 }
 
 void ChainLink::on_clock() {
-  go_on();
+  advance();
   if (state_ == State::waiting) take_line();
-  counter_.edge(doing());
+  counter_.edge(current_activity());
 }
 
-void ChainLink::go_on() {
+void ChainLink::advance() {
   switch (state_) {
     case State::waiting: break;
     case State::latent:
@@ -36,14 +36,14 @@ void ChainLink::go_on() {
 }
 
 void ChainLink::store_word() {
-  if (!words.nb_write(of_command_[word_])) {
+  if (!words.nb_write(command_words_[word_])) {
     state_ = State::blocked;
     return;
   }
   ++sent_;
   state_ = State::sending;
   left_ = link_.word_clocks;
-  if (++word_ < of_command_.size()) return;
+  if (++word_ < command_words_.size()) return;
   if (command_ < frame_.lines[line_].instructions.size() + 2) return take_command();
   state_ = State::waiting;
 }
@@ -60,10 +60,10 @@ void ChainLink::take_line() {
 
 void ChainLink::take_command() {
   const isa::Segment& line = frame_.lines[line_];
-  of_command_.clear();
+  command_words_.clear();
   word_ = 0;
   const auto send = [&](const isa::Command& command) {
-    isa::encode(command, link_.width, [&](const isa::LinkWord& word) { of_command_.push_back(word); });
+    isa::encode(command, link_.width, [&](const isa::LinkWord& word) { command_words_.push_back(word); });
   };
   if (command_ == 0) {
     send(isa::SegmentStart{line.region});
@@ -75,7 +75,7 @@ void ChainLink::take_command() {
   ++command_;
 }
 
-LineActivity ChainLink::doing() const {
+LineActivity ChainLink::current_activity() const {
   switch (state_) {
     case State::waiting: return lines_left_ == 0 ? LineActivity::done : LineActivity::waiting_for_host;
     case State::latent: return LineActivity::latency;

@@ -16,10 +16,10 @@
 
 namespace csgsim::scan_line {
 
-/// The host's end of the link to a chain. Sends each line that is handed over: where it begins, its instructions, and
-/// its end. A word is on the link for Link::word_clocks clocks and goes into the FIFO at the end of the last, or at the
-/// first edge after that which finds room; then the next word follows, at once that of the next line if it is there.
-/// The frame's first word begins Link::latency clocks after its line was taken.
+/// The host's end of the link to a chain. Sends each line that it receives: its start, its instructions, and its end. A
+/// word occupies the link for Link::word_clocks clocks and enters the FIFO at the end of the last, or at the first
+/// later edge with room; then the next word follows, immediately that of the next line if available. The frame's first
+/// word starts Link::latency clocks after its line was taken.
 class ChainLink final : public systemc::ClockedModule {
  public:
   sc_core::sc_fifo_in<std::uint32_t> lines{"lines"};
@@ -27,15 +27,15 @@ class ChainLink final : public systemc::ClockedModule {
 
   ChainLink(sc_core::sc_module_name name, const machines::Link& link);
 
-  /// For that many lines of the frame. Starts with the next clock.
+  /// Begins a frame; the chain draws `lines` of its lines. Starts with the next clock.
   void begin(const PictureLines& frame, std::size_t lines);
 
-  [[nodiscard]] const ActivityCounter& counter() const { return counter_; }  ///< of the frame that began last
-  [[nodiscard]] std::uint64_t sent() const { return sent_; }                 ///< words
+  [[nodiscard]] const ActivityCounter& counter() const { return counter_; }  ///< counter of the frame that began last
+  [[nodiscard]] std::uint64_t sent() const { return sent_; }                 ///< number of words sent
 
-  // For waves.
+  // Shown in waves.
   [[nodiscard]] std::string_view activity() const { return counter_.now(); }
-  /// That it sends; none while it waits for one.
+  /// Line being sent; none while it waits for one.
   [[nodiscard]] std::optional<std::uint32_t> line() const {
     return state_ == State::waiting ? std::nullopt : std::optional(line_);
   }
@@ -44,22 +44,22 @@ class ChainLink final : public systemc::ClockedModule {
   enum class State : std::uint8_t { waiting, latent, sending, blocked };
 
   void on_clock() override;
-  void go_on();
+  void advance();
   void store_word();
   void take_line();
   void take_command();
-  [[nodiscard]] LineActivity doing() const;
+  [[nodiscard]] LineActivity current_activity() const;
 
   const machines::Link link_;
   PictureLines frame_;
-  std::size_t lines_left_ = 0;  ///< to be taken
+  std::size_t lines_left_ = 0;  ///< lines still to be taken
   State state_ = State::waiting;
-  std::uint32_t left_ = 0;     ///< clocks of the latency, or of the word on the link
-  std::uint32_t latency_ = 0;  ///< of the line that is taken next
+  std::uint32_t left_ = 0;     ///< remaining clocks of the latency, or of the word on the link
+  std::uint32_t latency_ = 0;  ///< latency of the line that is taken next
   std::uint32_t line_ = 0;
-  std::size_t command_ = 0;                ///< of the line: its beginning, its instructions, its end
-  std::vector<isa::LinkWord> of_command_;  ///< words
-  std::size_t word_ = 0;                   ///< of these, the one on the link
+  std::size_t command_ = 0;                   ///< index within the line: its start, its instructions, its end
+  std::vector<isa::LinkWord> command_words_;  ///< words of the current command
+  std::size_t word_ = 0;                      ///< index of the word on the link
   std::uint64_t sent_ = 0;
   ActivityCounter counter_;
 };

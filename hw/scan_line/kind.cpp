@@ -18,49 +18,51 @@ namespace shared = machines::shared;
 
 constexpr auto schema = std::to_array<machines::FigureSchema>({
     machines::figure<&Machine::array, &isa::ArrayShape::width>("cells.count", "cells", 1, isa::max_array_side,
-                                                               "cells of a chain, one a pixel of a line"),
-    own_figure<Figures, &Figures::words>("cells.words", "words", 1, 64, "memory of a cell"),
+                                                               "cells of a chain, one per pixel of a line"),
+    own_figure<Figures, &Figures::words>("cells.words", "words", 1, 64, "memory words of a cell"),
     own_figure<Figures, &Figures::word_bits>("cells.word_bits", "bits", 1, 64,
                                              "width of the cells' words, and of the adder of the running sum"),
     machines::or_ideal(
         own_figure<Figures, &Figures::alu_bits>("cells.alu_bits", "bits", 1, 64,
-                                                "that a cell's ALU goes through in a clock, of a word at most"),
+                                                "bits that a cell's ALU processes per clock, at most a word"),
         0),
-    machines::or_ideal(own_figure<Figures, &Figures::shift_bits>("cells.shift_bits", "bits", 1, 64,
-                                                                 "by which a cell's shifter moves a word in a clock"),
+    machines::or_ideal(own_figure<Figures, &Figures::shift_bits>(
+                           "cells.shift_bits", "bits", 1, 64, "bits by which a cell's shifter moves a word per clock"),
                        0),
     machines::or_ideal(own_figure<Figures, &Figures::ports>("cells.ports", "words", 1, 64,
-                                                            "of a cell's memory, read or written in a clock"),
+                                                            "words of a cell's memory read or written per clock"),
                        0),
     shared::evaluator_degree,
     own_figure<Figures, &Figures::network>(
-        "evaluator.network", "", 0, 1, "chain: each cell adds for the next; trees: adders bring all cells their value",
-        network_names),
+        "evaluator.network", "", 0, 1,
+        "chain: each cell adds and passes the sum on; trees: adders deliver the value to all cells", network_names),
     own_figure<Figures, &Figures::tree_bits>("evaluator.bits", "bits", 1, 64,
-                                             "of trees: that they bring each cell in a clock, of a word at most"),
+                                             "with trees: bits delivered to each cell per clock, at most a word"),
     shared::clear_clocks,
     shared::picture_width,
     shared::picture_height,
     shared::clock_frequency,
-    own_figure<Figures, &Figures::chains>("chains.count", "chains", 1, 1024, "lines worked on in parallel"),
+    own_figure<Figures, &Figures::chains>("chains.count", "chains", 1, 1024, "chains that draw lines in parallel"),
     shared::link_width,
     shared::link_word_clocks,
     shared::link_fifo_depth,
     shared::link_latency,
     machines::or_ideal(own_figure<Figures, &Figures::bucket_clocks>(
                            "host.bucket_clocks", "clocks", 0, machines::most_clocks,
-                           "to put a primitive of the picture into the bucket of its first line"),
+                           "clocks to sort a primitive of the picture into the bucket of its first line"),
                        0),
-    machines::or_ideal(own_figure<Figures, &Figures::active_clocks>(
-                           "host.active_clocks", "clocks", 0, machines::most_clocks,
-                           "to look at a primitive that enters, stays in or leaves the active list, once a line"),
-                       0),
+    machines::or_ideal(
+        own_figure<Figures, &Figures::active_clocks>(
+            "host.active_clocks", "clocks", 0, machines::most_clocks,
+            "clocks to visit a primitive that enters, stays in or leaves the active list, once per line"),
+        0),
     machines::or_ideal(own_figure<Figures, &Figures::instruction_clocks>(
                            "host.instruction_clocks", "clocks", 0, machines::most_clocks,
-                           "to prepare an instruction of a line: transformation, pruning, coefficients"),
+                           "clocks to prepare an instruction of a line: transformation, pruning, coefficients"),
                        0),
-    own_figure<Figures, &Figures::refresh_hz>("refresh.rate", "Hz", 1, 1000, "fields shown a second"),
-    own_figure<Figures, &Figures::interlaced>("refresh.interlaced", "", 0, 1, "1: a field is every other line"),
+    own_figure<Figures, &Figures::refresh_hz>("refresh.rate", "Hz", 1, 1000, "fields shown per second"),
+    own_figure<Figures, &Figures::interlaced>("refresh.interlaced", "", 0, 1,
+                                              "1: a field consists of every other line"),
     shared::host_processor,
     shared::host_count,
 });
@@ -70,8 +72,8 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
 void Kind::set_picture(Machine& machine, machines::Size size) const {
   if (size.width <= machine.array.width) return;
   throw InputError(
-      fmt::format("a line of {} pixels is longer than the {} cells of {}; take a narrower picture, or a "
-                  "machine file with more cells.count",
+      fmt::format("a line of {} pixels exceeds the {} cells of {}; use a narrower picture, or increase cells.count in "
+                  "the machine file",
                   size.width, machine.array.width, machine.name));
 }
 

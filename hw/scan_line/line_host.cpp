@@ -17,12 +17,12 @@ void LineHost::begin(const PictureLines& frame) {
 void LineHost::begin_line() {
   if (line_ == frame_.lines.size()) return;
   const isa::Segment& line = frame_.lines[line_];
-  updating_ = active_.go_to(line.region.y) * figures_.active_clocks;
+  updating_ = active_.advance_to(line.region.y) * figures_.active_clocks;
   preparing_ = line.instructions.size() * figures_.instruction_clocks;
 }
 
 void LineHost::on_clock() {
-  worked_on_ = line_;
+  current_line_ = line_;
   counter_.edge(act());
 }
 

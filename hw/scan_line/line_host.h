@@ -14,23 +14,23 @@
 
 namespace csgsim::scan_line {
 
-/// The host of a scan-line array. Sorts the picture's primitives into buckets, then goes from line to line: brings the
-/// active list up to date, prepares the line's instructions, and hands the line over to the link of its chain, as soon
-/// as that has begun with the line before. Handing over takes a clock. A line here is its number in the frame.
+/// The host of a scan-line array. Sorts the picture's primitives into buckets; then, for each line, updates the active
+/// list, prepares the line's instructions, and transfers the line to the link of its chain as soon as the link has
+/// begun the previous line. The transfer takes one clock. A line is identified by its number in the frame.
 class LineHost final : public systemc::ClockedModule {
  public:
-  sc_core::sc_vector<sc_core::sc_fifo_out<std::uint32_t>> lines;  ///< handed over, one a chain
+  sc_core::sc_vector<sc_core::sc_fifo_out<std::uint32_t>> lines;  ///< transferred lines, one FIFO per chain
 
   LineHost(sc_core::sc_module_name name, const Figures& figures);
 
   /// Starts with the next clock.
   void begin(const PictureLines& frame);
 
-  [[nodiscard]] const ActivityCounter& counter() const { return counter_; }  ///< of the frame that began last
+  [[nodiscard]] const ActivityCounter& counter() const { return counter_; }  ///< counter of the frame that began last
 
-  // For waves.
+  // Shown in waves.
   [[nodiscard]] std::string_view activity() const { return counter_.now(); }
-  [[nodiscard]] std::uint32_t line() const { return worked_on_; }  ///< as many as there are lines when all are done
+  [[nodiscard]] std::uint32_t line() const { return current_line_; }  ///< the number of lines when all are done
 
  private:
   void on_clock() override;
@@ -41,10 +41,10 @@ class LineHost final : public systemc::ClockedModule {
   PictureLines frame_;
   ActiveList active_;
   std::uint32_t line_ = 0;
-  std::uint32_t worked_on_ = 0;  ///< line of the clock that began last
-  std::uint64_t sorting_ = 0;    ///< clocks left
-  std::uint64_t updating_ = 0;   ///< clocks left for the line
-  std::uint64_t preparing_ = 0;  ///< clocks left for the line
+  std::uint32_t current_line_ = 0;  ///< line of the clock that began last
+  std::uint64_t sorting_ = 0;       ///< remaining clocks
+  std::uint64_t updating_ = 0;      ///< remaining clocks for the line
+  std::uint64_t preparing_ = 0;     ///< remaining clocks for the line
   ActivityCounter counter_;
 };
 

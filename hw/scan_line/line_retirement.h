@@ -9,14 +9,14 @@
 
 namespace csgsim::scan_line {
 
-/// Where a chain tells what its cells have carried out. Lines of a frame may enter while lines of the one before are in
-/// the cells: the entry asks the listener of the last frame that has begun, the cells tell that of the first of which
-/// lines are left.
+/// Forwards the reports of a chain's cells to the run listeners. Lines of a frame may enter while lines of the previous
+/// frame are in the cells: the entry queries the listener of the newest frame; the cells report to the listener of the
+/// oldest frame with lines left.
 class LineRetirement final : public sc_core::sc_module, public systemc::RetirementPort {
  public:
   explicit LineRetirement(sc_core::sc_module_name name);
 
-  /// A frame begins, of which the chain draws so many lines. The listener has to live until they are drawn.
+  /// Begins a frame; the chain draws `lines` of its lines. The listener must outlive the frame.
   void begin(systemc::RunListener& listener, std::size_t lines);
 
   [[nodiscard]] systemc::Keep keeps_after(std::uint32_t segment, std::uint32_t index) override;
@@ -28,7 +28,7 @@ class LineRetirement final : public sc_core::sc_module, public systemc::Retireme
     systemc::RunListener* listener;
     std::size_t lines_left;
   };
-  std::deque<Frame> frames_;  ///< of which lines are left
+  std::deque<Frame> frames_;  ///< frames with lines left
 };
 
 }  // namespace csgsim::scan_line

@@ -10,14 +10,14 @@ namespace csgsim::scan_line {
 
 namespace {
 
-constexpr std::uint32_t most_word_bits = 64;
+constexpr std::uint32_t max_word_bits = 64;
 
-/// Of F in any cell: more than 64 bits, as the words of a packet may have them.
+/// Holds F of any cell: the words of a packet may have more than 64 bits.
 __extension__ using Wide = __int128;
 
 std::uint64_t word_of(Wide number, std::uint32_t place, std::uint32_t word_bits) {
   const auto shifted = static_cast<std::uint64_t>(number >> (place * word_bits));
-  return shifted & ~std::uint64_t{0} >> (most_word_bits - word_bits);
+  return shifted & ~std::uint64_t{0} >> (max_word_bits - word_bits);
 }
 
 FieldWords words_of(isa::Field field, const CellShape& cell) {
@@ -84,14 +84,14 @@ AluFunction function_of(isa::Opcode opcode) {
   return AluFunction::none;
 }
 
-/// An operand that begins at that bit of a word, and so many bits of it are wanted where the field begins in its word.
+/// Alignment of `bits` bits of an operand that begins at bit `begins` of a word with the field's position in its word.
 Move move_to(isa::Field field, std::uint32_t begins, std::uint32_t bits, const CellShape& cell) {
-  const std::uint32_t wanted = field.base % cell.word_bits;
-  return {quotient_up(wanted + bits, cell.word_bits), begins > wanted ? begins - wanted : wanted - begins};
+  const std::uint32_t required = field.base % cell.word_bits;
+  return {quotient_up(required + bits, cell.word_bits), begins > required ? begins - required : required - begins};
 }
 
-/// Operands are moved to the first field, which is the target where there is one. F has its sign above its bits as far
-/// as it is wanted; single bits that meet E, and constants, come to where they are wanted by themselves.
+/// Operands are aligned with the first field, which is the target if present. F is sign-extended as far as it is
+/// used; single bits combined with E, and constants, need no alignment.
 CellWork work_of(const isa::Instruction& instruction, const CellShape& cell) {
   CellWork work{.function = function_of(instruction.opcode)};
   const isa::Field& place = instruction.fields[0];
@@ -101,8 +101,8 @@ CellWork work_of(const isa::Instruction& instruction, const CellShape& cell) {
   const bool sums = instruction.opcode == isa::Opcode::linear_plus || instruction.opcode == isa::Opcode::linear_minus;
   std::size_t moves = 0;
   if (is_linear) {
-    const std::uint32_t wanted = sums ? std::min<std::uint32_t>(f_bits, place.width) : f_bits;
-    work.moves.at(moves++) = move_to(place, instruction.linear.shift % cell.word_bits, wanted, cell);
+    const std::uint32_t required = sums ? std::min<std::uint32_t>(f_bits, place.width) : f_bits;
+    work.moves.at(moves++) = move_to(place, instruction.linear.shift % cell.word_bits, required, cell);
   }
   for (std::size_t i = 1; i < operands.size(); ++i) {
     const isa::Field& field = instruction.fields[i];
@@ -112,7 +112,7 @@ CellWork work_of(const isa::Instruction& instruction, const CellShape& cell) {
   return work;
 }
 
-/// By going through them.
+/// Clocks of an alignment, counted by iteration.
 std::uint32_t clocks_of(const Move& move, const CellShape& cell) {
   std::uint32_t clocks = 0;
   for (std::uint32_t moved = 0; cell.shift_bits > 0 && moved < move.distance; moved += cell.shift_bits)
@@ -140,7 +140,7 @@ std::uint32_t trial_clocks(isa::Field field, const CellShape& cell) {
   return clocks;
 }
 
-/// Finds out how long the packet occupies a cell.
+/// Computes how long the packet occupies a cell.
 void schedule(Packet& packet, const CellShape& cell) {
   Accesses& accesses = packet.accesses;
   const std::uint32_t read_words = std::uint32_t{accesses.sources[0].count} + accesses.sources[1].count;
@@ -206,7 +206,7 @@ std::uint64_t sum_in(const Packet& packet, std::uint32_t beats, std::uint32_t x,
   const auto sum = static_cast<std::uint64_t>((packet.square * Wide{x} + linear.a) * x + linear.c);
   const std::uint64_t bits = std::uint64_t{std::min(beats, packet.words)} * f_bits(cell);
   if (bits == 0) return 0;
-  return bits < most_word_bits ? sum & ((std::uint64_t{1} << bits) - 1) : sum;
+  return bits < max_word_bits ? sum & ((std::uint64_t{1} << bits) - 1) : sum;
 }
 
 }  // namespace csgsim::scan_line

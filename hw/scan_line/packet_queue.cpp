@@ -30,7 +30,7 @@ void PacketQueue::begin(const PictureLines& frame) {
 }
 
 void PacketQueue::on_clock() {
-  busy.write(!is_through());
+  busy.write(!all_marks_entered());
   ++line_clocks_;
   ++mark_clocks_;
   if (!beat_ && receiver_.holds()) take(receiver_.take());
@@ -42,7 +42,7 @@ LineActivity PacketQueue::act() {
   if (!beat_ || !may_enter()) {
     entry.write({});
     if (beat_) return LineActivity::waiting_for_refresh;
-    return is_through() ? LineActivity::done : LineActivity::waiting_for_link;
+    return all_marks_entered() ? LineActivity::done : LineActivity::waiting_for_link;
   }
   entry.write(*beat_);
   if (beat_->last()) {
@@ -79,7 +79,7 @@ void PacketQueue::take_packet(const Packet& packet) {
   beat_ = {.packet = &taken, .number = 0};
 }
 
-/// A mark has to be so late that its last beat keeps the distance.
+/// A mark must be late enough that its last beat keeps the required distance.
 bool PacketQueue::may_enter() const {
   if (beat_->packet->kind != PacketKind::mark || !marked_) return true;
   return mark_clocks_ + beat_->packet->beats - beat_->number > mark_spacing(frame_.pixels());
@@ -96,14 +96,14 @@ void PacketQueue::end_packet() {
 }
 
 void PacketQueue::end_line() {
-  counts_.most_packets = std::max<std::uint64_t>(counts_.most_packets, index_);
+  counts_.max_packets = std::max<std::uint64_t>(counts_.max_packets, index_);
   if (line_clocks_ > budget_) ++counts_.late_lines;
   line_clocks_ = 0;
   mark_clocks_ = 0;
   marked_ = true;
   index_ = 0;
   line_ += figures_.chains;
-  if (is_through()) through.write(++frames_through_);
+  if (all_marks_entered()) through.write(++frames_through_);
 }
 
 }  // namespace csgsim::scan_line

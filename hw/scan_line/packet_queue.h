@@ -18,41 +18,43 @@
 
 namespace csgsim::scan_line {
 
-/// What a queue counted, clock by clock, of the frame that is running or ran last.
+/// Counts of a queue in the current frame, or in the last one.
 struct EntryCounts {
-  std::uint64_t packets = 0;       ///< of instructions
-  std::uint64_t most_packets = 0;  ///< of a line
-  std::uint64_t late_lines = 0;  ///< whose mark entered more clocks after the one before than the refresh gives a line
+  std::uint64_t packets = 0;      ///< packets of instructions
+  std::uint64_t max_packets = 0;  ///< maximum number of packets of a line
+  std::uint64_t late_lines = 0;  ///< lines whose mark entered later after the previous mark than the refresh allows per
+                                 ///< line
 };
 
-/// The entry of a chain. Its receiver gathers a command from the link while the packet of the one before enters; in the
-/// first clock in which no packet is entering it takes the command, and the packet enters, a beat a clock. A mark waits
-/// there until the mark before it is so far ahead that the refresh path will be free (mark_spacing), and what is behind
-/// it waits with it.
+/// The entry of a chain. Its receiver assembles a command from the link while the previous packet enters; in the first
+/// clock in which no packet is entering, it takes the command, and its packet enters, one beat per clock. A mark waits
+/// until the previous mark is far enough ahead that the refresh path will be free (mark_spacing), and stalls the
+/// packets behind it.
 class PacketQueue final : public systemc::ClockedModule {
  public:
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
   sc_core::sc_out<Beat> entry{"entry"};
-  sc_core::sc_out<bool> busy{"busy"};  ///< there is a line whose mark has not entered
+  sc_core::sc_out<bool> busy{"busy"};  ///< a line's mark has not entered yet
   sc_core::sc_fifo_out<EntryAccount> accounts{"accounts"};
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
-  sc_core::sc_out<std::uint64_t> through{"through"};  ///< frames all of whose marks here have entered, if there are any
+  sc_core::sc_out<std::uint64_t> through{"through"};  ///< number of frames all of whose marks have entered this chain,
+                                                      ///< if it has any
 
   PacketQueue(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t chain);
 
-  /// No mark is in the cells.
+  /// Declares that no mark is in the cells.
   void clear() { marked_ = false; }
 
-  /// Starts with the next clock. All marks of the frame before have entered.
+  /// Starts with the next clock. All marks of the previous frame must have entered.
   void begin(const PictureLines& frame);
 
-  /// All marks of the frame have entered.
-  [[nodiscard]] bool is_through() const { return line_ >= frame_.lines.size(); }
+  /// Whether all marks of the frame have entered.
+  [[nodiscard]] bool all_marks_entered() const { return line_ >= frame_.lines.size(); }
 
   [[nodiscard]] const EntryCounts& counts() const { return counts_; }
-  [[nodiscard]] const ActivityCounter& counter() const { return counter_; }   ///< of the frame that began last
-  [[nodiscard]] std::string_view activity() const { return counter_.now(); }  ///< for waves
+  [[nodiscard]] const ActivityCounter& counter() const { return counter_; }   ///< counter of the frame that began last
+  [[nodiscard]] std::string_view activity() const { return counter_.now(); }  ///< shown in waves
 
  private:
   void on_clock() override;
@@ -71,15 +73,15 @@ class PacketQueue final : public systemc::ClockedModule {
   PictureLines frame_;
   std::uint64_t budget_ = 0;
   std::size_t line_ = 0;
-  std::uint32_t index_ = 0;        ///< of the instruction in its line
-  isa::Linear squares_;            ///< of the instruction before, if they are its operand
+  std::uint32_t index_ = 0;        ///< index of the instruction in its line
+  isa::Linear squares_;            ///< coefficients of the preceding `squares` instruction, if any
   bool begins_line_ = false;       ///< the next packet is the line's first, and clears
-  std::array<Packet, 2> packets_;  ///< in turn: the last has left the entry when the next but one comes
-  std::size_t packet_ = 0;         ///< of these, the one that came last
-  std::optional<Beat> beat_;       ///< that enters next
-  std::uint64_t line_clocks_ = 0;  ///< since the last mark was in cell 0, or the frame began
-  std::uint64_t mark_clocks_ = 0;  ///< since the last mark was in cell 0, of this frame or one before
-  bool marked_ = false;            ///< one was
+  std::array<Packet, 2> packets_;  ///< used alternately: a packet has left the entry when the next but one arrives
+  std::size_t packet_ = 0;         ///< index of the packet that arrived last
+  std::optional<Beat> beat_;       ///< the beat that enters next
+  std::uint64_t line_clocks_ = 0;  ///< clocks since the last mark was in cell 0, or the frame began
+  std::uint64_t mark_clocks_ = 0;  ///< clocks since the last mark was in cell 0, of this or an earlier frame
+  bool marked_ = false;            ///< whether there was such a mark
   std::uint64_t frames_through_ = 0;
   EntryCounts counts_;
   ActivityCounter counter_;

@@ -8,15 +8,15 @@
 #include "hw/scan_line/packet.h"
 #include "hw/systemc/wire.h"
 
-/// What SystemC asks of the values on the wires between the modules.
+/// Operations that SystemC requires of the signal values between the modules.
 namespace csgsim::scan_line {
 
-/// What a packet queue counted for one packet or mark.
+/// Counts of a packet queue for one packet or mark.
 struct EntryAccount {
-  std::uint64_t clocks = 0;  ///< in which its words were entering
+  std::uint64_t clocks = 0;  ///< clocks in which its words were entering
 };
 
-// Which nobody calls (hw/systemc/wire.h).
+// Required by sc_signal; never called (hw/systemc/wire.h).
 template <systemc::OneOf<Beat, RefreshPixel, EntryAccount> Value>
 std::ostream& operator<<(std::ostream& stream, const Value& /*value*/) {
   return stream;

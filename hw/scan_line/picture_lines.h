@@ -8,12 +8,12 @@
 
 namespace csgsim::scan_line {
 
-/// What is drawn; all of it has to live until the run is done. Line i belongs to chain i mod chains.
+/// Input of a frame; all references must outlive the run. Line i belongs to chain i mod chains.
 struct PictureLines {
-  std::span<const isa::Segment> lines;        ///< each of one row, all equally wide
-  std::span<const isa::RowExtent> extents{};  ///< of what the host keeps in its list
-  isa::Field colour;                          ///< which the refresh shows
-  std::uint32_t background = 0;               ///< which it shows for a line without instructions
+  std::span<const isa::Segment> lines;        ///< one row each, all of equal width
+  std::span<const isa::RowExtent> extents{};  ///< extents of the primitives in the host's list
+  isa::Field colour;                          ///< field that the refresh shows
+  std::uint32_t background = 0;               ///< colour of a line without instructions
 
   [[nodiscard]] std::uint32_t pixels() const { return lines.empty() ? 0 : lines.front().region.width; }
 };

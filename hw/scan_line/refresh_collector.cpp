@@ -10,7 +10,7 @@ RefreshCollector::RefreshCollector(sc_core::sc_module_name name, std::uint32_t c
     : systemc::ClockedModule(name), refresh("refresh", chains), entering("entering", chains) {}
 
 void RefreshCollector::begin(const PictureLines& frame) {
-  Coming& next = coming_.emplace_back();
+  PendingFrame& next = pending_.emplace_back();
   next.pixels = frame.pixels();
   next.missing_lines = frame.lines.size();
   next.line_of_chain.resize(refresh.size());
@@ -21,44 +21,44 @@ void RefreshCollector::begin(const PictureLines& frame) {
 }
 
 ShownFrame RefreshCollector::take() {
-  ShownFrame shown = std::move(whole_.front());
-  whole_.pop_front();
+  ShownFrame shown = std::move(complete_.front());
+  complete_.pop_front();
   return shown;
 }
 
 std::size_t RefreshCollector::line_of(std::size_t chain) const {
-  return coming_.empty() ? chain : coming_.front().line_of_chain[chain];
+  return pending_.empty() ? chain : pending_.front().line_of_chain[chain];
 }
 
 void RefreshCollector::on_clock() {
-  for (Coming& frame : coming_) count(frame, &frame == &coming_.back());
-  for (std::size_t chain = 0; chain < refresh.size(); ++chain) look_at(chain);
-  while (!coming_.empty() && coming_.front().missing_lines == 0) {
-    coming_.front().shown.clocks = coming_.front().periods.count();
-    whole_.push_back(std::move(coming_.front().shown));
-    coming_.pop_front();
+  for (PendingFrame& frame : pending_) count(frame, &frame == &pending_.back());
+  for (std::size_t chain = 0; chain < refresh.size(); ++chain) poll(chain);
+  while (!pending_.empty() && pending_.front().missing_lines == 0) {
+    pending_.front().shown.clocks = pending_.front().periods.count();
+    complete_.push_back(std::move(pending_.front().shown));
+    pending_.pop_front();
     frames.write(++frames_done_);
   }
 }
 
-/// The line that says whether marks are to enter tells it of the last frame.
-void RefreshCollector::count(Coming& frame, bool is_last) {
+/// The signal `entering` refers to the newest frame only.
+void RefreshCollector::count(PendingFrame& frame, bool is_last) {
   frame.periods.edge();
   if (is_last) {
-    frame.enters = any_enters();
-    if (frame.periods.count() > 0 && !frame.enters) ++frame.shown.drain_clocks;
-  } else if (std::exchange(frame.enters, false)) {
+    frame.entering_marks = any_entering();
+    if (frame.periods.count() > 0 && !frame.entering_marks) ++frame.shown.drain_clocks;
+  } else if (std::exchange(frame.entering_marks, false)) {
     return;
   } else {
     ++frame.shown.drain_clocks;
   }
 }
 
-/// A pixel is of the first frame of which that chain has lines to show.
-void RefreshCollector::look_at(std::size_t chain) {
+/// A pixel belongs to the oldest frame for which that chain has lines to show.
+void RefreshCollector::poll(std::size_t chain) {
   const RefreshPixel& pixel = refresh[chain].read();
   bool is_taken = !pixel.valid;
-  for (Coming& frame : coming_) {
+  for (PendingFrame& frame : pending_) {
     if (frame.periods.count() == 0) continue;
     const bool waits = frame.line_of_chain[chain] < frame.shown.lines.size();
     const bool shows = waits && !is_taken;
@@ -70,7 +70,7 @@ void RefreshCollector::look_at(std::size_t chain) {
   }
 }
 
-void RefreshCollector::collect(Coming& frame, std::size_t chain, std::uint32_t colour) {
+void RefreshCollector::collect(PendingFrame& frame, std::size_t chain, std::uint32_t colour) {
   std::size_t& number = frame.line_of_chain[chain];
   std::vector<std::uint32_t>& line = frame.shown.lines[number];
   line.push_back(colour);
@@ -81,7 +81,7 @@ void RefreshCollector::collect(Coming& frame, std::size_t chain, std::uint32_t c
   frame.last_pixel = frame.periods.count();
 }
 
-bool RefreshCollector::any_enters() const {
+bool RefreshCollector::any_entering() const {
   return std::any_of(entering.begin(), entering.end(), [](const auto& one) { return one.read(); });
 }
 

@@ -14,53 +14,53 @@
 
 namespace csgsim::scan_line {
 
-/// A frame as it came out of the refresh ports.
+/// A frame as received from the refresh ports.
 struct ShownFrame {
-  std::uint64_t clocks = 0;        ///< from the first in which the host works until the last pixel was at its port
-  std::uint64_t drain_clocks = 0;  ///< of these, after the last mark has entered
-  std::size_t last_chain = 0;      ///< the first of those whose last pixel came last
-  std::vector<LineClocks> chains;  ///< of the refresh port of each
-  std::vector<std::vector<std::uint32_t>> lines;  ///< of each the pixels from left to right; in the frame's order
+  std::uint64_t clocks = 0;  ///< clocks from the first in which the host works until the last pixel was at its port
+  std::uint64_t drain_clocks = 0;                 ///< the part of these after the last mark entered
+  std::size_t last_chain = 0;                     ///< chain whose last pixel arrived last; the lowest such number
+  std::vector<LineClocks> chains;                 ///< clocks of each chain's refresh port
+  std::vector<std::vector<std::uint32_t>> lines;  ///< pixels of each line from left to right, in the frame's line order
 };
 
-/// The screen's end of all chains: puts together what comes out of their refresh ports, and counts the frames' clocks.
-/// A frame may begin while pixels of those before are still to come.
+/// The screen's end of all chains: collects the output of their refresh ports, and counts the frames' clocks. A frame
+/// may begin while pixels of earlier frames are still to come.
 class RefreshCollector final : public systemc::ClockedModule {
  public:
-  sc_core::sc_vector<sc_core::sc_in<RefreshPixel>> refresh;  ///< one a chain
-  sc_core::sc_vector<sc_core::sc_in<bool>> entering;         ///< a line of that chain has not entered whole
-  sc_core::sc_out<std::uint64_t> frames{"frames"};           ///< that have come whole
+  sc_core::sc_vector<sc_core::sc_in<RefreshPixel>> refresh;  ///< one per chain
+  sc_core::sc_vector<sc_core::sc_in<bool>> entering;         ///< a line of that chain has not entered completely
+  sc_core::sc_out<std::uint64_t> frames{"frames"};           ///< number of complete frames
 
   RefreshCollector(sc_core::sc_module_name name, std::uint32_t chains);
 
-  /// A frame begins, as wide as those of which pixels are to come. All marks of the one before have entered.
+  /// Begins a frame of the same width as those with pixels still to come. All marks of the previous frame have entered.
   void begin(const PictureLines& frame);
 
-  /// The oldest frame that has come whole and has not been taken.
+  /// Removes and returns the oldest complete frame.
   ShownFrame take();
 
-  /// For waves: of the chain, whose pixels are at the port or come next.
+  /// Shown in waves: the line whose pixels are at the chain's port or come next.
   [[nodiscard]] std::size_t line_of(std::size_t chain) const;
 
  private:
-  struct Coming {
+  struct PendingFrame {
     ShownFrame shown;
-    std::size_t pixels = 0;  ///< of a line
+    std::size_t pixels = 0;  ///< pixels of a line
     Periods periods{};
-    std::vector<std::size_t> line_of_chain;  ///< whose pixels come
+    std::vector<std::size_t> line_of_chain;  ///< line of each chain whose pixels come next
     std::size_t missing_lines = 0;
-    std::uint64_t last_pixel = 0;  ///< clock in which it came
-    bool enters = true;            ///< marks of it, for all that was seen at the last edge
+    std::uint64_t last_pixel = 0;  ///< clock in which it arrived
+    bool entering_marks = true;    ///< marks of the frame were still to enter at the last edge
   };
 
   void on_clock() override;
-  void count(Coming& frame, bool is_last);
-  void look_at(std::size_t chain);
-  void collect(Coming& frame, std::size_t chain, std::uint32_t colour);
-  [[nodiscard]] bool any_enters() const;
+  void count(PendingFrame& frame, bool is_last);
+  void poll(std::size_t chain);
+  void collect(PendingFrame& frame, std::size_t chain, std::uint32_t colour);
+  [[nodiscard]] bool any_entering() const;
 
-  std::deque<Coming> coming_;     ///< frames that have begun, the oldest first
-  std::deque<ShownFrame> whole_;  ///< that have not been taken
+  std::deque<PendingFrame> pending_;  ///< frames that have begun, the oldest first
+  std::deque<ShownFrame> complete_;   ///< complete frames that have not been taken
   std::uint64_t frames_done_ = 0;
 };
 

@@ -19,10 +19,11 @@ namespace {
 
 const Figures& figures_of(const machines::Machine& machine) { return machines::own<Figures>(machine); }
 
-/// A packet is accounted for when its last beat enters, and the account is read when that has left the last cell.
-int most_accounts(const machines::Machine& machine) { return static_cast<int>(machine.array.width) + 2; }
+/// A packet is accounted for when its last beat enters; the account is read when that beat has left the last cell.
+int max_accounts(const machines::Machine& machine) { return static_cast<int>(machine.array.width) + 2; }
 
-/// By index: two iterators of SystemC 2.3's sc_vector do not compare in C++20, since `a != b` and `b != a` fit equally.
+/// Iterates by index: iterators of SystemC 2.3's sc_vector do not compare in C++20, since `a != b` and `b != a` are
+/// ambiguous.
 template <class Modules, class Act>
 void for_each(Modules& modules, const Act& act) {
   for (std::size_t i = 0; i < modules.size(); ++i) act(modules[i]);
@@ -34,7 +35,7 @@ PictureLines lines_of(const isa::Program& program) {
       .lines = program.segments, .extents = program.extents, .colour = header.colour, .background = header.background};
 }
 
-/// The picture in row order, of lines in the Program's order.
+/// The picture in row order, from lines in the Program's order.
 std::vector<std::uint32_t> picture_of(const isa::Program& program,
                                       const std::vector<std::vector<std::uint32_t>>& lines) {
   std::vector<std::uint32_t> picture(std::size_t{program.shape.width} * program.shape.height);
@@ -74,7 +75,7 @@ ScanLineArray::ScanLineArray(sc_core::sc_module_name name, const machines::Machi
     return new sc_core::sc_fifo<isa::LinkWord>(part, static_cast<int>(machine.link.fifo_depth));
   });
   accounts_.init(chains, [&machine](const char* part, std::size_t) {
-    return new sc_core::sc_fifo<EntryAccount>(part, most_accounts(machine));
+    return new sc_core::sc_fifo<EntryAccount>(part, max_accounts(machine));
   });
   links_.init(chains, [&machine](const char* part, std::size_t) { return new ChainLink(part, machine.link); });
   queues_.init(chains, [&machine](const char* part, std::size_t chain) {
@@ -118,16 +119,16 @@ ScanLineArray::ScanLineArray(sc_core::sc_module_name name, const machines::Machi
   sensitive << frames_;
 }
 
-/// Gives control back to who started the simulation, when all that belongs to this edge has happened.
+/// Returns control to the caller of run_sequence() after all events of this edge.
 void ScanLineArray::on_entered() {
-  if (all_through()) sc_core::sc_pause();
+  if (all_entered()) sc_core::sc_pause();
 }
 
 void ScanLineArray::on_shown() { sc_core::sc_pause(); }
 
-bool ScanLineArray::all_through() const {
+bool ScanLineArray::all_entered() const {
   bool all = true;
-  for_each(queues_, [&](const PacketQueue& queue) { all = all && queue.is_through(); });
+  for_each(queues_, [&](const PacketQueue& queue) { all = all && queue.all_marks_entered(); });
   return all;
 }
 
@@ -153,10 +154,10 @@ std::vector<systemc::RunReport> ScanLineArray::run_sequence(std::span<const isa:
       clear(frame.pixels());
       pixels = frame.pixels();
     }
-    const std::uint64_t begun = edges();
+    const std::uint64_t start_clock = edges();
     begin(frame, guarded.emplace_back(*listeners[i]));
     run_until_entered();
-    reports[i].interval_clocks = edges() - begun;
+    reports[i].interval_clocks = edges() - start_clock;
     showing_.push_back({&programs[i], &reports[i], entered()});
     collect();
   }
@@ -166,7 +167,7 @@ std::vector<systemc::RunReport> ScanLineArray::run_sequence(std::span<const isa:
   return reports;
 }
 
-/// All that has been drawn has been shown.
+/// Requires that everything drawn has been shown.
 void ScanLineArray::clear(std::uint32_t pixels) {
   for_each(queues_, [](PacketQueue& queue) { queue.clear(); });
   for_each(chains_, [pixels](CellChain& chain) { chain.clear(pixels); });
@@ -185,7 +186,7 @@ void ScanLineArray::begin(const PictureLines& frame, systemc::RunListener& liste
 }
 
 void ScanLineArray::run_until_entered() {
-  while (!all_through() && !systemc::is_stopped()) {
+  while (!all_entered() && !systemc::is_stopped()) {
     systemc::run();
     collect();
   }
@@ -206,7 +207,7 @@ void ScanLineArray::collect() {
     systemc::RunReport& report = *frame.report;
     report.clocks = shown.clocks;
     report.shown_clocks = shown.clocks;
-    report.account = account(account_of(frame.entered, shown), machine_, shown.clocks);
+    report.account = account(make_account(frame.entered, shown), machine_, shown.clocks);
     if (isa::frame_header(*frame.program).colour.width > 0) report.picture = picture_of(*frame.program, shown.lines);
     showing_.pop_front();
   }
@@ -219,8 +220,8 @@ ScanLineArray::Entered ScanLineArray::entered() const {
   return entered;
 }
 
-/// Takes what the chains counted of the frame.
-LineAccount ScanLineArray::account_of(const Entered& entered, const ShownFrame& shown) {
+/// Combines the counts of the units; takes those of the chains.
+LineAccount ScanLineArray::make_account(const Entered& entered, const ShownFrame& shown) {
   const std::size_t last = shown.last_chain;
   const std::size_t lines = shown.lines.size();
   LineAccount account{.lines = lines,
@@ -234,7 +235,7 @@ LineAccount ScanLineArray::account_of(const Entered& entered, const ShownFrame& 
     const auto& [link, words, entry, counts] = entered.chains[i];
     account.link_words += words;
     account.packets += counts.packets;
-    account.most_packets = std::max(account.most_packets, counts.most_packets);
+    account.max_packets = std::max(account.max_packets, counts.max_packets);
     account.late_lines += counts.late_lines;
     const LineClocks at_entry = entry.clocks_of(shown.clocks);
     account.entry_clocks += at_entry.of(LineActivity::entering);

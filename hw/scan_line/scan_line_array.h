@@ -27,17 +27,17 @@ class ScanLineArray final : public sc_core::sc_module, public systemc::ClockedMa
  public:
   ScanLineArray(sc_core::sc_module_name name, const machines::Machine& machine);
 
-  /// Draws a frame of one line or more.
+  /// Draws a frame of at least one line.
   systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 
-  /// A frame begins when all marks of the one before have entered; it is shown while that drains.
+  /// A frame begins when all marks of the previous frame have entered; the previous frame is shown while it drains.
   std::vector<systemc::RunReport> run_sequence(std::span<const isa::Program> programs,
                                                std::span<systemc::RunListener* const> listeners) override;
 
   [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
 
  private:
-  /// What host, links and entries counted of a frame all marks of which have entered.
+  /// Counts of host, links and entries for a frame all of whose marks have entered.
   struct EnteredLines {
     ActivityCounter link;
     std::uint64_t words = 0;
@@ -49,7 +49,7 @@ class ScanLineArray final : public sc_core::sc_module, public systemc::ClockedMa
     std::vector<EnteredLines> chains;
   };
 
-  /// A frame that has not been shown as a whole.
+  /// A frame that has not been shown completely.
   struct Showing {
     const isa::Program* program;
     systemc::RunReport* report;
@@ -63,9 +63,9 @@ class ScanLineArray final : public sc_core::sc_module, public systemc::ClockedMa
   void run_until_entered();
   void run_until_shown();
   void collect();
-  [[nodiscard]] bool all_through() const;
+  [[nodiscard]] bool all_entered() const;
   [[nodiscard]] Entered entered() const;
-  [[nodiscard]] LineAccount account_of(const Entered& entered, const ShownFrame& shown);
+  [[nodiscard]] LineAccount make_account(const Entered& entered, const ShownFrame& shown);
   [[nodiscard]] std::uint64_t edges() const;
 
   const machines::Machine machine_;
@@ -87,7 +87,7 @@ class ScanLineArray final : public sc_core::sc_module, public systemc::ClockedMa
   sc_core::sc_vector<LineRetirement> retirements_;
 
   std::deque<Showing> showing_;  ///< the oldest first
-  std::uint64_t shown_ = 0;      ///< frames, of all
+  std::uint64_t shown_ = 0;      ///< number of frames, over all runs
 };
 
 }  // namespace csgsim::scan_line

@@ -10,11 +10,11 @@
 
 namespace csgsim::scan_line {
 
-/// Cells of a line as a packet left them, each at its own clock.
+/// State of the cells of a line as a packet left them, each at its own clock.
 struct Snapshot {
   std::size_t cell_words = 0;         ///< 64-bit words of a cell's memory
-  std::vector<std::uint64_t> memory;  ///< cell_words a cell; empty if not kept
-  std::vector<std::uint64_t> enable;  ///< 64 cells a word; empty if not kept
+  std::vector<std::uint64_t> memory;  ///< cell_words words per cell; empty if not kept
+  std::vector<std::uint64_t> enable;  ///< 64 cells per word; empty if not kept
 
   [[nodiscard]] std::uint64_t read(std::size_t cell, isa::Field field) const {
     return systemc::read_field(std::span(memory).subspan(cell * cell_words, cell_words), field);

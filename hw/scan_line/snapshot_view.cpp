@@ -9,7 +9,7 @@ namespace csgsim::scan_line {
 namespace {
 
 void require(bool kept) {
-  if (!kept) throw std::logic_error("who watches a run reads cells without having asked for them");
+  if (!kept) throw std::logic_error("a run listener reads cells that it did not request");
 }
 
 }  // namespace

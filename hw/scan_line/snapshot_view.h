@@ -8,11 +8,11 @@
 
 namespace csgsim::scan_line {
 
-/// A line as a packet left it, each cell at its own clock: by cell the state at the instruction boundary. Throws
-/// std::logic_error for what the snapshot does not show.
+/// View of a line as a packet left it, each cell at its own clock: the state of each cell at the instruction boundary.
+/// Throws std::logic_error for data that the snapshot does not contain.
 class SnapshotView final : public systemc::PixelView {
  public:
-  /// Null where nothing was kept; has to live as long as the view.
+  /// Null if nothing was kept; the snapshot must outlive the view.
   explicit SnapshotView(const Snapshot* snapshot) : snapshot_(std::shared_ptr<void>(), snapshot) {}
   explicit SnapshotView(std::shared_ptr<const Snapshot> snapshot) : snapshot_(std::move(snapshot)) {}
 

@@ -36,13 +36,13 @@ std::string_view kind_of(const Beat& beat) {
   return beat.packet == nullptr ? "" : names.at(static_cast<std::size_t>(beat.packet->kind));
 }
 
-/// Words of F and A come in with the beat.
+/// Whether words of F and A arrive with the beat.
 bool brings_words(const Beat& beat) {
   return beat.packet != nullptr && beat.packet->brings_f() && beat.number < beat.packet->words;
 }
 
-/// The instruction of the packet that the beat belongs to, `.packet`, `.beat`, and the words that come into the cell,
-/// `.a`, `.f`; cell; of degree 2 also `.aa`; without a shape no words.
+/// Taps of the instruction to whose packet the beat belongs, `.packet` and `.beat`; with a shape, also the words that
+/// arrive at the cell: `.a`, `.f` and, for degree 2, `.aa`.
 std::vector<Tap> packet_taps(const std::string& part, const ReadBeat& beat, std::uint32_t cell,
                              const isa::Program& program, std::optional<WordShape> shape) {
   std::vector<Tap> taps =

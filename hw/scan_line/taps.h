@@ -17,10 +17,10 @@
 #include "hw/wave/request.h"
 #include "hw/wave/tap.h"
 
-/// What waves show of a scan-line array.
+/// Wave taps of a scan-line array.
 namespace csgsim::scan_line {
 
-/// A chain with its link, and its number among the collector's.
+/// A chain with its link, and its index in the collector.
 struct ChainParts {
   const ChainLink& link;
   const sc_core::sc_fifo<isa::LinkWord>& words;
@@ -32,23 +32,23 @@ struct ChainParts {
   std::size_t number = 0;
 };
 
-/// What the words of a packet are like.
+/// Form of the words of a packet.
 struct WordShape {
   CellShape cell{};
-  unsigned degree = 1;   ///< of the expressions
-  bool in_cells = true;  ///< words of difference and sum come to the cells; else a tree makes of them what comes
+  unsigned degree = 1;   ///< degree of the expressions
+  bool in_cells = true;  ///< whether words of difference and sum reach the cells; trees deliver the value instead
 };
 
-/// `host.activity`, `.line`: the row of the picture.
+/// Taps `host.activity` and `.line`, the row of the picture.
 std::vector<wave::Tap> host_taps(const LineHost& host, const isa::Program& program);
 
-/// `link.activity`, `.line`, `.fill` of the FIFO behind it; `entry.activity`, the packet at the entry; `refresh.line`,
-/// `.colour` at the port. `suffix` comes behind the names of the parts.
+/// Taps `link.activity`, `.line` and `.fill` of the FIFO behind it; `entry.activity` and the packet at the entry;
+/// `refresh.line` and `.colour` at the port. `suffix` is appended to the names of the units.
 std::vector<wave::Tap> chain_taps(const std::string& suffix, const ChainParts& parts, const isa::Program& program,
                                   WordShape shape);
 
-/// The cell of a probed pixel, while it works on the pixel's line: the packet that is in it, `.sum` of the words of F
-/// that have come in, `.enable`, and a tap a field. Throws InputError for a pixel that no line holds.
+/// Taps of the cell of a probed pixel while it processes the pixel's line: the packet in it, `.sum` of the received
+/// words of F, `.enable`, and one tap per field. Throws InputError for a pixel that no line holds.
 std::vector<wave::Tap> cell_taps(wave::Pixel pixel, std::span<const ChainParts> chains, const isa::Program& program,
                                  WordShape shape);
 

@@ -10,32 +10,32 @@
 
 namespace csgsim::scan_line {
 
-/// Words of an instruction's packet: as many as its widest operand has, one at least; of an expression that comes
-/// through trees as many as it has of what these bring in a clock.
+/// Number of words of an instruction's packet: those of its widest operand, at least one; for an expression delivered
+/// by trees, its width divided by the bits delivered per clock.
 std::uint64_t packet_words(const isa::Instruction& instruction, const machines::Machine& machine);
 
-/// Least clocks from the entry of a mark's last beat into a chain to that of the next mark's. A line's cells hold their
-/// colours from the clock in which that beat is in them until the refresh path takes the line, as many clocks after its
-/// entry as the line has pixels; and as many clocks later the path is free for the next line.
+/// Minimum clocks between the entries of the last beats of two marks into a chain. A line's cells hold their colours
+/// from the clock in which that beat is in them until the refresh path takes the line, one clock per pixel of the line
+/// after its entry; after the same number of clocks again, the path is free for the next line.
 constexpr std::uint64_t mark_spacing(std::uint32_t line_pixels) { return line_pixels; }
 
-/// Clocks that the refresh gives to each line of a picture so high, times the chains that share the lines.
+/// Clocks that the refresh allows per line of a picture of that height, times the number of chains that share the
+/// lines.
 std::uint64_t line_budget(const machines::Machine& machine, std::uint32_t picture_height);
 
 struct LineTiming {
   std::uint64_t clocks = 0;
-  /// From one frame to the next: the host begins it when the last mark has entered.
+  /// Clocks from one frame to the next: the host begins a frame when the last mark of the previous one has entered.
   std::uint64_t interval_clocks = 0;
   LineAccount account;
 };
 
-/// Of a frame before which nothing has been drawn, worked out from the words and packets of each line (the modules
-/// count the same); the interval where the same is drawn again and again. `told`, unless null, is a blank timeline, and
-/// becomes that of the frame.
+/// Computes the timing of a frame on an idle machine from the words and packets of each line; the clocked modules count
+/// the same. The interval is that of drawing the same frame repeatedly. `timeline`: null, or a blank timeline to fill.
 LineTiming time_lines(const isa::Program& program, const machines::Machine& machine,
-                      machines::Timeline* told = nullptr);
+                      machines::Timeline* timeline = nullptr);
 
-/// The same of frames that follow one another, all of one width.
+/// Computes the timing of consecutive frames, all of equal width.
 std::vector<LineTiming> time_line_sequence(std::span<const isa::Program> frames, const machines::Machine& machine);
 
 }  // namespace csgsim::scan_line

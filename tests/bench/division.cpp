@@ -65,12 +65,12 @@ struct Work {
   division::Counts groups;
   std::uint64_t most_entries = 0;
   std::vector<std::uint64_t> entries;
-  division::AtHand at_hand;
+  division::PeakUsage at_hand;
   std::uint64_t most_words = 0;  ///< of the commands of a square, of 32 bits
 
   void take(const isa::Region& region, const division::Divided& square) {
     squares += square.counts();
-    const division::AtHand most = square.at_hand();
+    const division::PeakUsage most = square.peak_usage();
     at_hand.halfspaces = std::max(at_hand.halfspaces, most.halfspaces);
     at_hand.nodes = std::max(at_hand.nodes, most.nodes);
     constexpr std::uint32_t width = 32;

@@ -111,7 +111,7 @@ TEST_CASE("a Program for one kind of machine is refused by another, with what to
   succeeded(run("run " + program + " --machine pixel-square --level cycle"));
   fails(run("run " + program + " --machine scan-line"), 1, {"compile the model for this one"});
   fails(run("render " + model("carburettor") + " --machine scan-line --size 600x20"), 1,
-        {"600 pixels is longer than the 512 cells"});
+        {"600 pixels exceeds the 512 cells"});
 }
 
 TEST_CASE("compare draws a model on several machines and goes on after an interruption") {

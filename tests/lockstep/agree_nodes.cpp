@@ -24,7 +24,7 @@ void check_subsegments(const isa::Program& program, const machines::Machine& mac
   std::map<std::uint32_t, std::uint64_t> ends;
   for (const TimedMachine::Told& told : hardware.told()) {
     if (!ends.contains(told.segment))
-      ends[told.segment] = multi_processor::begun_parts(program, machine, told.segment, run.met).back().end;
+      ends[told.segment] = multi_processor::started_parts(program, machine, told.segment, run.met).back().end;
     const machines::ClockSpan& all = timeline.issued[told.segment][told.index];
     const std::uint64_t begun = timeline.cleared[told.segment].begin;
     const std::uint64_t clock = told.edge - 1;

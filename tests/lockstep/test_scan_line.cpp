@@ -65,7 +65,7 @@ TEST_CASE(
   using enum scan_line::LineActivity;
   scan_line::LineAccount expected{.lines = 1,
                                   .packets = 2,
-                                  .most_packets = 2,
+                                  .max_packets = 2,
                                   .line_budget = 20'000,
                                   .late_lines = 0,
                                   .link_words = 4,

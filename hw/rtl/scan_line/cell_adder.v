@@ -1,13 +1,13 @@
 `include "faults.vh"
 
-// Adds a number to another word by word, the lowest first, with the carry kept from word to word.
+// Adds two numbers word by word, lowest word first; the carry is kept between words.
 module cell_adder #(
   parameter WORD_BITS = 32
 ) (
   input wire clk,
   input wire reset,
-  input wire first,    // the lowest word
-  input wire add,      // a word comes in
+  input wire first,    // lowest word
+  input wire add,      // a word arrives
   input wire [WORD_BITS-1:0] one,
   input wire [WORD_BITS-1:0] other,
   output wire [WORD_BITS-1:0] sum

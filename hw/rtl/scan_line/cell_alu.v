@@ -1,7 +1,7 @@
 `include "faults.vh"
 
-// The ALU of a cell: takes the next `count` bits of two operands, from bit `low` of two groups of LANES bits on, and keeps
-// what it has come to with the bits before. While it takes none, what it has come to stays.
+// The ALU of a cell: processes the next `count` bits of two operands, starting at bit `low` of two groups of LANES
+// bits, and combines the results with those of earlier bits. Results are kept while it is idle.
 module cell_alu #(
   parameter LANES = 32,
   parameter ROOTS = 0,
@@ -11,27 +11,27 @@ module cell_alu #(
   input wire clk,
   input wire reset,
   input wire work,
-  input wire begins,                 // with the operands' lowest bits
+  input wire begins,                 // first clock of an operation
   input wire [2:0] operation,
   input wire [LANE-1:0] low,
   input wire [COUNT-1:0] count,
-  input wire [COUNT-1:0] meeting,     // of these meet the field
+  input wire [COUNT-1:0] meeting,     // number of these within the field
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire try,                    // of a root: x is its remainder, y the root as far as it is found
+  input wire try,                    // a root trial: x is the remainder, y the partial root
   input wire try_first,
   input wire try_second,
   input wire try_last,
   /* verilator lint_on UNUSEDSIGNAL */
   input wire [2*LANES-1:0] x,
   input wire [2*LANES-1:0] y,
-  output wire [2*LANES-1:0] taken,   // a mask
-  output wire [2*LANES-1:0] value,   // of these bits
-  output wire root_bit,              // at try_last
-  // Of a difference x - y, with what is taken in this clock:
-  output wire less,                  // with signs, y not negative
-  output wire below,                 // without signs
+  output wire [2*LANES-1:0] taken,   // mask of the processed bits
+  output wire [2*LANES-1:0] value,   // value of these bits
+  output wire root_bit,              // valid at try_last
+  // Comparison x - y, including the bits of this clock:
+  output wire less,                  // signed, for nonnegative y
+  output wire below,                 // unsigned
   output wire equal,
-  output wire fits                   // x the field
+  output wire fits                   // x fits the field
 );
   localparam ALU_ADD = 3'd1, ALU_SUBTRACT = 3'd2, ALU_AND = 3'd3, ALU_OR = 3'd4, ALU_XOR = 3'd5, ALU_AND_NOT = 3'd6,
     ALU_NOT = 3'd7;

@@ -1,7 +1,7 @@
 `include "faults.vh"
 
-// A chain of CELLS cells (thesis 7.2.2): a packet's beat enters cell 0 each clock and is a cell further in the next; a line's
-// pixels leave at the refresh port. Names and meaning of ports as of the SystemC of hw/scan_line.
+// A chain of CELLS cells (thesis 7.2.2): each clock, a packet's beat enters cell 0 and every beat advances by one cell;
+// a line's pixels leave at the refresh port. Ports have the names and meanings of the SystemC in hw/scan_line.
 module cell_chain #(
   parameter CELLS = 8,
   parameter WORD_BITS = 32,
@@ -10,7 +10,7 @@ module cell_chain #(
   parameter ALU_BITS = 32,
   parameter SHIFT_BITS = 32,
   parameter DEGREE = 1,
-  parameter ROOTS = 1,                       // 0: none comes
+  parameter ROOTS = 1,                       // 0: no root instructions
   parameter CLEAR_CLOCKS = 3
 ) (
   input wire clk,
@@ -20,8 +20,8 @@ module cell_chain #(
   input wire [7:0] fault,
   /* verilator lint_on UNUSEDSIGNAL */
 `endif
-  input wire [15:0] pixels,                  // of a line, 1 to CELLS; while the chain is not empty it stays
-  // The beat that enters; fields as in cell_sequencer.v.
+  input wire [15:0] pixels,                  // pixels of a line, 1 to CELLS; constant while the chain is in use
+  // The beat that enters; fields are described in cell_sequencer.v.
   input wire [1:0] entry_kind,
   input wire entry_begins_line,
   input wire entry_background,
@@ -51,7 +51,7 @@ module cell_chain #(
   localparam CLEARS_AT_ONCE = CLEAR_CLOCKS * PORTS < WORDS;
   localparam COLOUR_BITS = COLOUR_WORDS * WORD_BITS;
 
-  // What is in each cell, and, last, what leaves the chain.
+  // Beat in each cell; the last entry is the beat that leaves the chain.
   /* verilator lint_off UNUSEDSIGNAL */
   wire [(CELLS+1)*CONTROL_BITS-1:0] control;
   wire [(CELLS+1)*WORD_BITS-1:0] f;

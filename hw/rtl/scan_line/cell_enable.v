@@ -1,21 +1,21 @@
 `include "faults.vh"
 
-// E of a cell, and whether an instruction's result is written there.
+// E of a cell, and the write enable of an instruction's result.
 module cell_enable (
   input wire clk,
   input wire reset,
-  input wire fresh,        // E is 0 in this clock
-  input wire disables,     // and in the next
-  input wire act,          // the clock of an instruction's result
+  input wire fresh,        // E reads as 0 in this clock
+  input wire disables,     // E becomes 0 in the next clock
+  input wire act,          // clock of an instruction's result
   input wire [5:0] opcode,
-  input wire single,       // the bit read
-  input wire sign,         // of F
-  input wire less,         // of the ALU
+  input wire single,       // the bit that was read
+  input wire sign,         // sign of F
+  input wire less,         // comparison results of the ALU
   input wire below,
   input wire equal,
   input wire fits,
-  output wire enabled,     // in this clock
-  output wire writes,      // in this clock
+  output wire enabled,     // E in this clock
+  output wire writes,      // the result is written in this clock
   output reg enable
 );
 `include "opcodes.vh"

@@ -1,6 +1,6 @@
 `include "faults.vh"
 
-// The memory of a cell. Each port reads a word or writes bits of one in a clock. A read shows what is there before the
+// The memory of a cell. In a clock, each port reads a word or writes bits of one. A read returns the content before the
 // edge. No two ports write the same word.
 module cell_memory #(
   parameter WORD_BITS = 32,
@@ -11,10 +11,10 @@ module cell_memory #(
 ) (
   input wire clk,
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire clear,                          // all words, where they are cleared at once
+  input wire clear,                          // clears all words, if they are cleared at once
   /* verilator lint_on UNUSEDSIGNAL */
   input wire [PORTS*ADDRESS-1:0] address,
-  input wire [PORTS*WORD_BITS-1:0] mask,     // bits that are written
+  input wire [PORTS*WORD_BITS-1:0] mask,     // bits to write
   input wire [PORTS-1:0] write,
   input wire [PORTS*WORD_BITS-1:0] written,
   output wire [PORTS*WORD_BITS-1:0] read

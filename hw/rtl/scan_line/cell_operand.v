@@ -1,29 +1,29 @@
 `include "faults.vh"
 
-// The register of an operand, and what it is in this clock with the words that come in. Of one word, which the shifter
-// moves, also what is above and below.
+// The register of an operand, and its value in this clock including the words that arrive. Also outputs the word that
+// the shifter moves and its neighbours above and below.
 module cell_operand #(
   parameter WORD_BITS = 32,
-  parameter COUNT = 3,           // of words
+  parameter COUNT = 3,           // number of words
   parameter INDEX = 2
 ) (
   input wire clk,
   input wire reset,
-  input wire first,              // nothing has come in before
-  input wire [COUNT-1:0] take,   // words that come in
+  input wire first,              // first clock: the register reads as 0
+  input wire [COUNT-1:0] take,   // words that arrive
   input wire [COUNT*WORD_BITS-1:0] in,
-  input wire move,               // the shifter's word takes the place of this one
+  input wire move,               // the shifter's output replaces this word
   input wire [INDEX-1:0] index,
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire empties,            // and the word above becomes 0
+  input wire empties,            // also clears the word above
   /* verilator lint_on UNUSEDSIGNAL */
   input wire [WORD_BITS-1:0] shifted,
   output wire [WORD_BITS-1:0] word,
   output wire [WORD_BITS-1:0] above,
   output wire [WORD_BITS-1:0] below,
-  output wire [COUNT*WORD_BITS-1:0] seen,    // before a move
-  output wire [COUNT*WORD_BITS-1:0] moved,   // and after it
-  input wire [COUNT*WORD_BITS-1:0] next      // what it will be
+  output wire [COUNT*WORD_BITS-1:0] seen,    // value before a move
+  output wire [COUNT*WORD_BITS-1:0] moved,   // value after a move
+  input wire [COUNT*WORD_BITS-1:0] next      // value of the next clock
 );
   genvar w;
   reg [COUNT*WORD_BITS-1:0] value;

@@ -1,11 +1,11 @@
 `include "faults.vh"
 
-// Says to a beat that enters what each cell has to do with it, and goes through the accesses, moves and bits of its packet:
-// one a chain, since all cells get the same packets. What comes in is as hw/scan_line/packet.h has it, for fields their
-// first bit, their bits, the first word of memory that they lie in, and in how many they do.
+// Computes the control word of a beat that enters, and steps through the accesses, moves and bits of its packet. A
+// chain has one, since all cells get the same packets. Inputs are as in hw/scan_line/packet.h; a field is given by its
+// first bit, its width, the first memory word that contains it, and the number of these words.
 //
-// Word r of the fields read is read in beat r / PORTS, word w of the target written as many beats after that of the result.
-// From `work_from` on the shifter and the ALU work, one thing a clock.
+// Beat r / PORTS reads word r of the fields to read; word w of the target is written w / PORTS beats after the beat
+// of the result. From `work_from` on the shifter and the ALU work, one operation per clock.
 module cell_sequencer #(
   parameter WORD_BITS = 32,
   parameter WORDS = 3,
@@ -23,12 +23,12 @@ module cell_sequencer #(
   input wire [15:0] number,
   input wire [15:0] words,
   input wire [15:0] beats,
-  input wire [63:0] first_source,      // see the functions below
+  input wire [63:0] first_source,      // unpacked below
   input wire [63:0] second_source,
   input wire [63:0] target,
   input wire [15:0] work_from,
   input wire [15:0] result,
-  input wire [31:0] first_move,        // distance, and words from bit 16 on
+  input wire [31:0] first_move,        // distance in bits 0 to 15, number of words from bit 16 on
   input wire [31:0] second_move,
   input wire [2:0] operation,
   input wire [15:0] work_bits,
@@ -71,7 +71,7 @@ module cell_sequencer #(
   wire is_linear = linear_width != 0;
   wire is_root = opcode == ROOT;
 
-  // The field where operands meet.
+  // Field with which the operands are aligned.
   wire has_target = target_width != 0;
   wire [15:0] met_base = has_target ? target_base : first_base;
   wire [15:0] met_width = has_target ? target_width : first_width;
@@ -79,7 +79,7 @@ module cell_sequencer #(
   wire [15:0] first_place = first_base - first_word * WORD;
   wire [15:0] second_place = second_base - second_word * WORD;
 
-  // The running sum.
+  // Running sum.
   wire [15:0] fraction_words = linear_shift / WORD;
   wire [15:0] f_place = linear_shift - fraction_words * WORD;
   wire adds = is_instruction && is_linear && number < words;
@@ -89,7 +89,7 @@ module cell_sequencer #(
   /* verilator lint_on UNUSEDSIGNAL */
   wire keeps = adds && number >= fraction_words && f_word < KEPT;
 
-  // Where the packet's work is.
+  // Work of the packet.
   wire works = is_instruction && number >= work_from && number <= result;
   wire starts = number == work_from;
   reg [1:0] move;
@@ -103,13 +103,13 @@ module cell_sequencer #(
   wire [15:0] taken_now = starts ? 16'd0 : taken;
   wire [15:0] root_bits_now = starts ? 16'd0 : root_bits;
 
-  // The shifter.
+  // Shifter.
   wire moves_first = move_now == 0 && first_move[0 +: 16] != 0;
   wire moves_second = !moves_first && move_now <= 1 && second_move[0 +: 16] != 0;
   wire moves = works && (moves_first || moves_second);
   wire [15:0] distance = moves_first ? first_move[0 +: 16] : second_move[0 +: 16];
   wire [15:0] move_words = moves_first ? first_move[16 +: 16] : second_move[16 +: 16];
-  wire meets_first = first_base == met_base;   // the first field read is the one where they meet
+  wire meets_first = first_base == met_base;   // the first field is the one to align with
   wire [1:0] moved_operand = moves_first && is_linear ? MOVE_F : moves_first && !meets_first ? MOVE_X : MOVE_Y;
   wire [15:0] moved_from = moved_operand == MOVE_F ? f_place : moved_operand == MOVE_X ? first_place : second_place;
   wire left = moved_from < place;
@@ -121,7 +121,7 @@ module cell_sequencer #(
   wire [15:0] move_word = left && !`CELL_FAULT(`FAULT_MOVE_ORDER) ? move_words - 16'd1 - word_now : word_now;
   /* verilator lint_on UNUSEDSIGNAL */
 
-  // The ALU, of a root's trials too: that of its bit k is of k + 3 bits, from bit 2 * (bits - 1 - k) on.
+  // ALU, including a root's trials: bit k is tried with k + 3 bits, starting at bit 2 * (bits - 1 - k).
   wire tries = works && is_root;
   wire takes = works && !moves && !is_root && taken_now < work_bits;
   wire [15:0] trial_bits = root_bits_now + 16'd3;
@@ -182,7 +182,7 @@ module cell_sequencer #(
   assign control[CC_TRY_PLACE +: PLACE] = found_at[0 +: PLACE];
   assign control[CC_CONSTANT] = opcode == SET_CONSTANT || is_mark && background;
 
-  // Words of a constant lie as those of the field.
+  // Words of a constant are aligned like those of the field.
   wire [15:0] constant_place = is_mark ? 16'd0 : place;
   wire [95:0] constant_there = {64'd0, constant} << constant_place;
   genvar p;
@@ -196,7 +196,7 @@ module cell_sequencer #(
       wire [15:0] read_index = is_of_first ? r : r - first_count;
       wire [15:0] read_address = read_index + (is_of_first ? first_word : second_word);
       wire [15:0] read_end = (is_of_first ? first_base + first_width : second_base + second_width) - {15'd0, is_root};
-      // Writes, and the constant's words where these are all that is written or held.
+      // Writes, and the constant's words if only these are written or held.
       wire [15:0] w = (number - result) * EACH + HERE;
       wire writes = is_instruction && number >= result && w < target_count;
       wire sets = writes && opcode == SET_CONSTANT;
@@ -210,7 +210,7 @@ module cell_sequencer #(
       wire [15:0] lowest = is_whole || index != 0 ? 16'd0 : writes ? place : is_of_first ? first_place : second_place;
       /* verilator lint_on UNUSEDSIGNAL */
       wire is_topmost = !is_whole && ends <= (address + 16'd1) * WORD;
-      wire is_empty = ends <= address * WORD;   // of a root's field the topmost bit is not read
+      wire is_empty = ends <= address * WORD;   // the topmost bit of a root's field is not read
       /* verilator lint_off UNUSEDSIGNAL */
       wire [15:0] highest = !reads && !writes && !is_whole ? sign_place : is_topmost ? ends - 16'd1 - address * WORD : LAST_BIT;
       wire [95:0] constant_word = constant_there >> (`CELL_FAULT(`FAULT_CONSTANT) ? 16'd0 : index * WORD);

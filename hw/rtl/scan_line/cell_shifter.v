@@ -1,7 +1,7 @@
 `include "faults.vh"
 
-// Moves a word by `amount` bits. Those that come in are the ones of the word beside it, after the `moved` that have come in
-// before.
+// Shifts a word by `amount` bits. Bits shifted in come from the adjacent word, after the `moved` bits shifted in
+// earlier.
 module cell_shifter #(
   parameter WORD_BITS = 32,
   parameter BIT = 5,

@@ -1,7 +1,7 @@
 `include "faults.vh"
 
-// A root as far as it is found, where it meets the next trial: behind each it moves down by a bit, and the one found comes in
-// below, at the place of that trial's bit 0.
+// The partial root, positioned for the next trial: after each trial it shifts down by one bit, and the new bit is
+// inserted below it, at the position of that trial's bit 0.
 module found_root #(
   parameter BITS = 96,
   parameter PLACE = 7

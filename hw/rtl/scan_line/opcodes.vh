@@ -1,4 +1,4 @@
-// Numbers of the instructions, as hw/isa/opcodes.h has them; of those that a cell tells apart.
+// Numbers of the instructions that a cell distinguishes, as in hw/isa/opcodes.h.
 /* verilator lint_off UNUSEDPARAM */
 localparam [5:0] ENABLE_ALL = 0, ENABLE_INVERT = 1, ENABLE_LOAD = 2, ENABLE_AND = 3, ENABLE_AND_NOT = 4, ENABLE_OR = 5,
   ENABLE_XOR = 6, ENABLE_STORE = 7, EDGE_NOT_NEGATIVE = 8, EDGE_NEGATIVE = 9, LINEAR_GE = 10, LINEAR_GT = 11, LINEAR_LE = 12,

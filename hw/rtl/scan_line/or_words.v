@@ -1,6 +1,6 @@
 `include "faults.vh"
 
-// The OR of so many words, bit by bit.
+// The bitwise OR of COUNT words.
 module or_words #(
   parameter WORD_BITS = 32,
   parameter COUNT = 3

@@ -1,12 +1,12 @@
 `include "faults.vh"
 
-// The words that ports bring, in the places where they are taken.
+// Routes the words of the ports to their positions in an operand.
 module port_words #(
   parameter WORD_BITS = 32,
   parameter PORTS = 1,
   parameter COUNT = 3
 ) (
-  input wire [PORTS*COUNT-1:0] takes,      // a port after the other: in which place
+  input wire [PORTS*COUNT-1:0] takes,      // per port: position of its word, one-hot
   input wire [PORTS*WORD_BITS-1:0] words,
   output wire [COUNT-1:0] taken,
   output wire [COUNT*WORD_BITS-1:0] out

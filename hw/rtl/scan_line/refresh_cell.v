@@ -1,13 +1,13 @@
 `include "faults.vh"
 
-// The hold register of a cell, and its place in the shift chain that brings the colours back.
+// The hold register of a cell, and its stage of the shift chain that returns the colours.
 module refresh_cell #(
   parameter BITS = 64
 ) (
   input wire clk,
-  input wire hold,             // a mark brings the colour to be held
+  input wire hold,             // a mark stores the colour
   input wire [BITS-1:0] colour,
-  input wire transfer,         // the shift chain takes the held colours
+  input wire transfer,         // the shift chain loads the held colours
   input wire [BITS-1:0] from_right,
   output reg [BITS-1:0] shifting
 );

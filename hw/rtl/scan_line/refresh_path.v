@@ -1,7 +1,7 @@
 `include "faults.vh"
 
-// When the shift chain takes the held colours: in the clock after the mark's last beat has been in the line's last cell. And
-// what is at the refresh port then: each pixel's colour, out of the words in which it lay.
+// Determines when the shift chain loads the held colours: in the clock after the mark's last beat was in the line's
+// last cell. Outputs each pixel's colour, extracted from its words, at the refresh port.
 module refresh_path #(
   parameter COLOUR_BITS = 64,
   parameter WORD_BITS = 32
@@ -10,9 +10,9 @@ module refresh_path #(
   input wire reset,
   input wire [15:0] pixels,
   input wire holds,                        // the mark's last beat enters cell 0
-  input wire background,                   // which brings the colour
-  input wire [47:0] colour_field,          // else where the colour lies: its first bit, its bits, and the first bit's word
-  input wire [COLOUR_BITS-1:0] first,      // in the shift chain, at cell 0
+  input wire background,                   // the mark carries the colour
+  input wire [47:0] colour_field,          // otherwise position of the colour: first bit, width, word of the first bit
+  input wire [COLOUR_BITS-1:0] first,      // colour in the shift chain at cell 0
   output wire transfers,
   output wire valid,
   output wire [31:0] colour
@@ -22,8 +22,8 @@ module refresh_path #(
   wire [15:0] width = colour_field[16 +: 16];
   wire [15:0] place = base - colour_field[32 +: 16] * WORD;
 
-  reg [15:0] to_come;                        // clocks to_come the mark has been in all cells; 0: none is in them
-  reg [15:0] left;                         // pixels of the line that is shown
+  reg [15:0] to_come;                        // clocks until the mark has been in all cells; 0: no mark in the cells
+  reg [15:0] left;                         // remaining pixels of the shown line
   reg transfers_next;
   reg [15:0] held_place;
   reg [15:0] held_width;

@@ -1,7 +1,7 @@
 `include "faults.vh"
 
-// A pixel's cell (thesis 7.2.2): memory, E, an adder of a word for the running sum, a shifter, an ALU, and registers for F
-// and for two fields read. In a clock it does what the control word of the beat in it says, and hands the beat on.
+// The cell of a pixel (thesis 7.2.2): memory, E, an adder of a word for the running sum, a shifter, an ALU, and
+// registers for F and for two fields read. Each clock it executes the control word of its beat and passes the beat on.
 module scan_line_cell #(
   parameter WORD_BITS = 32,
   parameter WORDS = 3,
@@ -14,20 +14,20 @@ module scan_line_cell #(
 ) (
   input wire clk,
   input wire reset,
-  // The beat in the cell: what is to be done, a word of F, of its difference to the next cell and of the second difference,
+  // The beat in the cell: control word, a word of F, of its difference to the next cell and of the second difference,
   // and words of the constant.
   input wire [CONTROL_BITS-1:0] control,
   input wire [WORD_BITS-1:0] f,
   input wire [WORD_BITS-1:0] a,
   input wire [WORD_BITS-1:0] aa,
   input wire [PORTS*WORD_BITS-1:0] constant,
-  // As the next cell has it in the next clock.
+  // The beat as the next cell receives it in the next clock.
   output reg [CONTROL_BITS-1:0] next_control,
   output reg [WORD_BITS-1:0] next_f,
   output reg [WORD_BITS-1:0] next_a,
   output wire [WORD_BITS-1:0] next_aa,
   output reg [PORTS*WORD_BITS-1:0] next_constant,
-  // The way back.
+  // Return path of the colours.
   input wire transfer,
   input wire [COLOUR_WORDS*WORD_BITS-1:0] from_right,
   output wire [COLOUR_WORDS*WORD_BITS-1:0] shifting,
@@ -46,7 +46,7 @@ module scan_line_cell #(
   wire [Y_BITS-1:0] y_now, y_moved, y_next;
   wire enabled, writes;
 
-  // The running sum.
+  // Running sum.
   wire [WORD_BITS-1:0] sum;
   cell_adder #(.WORD_BITS(WORD_BITS)) adder (
     .clk(clk), .reset(reset), .first(control[CC_FIRST]), .add(control[CC_ADD]), .one(f), .other(a), .sum(sum));
@@ -131,7 +131,7 @@ module scan_line_cell #(
     end
   endgenerate
 
-  // The words that the ports bring the operands.
+  // Words that the ports deliver to the operands.
   wire [X_WORDS-1:0] takes_x;
   wire [Y_WORDS-1:0] takes_y;
   wire [X_BITS-1:0] into_x;
@@ -149,7 +149,7 @@ module scan_line_cell #(
     end
   endgenerate
 
-  // The operands, and the shifter of one of them.
+  // Operands, and the shifter for one of them.
   wire [1:0] moving = control[CC_MOVE_OPERAND +: 2];
   wire move_f = control[CC_MOVE] && moving == MOVE_F;
   wire move_x = control[CC_MOVE] && moving == MOVE_X;
@@ -173,7 +173,7 @@ module scan_line_cell #(
     .word(move_f ? f_word : move_x ? x_at : y_at), .above(move_f ? f_above : move_x ? x_above : y_above),
     .below(move_f ? f_below : move_x ? x_below : y_below), .out(shifted));
 
-  // The ALU.
+  // ALU.
   wire [GROUP-1:0] group = control[CC_GROUP +: GROUP];
   wire tries = ROOTS != 0 && control[CC_TRY];
   wire linear = control[CC_LINEAR];

@@ -1,6 +1,6 @@
 `include "faults.vh"
 
-// Puts bits of a group and the next one into a vector.
+// Inserts bits into a group of a vector and into the next group.
 module stored_groups #(
   parameter LANES = 32,
   parameter GROUP = 2,

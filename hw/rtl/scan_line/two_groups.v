@@ -1,6 +1,6 @@
 `include "faults.vh"
 
-// Of a vector in groups of LANES bits, a group and the next one.
+// Selects a group of LANES bits of a vector and the next group.
 module two_groups #(
   parameter LANES = 32,
   parameter GROUPS = 3,
@@ -11,7 +11,7 @@ module two_groups #(
   input wire [BITS-1:0] in,
   output wire [2*LANES-1:0] out
 );
-  localparam PADDED = (GROUPS + 1) * LANES;   // which is more than BITS
+  localparam PADDED = (GROUPS + 1) * LANES;   // more than BITS
   wire [PADDED-1:0] padded = {{PADDED - BITS{1'b0}}, in};
   wire [GROUPS*2*LANES-1:0] gated;
   genvar g;

@@ -1,4 +1,4 @@
-// A number with zeros above it.
+// Extends a number with zeros at the top.
 module widened #(
   parameter FROM = 64,
   parameter TO = 96

@@ -286,7 +286,7 @@ TEST_CASE("a clocked memory refuses a Program of another width, another height o
     return testing::error_of([&] { memory.hardware->run(program, nobody); });
   };
   const std::string refused =
-      "the Program is for another picture or more memory than the machine has; compile it for this machine";
+      "the Program needs another picture size or more pixel memory than the machine has; compile it for this machine";
   CHECK(refusal({8, 8, 8}) == "");
   CHECK(refusal({8, 8, 7}) == "");
   CHECK(refusal({8, 8, 9}) == refused);

@@ -10,6 +10,7 @@
 //            its programs in bit-serial/bitSerialBitsimd.cpp
 
 using namespace csgsim;
+using bit_serial_memory::BinaryOp;
 using bit_serial_memory::Bit;
 using bit_serial_memory::Chain;
 using bit_serial_memory::ColumnLogic;
@@ -18,7 +19,6 @@ using bit_serial_memory::Row;
 using bit_serial_memory::RowCommands;
 using bit_serial_memory::RowMap;
 using bit_serial_memory::RowOp;
-using bit_serial_memory::Two;
 
 namespace {
 
@@ -82,7 +82,7 @@ constexpr std::array<unsigned, 5> widths{1, 8, 16, 31, 32};
 
 TEST_CASE("AND, OR, NOT and XOR of rows take the commands that Ambit's do") {
   for (const Design design : {Design::and_or_not, Design::majority}) {
-    for (const Two op : {Two::conjunction, Two::disjunction}) {
+    for (const BinaryOp op : {BinaryOp::conjunction, BinaryOp::disjunction}) {
       const RowCommands commands =
           commands_of(design, [&](ColumnLogic& logic) { logic.combine(op, target, bit_of(a, 0), bit_of(b, 0)); });
       CHECK(testing::count_of(RowOp::copy, commands) == 4);
@@ -93,7 +93,7 @@ TEST_CASE("AND, OR, NOT and XOR of rows take the commands that Ambit's do") {
     CHECK(testing::count_of(RowOp::copy, inverted) == 2);
     CHECK(inverted.size() == 2);
     const RowCommands unequal = commands_of(
-        design, [](ColumnLogic& logic) { logic.combine(Two::unequal, target, bit_of(a, 0), bit_of(b, 0)); });
+        design, [](ColumnLogic& logic) { logic.combine(BinaryOp::unequal, target, bit_of(a, 0), bit_of(b, 0)); });
     CHECK(testing::count_of(RowOp::copy, unequal) == 5);
     CHECK(testing::count_of(RowOp::activate, unequal) == 2);
     CHECK(unequal.size() == 7);
@@ -139,7 +139,7 @@ TEST_CASE("sums, differences and operations bit by bit at the sense amplifiers t
       CHECK(reads_of(commands_of(Design::latches, [&](ColumnLogic& logic) { sum(logic, chain, n); })) ==
             Reads{2 * n, n, 3 * n + 1});
     }
-    for (const Two op : {Two::conjunction, Two::disjunction, Two::unequal}) {
+    for (const BinaryOp op : {BinaryOp::conjunction, BinaryOp::disjunction, BinaryOp::unequal}) {
       CHECK(reads_of(commands_of(Design::latches, [&](ColumnLogic& logic) {
               for (unsigned bit = 0; bit < n; ++bit)
                 logic.combine(op, static_cast<Row>(target + bit), bit_of(a, bit), bit_of(b, bit));

@@ -10,6 +10,7 @@
 // (n^2 + n) / 2 writes and 2 n^2 + n logic commands.
 
 using namespace csgsim;
+using bit_serial_memory::BinaryOp;
 using bit_serial_memory::Bit;
 using bit_serial_memory::Chain;
 using bit_serial_memory::ColumnLogic;
@@ -19,7 +20,6 @@ using bit_serial_memory::Row;
 using bit_serial_memory::RowCommands;
 using bit_serial_memory::RowMap;
 using bit_serial_memory::RowOp;
-using bit_serial_memory::Two;
 
 namespace {
 
@@ -48,7 +48,7 @@ class Multiplication {
   void put_first_place() {
     logic_.hold(first_factor);
     for (unsigned bit = 0; bit < bits_; ++bit)
-      logic_.combine(Two::conjunction, product_row(bit), Bit::of_row(first_factor), bit_of(second_factor, bit));
+      logic_.combine(BinaryOp::conjunction, product_row(bit), Bit::of_row(first_factor), bit_of(second_factor, bit));
     if (product_bits_ > bits_) logic_.assign(product_row(bits_), Bit::constant(false));
   }
 
@@ -61,7 +61,7 @@ class Multiplication {
       if (masked_) {
         logic_.store_sum(sum, bit_of(second_factor, bit), Bit::of_row(sum), Mask::enable);
       } else {
-        logic_.combine(Two::conjunction, partial(), factor, bit_of(second_factor, bit));
+        logic_.combine(BinaryOp::conjunction, partial(), factor, bit_of(second_factor, bit));
         logic_.sum(sum, Bit::of_row(partial()), Bit::of_row(sum));
       }
     }

@@ -8,6 +8,7 @@
 // for each row.
 
 using namespace csgsim;
+using bit_serial_memory::BinaryOp;
 using bit_serial_memory::Bit;
 using bit_serial_memory::Chain;
 using bit_serial_memory::ColumnLogic;
@@ -20,7 +21,6 @@ using bit_serial_memory::RowCommands;
 using bit_serial_memory::RowMap;
 using bit_serial_memory::RowOp;
 using bit_serial_memory::Subarray;
-using bit_serial_memory::Two;
 using bit_serial_memory::WordLines;
 
 namespace {
@@ -51,12 +51,12 @@ struct Judge {
   }
 };
 
-std::uint64_t combined(Two op, std::uint64_t a, std::uint64_t b) {
+std::uint64_t combined(BinaryOp op, std::uint64_t a, std::uint64_t b) {
   switch (op) {
-    case Two::conjunction: return a & b;
-    case Two::disjunction: return a | b;
-    case Two::unequal: return a ^ b;
-    case Two::and_not: return a & ~b;
+    case BinaryOp::conjunction: return a & b;
+    case BinaryOp::disjunction: return a | b;
+    case BinaryOp::unequal: return a ^ b;
+    case BinaryOp::and_not: return a & ~b;
   }
   return 0;
 }
@@ -90,7 +90,7 @@ class Operations {
     for (unsigned i = 0; i < count; ++i) all.push_back(bit());
     return all;
   }
-  Two two() { return static_cast<Two>(below(4)); }
+  BinaryOp two() { return static_cast<BinaryOp>(below(4)); }
   Mask mask() { return has_selected_ && either() ? Mask::select : Mask::enable; }
 
   void put_one() {
@@ -130,7 +130,7 @@ class Operations {
     const Row target = row();
     const Bit a = bit();
     const Bit b = bit();
-    const Two op = two();
+    const BinaryOp op = two();
     logic_.combine(op, target, a, b);
     judge_.put(target, combined(op, judge_.of(a), judge_.of(b)));
   }
@@ -138,7 +138,7 @@ class Operations {
     const Row target = row();
     const Bit a = bit();
     const Bit b = bit();
-    const Two op = two();
+    const BinaryOp op = two();
     const Mask where = mask();
     logic_.store_combined(op, target, a, b, where);
     judge_.put(target, combined(op, judge_.of(a), judge_.of(b)), judge_.of(where));
@@ -164,7 +164,7 @@ class Operations {
       return judge_.put(target, judge_.enable);
     }
     const Bit value = bit();
-    const Two op = two();
+    const BinaryOp op = two();
     logic_.change_enable(op, value);
     judge_.enable = combined(op, judge_.enable, judge_.of(value));
   }
@@ -343,7 +343,7 @@ TEST_CASE("the latch for writes is loaded once for all stores by a mask, and ane
     CHECK(latches([&](ColumnLogic& logic) {
             store(logic, Mask::enable);
             logic.assign(4, Bit::of_row(5), true);
-            logic.combine(Two::unequal, 6, Bit::of_row(7), Bit::of_row(8));
+            logic.combine(BinaryOp::unequal, 6, Bit::of_row(7), Bit::of_row(8));
             store(logic, Mask::enable);
           }) == 1);
   }
@@ -367,7 +367,9 @@ TEST_CASE("a row that is held is read once, until it or its latch is written") {
     return testing::count_of(RowOp::read, commands_of(Design::latches, enable_latch, make));
   };
   constexpr Row held = 9;
-  const auto use = [](ColumnLogic& logic) { logic.combine(Two::conjunction, 1, Bit::of_row(held), Bit::of_row(2)); };
+  const auto use = [](ColumnLogic& logic) {
+    logic.combine(BinaryOp::conjunction, 1, Bit::of_row(held), Bit::of_row(2));
+  };
   // The row, and the other operand each time.
   CHECK(reads(true, [&](ColumnLogic& logic) {
           logic.hold(held);

@@ -69,7 +69,7 @@ TEST_CASE("each figure of a memory is taken at its least and its most, and refus
                                [](const std::string& machine) { return kinds::load(machine); });
   CHECK(refusal("+chips.rows=65536") == "");
   CHECK(refusal("+chips.rows=65537").find("chips.rows is 65537;") != std::string::npos);
-  CHECK(refusal("+chips.rows=1").find("take 391 rows") != std::string::npos);
+  CHECK(refusal("+chips.rows=1").find("need 391 rows") != std::string::npos);
   CHECK(refusal("+chips.rows=0").find("chips.rows is 0;") != std::string::npos);
   // All of the kind, with three whose values are names.
   CHECK(kinds::load("digital-bit-serial-ddr4").kind->schema.size() == ranges.size() + 1 + 3);
@@ -99,12 +99,13 @@ TEST_CASE("refreshes leave more than half of the time") {
   CHECK(refusal("+timing.refresh_interval=841") == "");  // tRFC 420
   CHECK(refusal("+timing.refresh_interval=840").find("timing.refresh_interval") != std::string::npos);
   CHECK(refusal("+timing.refresh=4679") == "");  // tREFI 9360
-  CHECK(refusal("+timing.refresh=4680").find("take more than twice timing.refresh") != std::string::npos);
+  CHECK(refusal("+timing.refresh=4680").find("use more than twice timing.refresh") != std::string::npos);
   CHECK(refusal("+timing.refresh=4680+timing.refresh_interval=ideal") == "");
 }
 
 TEST_CASE("rows of x and y are for expressions of degree 1 alone") {
-  CHECK(refusal("+evaluator.degree=2").find("take degree 1, or logic.expressions trees") != std::string::npos);
+  CHECK(refusal("+evaluator.degree=2").find("set evaluator.degree to 1, or logic.expressions to trees") !=
+        std::string::npos);
   CHECK(refusal("+evaluator.degree=2+logic.expressions=planes") == "");
   CHECK(refusal("+evaluator.degree=2+logic.expressions=trees") == "");
 }
@@ -113,20 +114,21 @@ TEST_CASE("pixel memory has to fit a subarray with the rows that instructions ne
   // 256, 15 and 62 and 40, and 9 each for x and y.
   CHECK(refusal("+chips.rows=391") == "");
   CHECK(refusal("+chips.rows=390")
-            .find("take 391 rows with those that instructions need; take less "
-                  "array.memory_bits, or chips.rows 391") != std::string::npos);
+            .find("need 391 rows, including those for instructions; reduce "
+                  "array.memory_bits, or set chips.rows to at least 391") != std::string::npos);
   CHECK(refusal("+array.memory_bits=377") == "");
-  CHECK(refusal("+array.memory_bits=378").find("take 513 rows") != std::string::npos);
-  CHECK(refusal("+chips.rows=391+picture.width=513").find("take 392 rows") != std::string::npos);
-  CHECK(refusal("+chips.rows=391+picture.height=513").find("take 392 rows") != std::string::npos);
+  CHECK(refusal("+array.memory_bits=378").find("need 513 rows") != std::string::npos);
+  CHECK(refusal("+chips.rows=391+picture.width=513").find("need 392 rows") != std::string::npos);
+  CHECK(refusal("+chips.rows=391+picture.height=513").find("need 392 rows") != std::string::npos);
 }
 
 TEST_CASE("a picture has to fit the subarrays of all banks") {
   // 262,144 pixels in rows of 8,192 are 32 subarrays.
   CHECK(refusal("+chips.count=1+chips.banks=1+chips.subarrays=32") == "");
-  CHECK(refusal("+chips.count=1+chips.banks=1+chips.subarrays=31")
-            .ends_with("a picture of 512x512 takes 32 subarrays of each chip, digital-bit-serial-ddr4 has 31; take a "
-                       "smaller picture, or a machine file with more chips.subarrays"));
+  CHECK(
+      refusal("+chips.count=1+chips.banks=1+chips.subarrays=31")
+          .ends_with("a picture of 512x512 needs 32 subarrays of each chip, but digital-bit-serial-ddr4 has 31; use a "
+                     "smaller picture, or increase chips.subarrays in the machine file"));
   CHECK(refusal("+chips.count=1+chips.banks=2+chips.subarrays=16") == "");
   CHECK_FALSE(refusal("+chips.count=1+chips.banks=2+chips.subarrays=15").empty());
   CHECK(refusal("+chips.count=2+chips.banks=1+chips.subarrays=16") == "");
@@ -134,7 +136,7 @@ TEST_CASE("a picture has to fit the subarrays of all banks") {
   CHECK_NOTHROW(machines::set_picture_size(full, {256, 1024}));
   CHECK(full.array.width == 256);
   CHECK(full.array.height == 1024);
-  CHECK_THROWS_WITH_AS(machines::set_picture_size(full, {512, 513}), doctest::Contains("a picture of 512x513 takes 33"),
+  CHECK_THROWS_WITH_AS(machines::set_picture_size(full, {512, 513}), doctest::Contains("a picture of 512x513 needs 33"),
                        InputError);
 }
 

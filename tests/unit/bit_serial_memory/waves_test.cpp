@@ -231,5 +231,5 @@ TEST_CASE("a wave of a memory has no levels of trees") {
   const wave::Request request{
       .windows = {{0, 1}}, .pixels = {{0, 0}}, .tree_levels = {{wave::TreeLevel::Axis::x, 0}}, .write = nullptr};
   CHECK_THROWS_WITH_AS(static_cast<void>(testing::smallest_memory().hardware->taps(program, request)),
-                       "waves of a memory that computes show no levels of trees; leave them out", InputError);
+                       "waves of a bit-serial memory show no tree levels; omit them", InputError);
 }

@@ -107,7 +107,7 @@ TEST_CASE("a tree with more pending results than there are bits for them is refu
   CHECK_FALSE(testing::ModelDivider(model).divide(top_left).instructions.empty());
   model.fields.stack_bits = 0;
   CHECK_THROWS_WITH_AS(static_cast<void>(testing::ModelDivider(model).divide(top_left)),
-                       "a square's tree has 1 pending results and pixel memory has 0 bits for them", InputError);
+                       "a square's tree has 1 pending results, but pixel memory has 0 bits for them", InputError);
 }
 
 TEST_CASE("a group leaves the primitives that touch it, without half-spaces that decide nothing in it") {

@@ -68,7 +68,7 @@ TEST_CASE("a Program whose instructions are not those of its model is refused") 
   for (isa::Segment& segment : program.segments) {
     if (!segment.instructions.empty()) segment.instructions.pop_back();
   }
-  CHECK(error_of([&] { division::check_division(program); }).find("is not what its display model") !=
+  CHECK(error_of([&] { division::check_division(program); }).find("does not match the division of its display model") !=
         std::string::npos);
 }
 
@@ -84,14 +84,14 @@ TEST_CASE(
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
   figures.model_bits = static_cast<std::uint32_t>(rest - 1);
   CHECK(error_of([&] { machines::check_runs_on(program, machine); })
-            .starts_with(fmt::format("the display model has {} bits besides its planes, and the divider's memory holds "
-                                     "{}; give divider.memory more,",
+            .starts_with(fmt::format("the display model has {} bits without its planes, but the divider's memory holds "
+                                     "{}; increase divider.memory,",
                                      rest, rest - 1)));
   machine = machine_with(2);
   program.display_model.clear();
   CHECK(error_of([&] {
           machines::check_runs_on(program, machine);
-        }).starts_with("the Program has no display model, which pixel-square divides;"));
+        }).starts_with("the Program has no display model for pixel-square to divide;"));
 }
 
 TEST_CASE("what memories at hand do not hold goes to the model's, and is refused where that is full") {
@@ -106,7 +106,7 @@ TEST_CASE("what memories at hand do not hold goes to the model's, and is refused
     const auto memory = std::exchange(figures.model_bits, static_cast<std::uint32_t>(8 * program.display_model.size()));
     CHECK(error_of([&] {
             machines::check_runs_on(program, machine);
-          }).find("more than divider.halfspaces, divider.nodes and divider.memory hold; give them more,") !=
+          }).find("these exceed divider.halfspaces, divider.nodes and divider.memory; increase them,") !=
           std::string::npos);
     figures.model_bits = memory;
     *at_hand = there;

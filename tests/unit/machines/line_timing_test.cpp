@@ -156,7 +156,7 @@ TEST_CASE("a line is late from the first clock on that its budget does not hold"
   CHECK(account.line_budget == 10);
   CHECK(account.late_lines == 3);
   CHECK(account.packets == 37);
-  CHECK(account.most_packets == 11);
+  CHECK(account.max_packets == 11);
 }
 
 TEST_CASE("the next frame begins when the last mark has entered, unless its first mark would have to wait then") {

@@ -290,7 +290,7 @@ TEST_CASE("an unknown kind and an unknown order name those there are") {
 TEST_CASE("a scan-line machine whose picture is wider than its chain is refused") {
   std::string text = description_of("scan-line");
   text.replace(text.find("value = 512"), 11, "value = 511");
-  CHECK(message(text).find("a line of 512 pixels is longer than the 511 cells of scan-line") != std::string::npos);
+  CHECK(message(text).find("a line of 512 pixels exceeds the 511 cells of scan-line") != std::string::npos);
 }
 
 TEST_CASE("a key of very many parts is refused without running out of stack") {

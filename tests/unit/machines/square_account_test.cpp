@@ -51,9 +51,10 @@ std::vector<std::string> loads_of(const SquareAccount& counted) {
 }  // namespace
 
 TEST_CASE("clocks that are not accounted for are spent at rest") {
-  CHECK(pixel_square::whole(working(3, 4), SquareActivity::waiting_for_host, 20) == Clocks{3, 13, 0, 0, 0, 4});
-  CHECK(pixel_square::whole(working(3, 4), SquareActivity::done, 20) == Clocks{3, 0, 0, 0, 0, 17});
-  CHECK(pixel_square::whole(working(3), SquareActivity::waiting_for_ring, 3) == working(3));
+  CHECK(pixel_square::complete_clocks(working(3, 4), SquareActivity::waiting_for_host, 20) ==
+        Clocks{3, 13, 0, 0, 0, 4});
+  CHECK(pixel_square::complete_clocks(working(3, 4), SquareActivity::done, 20) == Clocks{3, 0, 0, 0, 0, 17});
+  CHECK(pixel_square::complete_clocks(working(3), SquareActivity::waiting_for_ring, 3) == working(3));
 }
 
 TEST_CASE("the account of a machine whose host divides lists the host, the renderers and the frame buffer") {

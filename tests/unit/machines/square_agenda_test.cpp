@@ -11,8 +11,8 @@
 using namespace csgsim;
 using pixel_square::Agenda;
 using pixel_square::Fifo;
+using pixel_square::IndexSet;
 using pixel_square::LeavingSquare;
-using pixel_square::Numbers;
 using pixel_square::PartNumbers;
 using pixel_square::RowLatch;
 using pixel_square::SquareActivity;
@@ -27,9 +27,9 @@ constexpr std::size_t many = 200;  // more than three words of 64
 using Asked = std::vector<std::size_t>;
 
 /// Those asked from `first` on, at most `most`.
-Asked asked(const Numbers& numbers, std::size_t first, std::size_t most = many) {
+Asked asked(const IndexSet& numbers, std::size_t first, std::size_t most = many) {
   Asked all;
-  numbers.each_from(first, [&](std::size_t number) {
+  numbers.for_each_from(first, [&](std::size_t number) {
     all.push_back(number);
     return all.size() < most;
   });
@@ -49,7 +49,7 @@ std::size_t any_number() { return *rc::gen::resize(rc::kNominalSize, rc::gen::in
 
 TEST_CASE("numbers are asked once around from any of them on, as long as there is an answer") {
   CHECK(rc::check([] {
-    Numbers numbers(many);
+    IndexSet numbers(many);
     std::set<std::size_t> expected;
     RC_ASSERT(numbers.empty());
     for (int i = *rc::gen::inRange(0, 60); i > 0; --i) {
@@ -77,15 +77,15 @@ TEST_CASE("numbers are asked once around from any of them on, as long as there i
 
 TEST_CASE("numbers at the ends of words of 64 are asked in order, and none of no numbers") {
   const std::set<std::size_t> edges{0, 1, 62, 63, 64, 65, 127, 128, 191, 192};
-  Numbers numbers(193);
+  IndexSet numbers(193);
   for (const std::size_t number : edges) numbers.add(number);
   for (const std::size_t first : edges) CHECK(asked(numbers, first) == once_around(edges, first));
   CHECK(asked(numbers, 2, 3) == Asked{62, 63, 64});
   CHECK(asked(numbers, 128, 3) == Asked{128, 191, 192});
   CHECK(asked(numbers, 192, 3) == Asked{192, 0, 1});
-  CHECK(asked(Numbers(0), 0).empty());
-  CHECK(Numbers(0).empty());
-  CHECK(asked(Numbers(64), 5).empty());
+  CHECK(asked(IndexSet(0), 0).empty());
+  CHECK(IndexSet(0).empty());
+  CHECK(asked(IndexSet(64), 5).empty());
 }
 
 TEST_CASE("after the last in turn comes the first") {
@@ -141,34 +141,34 @@ TEST_CASE("a word is there at the edge after the one at which it was written, an
   Agenda agenda(2);
   Fifo<int> fifo(2, 0, 1, agenda);
   CHECK_FALSE(fifo.has_word(0));
-  CHECK_FALSE(fifo.word_follows());
+  CHECK_FALSE(fifo.has_word_next());
   CHECK(fifo.has_room(1));
   fifo.write(1, 7);
   CHECK(agenda.next() == std::pair<Time, std::size_t>{2, 1});  // the reader looks
   CHECK_FALSE(fifo.has_word(1));
-  CHECK(fifo.word_follows());
+  CHECK(fifo.has_word_next());
   CHECK(fifo.has_word(2));
   CHECK(fifo.oldest() == 7);
   CHECK(fifo.has_room(2));
   fifo.write(2, 8);
   CHECK_FALSE(fifo.has_room(3));
-  CHECK_FALSE(fifo.room_follows());
+  CHECK_FALSE(fifo.has_room_next());
   CHECK(agenda.next() == std::pair<Time, std::size_t>{3, 1});
   CHECK(fifo.read(3) == 7);
   CHECK_FALSE(fifo.has_room(3));
-  CHECK(fifo.room_follows());
+  CHECK(fifo.has_room_next());
   CHECK(fifo.has_room(4));
   CHECK(agenda.next() == std::pair<Time, std::size_t>{4, 0});  // the writer looks
   CHECK(fifo.has_word(3));
   CHECK(fifo.read(4) == 8);
-  CHECK_FALSE(fifo.word_follows());
+  CHECK_FALSE(fifo.has_word_next());
 }
 
 TEST_CASE("words come out in the order in which they went in, however many there are") {
   Agenda agenda(2);
   Fifo<int> fifo(100, 0, 1, agenda);
-  Numbers with_words(70);
-  fifo.show(with_words, 65);
+  IndexSet with_words(70);
+  fifo.track_in(with_words, 65);
   int read = 0;
   int written = 0;
   for (const int more : {5, 30, 8, 60, 1}) {
@@ -260,16 +260,16 @@ TEST_CASE("a row goes over when it is latched and the next word of colours needs
   // It begins to leave at 10: the first row is latched at 11 to 14 and goes over at 15, the second is latched at 15 to
   // 18.
   RowLatch latch(4, 10);
-  CHECK(latch.there(0) == 15);
-  CHECK(latch.there(0) == 15);
-  CHECK(latch.there(1) == 19);
+  CHECK(latch.transfer_edge(0) == 15);
+  CHECK(latch.transfer_edge(0) == 15);
+  CHECK(latch.transfer_edge(1) == 19);
   // A third one, which nobody wants before 41, is latched at 19 to 22 and goes over at 41; the fourth at 45.
-  latch.pass(40);
-  CHECK(latch.there(2) == 41);
-  CHECK(latch.there(3) == 45);
+  latch.record_word(40);
+  CHECK(latch.transfer_edge(2) == 41);
+  CHECK(latch.transfer_edge(3) == 45);
   // A word that needs two rows waits for both.
   RowLatch quick(1, 0);
-  CHECK(quick.there(1) == 3);
+  CHECK(quick.transfer_edge(1) == 3);
 }
 
 TEST_CASE("the clocks of a part are reported from the first of the frame to the last") {
@@ -278,6 +278,6 @@ TEST_CASE("the clocks of a part are reported from the first of the frame to the 
   clocks.work(2);                                    // 4 and 5
   clocks.wait(SquareActivity::waiting_for_renderer, 6);
   clocks.wait(SquareActivity::waiting_for_renderer, 7);  // 6
-  const pixel_square::SquareClocks& whole = clocks.whole(10);
+  const pixel_square::SquareClocks& whole = clocks.complete(10);
   CHECK(whole == pixel_square::SquareClocks{2, 3, 0, 1, 0, 4});
 }

@@ -42,7 +42,7 @@ constexpr isa::DivisionStep step{.boxes = 3, .lists = 2, .halfspaces = 5, .cells
 std::uint64_t tests_with(const Figures& figures, bool from_list = false) {
   const isa::Program program = with_model();
   const Machine machine = machine_of(2, figures);
-  return DivisionClocks(program, machine).of_tests(step, from_list);
+  return DivisionClocks(program, machine).test_clocks(step, from_list);
 }
 
 std::uint64_t group_with(const Figures& figures) {
@@ -50,7 +50,7 @@ std::uint64_t group_with(const Figures& figures) {
       .steps = {}, .group_boxes = 3, .group_lists = 2, .group_halfspaces = 5, .group_cells = 7, .group_entries = 11};
   const isa::Program program = with_model();
   const Machine machine = machine_of(2, figures);
-  return DivisionClocks(program, machine).of_group(first);
+  return DivisionClocks(program, machine).group_clocks(first);
 }
 
 }  // namespace
@@ -97,9 +97,9 @@ TEST_CASE("a divider looks at the tree first, works linear instructions out, and
   const isa::Program program = with_model();
   Machine machine = machine_of(2, hand_figures());
   const DivisionClocks clocks(program, machine);
-  CHECK(clocks.of_tree() == 3 * 7);
-  CHECK(clocks.of_instruction(enable) == 0);
-  CHECK(clocks.of_instruction({.opcode = Opcode::edge_negative}) == 4);
+  CHECK(clocks.tree_clocks() == 3 * 7);
+  CHECK(clocks.instruction_clocks(enable) == 0);
+  CHECK(clocks.instruction_clocks({.opcode = Opcode::edge_negative}) == 4);
   CHECK(clocks.is_listed(100));
   CHECK_FALSE(clocks.is_listed(101));
   machines::own<Figures>(machine).levels = 1;
@@ -147,7 +147,7 @@ TEST_CASE("each number of a divider's tests is taken up to 2^36, and refused one
     operands[operand](counts, most + 1);
     CHECK(error_of([&] {
             pixel_square::check_countable(program, machine_of(2, dividing()));
-          }).starts_with("the divider would test for more than 1152921504606846976 clocks; give it a smaller model"));
+          }).starts_with("the divider would test for more than 1152921504606846976 clocks; use a smaller model"));
   }
 }
 

@@ -142,7 +142,7 @@ TEST_CASE("an answer for the host is refused in whichever square and at whicheve
       program.segments[segment].instructions[place] = {.opcode = Opcode::global_or};
       CHECK(refusal(program, machine)
                 .starts_with("segment " + std::to_string(segment) + ", instruction " + std::to_string(place) +
-                             ": global_or asks for an answer to the host"));
+                             ": global_or returns an answer to the host"));
     }
   }
 }
@@ -155,7 +155,7 @@ TEST_CASE("a colour has to fit the backing store, where there is one") {
   CHECK(refused(0, 16) == "");
   CHECK(refused(4, 4) == "");
   CHECK(refused(4, 3) == "");
-  CHECK(refused(4, 5).starts_with("a pixel has 5 bits of colour, and 4 of squares where finished squares wait"));
+  CHECK(refused(4, 5).starts_with("a pixel has 5 bits of colour, but the backing memory of squares holds 4"));
 }
 
 TEST_CASE(
@@ -170,7 +170,7 @@ TEST_CASE(
   const Machine dividing_machine = machine_of(2, dividing());
   isa::Program program = whole_picture(dividing_machine);
   CHECK(refusal(program, dividing_machine) ==
-        "the Program has no display model, which squares divides; compile the model for this machine");
+        "the Program has no display model for squares to divide; compile the model for this machine");
   CHECK(refusal(program, machine_of(2, {})) == "");
   program.display_model = model_bytes();
   CHECK(refusal(program, dividing_machine) == "");
@@ -225,7 +225,7 @@ TEST_CASE("a Program for a machine with dividers is what they compute from its m
     // The slab is in the left half.
     REQUIRE(!program.segments[0].instructions.empty());
     program.segments[0].instructions.pop_back();
-    CHECK(refused() == "segment 0 is not what its display model is divided into; compile the model again");
+    CHECK(refused() == "segment 0 does not match the division of its display model; compile the model again");
     machines::own<Figures>(machine).divider = pixel_square::DividerKind::host;
     CHECK(refused() == "");
   }

@@ -152,8 +152,8 @@ TEST_CASE("a backing store holds as many finished squares as its bits make, and 
     whole.segments.push_back({.region = region, .instructions = {}});
   CHECK(
       error_of([&] { machines::check_runs_on(whole, machine); }) ==
-      "a pixel has 4 bits of colour, and 3 of squares where finished squares wait; give backing.bits more, or 0 for a "
-      "second buffer");
+      "a pixel has 4 bits of colour, but the backing memory of squares holds 3; increase backing.bits, or set it to 0 "
+      "to use a second buffer");
 }
 
 TEST_CASE("with one buffer the next square begins when the last word of the one before has left") {
@@ -209,9 +209,10 @@ TEST_CASE(
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
   CHECK(machines::has_global_or(machine));
   program.segments[1].instructions[1] = {.opcode = Opcode::global_or};
-  CHECK(error_of([&] { machines::check_runs_on(program, machine); }) ==
-        "segment 1, instruction 1: global_or asks for an answer to the host, to which the renderers of squares have no "
-        "way back; leave it out, or take a machine of the kind frame-buffer, such as pixel-planes-4");
+  CHECK(
+      error_of([&] { machines::check_runs_on(program, machine); }) ==
+      "segment 1, instruction 1: global_or returns an answer to the host, but the renderers of squares have no path to "
+      "it; omit it, or use a machine of kind frame-buffer, such as pixel-planes-4");
   machines::own<Figures>(machine).divider = pixel_square::DividerKind::corners;
   CHECK_FALSE(machines::has_global_or(machine));
 }

@@ -129,7 +129,7 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
       RC_ASSERT(renderer.clocks() == clocks(met));
       RC_ASSERT(renderer.clocks() <= clocks(nullptr));
       RC_ASSERT(static_cast<double>(clocks(nullptr)) <=
-                multi_processor::most_rendering_clocks(list, region, {}, machine));
+                multi_processor::max_rendering_clocks(list, region, {}, machine));
     }
   }));
 }

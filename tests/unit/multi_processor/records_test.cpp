@@ -60,7 +60,7 @@ void take_all(RecordReader& reader, const Words& words) {
 /// What a node makes of its subsegment, of the words that come over the bus.
 division::Divided divided_by_node(const RecordReader& reader, const isa::Region& part) {
   division::PlainDatapath path(reader.model());
-  return division::Divider(reader.model()).divide(part, reader.left(), path);
+  return division::Divider(reader.model()).divide(part, reader.survivors(), path);
 }
 
 /// A display processor with a model, and the subsegments of a segment that it divides.
@@ -117,11 +117,11 @@ TEST_CASE("what a node divides from the bus is the host's list of its subsegment
     RecordReader reader(display.machine.link.width, 16);
     reader.begin_frame();
     take_all(reader, display.frame());
-    RC_ASSERT(reader.whole());
+    RC_ASSERT(reader.is_complete());
     for (const multi_processor::Subsegments parts : by_segment(display.program, display.machine)) {
       reader.begin_segment();
       take_all(reader, display.segment(display.whole_of(parts)));
-      RC_ASSERT(reader.whole());
+      RC_ASSERT(reader.is_complete());
       for (const isa::Segment& part : parts) check_list(divided_by_node(reader, part.region), part);
     }
   }));
@@ -230,8 +230,8 @@ TEST_CASE("a bit that changes on the bus is refused, or is in what the node has;
       return;
     }
     const bool differs = !(actual.model() == expected.model()) ||
-                         actual.left().primitives != expected.left().primitives ||
-                         actual.left().halfspaces != expected.left().halfspaces || !actual.whole();
+                         actual.survivors().primitives != expected.survivors().primitives ||
+                         actual.survivors().halfspaces != expected.survivors().halfspaces || !actual.is_complete();
     another += differs ? 1 : 0;
   }));
   CHECK((!testing::draws_usual_cases() || refused > 0));

@@ -42,16 +42,16 @@ TEST_CASE("what a screen leaves of the clocks is what is left when each turn is 
     const isa::Program program = any_program(machine);
     const isa::FrameHeader header = isa::frame_header(program);
     const multi_processor::Refresh refresh(header, machine);
-    if (refresh.turns_a_second() * figures(machine).refresh.clocks >= machine.clock_hz) return;
+    if (refresh.turns_per_second() * figures(machine).refresh.clocks >= machine.clock_hz) return;
     const auto begin = *rc::gen::inRange<std::uint64_t>(0, 3000);
     const auto clocks = *rc::gen::inRange<std::uint64_t>(0, 300);
     std::uint64_t left = clocks;
     std::uint64_t now = begin;
     while (left > 0) {
       // Of the turns that have begun the last.
-      const std::uint64_t turn = now * refresh.turns_a_second() / machine.clock_hz;
+      const std::uint64_t turn = now * refresh.turns_per_second() / machine.clock_hz;
       std::uint64_t first = 0;
-      while (first * refresh.turns_a_second() < turn * machine.clock_hz) ++first;
+      while (first * refresh.turns_per_second() < turn * machine.clock_hz) ++first;
       if (turn == 0 || now >= first + figures(machine).refresh.clocks) --left;
       ++now;
     }
@@ -67,7 +67,7 @@ TEST_CASE("a screen that takes all clocks of the nodes is refused") {
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
   ++figures(machine).refresh.clocks;
   CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
-                       "the screen takes 3200 turns a second of 313 clocks each, and the memories of four have 1000000 "
-                       "clocks a second: nothing could be drawn; give refresh.bits more",
+                       "the screen takes 3200 turns a second of 313 clocks each, but the memories of four have 1000000 "
+                       "clocks a second, which leaves none for drawing; increase refresh.bits",
                        InputError);
 }

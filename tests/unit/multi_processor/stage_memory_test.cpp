@@ -95,8 +95,8 @@ TEST_CASE("a segment of which the primitives leave no room for two commands in a
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
   --figures(machine).memory_words;
   CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
-                       "the segment at 0,0 asks for 63 words of a node at once, and the nodes of four have 62; take a "
-                       "machine file with more node.memory_words or subdivision.levels",
+                       "the segment at 0,0 needs 63 words of a node at once, but the nodes of four have 62; increase "
+                       "node.memory_words or subdivision.levels in the machine file",
                        InputError);
 }
 
@@ -124,19 +124,21 @@ TEST_CASE("a model that does not fit the display processor without its planes is
   figures(machine).display_memory_words = 30;
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
   --figures(machine).display_memory_words;
-  CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
-                       "the model without its planes is 30 words, and the display processor of four has 29; take a "
-                       "machine file with more display.memory_words, or give the model fewer faces",
-                       InputError);
+  CHECK_THROWS_WITH_AS(
+      machines::check_runs_on(program, machine),
+      "the model without its planes needs 30 words, but the display processor of four has 29; increase "
+      "display.memory_words in the machine file, or use a model with fewer faces",
+      InputError);
   figures(machine).display_memory_words = 36;
   figures(machine).memory_words = 34 + 32 - 1;
-  CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
-                       "what the segment at 0,0 leaves of the model fits neither the memory of the nodes of four nor "
-                       "that of its display processor; take a machine file with more node.memory_words, "
-                       "display.memory_words or subdivision.levels",
-                       InputError);
+  CHECK_THROWS_WITH_AS(
+      machines::check_runs_on(program, machine),
+      "the survivors of the segment at 0,0 fit neither the memory of the nodes of four nor that of its "
+      "display processor; increase node.memory_words, display.memory_words or subdivision.levels in "
+      "the machine file",
+      InputError);
   program.display_model.clear();
   CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
-                       "the Program has no display model, which four divides; compile the model for this machine",
+                       "the Program has no display model for four to divide; compile the model for this machine",
                        InputError);
 }

@@ -92,6 +92,6 @@ TEST_CASE("a screen that would leave no clock to draw in is refused, and one tha
   const isa::FrameHeader header = isa::frame_header(program_of(4, 2, 3));
   CHECK_NOTHROW(check_screen(header, machine_of(figures, 1801)));
   CHECK(testing::error_of([&] { check_screen(header, machine_of(figures, 1800)); }) ==
-        "the screen takes 180 turns a second of 10 clocks each, and the frame buffer has 1800 clocks a second: nothing "
-        "could be drawn; give refresh.bits more, or frame_buffer.pictures 2");
+        "the screen takes 180 turns a second of 10 clocks each, but the frame buffer has 1800 clocks a second, which "
+        "leaves none for drawing; increase refresh.bits, or set frame_buffer.pictures to 2");
 }

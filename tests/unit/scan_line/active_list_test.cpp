@@ -36,7 +36,7 @@ TEST_CASE("the host looks at what enters, stays and leaves") {
   ActiveList list;
   list.begin(std::vector<RowExtent>{{1, 3}, {2, 2}, {2, 3}});
   std::vector<std::size_t> looks;
-  for (std::uint32_t row = 0; row < 6; ++row) looks.push_back(list.go_to(row));
+  for (std::uint32_t row = 0; row < 6; ++row) looks.push_back(list.advance_to(row));
   CHECK(looks == std::vector<std::size_t>{0, 1, 3, 3, 2, 0});
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("a field of every other row takes in two buckets a row and begins with
   ActiveList list;
   list.begin(std::vector<RowExtent>{{1, 3}, {2, 2}, {2, 3}});
   std::vector<std::size_t> looks;
-  for (const std::uint32_t row : {0U, 2U, 4U, 1U, 3U, 5U}) looks.push_back(list.go_to(row));
+  for (const std::uint32_t row : {0U, 2U, 4U, 1U, 3U, 5U}) looks.push_back(list.advance_to(row));
   CHECK(looks == std::vector<std::size_t>{0, 3, 3, 1, 3, 2});
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("each primitive is looked at once on every row of its own and once bel
     ActiveList list;
     list.begin(primitives);
     std::size_t looks = 0;
-    for (std::uint32_t row = 0; row < rows; ++row) looks += list.go_to(row);
+    for (std::uint32_t row = 0; row < rows; ++row) looks += list.advance_to(row);
     RC_ASSERT(looks == expected);
   }));
 }

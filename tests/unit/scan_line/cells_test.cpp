@@ -21,7 +21,7 @@ __extension__ using Wide = __int128;
 
 std::vector<CellStep> steps_of(const Packet& packet, const CellShape& shape) {
   std::vector<CellStep> steps;
-  find_steps(packet, shape, steps);
+  compute_steps(packet, shape, steps);
   return steps;
 }
 
@@ -29,7 +29,7 @@ std::vector<CellStep> steps_of(const Packet& packet, const CellShape& shape) {
 void carry_out(Cells& cell, const Instruction& instruction, const CellShape& shape, std::uint32_t beats) {
   const Packet packet = instruction_packet(instruction, shape);
   const std::vector<CellStep> steps = steps_of(packet, shape);
-  for (std::uint32_t beat = 0; beat < beats; ++beat) cell.carry_out(packet, std::span(steps).subspan(beat, 1), {0, 1});
+  for (std::uint32_t beat = 0; beat < beats; ++beat) cell.execute(packet, std::span(steps).subspan(beat, 1), {0, 1});
 }
 
 /// The packet would have its result with that beat.
