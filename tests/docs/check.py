@@ -194,7 +194,7 @@ def machines():
     count = len(list((ROOT / "hw/machines").glob("*.toml")))
     words_of = "one two three four five six seven eight nine ten eleven twelve".split()
     for path in markdown.pages():
-        for number in re.findall(r"\b(?:the|all|on|why) \[?(\w+) machines\b(?! of the eighties)", " ".join(markdown.read(path).split())):
+        for number in re.findall(r"\b(?:the|all|on|why) \[?(\w+) machines\b(?! of the (?:eighties|1980s))", " ".join(markdown.read(path).split())):
             if number in words_of and number != words_of[count - 1]:
                 yield f"{path}: '{number} machines', and {count} come with csgsim"
 
