@@ -50,12 +50,14 @@ class Source:
         return os.path.relpath(place(path), os.path.dirname(place(page)) or ".")
 
     def text(self, page):
-        """The page with links to other files rewritten, except in code."""
-        lines, fenced = [], False
+        """The page with links to other files rewritten, except in code, and with one title: further ones become headings."""
+        lines, fenced, has_title = [], False, False
         for line in (ROOT / page).read_text(encoding="utf-8").splitlines():
             fenced ^= bool(FENCE.match(line))
             if not fenced and not line.startswith("    "):
                 line = LINK.sub(lambda found: found["before"] + self.link(page, found["path"]) + found["after"], line)
+            if not fenced and line.startswith("# "):
+                line, has_title = "#" * has_title + line, True
             lines.append(line)
         return "\n".join(lines) + "\n"
 

@@ -1,31 +1,42 @@
 // The search of the site: ranks the pages of search-data.js. Titles, subjects and headings weigh more than defined terms, and
 // these more than text. docs/book/search.py writes the data.
 
-const WEIGHTS = { title: 1000, inTitle: 500, subject: 250, heading: 250, inHeading: 100, term: 90, inTerms: 45, literal: 60, text: 2 };
+const WEIGHTS = {
+  title: 1000, inTitle: 500, // the whole title, a part of it
+  subject: 250,
+  heading: 250, inHeading: 120,
+  term: 100, atTermsBegin: 70, inTerm: 30, furtherTerm: 3, // of a first cell of a table, or a bold word
+  literal: 40, // the query as typed, with its hyphens and points
+  option: 120, // an option of a command, on the page of the commands
+  text: 2, // each occurrence
+  prose: 30, // of a section with an occurrence outside of tables and listings, among the sections of a page
+};
+const COMMANDS = "command-line.html";
 const MOST_IN_TEXT = 20; // occurrences in the text of a page that count
-const MOST_TERMS = 3;
 const EXCERPT = 220; // characters
 
 // The query as a pattern: hyphens, underscores and blanks are equal, so that "pixel-planes-5" finds "Pixel-planes 5".
 function patternOf(query, flags) {
   const words = query.toLowerCase().split(/[-_\s]+/).filter(Boolean);
   const escaped = words.map((word) => word.replace(/[.*+?^${}()|[\]\\]/g, "\\$&"));
+  const last = escaped.length - 1;
+  if (/[a-z]{3}$/.test(escaped[last])) escaped[last] = escaped[last].replace(/([^s])s$/, "$1") + "s?"; // singular and plural
   return new RegExp("(?<![a-z0-9])" + escaped.join("[-_\\s]+") + "(?![a-z0-9])", flags);
 }
 
 const count = (text, pattern) => (text.match(pattern) || []).length;
 
-const isWhole = (text, pattern) => text.toLowerCase().replace(patternOfWhole(pattern), "").trim() === "";
-
-const patternOfWhole = (pattern) => new RegExp(pattern.source, "gi");
+const isWhole = (text, pattern) => /^\W*$/.test(text.replace(pattern, ""));
 
 // The score of a section: its heading, its terms and its text.
 function sectionScore(section, pattern, query) {
   let score = 0;
   if (count(section.heading, pattern)) score += isWhole(section.heading, pattern) ? WEIGHTS.heading : WEIGHTS.inHeading;
-  const terms = section.terms.split(" | ").filter((term) => count(term, pattern));
-  for (const term of terms.slice(0, MOST_TERMS))
-    score += term.toLowerCase().search(new RegExp("^\\W*" + pattern.source, "i")) === 0 ? WEIGHTS.term : WEIGHTS.inTerms;
+  const weights = section.terms.split(" | ").filter((term) => count(term, pattern)).map((term) => {
+    if (isWhole(term, pattern)) return WEIGHTS.term;
+    return new RegExp("^\\W*" + pattern.source, "i").test(term) ? WEIGHTS.atTermsBegin : WEIGHTS.inTerm;
+  });
+  if (weights.length) score += Math.max(...weights) + WEIGHTS.furtherTerm * Math.min(weights.length - 1, 5);
   if (/[-_.]/.test(query) && section.terms.toLowerCase().includes(query.toLowerCase())) score += WEIGHTS.literal;
   return score;
 }
@@ -37,7 +48,8 @@ function pageScore(page, query) {
   if (count(page.subject, pattern)) score += WEIGHTS.subject;
   const scores = page.sections.map((section, at) => (at ? sectionScore(section, pattern, query) : 0)).sort((a, b) => b - a);
   score += (scores[0] || 0) + 0.2 * (scores[1] || 0);
-  const found = page.sections.reduce((sum, section) => sum + count(section.text, pattern), 0);
+  if (query.startsWith("--") && page.path === COMMANDS && score) score += WEIGHTS.option;
+  const found = page.sections.reduce((sum, section) => sum + count(section.text, pattern) + count(section.other, pattern), 0);
   return score + WEIGHTS.text * Math.min(found, MOST_IN_TEXT);
 }
 
@@ -73,9 +85,13 @@ function search(all, query) {
     const score = pageScore(page, query) || looseScore(page, query);
     if (!score) continue;
     const pattern = patternOf(query, "gi");
-    const of = (section) => sectionScore(section, pattern, query) + WEIGHTS.text * Math.min(count(section.text, pattern), MOST_IN_TEXT);
+    const of = (section) => {
+      const found = count(section.text, pattern);
+      return sectionScore(section, pattern, query) + WEIGHTS.text * Math.min(found, MOST_IN_TEXT) + (found ? WEIGHTS.prose : 0);
+    };
     const best = page.sections.reduce((one, other) => (of(other) > of(one) ? other : one), page.sections[0]);
-    results.push({ score, page, section: best, excerpt: excerpt(best.text, query) });
+    const text = count(best.text, pattern) || !count(best.other, pattern) ? best.text : best.other;
+    results.push({ score, page, section: best, excerpt: excerpt(text, query) });
   }
   return results.sort((a, b) => b.score - a.score);
 }

@@ -12,11 +12,11 @@ OURS = ("_static/search-data.js", "_static/search.js")
 
 
 class Article(html.parser.HTMLParser):
-    """The sections of a page: id, heading, terms that tables and lists define, and text."""
+    """The sections of a page: id, heading, terms that tables and lists define, prose, and other text (tables, listings)."""
 
     def __init__(self, text):
         super().__init__()
-        self.sections, self.ids, self.heading, self.skipped, self.cells, self.defines = [], [], None, 0, 0, False
+        self.sections, self.ids, self.heading, self.skipped, self.cells, self.defines, self.inside = [], [], None, 0, 0, False, 0
         self.feed(text)
 
     def handle_starttag(self, tag, attrs):
@@ -25,7 +25,7 @@ class Article(html.parser.HTMLParser):
             self.ids.append(attributes.get("id", ""))
         elif re.fullmatch("h[1-6]", tag):
             self.heading = ""
-            self.sections.append({"id": self.ids[-1] if self.ids else "", "heading": "", "terms": "", "text": ""})
+            self.sections.append({"id": self.ids[-1] if self.ids else "", "heading": "", "terms": "", "text": "", "other": ""})
         elif tag == "a" and attributes.get("class") == "headerlink":
             self.skipped += 1
         elif tag == "tr":
@@ -35,10 +35,17 @@ class Article(html.parser.HTMLParser):
             self.defines = self.cells == 1
         elif tag == "strong":
             self.defines = True
+        if tag in ("table", "pre"):
+            self.inside += 1
         if tag in ("p", "li", "td", "th", "pre", "tr") and self.sections:
-            self.sections[-1]["text"] += " "
+            self.sections[-1][self.field()] += " "
+
+    def field(self):
+        return "other" if self.inside else "text"
 
     def handle_endtag(self, tag):
+        if tag in ("table", "pre"):
+            self.inside -= 1
         if tag == "section" and self.ids:
             self.ids.pop()
         elif re.fullmatch("h[1-6]", tag) and self.heading is not None:
@@ -55,7 +62,7 @@ class Article(html.parser.HTMLParser):
         if self.heading is not None:
             self.heading += data
             return
-        self.sections[-1]["text"] += data
+        self.sections[-1][self.field()] += data
         if self.defines:
             self.sections[-1]["terms"] += data
 
