@@ -95,8 +95,8 @@ def blocks():
 def glossary():
     """Every term that README and the tutorial introduce in italics is in the glossary, which is sorted and links to pages."""
     text = markdown.read(CONTENTS)
-    items = re.findall(r"^- \*\*.*(?:\n  .*)*", text, re.MULTILINE)
-    terms = [re.match(r"- \*\*([^*]+)\*\*", item)[1] for item in items]
+    rows = [row for _, row in markdown.rows(text.split("\n## Glossary\n")[1])][2:]
+    terms = [row[0] for row in rows]
     known = {name.strip().lower().removesuffix("s") for term in terms for name in term.split(",")}
     if terms != sorted(terms, key=str.lower):
         yield f"{CONTENTS}: the terms are not in order"
@@ -105,9 +105,9 @@ def glossary():
             for term in re.findall(r"(?<!\*)\*([a-zA-Z][\w -]*)\*(?!\*)", line):
                 if len(term.split()) <= MOST_WORDS_OF_A_TERM and term.lower().removesuffix("s") not in known:
                     yield f"{path}:{number}: '{term}' is not in the glossary of {CONTENTS}"
-    for item in items:
-        if "](" not in item:
-            yield f"{CONTENTS}: {item[:40]}... links to no page"
+    for row in rows:
+        if "](" not in row[-1]:
+            yield f"{CONTENTS}: '{row[0]}' links to no page"
 
 
 def command_names():
