@@ -10,7 +10,7 @@
 
 namespace csgsim::commands {
 
-/// The tree of a file of commands, the language of the thesis (2.3; docs/sweeps.md). Throws InputError with
+/// The tree of a file of commands, the language of the thesis (2.3; docs/reproduction.md). Throws InputError with
 /// file:line:column. Of the options, the limit on work counts.
 model::Tree read_text(std::string_view text, std::string_view name, const read::Options& options = {});
 

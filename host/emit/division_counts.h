@@ -14,7 +14,7 @@
 
 namespace csgsim::emit {
 
-// What the divider does, counted by the host's own means and by the rules of docs/division.md alone.
+// What the divider does, counted by the host's own means and by the rules of docs/machines/pixel-square.md alone.
 
 /// What a surface takes, whether it is drawn or not, with the boxes since the one before; instructions apart, which a
 /// compiled Program has. After the last come the boxes that are left.

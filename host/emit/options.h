@@ -29,7 +29,7 @@ inline constexpr std::array strategies{CSGSIM_STRATEGIES(CSGSIM_OWN_ENUMERATOR) 
 #undef CSGSIM_ENUMERATOR
 
 /// Strategies that studies vary by default: not polygons, which takes the bits of a stack and more clocks
-/// (docs/memory-bits.md).
+/// (docs/accuracy.md).
 std::vector<Strategy> usual_strategies();
 
 /// The strategy's name on the command line and in the stats.

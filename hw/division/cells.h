@@ -20,7 +20,7 @@ void keep_by_leaders(Datapath& path, std::vector<Tested>& side, const Rectangle&
 
 /// Keeps those that are not behind others at every pixel. Whether one is, is found in cells: first the rectangle, then
 /// its quarters, and theirs, with what the leaders of the cell above leave, until it is known of all
-/// (docs/division.md).
+/// (docs/machines/pixel-square.md).
 void keep_extremes(Datapath& path, std::vector<Tested>& side, const Rectangle& pixels);
 
 }  // namespace csgsim::division

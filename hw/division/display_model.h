@@ -10,7 +10,7 @@
 namespace csgsim::division {
 
 // What the host sends to the divider, once a frame, by value: the model as the camera sees it, in integers. Widths of
-// all of it on a link are in hw/division/encoding.h; meanings and rules in docs/division.md.
+// all of it on a link are in hw/division/encoding.h; meanings and rules in docs/machines/pixel-square.md.
 
 inline constexpr unsigned fewest_z_bits = 4;
 inline constexpr unsigned most_z_bits = 30;

@@ -12,7 +12,7 @@
 namespace csgsim::division {
 
 /// The records of a display model as a memory keeps them that is read a word at a time: each begins at a new word, and
-/// those of a kind have one width (docs/division.md).
+/// those of a kind have one width (docs/machines/pixel-square.md).
 class ModelMemory {
  public:
   ModelMemory() = default;

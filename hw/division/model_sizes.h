@@ -5,7 +5,8 @@
 
 namespace csgsim::division {
 
-/// Numbers and widths in bits at the beginning of a display model (docs/division.md), read without its divider.
+/// Numbers and widths in bits at the beginning of a display model (docs/machines/pixel-square.md), read without its
+/// divider.
 struct ModelSizes {
   std::uint64_t planes = 0;
   std::uint64_t primitives = 0;

@@ -45,8 +45,8 @@ struct Preparation {
 inline constexpr std::uint64_t most_prepared = std::uint64_t{1} << 48;
 
 /// The work of a machine that divides the model itself, for one surface in a region, or for several surfaces whose
-/// boxes alone are tested; docs/division.md has the rules. Each count has 64 bits. The machine tests first, then
-/// writes.
+/// boxes alone are tested; docs/machines/pixel-square.md has the rules. Each count has 64 bits. The machine tests
+/// first, then writes.
 struct DivisionStep {
   std::uint64_t boxes = 0;         ///< of primitives, held against the region's
   std::uint64_t lists = 0;         ///< of half-spaces that are read, empty ones left out

@@ -12,8 +12,8 @@ namespace csgsim::machines {
 /// The regions of the machine's picture, in the order in which it draws them.
 std::vector<isa::Region> regions(const Machine& machine);
 
-/// How a machine divides the model itself, by the rules of docs/division.md: the host sends it the model as the camera
-/// sees it, and it makes the instructions of each region.
+/// How a machine divides the model itself, by the rules of docs/machines/pixel-square.md: the host sends it the model
+/// as the camera sees it, and it makes the instructions of each region.
 struct Division {
   /// Regions of a group, along a row and down, for the first of two levels; 0 if there is one level.
   std::uint32_t group_side = 0;

@@ -24,9 +24,9 @@ struct DividerStatus {
   std::optional<std::size_t> square;
 };
 
-/// A divider in the machine (thesis fig. 7.3, docs/division.md). When the model has come it divides square after square
-/// out of its memory: it reads, tests and writes, one thing after another, and puts a word of the square's commands
-/// into the store at an edge at which there is room.
+/// A divider in the machine (thesis fig. 7.3, docs/machines/pixel-square.md). When the model has come it divides square
+/// after square out of its memory: it reads, tests and writes, one thing after another, and puts a word of the square's
+/// commands into the store at an edge at which there is room.
 class CornerDivider final : public sc_core::sc_module {
  public:
   CornerDivider(sc_core::sc_module_name name, const machines::Machine& machine, const ModelReceiver& receiver);

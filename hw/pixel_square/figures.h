@@ -108,8 +108,8 @@ constexpr std::uint32_t command_word_bits(const Figures& figures, std::uint32_t 
   return has_ring(figures) ? figures.ring_bits : link_bits;
 }
 
-/// Bits of what is kept of a half-space at hand (docs/division.md): with its place among those left in cells of each of
-/// 15 sizes.
+/// Bits of what is kept of a half-space at hand (docs/machines/pixel-square.md): with its place among those left in
+/// cells of each of 15 sizes.
 constexpr std::uint64_t halfspace_entry_bits(const Figures& figures) {
   constexpr std::uint64_t itself = 251;
   constexpr std::uint64_t sizes = 15;

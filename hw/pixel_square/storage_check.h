@@ -9,7 +9,7 @@
 namespace csgsim::pixel_square {
 
 /// Whether a model of so many bytes does not fit a divider's memory with its planes, each of so many bits: they stay
-/// with the host then, and are read over the link (docs/division.md).
+/// with the host then, and are read over the link (docs/machines/pixel-square.md).
 bool has_far_planes(std::uint64_t model_bytes, std::uint64_t planes, std::uint64_t plane_bits, const Figures& figures);
 
 /// Throws InputError, naming the figure, unless a divider's memory holds the model, if need be without its planes, and

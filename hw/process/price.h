@@ -12,7 +12,7 @@
 #include "hw/process/process.h"
 
 /// What a process makes of a machine of bit-serial pixels, those whose area is known (hw/machines/area.h). A model, of
-/// which docs/explore.md says what is in it and what is not.
+/// which docs/design-space.md says what is in it and what is not.
 namespace csgsim::process {
 
 /// What has to settle between two edges of the clock.

@@ -9,7 +9,7 @@
 #include "hw/machines/machine.h"
 
 /// In what silicon a machine is made: figures of a process of its time, and what they make of a machine's clock, area
-/// and energy. A model (docs/explore.md).
+/// and energy. A model (docs/design-space.md).
 namespace csgsim::process {
 
 /// A process, as its description in hw/process/NAME.toml says.

@@ -12,7 +12,7 @@
 
 namespace csgsim::processors {
 
-/// Programs whose compiler's factor differs, as it was measured of each (docs/processors.md).
+/// Programs whose compiler's factor differs, as it was measured of each (docs/host.md).
 enum class Compiled : std::uint8_t {
   general,  ///< all programs without a measurement of their own
   standard,

@@ -1,5 +1,5 @@
 // The controller: takes commands from the link, and puts bits of the coefficients and a control word for the pixels on
-// the wires at each edge. Written from the instruction table (hw/isa/opcodes.h) and docs/machines/pixel-planes-4.md,
+// the wires at each edge. Written from the instruction table (hw/isa/opcodes.h) and docs/machines/pixel-planes.md,
 // "Controller", "Segments", "Global OR", "Scan-out" and "Buffers" (thesis 7.2.1).
 //
 // An instruction has the wires as long as it has steps; a refresh word that the scan-out asks for goes before the next

@@ -1,4 +1,4 @@
-// Where the clocks of a frame go, counted as the stats of csgsim do (docs/machines/pixel-planes-4.md): for a testbench,
+// Where the clocks of a frame go, counted as the stats of csgsim do (docs/machines/pixel-planes.md): for a testbench,
 // beside the machine, on the controller's wires. The counts are of the frame that is being drawn, or was drawn last;
 // they add up to its clocks.
 module counters (

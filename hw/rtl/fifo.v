@@ -1,4 +1,4 @@
-// A FIFO of DEPTH words of BITS bits, as that of the link (docs/machines/pixel-planes-4.md, "Link"). What goes in at an
+// A FIFO of DEPTH words of BITS bits, as that of the link (docs/machines/pixel-planes.md, "Link"). What goes in at an
 // edge can be taken at the next, and a place that becomes free at an edge can be filled at the next.
 `include "faults.vh"
 

@@ -1,5 +1,5 @@
 // The OR of the enable bits of all pixels: gates of FAN_IN inputs with a register behind each, level below level, so
-// that what was asked is answered a clock a level later (docs/machines/pixel-planes-4.md, "Global OR"). With FAN_IN 0
+// that what was asked is answered a clock a level later (docs/machines/pixel-planes.md, "Global OR"). With FAN_IN 0
 // one gate has all, and settles within the clock.
 module global_or #(
   parameter LINES = 64,

@@ -1,7 +1,7 @@
-// The multiplier trees of the Linear Expression Evaluator (thesis 7.2.1 and fig. 7.1; docs/machines/pixel-planes-4.md):
+// The multiplier trees of the Linear Expression Evaluator (thesis 7.2.1 and fig. 7.1; docs/machines/pixel-planes.md):
 // A*x + B*y + C at every pixel, a bit a clock, LEVELS_X + LEVELS_Y clocks after its bits of A, B and C have entered,
 // least significant first, streams back to back. An X tree brings each column its sum, and below each a Y tree each of
-// its pixels. With DEGREE 2 XX*x*x + XY*x*y + YY*y*y besides (docs/machines/pixel-powers.md). Pixel (x, y) is leaf y *
+// its pixels. With DEGREE 2 XX*x*x + XY*x*y + YY*y*y besides (docs/machines/pixel-planes.md). Pixel (x, y) is leaf y *
 // WIDTH + x.
 `include "faults.vh"
 

@@ -1,4 +1,4 @@
-// The whole machine (docs/machines/pixel-planes-4.md, and docs/machines/pixel-powers.md of degree 2): link, controller,
+// The whole machine (docs/machines/pixel-planes.md, and docs/machines/pixel-planes.md of degree 2): link, controller,
 // delay of the control word, multiplier trees, a pixel processor with its memory at every pixel, the OR of their enable
 // bits, and the scan-out. Pixel (x, y) is number y * WIDTH + x. All of it has one clock; every output but word_ready
 // comes from a register.

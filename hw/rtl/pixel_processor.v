@@ -1,6 +1,6 @@
 // Pixels that obey the same control word: at each a bit-serial processor of ALU_BITS places with enable E, carry K, a
 // latch for what a memory with one port reads first, and with ROOTS a flag G. Written from the meanings of the
-// instruction table (hw/isa/opcodes.h), docs/machines/pixel-planes-4.md and thesis 7.2.1: "logical operations and
+// instruction table (hw/isa/opcodes.h), docs/machines/pixel-planes.md and thesis 7.2.1: "logical operations and
 // comparisons of values can be performed in the ALU by a one-bit adder". Vectors have a bit a pixel; where they have
 // several places of the ALU, the least significant first.
 `include "faults.vh"

@@ -1,5 +1,5 @@
 // The host as a memory: the words of a frame, as `csgsim rtl` writes them, sent whenever the machine asks. It does what
-// the host's end of the link does (docs/machines/pixel-planes-4.md, "Link"): a request names the instruction to go on
+// the host's end of the link does (docs/machines/pixel-planes.md, "Link"): a request names the instruction to go on
 // from; LATENCY clocks after the edge at which it has come the first word is on the link, for WORD_CLOCKS clocks, and
 // then until there is room for it.
 //

@@ -1,5 +1,5 @@
 // The machine's end of the link: a register that gathers words of LINK bits until a command is whole, and holds it
-// until it is taken (docs/instruction-set.md, "On a link"; docs/machines/pixel-planes-4.md, "Link"). A word goes in at
+// until it is taken (docs/instruction-set.md, "On a link"; docs/machines/pixel-planes.md, "Link"). A word goes in at
 // an edge; a command whose last word came at an edge can be taken at the next, at which the next command's first word
 // is taken.
 `include "faults.vh"

@@ -1,4 +1,4 @@
-// Shows each picture that the controller has finished, once (docs/machines/pixel-planes-4.md, "Scan-out"; thesis
+// Shows each picture that the controller has finished, once (docs/machines/pixel-planes.md, "Scan-out"; thesis
 // 7.2.1). A row's colour bits are latched, one bit of all its pixels at a time; then the row is shifted out, PIXELS of
 // them a clock, while the next is latched. At a port of its own a bit is latched in each clock; at a shared port the
 // controller is asked for a refresh word for each bit, and the bit is latched in the clock in which that is at the

@@ -1,4 +1,4 @@
-// The nodes of LANES multiplier trees of degree 2 (docs/machines/pixel-powers.md, "Trees") at one place: the streams of
+// The nodes of LANES multiplier trees of degree 2 (docs/machines/pixel-planes.md, "Trees") at one place: the streams of
 // each, the value and the slope, are passed on to the left child a clock later; the right child, h rows or columns on,
 // gets
 //   value + h * (slope + h * C)   and   slope + 2h * C

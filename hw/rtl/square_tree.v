@@ -1,4 +1,4 @@
-// LANES multiplier trees of degree 2 (docs/machines/pixel-powers.md, "Trees"): of its value and slope each makes
+// LANES multiplier trees of degree 2 (docs/machines/pixel-planes.md, "Trees"): of its value and slope each makes
 // value + slope * i + C * i * i for each leaf i, LEVELS clocks later. Nodes are numbered as in multiplier_tree.v.
 //
 // The coefficient C of the square comes with the streams, and goes through registers that all nodes of a level share. At

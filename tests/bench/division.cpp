@@ -26,7 +26,7 @@
 #include "tests/unit/division/hand_models.h"
 
 // What the divider of the pixel-square machine does for the thesis's objects, at one level and two, and what the host's
-// further prunings would save its renderer: docs/division.md.
+// further prunings would save its renderer: docs/machines/pixel-square.md.
 
 using namespace csgsim;
 

@@ -57,7 +57,7 @@ TEST_CASE("advise that was asked quietly recommends commands that say what they 
 
 TEST_CASE("the commands on advise's page draw what the page says of them") {
   const Folder folder;
-  std::istringstream page(content(std::string(CSGSIM_SOURCE_DIR) + "/docs/advise.md"));
+  std::istringstream page(content(std::string(CSGSIM_SOURCE_DIR) + "/docs/design-space.md"));
   std::string figures;
   unsigned commands = 0;
   for (std::string line; std::getline(page, line);) {

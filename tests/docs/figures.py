@@ -67,7 +67,7 @@ class Figures:
         return self.runs.run(f"csgsim mesh {self.model(model)} {options} --no-plots --progress none -o $OUT/mesh").json("mesh/mesh.json").points
 
     def display(self, model, options=""):
-        """The points of csgsim display, in perspective; `cylinders` are those of docs/display.md."""
+        """The points of csgsim display, in perspective; `cylinders` are those of docs/software.md."""
         cylinders = "tests/models/crossing_cylinders.csg --camera 300,-380,260,0,0,5"
         of = cylinders if model == "cylinders" else self.model(model)
         return self.runs.run(f"csgsim display {of}{PERSPECTIVE} --processors mc68000,i486dx2 {options} --no-plots --progress none "
@@ -124,7 +124,7 @@ class Figures:
         return one_instruction.said(self)
 
     def times_of_today(self):
-        """Seconds of a frame on the machines of docs/machines/today.md, by model and machine."""
+        """Seconds of a frame on the machines of docs/machines/bit-serial-memory.md, by model and machine."""
         from tables import today  # pylint: disable=import-outside-toplevel
 
         return today.times(self)

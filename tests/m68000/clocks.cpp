@@ -1,4 +1,4 @@
-// Clocks that the programs of tests/m68000 take, as docs/processors.md shows them.
+// Clocks that the programs of tests/m68000 take, as docs/host.md shows them.
 
 #include <fmt/format.h>
 

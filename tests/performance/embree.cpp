@@ -29,7 +29,7 @@
 #include "sim/software/tree/tree.h"
 
 /// Holds Embree, whose rays are of floats, against the directories of csgsim: the same facets, the primary rays of a
-/// picture in perspective, on one thread (docs/tracing.md).
+/// picture in perspective, on one thread (docs/software.md).
 namespace csgsim::bench {
 
 namespace {

@@ -9,7 +9,7 @@
 
 namespace csgsim::rtl {
 
-/// The host's end of the link, after docs/machines/pixel-planes-4.md.
+/// The host's end of the link, after docs/machines/pixel-planes.md.
 class HostLink {
  public:
   explicit HostLink(const machines::Link& link) : link_(link) {}

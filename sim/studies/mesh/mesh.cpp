@@ -164,7 +164,7 @@ extern const StudyRow mesh_row{
     .example =
         "  csgsim mesh patch.jan\n"
         "  csgsim mesh vase.jan --tolerances 0.1,0.05 --flatness plane,sides -o out\n"
-        "Surfaces are those of a file of commands: docs/sweeps.md. Both repairs make\n"
+        "Surfaces are those of a file of commands: docs/reproduction.md. Both repairs make\n"
         "the same mesh; the filter holds what the border of what has come runs along,\n"
         "the quadtree holds all.",
     .plots = "plots (.png, .svg) of elements by tolerance",

@@ -7,7 +7,7 @@
 namespace csgsim::studies {
 
 /// What a row's counts are in operations of a processor that has no floating point: coordinates are longs, of fixed
-/// point. How each count is priced is assumed; docs/sweeps.md has it as a table.
+/// point. How each count is priced is assumed; docs/reproduction.md has it as a table.
 software::Operations subdividing(const MeshRow& row);
 software::Operations repairing(const MeshRow& row);
 

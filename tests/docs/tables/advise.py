@@ -1,6 +1,6 @@
-"""docs/advise.md: the commands that it shows, run, and what they print."""
+"""docs/design-space.md: the commands that it shows, run, and what they print."""
 
-PAGE = "docs/advise.md"
+PAGE = "docs/design-space.md"
 RECOMMENDATION = "fewest bits"
 LISTED = range(60, 65)  # bits of the vehicle's front that are shown
 

@@ -1,4 +1,4 @@
-"""docs/machines/bounds.md, and what bounds the scan-line array."""
+"""docs/machines/comparison.md, and what bounds the scan-line array."""
 
 from figures import THESIS_MODELS, ruled
 
@@ -28,7 +28,7 @@ def lines(figures, key, *values):
 
 
 def scan_line(figures):
-    varied = [("its own figures",), ("`link.width` 64", "link.width=64"), ("`link.width` 128", "link.width=128"),
+    varied = [("unchanged",), ("`link.width` 64", "link.width=64"), ("`link.width` 128", "link.width=128"),
               ("`link.width` ideal", "link.width=ideal"), ("`cells.ports` 2", "cells.ports=2"),
               ("`link.width` 128, `cells.ports` 2", "link.width=128", "cells.ports=2"),
               ("`link.width`, `cells.ports` ideal", "link.width=ideal", "cells.ports=ideal"),
@@ -38,7 +38,7 @@ def scan_line(figures):
               ("`evaluator.network` trees", "evaluator.network=trees"),
               ("trees, `evaluator.bits` 8", "evaluator.network=trees", "evaluator.bits=8"),
               ("trees, `evaluator.bits` 1", "evaluator.network=trees", "evaluator.bits=1"),
-              ("all that may be ideal", *(f"{key}=ideal" for key in (
+              ("everything ideal", *(f"{key}=ideal" for key in (
                   "link.width", "cells.ports", "cells.alu_bits", "cells.shift_bits", "memory.clear_clocks", "link.fifo_depth", "link.latency", "host.bucket_clocks",
                   "host.active_clocks"))),
               ("`host.bucket_clocks` 400, `host.active_clocks` 160", "host.bucket_clocks=400", "host.active_clocks=160"),
@@ -70,9 +70,9 @@ def dividing(figures):
     corners = "divider.kind=corners"
     return ruled(("`pixel-square`", *THESIS_MODELS), [
         row("`divider.levels` 1", "pixel-square", "divider.levels=1"),
-        row("`divider.levels` 2 (as it is)", "pixel-square"),
+        row("`divider.levels` 2 (unchanged)", "pixel-square"),
         row('`divider.kind` "host"', "pixel-square", "divider.kind=host"),
-        row("**`pixel-planes-5`** as it is: processors", "pixel-planes-5"),
+        row("**`pixel-planes-5`** unchanged: processors", "pixel-planes-5"),
         row('`divider.kind` "corners", `divider.levels` 1', "pixel-planes-5", corners),
         row('`divider.kind` "corners", `divider.levels` 2', "pixel-planes-5", corners, "divider.levels=2"),
         row('`divider.kind` "host"', "pixel-planes-5", "divider.kind=host"),
@@ -107,7 +107,7 @@ def processors(figures):
 
 
 def ring(figures):
-    varied = [("as it is",), ("`ring.channels` 1", "ring.channels=1"), ("`ring.channels` 2", "ring.channels=2"), ("`ring.channels` ideal", "ring.channels=ideal"),
+    varied = [("unchanged",), ("`ring.channels` 1", "ring.channels=1"), ("`ring.channels` 2", "ring.channels=2"), ("`ring.channels` ideal", "ring.channels=ideal"),
               ("`ring.word_clocks` 1", "ring.word_clocks=1"), ("`ring.width` 64", "ring.width=64"), ("`ring.width` 128", "ring.width=128"),
               ("`frame_buffer.banks` 1", "frame_buffer.banks=1"), ("`frame_buffer.banks` 8", "frame_buffer.banks=8"),
               ("that, and 16 renderers, 32 processors", "frame_buffer.banks=8", "renderers.count=16", "processors.count=32")]
@@ -117,7 +117,7 @@ def ring(figures):
 def screens(figures):
     """Without a divider, which would bound the frame."""
     twice = {"pixel-square": "frame_buffer.banks=2", "pixel-planes-5": "frame_buffer.banks=4"}
-    varied = [("nothing is shown", False, "refresh.rate=ideal"), ("as it is", False), ("`refresh.bits` 256", False, "refresh.bits=256", "refresh.clocks=1"),
+    varied = [("nothing is shown", False, "refresh.rate=ideal"), ("unchanged", False), ("`refresh.bits` 256", False, "refresh.bits=256", "refresh.clocks=1"),
               ("that, and twice the banks", True, "refresh.bits=256", "refresh.clocks=1"),
               ("`refresh.bits` 64", False, "refresh.bits=64", "refresh.clocks=1"),
               ("that, and twice the banks", True, "refresh.bits=64", "refresh.clocks=1")]

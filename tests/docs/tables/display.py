@@ -1,4 +1,4 @@
-"""docs/display.md: table 5.1 of the thesis, whose own figures stand in italics, its rivals, and the pixels that come out wrong."""
+"""docs/software.md: table 5.1 of the thesis, whose own figures stand in italics, its rivals, and the pixels that come out wrong."""
 
 from figures import ruled
 from tables.software import italic, three_digits, whole
@@ -104,7 +104,7 @@ def work(figures):
             ("after clipping", "list-priority", "clipped_polygons"), ("in several cells", "list-priority", "shared_polygons"),
             ("cut by cells", "list-priority", "references"), ("tests of polygon and polygon", "list-priority", "crossing_tests"),
             ("tests of polygon and cell", "list-priority", "overlap_tests"), ("cells", "list-priority", "cells"),
-            ("cells and halves looked at", "list-priority", "cell_visits"),
+            ("cells and halves visited", "list-priority", "cell_visits"),
             ("cells overfull", "list-priority", "overfull_cells"), ("evaluations", "scan-line", "evaluations"),
             ("words", "depth-lists", "words"), ("words", "list-priority", "words"), ("words", "scan-line", "words"), ("words", "rays", "words"))
     return ruled(head, [(name, f"`{method}`", *(whole(shown(figures, each, method)[key]) for each in OBJECTS)) for name, method, key in rows], 2)

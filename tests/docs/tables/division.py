@@ -1,4 +1,4 @@
-"""docs/division.md, from what bench_division prints."""
+"""docs/machines/pixel-square.md, from what bench_division prints."""
 
 import re
 
@@ -67,9 +67,9 @@ def divider(figures):
     add("tests, one level, clocks", r"tests: (\d+) clocks at one")
     add("tests, two levels, clocks", r"one level, (\d+) at two")
     add("the same in groups of 4 × 4", r"groups of 4: (\d+)")
-    rows.append(("half-spaces at hand for a surface: one level, two",
+    rows.append(("half-spaces of the current surface: one level, two",
                  *(", ".join(with_commas(each.numbers(r"at hand: (\d+) half-spaces and \d+ nodes at one level, (\d+)"))) for each in models)))
-    add("nodes at hand", r"half-spaces and (\d+) nodes")
+    add("nodes of the current surface", r"half-spaces and (\d+) nodes")
     add("words of a square's commands, at most", r"; (\d+) words of commands")
     return ruled(("", "carburettor", "vehicle", "house"), rows)
 
@@ -104,6 +104,6 @@ def table_7_3(figures):
     halfspaces = [each.halfspaces for each in points]
     rows = [("", "", "", "", ratios(halfspaces), "*1.62, 3.08*")]
     rows += [(name, *with_commas(values), ratios(values), thesis) for name, values, thesis in measured]
-    rows.insert(9, ("half-spaces at hand: one level, two",
+    rows.insert(9, ("half-spaces of the current surface: one level, two",
                     *(", ".join(with_commas(each.numbers(r"at hand: (\d+) half-spaces and \d+ nodes at one level, (\d+)"))) for each in points), "", ""))
     return ruled(("half-spaces in the model", *with_commas(halfspaces), "ratios", "*thesis: ratios*"), rows)

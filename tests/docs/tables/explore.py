@@ -1,4 +1,4 @@
-"""docs/explore.md: the processes that come with csgsim, from their files."""
+"""docs/design-space.md: the processes that come with csgsim, from their files."""
 
 import tomllib
 
@@ -35,5 +35,5 @@ def processes(figures):
         values = [figure(one, key) for one in all_described]
         rows.append((f"`{key}`", f"{values[0]['unit']}, {meaning}",
                      *(cell for one in values for cell in (f"{one['value']:,}", one["provenance"][0]))))
-    head = [row("figure", "unit", *(cell for name in names for cell in (f"`{name}`", ""))), "|---|---|" + "--:|---|" * len(names)]
+    head = [row("parameter", "unit", *(cell for name in names for cell in (f"`{name}`", ""))), "|---|---|" + "--:|---|" * len(names)]
     return "\n".join(head + [row(*cells) for cells in rows])

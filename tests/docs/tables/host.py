@@ -30,7 +30,7 @@ def on_hosts(figures, model, options=""):
 
 
 def hosts(figures):
-    head = ("", "machine, ms", *(f"`{name}`, ms | to keep up" for name in PROCESSORS))
+    head = ("", "machine, ms", *(f"`{name}`, ms | needed" for name in PROCESSORS))
     lines = [row(*head), "|---" + "|--:" * (1 + 2 * len(PROCESSORS)) + "|"]
     for model in THESIS_MODELS:
         points = on_hosts(figures, model)

@@ -46,4 +46,4 @@ def figures(_, name):
     machine = tomllib.loads((ROOT / f"hw/machines/{name}.toml").read_text(encoding="utf-8"))
     rows = [(f"`{table}.{key}`", value_of(figure), figure["provenance"], shortened(figure["source"]))
             for table, keys in machine.items() if isinstance(keys, dict) for key, figure in keys.items()]
-    return ruled(("figure", "value", "", "where, or why"), rows, numbers_from=9)
+    return ruled(("parameter", "value", "", "source or reason"), rows, numbers_from=9)

@@ -1,13 +1,13 @@
-"""docs/memory-bits.md."""
+"""docs/accuracy.md."""
 
 from figures import PERSPECTIVE, point, ruled
 
 MODELS = ("vehicle", "carburettor", "house")
 WIDTHS = (1, 2, 4, 8, 16)
-PRUNINGS = (("all prunings", "all"), ("without boxes in space", "no-space"), ("without boxes in the picture", "no-picture"),
-            ("without separating planes", "no-separation"), ("without half-spaces that never matter", "no-halfspaces"),
-            ("without hidden primitives", "no-hidden"), ("without convex sets", "no-sets"), ("without early out", "no-early-out"),
-            ("without the near plane's place among the fronts", "no-near"), ("none", "none"))
+PRUNINGS = (("all prunings", "all"), ("without `space`", "no-space"), ("without `picture`", "no-picture"),
+            ("without `separation`", "no-separation"), ("without `halfspaces`", "no-halfspaces"),
+            ("without `hidden`", "no-hidden"), ("without `sets`", "no-sets"), ("without `early-out`", "no-early-out"),
+            ("without `near`", "no-near"), ("none", "none"))
 
 
 CURVED_Z_BITS = (20, 18, 16, 14, 13, 12, 10, 8)

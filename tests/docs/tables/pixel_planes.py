@@ -1,4 +1,4 @@
-"""docs/machines/pixel-planes-4.md: what a second buffer is worth."""
+"""docs/machines/pixel-planes.md: what a second buffer is worth."""
 
 import re
 
@@ -23,4 +23,4 @@ def buffers(figures):
         for count in (1, 2):
             stats = figures.render(model, f"--memory-bits 96 --machine pixel-planes-4+scan_out.buffers={count}")
             rows.append((model if count == 1 else "", count, f"{stats.clocks:,}", f"{stats.interval_clocks:,}", *pace(figures, model, count)))
-    return ruled(("", "buffers", "drawn after, clocks", "next after, clocks", "frames/s", "", "", ""), rows)
+    return ruled(("", "buffers", "clocks", "interval, clocks", "frames/s", "", "", ""), rows)

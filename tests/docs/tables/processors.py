@@ -1,4 +1,4 @@
-"""docs/processors.md: what operations cost on the processors that come with csgsim, from their files."""
+"""docs/host.md: what operations cost on the processors that come with csgsim, from their files."""
 
 import re
 import tomllib
@@ -20,7 +20,7 @@ def prices(figures):
     rows = [(f"`price.{kind}`", meanings[kind],
              *(cell for one in described for cell in (one["price"][kind]["value"], instruction(one["price"][kind]))))
             for kind in described[0]["price"]]
-    head = [row("figure", "an operation", *(cell for name in names for cell in (f"`{name}`", "of"))), "|---|---|" + "--:|---|" * len(names)]
+    head = [row("parameter", "operation", *(cell for name in names for cell in (f"`{name}`", "of"))), "|---|---|" + "--:|---|" * len(names)]
     return "\n".join(head + [row(*cells) for cells in rows])
 
 
@@ -30,4 +30,4 @@ def factors(figures):
     described = [tomllib.loads((ROOT / f"hw/processors/{name}.toml").read_text(encoding="utf-8")) for name in names]
     rows = [row(f"`compiler.{key}`", *(f"{one['compiler'][key]['value'] / 1000:.2f}" for one in described), described[0]["compiler"][key]["source"].partition(";")[0])
             for key in described[0]["compiler"]]
-    return "\n".join([row("figure", *(f"`{name}`" for name in names), "of `mc68000`"), "|---" + "|--:" * len(names) + "|---|", *rows])
+    return "\n".join([row("parameter", *(f"`{name}`" for name in names), "of `mc68000`"), "|---" + "|--:" * len(names) + "|---|", *rows])

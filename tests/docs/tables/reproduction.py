@@ -153,7 +153,7 @@ def of_trees(figures):
     least = [memory_bits.of_bits(figures.sweep(model, PERSPECTIVE), 3).classification_bits for model in THESIS_MODELS]
     return [("6.1, p. 74", "keeping all depths takes enormous memory: bits a pixel, and those of `stack`", "",
              "; ".join("{}, {}".format(*each) for each in bits)),
-            ("6.3.1, p. 78", "2ⁿ primitives, pairs of which are joined and then intersected, have 2^2ⁿ⁻¹ products: n = 3", "16",
+            ("6.3.1, p. 78", "2ⁿ primitives, joined in pairs that are then intersected, have 2^2ⁿ⁻¹ products: n = 3", "16",
              f"{pairs} scan-conversions, four a product: {pairs // 4}"),
             ("6.4, p. 80", "three bits are the least: bits that `bits` 3 uses", "3", f"{listed(least, '')}, the mask"),
             ("6.4, p. 82", "enough bits save 50 % of the active trees, against m = 3", f"{saved[0]:.0f} %",

@@ -161,7 +161,7 @@ CLOSED = " --methods standard,positional,status --coherences all-points --proces
 def closed(figures):
     """The vehicle as it is, and closed, in a low tree and in the tree as written: ms a ray for all points. The last row divides ours by the thesis's."""
     methods = ("standard", "positional", "status")
-    commands = figures.shown("docs/software.md", "  sed -E").replace("classify closed.csg", "classify $MODEL")
+    commands = figures.shown("docs/reproduction.md", "sed -E").replace("classify closed.csg", "classify $MODEL")
     rows = []
     for name, file in (("open", "tests/models/terrain_vehicle.csg"), ("closed", "closed.csg")):
         points = figures.runs.run(f"ln -s $PWD/tests $OUT/tests; cd $OUT; MODEL={file}; {commands}{CLOSED}").json("closed/classify.json").points
@@ -289,7 +289,7 @@ def parts(figures):
             one = of(figures.classify(model), "status", "list-structure")
             seconds = [*(priced(processor, one[key]) for key in ("ray_operations", "sort_operations")), classifying(processor, one, "status")]
             rows.append((f"{processor}, {model}", three_digits(sum(seconds)), *(f"{100 * each / sum(seconds):.0f} %" for each in seconds)))
-    return ruled(("", "picture, s", "finding what rays meet", "sorting it", "classifying it"), rows)
+    return ruled(("", "picture, s", "intersection", "sorting", "classification"), rows)
 
 
 def best(points, processor):
@@ -430,8 +430,8 @@ def measured(figures):
                                (("standard", "all-points"), ("status", "all-points"), ("status", "list-structure"), ("weave", "none"),
                                 ("interval-arithmetic", "none")))
         rows.append((model, *(three_digits(each * 1e3) for each in (rays, *seconds, rays + seconds[2], wall(figures, model)))))
-    return ruled(("ms", "rays, in order", "standard, all points", "status, all points", "status, list-structure", "weave",
-                  "interval-arithmetic, rays and all", "the picture by status, list-structure", "functional engine, `pixel-planes-4`"), rows)
+    return ruled(("ms", "intersection and sorting", "standard, all points", "status, all points", "status, list-structure", "weave",
+                  "interval-arithmetic, total", "the picture by status, list-structure", "functional engine, `pixel-planes-4`"), rows)
 
 
 GROWN = {"cubes": (17, 167, 1667, 16667), "drilled": (4, 42, 417, 4167)}
@@ -463,5 +463,5 @@ def growth(figures):
             rows.append((name, whole(halfspaces), whole(primitives), *(three_digits(each * 1e3) for each in seconds)))
         (before, _, first), (last, _, second) = columns[0], columns[-1]
         rows.append((f"{name}: exponent", "", "", *(f"{math.log(b / a) / math.log(last / before):.2f}" for a, b in zip(first, second))))
-    return ruled(("ms", "half-spaces", "primitives", "rays, in order", "standard, all points", "status, all points",
-                  "status, list-structure", "interval-arithmetic, rays and all"), rows)
+    return ruled(("ms", "half-spaces", "primitives", "intersection and sorting", "standard, all points", "status, all points",
+                  "status, list-structure", "interval-arithmetic, total"), rows)

@@ -1,4 +1,4 @@
-"""docs/sweeps.md: table 3.1 of the thesis, whose own figures stand in italics."""
+"""docs/reproduction.md: table 3.1 of the thesis, whose own figures stand in italics."""
 
 import math
 

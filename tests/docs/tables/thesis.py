@@ -1,4 +1,4 @@
-"""docs/machines/thesis-tables.md: tables 7.2 and 7.3 of the thesis, whose own figures stand in italics."""
+"""docs/reproduction.md: tables 7.2 and 7.3 of the thesis, whose own figures stand in italics."""
 
 from figures import ruled
 
@@ -89,9 +89,9 @@ def node_table_7_3(figures):
         ("communication", seconds("communication"), ".2f", True, ("0.2", "0.3", "0.5", "1.50, 2.50")),
         ("tree pruning", lambda p: "", "", False, ("0.6", "0.6", "0.6", "1.00, 1.00")),
         ("rendering", seconds("rendering"), ".2f", True, ("67.3", "67.7", "76.2", "1.01, 1.13")),
-        ("of it scan conversion", seconds("scan_conversion"), ".2f", True, ("32.6", "34.5", "42.3", "1.06, 1.30")),
-        ("CSG classification", seconds("classification"), ".2f", True, ("29.1", "27.6", "28.3", "0.95, 0.97")),
-        ("depth sort", seconds("depth_sort"), ".2f", True, ("5.6", "5.6", "5.6", "1.00, 1.00")),
+        ("rendering: scan conversion", seconds("scan_conversion"), ".2f", True, ("32.6", "34.5", "42.3", "1.06, 1.30")),
+        ("rendering: CSG classification", seconds("classification"), ".2f", True, ("29.1", "27.6", "28.3", "0.95, 0.97")),
+        ("rendering: depth sort", seconds("depth_sort"), ".2f", True, ("5.6", "5.6", "5.6", "1.00, 1.00")),
         ("total", seconds("total"), ".2f", True, ("89.7", "102.5", "139.7", "1.14, 1.56")),
         ("clocks", lambda p: p.subsegments.clocks, ",", False, None),
         ("half-spaces tested in the first pruning", lambda p: p.stages.first_halfspace_tests, ",", False, None),
@@ -107,10 +107,10 @@ def node_levels(figures):
 
 
 def node_figures(figures):
-    varied = (("as it is, 4 × 4 nodes", ""), ("4 × 3 nodes (`nodes.rows` 3)", "+nodes.rows=3"),
+    varied = (("unchanged, 4 × 4 nodes", ""), ("4 × 3 nodes (`nodes.rows` 3)", "+nodes.rows=3"),
               ("3 × 3 nodes", "+nodes.rows=3+nodes.columns=3"), ("`display.divides_ahead` 1", "+display.divides_ahead=1"))
     rows = []
     for name, changes in varied:
         points = figures.subdivide("carburettor", f"{SIZE} {NODES}{changes} --subdivisions 6")
         rows.append((name, f"{points[0].stages.seconds.total:.2f}"))
-    return ruled(("figure", ""), rows)
+    return ruled(("6 levels", "total, s"), rows)

@@ -1,4 +1,4 @@
-"""docs/machines/today.md: Pixel-planes beside the memories of today. All rows of a table that are of one model come from one call
+"""docs/machines/bit-serial-memory.md: Pixel-planes beside the memories of today. All rows of a table that are of one model come from one call
 of `csgsim compare`, so that every machine draws the same facets, and a picture that differs is an error."""
 
 from figures import THESIS_MODELS, row, ruled
@@ -11,10 +11,10 @@ OLD = ("pixel-planes-4", "pixel-planes-5")
 MACHINES = (*OLD, DIGITAL, DIGITAL + TREES, "simdram-ddr4", "ambit-ddr4")
 CORPUS = (*(f"models/{name}" for name in ("thesis_fig_2_3", "old_example002", "old_example003", "old_example011", "molecule", "crossing_cylinders", "sphere")),
           "corpus/assembly", "corpus/engraved_box", "corpus/gear")
-LACKING = (("as it is", ""), ("the expression trees", TREES), ("a latch that enables writes", LATCH), ("the global OR", LINE),
+LACKING = (("unchanged", ""), ("the expression trees", TREES), ("a latch that enables writes", LATCH), ("the global OR", LINE),
            ("trees and latch", TREES + LATCH), ("all three", TREES + LATCH + LINE))
 WAYS = (("rows of x and y", ""), ("planes of the host", "+logic.expressions=planes"), ("trees", TREES))
-LIMITS = (("as it is", ""), ("one chip", "+chips.count=1"), ("without tFAW", "+timing.window=ideal"),
+LIMITS = (("unchanged", ""), ("one chip", "+chips.count=1"), ("without tFAW", "+timing.window=ideal"),
           ("without refresh", "+timing.refresh_interval=ideal"))
 CHANGED = tuple(dict.fromkeys(DIGITAL + change for choices in (LACKING, WAYS, LIMITS) for _, change in choices))
 EXACT = ("models/old_example011", "models/thesis_fig_2_3")

@@ -1,4 +1,4 @@
-"""docs/tracing.md: table 5.2 and figures 5.7 to 5.9 of the thesis, whose own figures stand in italics, and rivals of EXCELL."""
+"""docs/software.md: table 5.2 and figures 5.7 to 5.9 of the thesis, whose own figures stand in italics, and rivals of EXCELL."""
 
 from figures import PERSPECTIVE, THESIS_MODELS, point, ruled
 from tables.software import italic, three_digits, whole

@@ -1,4 +1,4 @@
-/* The methods of ../programs.s in C, for what compilers make of them: docs/processors.md. */
+/* The methods of ../programs.s in C, for what compilers make of them: docs/host.md. */
 
 enum { primitive, set_union, difference, intersection };
 

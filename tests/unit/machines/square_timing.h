@@ -59,8 +59,8 @@ inline Timing time(const isa::Program& program, const Machine& machine) {
   return pixel_square::time_squares(program, machine);
 }
 
-/// A model of two primitives and three nodes. By docs/division.md its records have 77 bits (a primitive), 6 (a
-/// half-space) and 8 (a plane).
+/// A model of two primitives and three nodes. By docs/machines/pixel-square.md its records have 77 bits (a primitive),
+/// 6 (a half-space) and 8 (a plane).
 inline std::vector<std::uint8_t> model_bytes() {
   std::vector<std::uint8_t> bytes;
   for (const isa::LinkWord& byte : division::to_link(division::encode(slab_with_hole()), 8))
