@@ -33,14 +33,14 @@ Usage: ./setup.sh COMMAND
          make every figure, table and picture of README.md and docs/ again, and show what changed; with --exact only
          what does not depend on the machine's speed, with --page NAME only one page; more: tests/docs/make.py --help
   web    compile the page of view to WebAssembly: build/web/, for any static server, which needs no program behind it;
-         test it in node and in a Chromium (300 MB); more: docs/web.md
+         test it in node and in a Chromium (300 MB); more: docs/view.md
   site   make the pages a book: build/site/index.html, which can be searched, and build/csgsim.pdf
   reproduce
          make every table of the thesis again, ours beside its own, and show what changed: docs/reproduction.md
   rtl    hold the machine in Verilog against csgsim: all designs in Icarus and Verilator, and all proofs; and place
          and route what docs/hardware.md has of FPGAs (an hour)
   screenshots
-         draw the pictures of docs/waves.md again: GTKWave, with a wave of each kind of machine
+         draw the pictures of docs/debugging.md again: GTKWave, with a wave of each kind of machine
   report-test
          install a Chromium (300 MB) and open pages of --report, and of view, in it
   openscad-tests DIR [WORDS...]

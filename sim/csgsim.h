@@ -1,7 +1,7 @@
 #pragma once
 
 /// What a program needs that reads a model, compiles it for a machine, runs it and looks at what came of it:
-/// docs/libraries.md. Link csgsim::csgsim.
+/// docs/install.md. Link csgsim::csgsim.
 
 #include "host/emit/compile.h"
 #include "host/facet/geometry.h"

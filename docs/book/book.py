@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Makes the pages of README.md and docs/ a site and a PDF, in the order of docs/book/order.toml.
+"""Builds a site and a PDF from README.md and the pages of docs/, in the order of docs/book/order.toml.
 
-    docs/book/book.py site OUT    OUT/index.html and all it needs, by Sphinx
+    docs/book/book.py site OUT    OUT/index.html and its files, by Sphinx
     docs/book/book.py pdf OUT     OUT.pdf of the site in OUT, by WeasyPrint"""
 
 import os
@@ -12,6 +12,7 @@ import subprocess
 import sys
 
 import paper
+import search
 from order import parts
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -25,7 +26,7 @@ def is_page(path):
 
 
 def place(path):
-    """Where a file of the repository is in the site's source; of what is no page and no picture, a copy in files/."""
+    """The path of a file in the site's source; files other than pages and pictures are copied to files/."""
     if path == "README.md":
         return "index.md"
     if is_page(path) or path.startswith("docs/pictures/"):
@@ -34,13 +35,13 @@ def place(path):
 
 
 class Source:
-    """The site's source: pages with links as the site has them."""
+    """The site's source: pages with the links of the site."""
 
     def __init__(self, folder):
         self.folder = folder
 
     def link(self, page, target):
-        """The link from a page to a file of the repository, which is copied if it is no page."""
+        """The link from a page to a file of the repository; a file that is not a page is copied."""
         path = os.path.normpath(os.path.join(os.path.dirname(page), target))
         if not is_page(path) and (ROOT / path).is_file():
             there = self.folder / place(path)
@@ -49,12 +50,14 @@ class Source:
         return os.path.relpath(place(path), os.path.dirname(place(page)) or ".")
 
     def text(self, page):
-        """The page with its links to other files put right; code stays as it is."""
-        lines, fenced = [], False
+        """The page with links to other files rewritten, except in code, and with one title: further ones become headings."""
+        lines, fenced, has_title = [], False, False
         for line in (ROOT / page).read_text(encoding="utf-8").splitlines():
             fenced ^= bool(FENCE.match(line))
             if not fenced and not line.startswith("    "):
                 line = LINK.sub(lambda found: found["before"] + self.link(page, found["path"]) + found["after"], line)
+            if not fenced and line.startswith("# "):
+                line, has_title = "#" * has_title + line, True
             lines.append(line)
         return "\n".join(lines) + "\n"
 
@@ -65,7 +68,7 @@ class Source:
 
 
 def contents():
-    """The table of contents for Sphinx, which the theme shows beside each page."""
+    """The table of contents for Sphinx, shown in the sidebar."""
     text = ""
     for name, pages in parts():
         rows = "\n".join(f"{title} <{place(path).removesuffix('.md')}>" for path, title, _ in pages)
@@ -87,12 +90,13 @@ def site(out):
     shutil.move(folder / "book/conf.py", folder / "conf.py")
     subprocess.run(["/usr/bin/python3", "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", folder, out], check=True)
     shutil.rmtree(out / ".doctrees", ignore_errors=True)
-    mend_theme(out / "_static")
+    repair_theme(out / "_static")
+    search.write(out, [(place(path).removesuffix(".md") + ".html", title, subject.replace("`", "")) for _, rows in parts() for path, title, subject in rows])
 
 
-def mend_theme(static):
-    """Debian's furo as its authors have it: what it imports is not there under file:// (its script is a module of two files, its
-    style names one of a server), and colours for who prefers dark are missing."""
+def repair_theme(static):
+    """Makes Debian's furo work from file://: its script is a module of two files, and its style imports a file of a server. Also
+    adds the missing colours for a system-wide dark setting."""
     script, style = static / "scripts/furo.js", static / "styles/furo.css"
     text = (static / "scripts/gumshoe-patched.js").read_text(encoding="utf-8") + script.read_text(encoding="utf-8")
     script.write_text(re.sub(r"^import .*\n", "", text, flags=re.MULTILINE), encoding="utf-8")

@@ -17,5 +17,6 @@ html_show_sphinx = False
 html_show_search_summary = False  # it is fetched, which no browser does from file://
 html_domain_indices = False
 html_use_index = False
-html_static_path = ["book/site.css"]
+html_static_path = ["book/site.css", "book/site.js"]
 html_css_files = ["site.css"]
+html_js_files = ["site.js"]

@@ -1,4 +1,4 @@
-"""SVG as WeasyPrint can draw it: gnuplot's `currentColor` as the colour that it is, and what `use` names in its place."""
+"""SVG in a form that WeasyPrint draws: `currentColor` replaced by the colour, and `use` by the named shape."""
 
 import base64
 import pathlib
@@ -9,7 +9,7 @@ LINK = "{http://www.w3.org/1999/xlink}href"
 
 
 def plain(node, colour, named):
-    """A copy of the node in which no colour and no shape is somewhere else."""
+    """A copy of the node without references to colours and shapes."""
     colour = node.get("color", colour)
     attributes = {key: colour if value == "currentColor" else value for key, value in node.attrib.items() if key not in ("color", LINK)}
     used = named.get(node.get(LINK, "")) if node.tag == f"{SVG}use" else None
@@ -20,7 +20,7 @@ def plain(node, colour, named):
 
 
 def address(path):
-    """What an <img> names: the drawing itself, or the file where WeasyPrint takes it as it is."""
+    """The address for an <img>: the converted drawing, or the file if WeasyPrint draws it unchanged."""
     path = pathlib.Path(path)
     if path.suffix != ".svg" or "currentColor" not in (text := path.read_text(encoding="utf-8")):
         return path.as_uri()

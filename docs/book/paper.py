@@ -11,19 +11,15 @@ HERE = pathlib.Path(__file__).resolve().parent
 ARTICLE = re.compile(r'<article role="main">(.*?)</article>', re.DOTALL)
 TAG = re.compile(r"<[a-z][^>]*>")
 ATTRIBUTE = re.compile(r'\b(id|href|src)="([^"]*)"')
-LISTING = re.compile(r"<pre>(.*?)</pre>", re.DOTALL)
 TABLE = re.compile(r"<table[^>]*>(.*?)</table>", re.DOTALL)
 ROW = re.compile(r"<tr[^>]*>(.*?)</tr>", re.DOTALL)
 CELL = re.compile(r"<t[hd][^>]*>(.*?)</t[hd]>", re.DOTALL)
-LINE_LETTERS = 112  # of a table, in a line
-CELL_LETTERS = (10, 48)  # that a column is given room for, of its longest cell
-LINE_POINTS = 476  # width of a line, A4 less its margins
-WIDTH_OF_SIZE = 0.602  # of a character of the listings' font
-SIZES = (5.0, 8.0)  # of listings, points
+LINE_LETTERS = 112  # characters of a table row that fit on a line
+CELL_LETTERS = (10, 48)  # minimum and maximum width of a column, characters
 
 
 def name_of(page, anchor=""):
-    """The place in the book of a page's anchor."""
+    """The identifier in the book of a page's anchor."""
     return re.sub(r"\W", "-", page.removesuffix(".html")) + (f"--{anchor}" if anchor else "")
 
 
@@ -32,7 +28,7 @@ def is_elsewhere(target):
 
 
 class Page:
-    """A page of the site, and its content as the book has it."""
+    """A page of the site, and its content in the book."""
 
     def __init__(self, site, path, known):
         self.site, self.path, self.known = site, path, known
@@ -52,7 +48,7 @@ class Page:
     def content(self):
         body = ARTICLE.search((self.site / self.path).read_text(encoding="utf-8"))[1]
         body = TAG.sub(lambda tag: ATTRIBUTE.sub(self.attribute, tag[0]), body)
-        return TABLE.sub(divided, LISTING.sub(fitted, body.replace("<details", "<details open")))
+        return TABLE.sub(divided, body.replace("<details", "<details open"))
 
 
 def plain(text):
@@ -60,7 +56,7 @@ def plain(text):
 
 
 def divided(table):
-    """A table that is wider than a line, with widths of columns by their longest cells: WeasyPrint squeezes the wrong ones."""
+    """Adds column widths, by the longest cells, to a table wider than a line; WeasyPrint's own widths are worse."""
     rows = [[len(plain(cell)) for cell in CELL.findall(row)] for row in ROW.findall(table[1])]
     letters = [max(column) for column in zip(*rows)]
     if "<img" in table[1] or sum(letters) <= LINE_LETTERS:
@@ -68,13 +64,6 @@ def divided(table):
     letters = [min(CELL_LETTERS[1], max(CELL_LETTERS[0], each)) for each in letters]
     columns = "".join(f'<col style="width: {100 * each / sum(letters):.1f}%">' for each in letters)
     return f'<table class="divided"><colgroup>{columns}</colgroup>{re.sub("<colgroup>.*?</colgroup>", "", table[1], flags=re.DOTALL)}</table>'
-
-
-def fitted(listing):
-    """A listing in letters so small that its longest line fits, if they can be read."""
-    longest = max(map(len, plain(listing[1]).splitlines()), default=1)
-    size = min(SIZES[1], max(SIZES[0], LINE_POINTS / (WIDTH_OF_SIZE * max(longest, 1))))
-    return f'<pre style="font-size: {size:.2f}pt">{listing[1]}</pre>'
 
 
 def contents(parts):
@@ -100,8 +89,8 @@ def book(site, parts):
 
 
 def make(site, parts):
-    """Writes SITE's pages into csgsim.pdf beside it."""
-    import weasyprint  # pylint: disable=import-outside-toplevel  # the site does without it
+    """Writes the pages of SITE to csgsim.pdf beside it."""
+    import weasyprint  # pylint: disable=import-outside-toplevel  # not needed for the site
 
     pages = [(name, [(page.removesuffix(".md") + ".html", title) for page, title in rows]) for name, rows in parts]
     weasyprint.HTML(string=book(site, pages), base_url=str(site)).write_pdf(str(site.with_name("csgsim.pdf")))

@@ -1,10 +1,10 @@
 #!/bin/sh
-# A process of an MPI launcher measures the shard of its rank:
+# Measures the shard of a process's rank, under an MPI launcher:
 #
 #   mpirun -n 16 rank.sh sweep model.csg -o out     # Open MPI, MPICH, Intel MPI
 #   srun -n 16 rank.sh sweep model.csg -o out       # Slurm
 #
-# csgsim needs no MPI: the launcher only says which process this is.
+# csgsim needs no MPI: the launcher only provides the rank.
 set -eu
 if [ -n "${OMPI_COMM_WORLD_RANK:-}" ]; then
   rank=$OMPI_COMM_WORLD_RANK size=$OMPI_COMM_WORLD_SIZE
@@ -13,7 +13,7 @@ elif [ -n "${PMI_RANK:-}" ]; then
 elif [ -n "${SLURM_STEP_NUM_TASKS:-}" ] && [ -n "${SLURM_PROCID:-}" ]; then
   rank=$SLURM_PROCID size=$SLURM_STEP_NUM_TASKS
 else
-  echo "rank.sh: no launcher says which rank this is; start it with mpirun or srun" >&2
+  echo "rank.sh: no rank in the environment; start it with mpirun or srun" >&2
   exit 2
 fi
 study=$1

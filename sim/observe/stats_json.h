@@ -22,7 +22,7 @@ struct Report {
   std::span<const Knob> knobs{};  ///< what was tried and helps
 };
 
-/// The stats file; docs/stats.md describes every key with its unit.
+/// The stats file; docs/settings.md describes every key with its unit.
 nlohmann::ordered_json to_json(const Report& report);
 
 /// Bits of pixel memory that the Program's named fields take.

@@ -14,7 +14,7 @@ std::string with_commas(std::uint64_t value) {
 }  // namespace
 
 std::string row_of_page(const std::string& name) {
-  std::ifstream page(std::string(CSGSIM_SOURCE_DIR) + "/docs/budgets.md");
+  std::ifstream page(std::string(CSGSIM_SOURCE_DIR) + "/docs/performance.md");
   const std::string begin = "| " + name + " |";
   for (std::string line; std::getline(page, line);) {
     if (line.starts_with(begin)) return line.substr(begin.size());
@@ -23,7 +23,7 @@ std::string row_of_page(const std::string& name) {
 }
 
 void check_row(const std::string& name, double published, std::uint64_t ours) {
-  INFO("if the change is meant: tests/budgets/table.py build/release/csgsim, and docs/budgets.md");
+  INFO("if the change is meant: tests/budgets/table.py build/release/csgsim, and docs/performance.md");
   CHECK(row_of_page(name) == fmt::format(" {} | {} | {:.2f} |",
                                          with_commas(static_cast<std::uint64_t>(published + 0.5)), with_commas(ours),
                                          static_cast<double>(ours) / published));

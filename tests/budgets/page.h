@@ -10,7 +10,7 @@ constexpr double published_shadow = 1e7 / 21'000;
 constexpr double published_sphere = 1e7 / 25'000;
 constexpr double published_expression = 7.5e-3 * 1e7 / 1'900;
 
-/// The first row of docs/budgets.md that begins with that name, without the name.
+/// The first row of docs/performance.md that begins with that name, without the name.
 std::string row_of_page(const std::string& name);
 
 /// Fails the test if the page has other clocks in that row.

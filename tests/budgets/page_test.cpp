@@ -11,7 +11,7 @@ using namespace csgsim;
 namespace {
 
 void check_expressions(const std::string& name, double ours) {
-  INFO("if the change is meant: tests/budgets/table.py build/release/csgsim, and docs/budgets.md");
+  INFO("if the change is meant: tests/budgets/table.py build/release/csgsim, and docs/performance.md");
   CHECK(budgets::row_of_page("an expression of " + name) == fmt::format(" {:.1f} | {:.1f} | {:.2f} |",
                                                                         budgets::published_expression, ours,
                                                                         ours / budgets::published_expression));

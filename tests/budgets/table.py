@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""table.py CSGSIM: measures the Programs and models of docs/budgets.md and prints its table."""
+"""table.py CSGSIM: measures the Programs and models of docs/performance.md and prints its table."""
 
 import json
 import pathlib

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""write.py: writes the Programs of docs/budgets.md here; write.py --check: fails if they are not what it writes.
+"""write.py: writes the Programs of docs/performance.md here; write.py --check: fails if they are not what it writes.
 
 Pixels are 512 x 512 with centres at half-integers, y down. Distances along z are in pixels too, 0 to 512.
 """
@@ -164,10 +164,10 @@ def cast_shadow(program, index, name, corners):
 def triangles(shadows):
     colour = Z_BITS
     fields = [("Z", 0, Z_BITS, "depth"), ("colour", colour, COLOUR_BITS, "colour")]
-    title = ["Smooth-shaded, Z-buffered triangles; docs/budgets.md has what each costs."]
+    title = ["Smooth-shaded, Z-buffered triangles; docs/performance.md has what each costs."]
     if shadows:
         fields.append(("shadow", colour + COLOUR_BITS, 1, "mask"))
-        title = ["Smooth-shaded, Z-buffered triangles with shadows; docs/budgets.md has what each costs."]
+        title = ["Smooth-shaded, Z-buffered triangles with shadows; docs/performance.md has what each costs."]
     program = Program(title, Z_BITS, fields, [name for name, _ in TRIANGLES])
     program.clear(Z_BITS)
     shapes = [(name, [exact(corner) for corner in corners]) for name, corners in TRIANGLES]
@@ -319,7 +319,7 @@ def draw_sphere(program, index, name, centre, front, log_size, darker, terms=(0,
 def draw_spheres(*spheres):
     fields = [("Z", 0, SPHERE_Z_BITS, "depth"), ("colour", SPHERE_Z_BITS, COLOUR_BITS, "colour")]
     fields += [("quadratic", QUADRATIC, QUADRATIC_BITS, "scratch"), ("disk", DISK, 1, "mask"), ("sum", SUM, 16, "scratch")]
-    title = ["Shaded, Z-buffered spheres by a quadratic field; docs/budgets.md has what each costs."]
+    title = ["Shaded, Z-buffered spheres by a quadratic field; docs/performance.md has what each costs."]
     program = Program(title, SPHERE_Z_BITS, fields, [sphere[0] for sphere in spheres])
     set_up_quadratic(program)
     program.begin("setup", "clear")

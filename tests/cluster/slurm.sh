@@ -119,20 +119,20 @@ same() {
   (cd "$work/one" && find . -type f | sort | xargs sha256sum) >"$work/one.sums"
   (cd "$1" && find . -path ./shards -prune -o -type f -print | sort | xargs sha256sum) >"$work/other.sums"
   cmp "$work/one.sums" "$work/other.sums" || fail "$1 is not what one process made"
-  say "the $(wc -l <"$work/one.sums") files in $1 are those that one process made, byte for byte"
+  say "the $(wc -l <"$work/one.sums") files in $1 equal those of one process, byte for byte"
 }
 
 study="sweep $here/tests/models/terrain_vehicle.csg --camera 560,-590,420,-5,0,68 --projection perspective"
 study="$study --z-bits 16,18,20 --pruning all,no-space,no-separation,no-hidden,none"
 cd "$work"
 
-say "== one process"
+say "== a single process"
 # shellcheck disable=SC2086
 csgsim $study -o "$work/one" >"$work/one.txt"
 points=$(tail -n +2 "$work/one/sweep.csv" | wc -l)
 say "$points points"
 
-say "== a Slurm array of $shards tasks on two nodes, of which one is killed"
+say "== a Slurm array of $shards tasks on two nodes; one node is killed"
 show slurmctld -V
 start_slurm
 wait_for 60 "a Slurm with two nodes" both_idle
@@ -180,4 +180,4 @@ say "== GNU Parallel"
 show sh -c "seq $shards | parallel --will-cite -j 2 -k csgsim $study --threads 1 --shard {}/$shards -o $work/parallel"
 csgsim gather "$work/parallel" >/dev/null
 same "$work/parallel"
-say "nothing lost, nothing doubled"
+say "no point lost or duplicated"

@@ -18,7 +18,7 @@ EXAMPLES = Path("/usr/share/openscad/examples")
 PAGE = Path(__file__).resolve().parents[2] / "docs/shapes.md"
 BEGIN, END = "<!-- examples.py: begin -->\n", "<!-- examples.py: end -->\n"
 STRING = re.compile(r'"(\\.|[^"\\])*"')
-FIGURES = ["Half-spaces", "Pieces", "Clocks", "Bits", "Compiled in s"]
+FIGURES = ["Half-spaces", "Pieces", "Clocks", "Bits", "Compilation, s"]
 NODE = re.compile(r"([a-z_0-9]+)\(")
 
 
@@ -108,14 +108,14 @@ def main():
     parser.add_argument("--limit", type=int, default=300, help="seconds for each run")
     arguments = parser.parse_args()
     shutil.copytree(EXAMPLES, arguments.work, dirs_exist_ok=True)  # .csg files name what they import relative to the source
-    heads = ["Example", "Nodes beside `group` and `multmatrix`", "OpenSCAD 2021.01"]
+    heads = ["Example", "Nodes other than `group` and `multmatrix`", "OpenSCAD 2021.01"]
     if arguments.csgsim:
         heads += ["csgsim", *FIGURES]
     rows = [row(arguments, scad) for scad in sorted(arguments.work.rglob("*.scad"))]
     made = [cells[2].split(";")[0] for cells in rows]
-    summary = f"Of {len(rows)} examples OpenSCAD makes " + ", ".join(f"{kind} of {made.count(kind)}" for kind in sorted(set(made)))
+    summary = f"Of {len(rows)} examples, OpenSCAD makes " + ", ".join(f"{kind} of {made.count(kind)}" for kind in sorted(set(made)))
     if arguments.csgsim:
-        summary += f"; csgsim draws {[cells[3] for cells in rows].count('drawn')} as they are, by `csgsim render FILE.scad --view-all -o picture.png`"
+        summary += f"; csgsim draws {[cells[3] for cells in rows].count('drawn')}, by `csgsim render FILE.scad --view-all -o picture.png`"
     lines = ["| " + " | ".join(cells) + " |\n" for cells in [heads, [("--:" if head in FIGURES else "---") for head in heads], *rows]]
     before, _, rest = PAGE.read_text(encoding="utf-8").partition(BEGIN)
     _, _, after = rest.partition(END)

@@ -41,7 +41,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         rows = [drawn(arguments.csgsim, model, Path(folder)) for model in models]
     table = "".join(f'<img src="pictures/shapes/{model.stem}.png" width="19%"> ' for model in models) + "\n\n"
-    table += "| Part | Primitives | Pieces | Half-spaces | Clocks | Bits a pixel | Compiled in s |\n|---|--:|--:|--:|--:|--:|--:|\n" + "".join(rows)
+    table += "| Part | Primitives | Pieces | Half-spaces | Clocks | Bits per pixel | Compilation, s |\n|---|--:|--:|--:|--:|--:|--:|\n" + "".join(rows)
     before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
     PAGE.write_text(before + BEGIN + table + END + rest.split(END)[1], encoding="utf-8")
 

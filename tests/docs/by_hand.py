@@ -1,4 +1,4 @@
-"""docs/one-pixel.md worked out by other code: boxes, a camera and the CSG rules, at every pixel, in Python's integers.
+"""docs/lessons.md worked out by other code: boxes, a camera and the CSG rules, at every pixel, in Python's integers.
 
 Of csgsim it takes the planes' coefficients alone, and sees that each is as near to the exact plane as docs/numbers.md says. It knows no
 pruning and no instructions: what a pixel has after a step of the algorithm follows from the definitions."""

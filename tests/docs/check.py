@@ -16,11 +16,14 @@ from runs import ROOT
 sys.path.insert(0, str(ROOT / "docs/book"))
 import order  # pylint: disable=wrong-import-position
 
-TASKS = "docs/tasks.md"
+CONTENTS = "docs/README.md"  # table of contents and glossary
+COMMANDS = "docs/command-line.md"  # table of commands
+TASKS, TASKS_SECTION = "docs/view.md", "Three tasks"
+KEYS = "docs/settings.md"  # keys of stats, and columns of studies
 MOST_COMMANDS = 3
 MOST_WORDS = 25
 MOST_WORDS_OF_A_TERM = 3  # longer ones are titles of books
-MOST_NOT_COVERED = 44  # numbers that look measured and whose reason is 'not covered'; it may only fall
+MOST_NOT_COVERED = 26  # numbers that look measured and whose reason is 'not covered'; it may only fall
 
 
 def links():
@@ -32,14 +35,15 @@ def links():
             name, _, anchor = target.partition("#")
             place = (ROOT / path).parent / name if name else ROOT / path
             if not place.exists():
-                yield f"{path}:{number}: there is no {target}"
+                yield f"{path}:{number}: {target} does not exist"
             elif anchor and place.suffix == ".md" and anchor not in markdown.anchors(place.read_text(encoding="utf-8")):
                 yield f"{path}:{number}: {target} has no such heading"
 
 
 def tasks():
     """No task takes more than three commands."""
-    for part in (ROOT / TASKS).read_text(encoding="utf-8").split("\n## ")[1:]:
+    section = markdown.read(TASKS).split(f"\n## {TASKS_SECTION}\n")[1].split("\n## ")[0]
+    for part in section.split("\n### ")[1:]:
         title, _, body = part.partition("\n")
         commands = re.findall(r"^    csgsim .*", body, re.MULTILINE)
         if not 1 <= len(commands) <= MOST_COMMANDS:
@@ -89,20 +93,21 @@ def blocks():
 
 
 def glossary():
-    """What README and the tutorial set in italics as a term is in the glossary, in its order."""
-    text = markdown.read("docs/glossary.md")
-    terms = [term for line in text.splitlines() for term in re.findall(r"^- \*\*([^*]+)\*\*", line)]
+    """Every term that README and the tutorial introduce in italics is in the glossary, which is sorted and links to pages."""
+    text = markdown.read(CONTENTS)
+    rows = [row for _, row in markdown.rows(text.split("\n## Glossary\n")[1])][2:]
+    terms = [row[0] for row in rows]
     known = {name.strip().lower().removesuffix("s") for term in terms for name in term.split(",")}
     if terms != sorted(terms, key=str.lower):
-        yield "docs/glossary.md: the terms are not in order"
+        yield f"{CONTENTS}: the terms are not in order"
     for path in ("README.md", "docs/tutorial.md"):
         for number, line in markdown.prose(markdown.read(path)):
             for term in re.findall(r"(?<!\*)\*([a-zA-Z][\w -]*)\*(?!\*)", line):
                 if len(term.split()) <= MOST_WORDS_OF_A_TERM and term.lower().removesuffix("s") not in known:
-                    yield f"{path}:{number}: '{term}' is not in docs/glossary.md"
-    for line in text.splitlines():
-        if line.startswith("- **") and "](" not in line:
-            yield f"docs/glossary.md: {line[:40]}... links to no page"
+                    yield f"{path}:{number}: '{term}' is not in the glossary of {CONTENTS}"
+    for row in rows:
+        if "](" not in row[-1]:
+            yield f"{CONTENTS}: '{row[0]}' links to no page"
 
 
 def command_names():
@@ -114,20 +119,21 @@ def command_names():
 
 
 def lists():
-    """README's table of pages is the order of the book, which has each page of docs once; its table of commands has each command once."""
-    rows = [row for _, row in markdown.rows(markdown.read("README.md"))]
-    linked = [to for row in rows for to in re.findall(r"\]\((docs/[^)#]*)\)", " ".join(row))]
+    """The table of contents has the order of the book, which has each page of docs once; the table of commands has each command once."""
+    rows = [row for _, row in markdown.rows(markdown.read(CONTENTS).split("\n## All pages\n")[1].split("\n## ")[0])]
+    linked = [CONTENTS] + ["docs/" + to for row in rows for to in re.findall(r"\]\(([^)#]*)\)", " ".join(row))]
     listed = [path for _, rows_of_part in order.parts() for path, _, _ in rows_of_part]
     counted = collections.Counter(listed)
     for path in sorted({str(page.relative_to(ROOT)) for page in (ROOT / "docs").rglob("*.md")} | set(listed)):
         if counted[path] != 1 or not (ROOT / path).exists():
-            yield f"docs/book/order.toml: it has {path} {counted[path]} times, and the page is {'' if (ROOT / path).exists() else 'not '}there"
+            yield f"docs/book/order.toml lists {path} {counted[path]} times, and the page {'exists' if (ROOT / path).exists() else 'does not exist'}"
     if linked != listed:
-        yield "README.md: its list of pages is not docs/book/order.toml: tests/docs/make.py build/release --page README.md makes it"
-    named = collections.Counter(name for row in rows for name in re.findall(r"`([a-z]+)`", row[0]))
+        yield f"{CONTENTS}: its table of pages differs from docs/book/order.toml; run tests/docs/make.py build/release --page {CONTENTS}"
+    commands = markdown.read(COMMANDS).split("\n## Commands\n")[1].split("\n## ")[0]
+    named = collections.Counter(name for _, row in markdown.rows(commands) for name in re.findall(r"`([a-z]+)`", row[0]))
     for name in command_names():
         if named[name] != 1:
-            yield f"README.md: its table of commands has {name} {named[name]} times"
+            yield f"{COMMANDS}: its table of commands has {name} {named[name]} times"
 
 
 def keys(value):
@@ -145,28 +151,28 @@ def keys(value):
 
 
 def words():
-    """One word for one thing: the table of words in docs/developing.md has each column of a study once, and no other; a key of
-    stats stands there or in docs/stats.md and the machines' pages; no key and no option is one of these words spelt otherwise."""
-    section = markdown.read("docs/developing.md").split("\n## Words\n")[1].split("\n## ")[0]
-    told = collections.Counter(name for _, row in markdown.rows(section) for name in re.findall(r"^`(\w+)`$", row[0]))
+    """The table of columns has each column of a study once, and no other; a key of stats stands there, elsewhere on that page or
+    on a machine's page; no key and no option is a spelling variant of a column."""
+    section = markdown.read(KEYS).split("\n## Columns of studies\n")[1].split("\n## ")[0]
+    described = collections.Counter(name for _, row in markdown.rows(section) for name in re.findall(r"^`(\w+)`$", row[0]))
     studies = (path.read_text(encoding="utf-8") for end in ("h", "cpp") for path in (ROOT / "sim/studies").rglob(f"*.{end}"))
     columns = {name for text in studies for name in re.findall(r'visit\("(\w+)"', text)}
-    for name in sorted(columns | set(told)):
-        if told[name] != (name in columns):
-            yield f"docs/developing.md: its table of words has {name} {told[name]} times, studies {'do' if name in columns else 'do not'}"
+    for name in sorted(columns | set(described)):
+        if described[name] != (name in columns):
+            yield f"{KEYS}: its table of columns has {name} {described[name]} times, studies {'have' if name in columns else 'lack'} it"
 
     stats = {key for path in (ROOT / "traces").glob("*.json") for key in keys(json.loads(path.read_text(encoding="utf-8")))}
-    pages = "".join(markdown.read(path) for path in markdown.pages() if path.endswith("stats.md") or "/machines/" in path)
-    described = set(re.findall(r"\w+", pages))
-    yield from (f"the key {key} of stats is neither a word of docs/developing.md nor in docs/stats.md" for key in sorted(stats)
-                if re.fullmatch(r"\w+", key) and key not in columns | described)
+    texts = "".join(markdown.read(path) for path in markdown.pages() if path == KEYS or "/machines/" in path)
+    known = set(re.findall(r"\w+", texts))
+    yield from (f"the key {key} of stats is neither in {KEYS} nor on a machine's page" for key in sorted(stats)
+                if re.fullmatch(r"\w+", key) and key not in columns | known)
     sources = (path.read_text(encoding="utf-8") for room in ("app", "session", "shell", "studies") for path in (ROOT / "sim" / room).rglob("*.cpp"))
     options = {name for text in sources for name in re.findall(r'option\(\s*"--([a-z-]+[a-z])', text)}
     spelt = {re.sub("[-_]", "", word).removesuffix("s"): word for word in columns}
     for name in sorted(stats | options):
         word = spelt.get(re.sub("[-_]", "", name).removesuffix("s"))
         if word and name.replace("-", "_").removesuffix("s") != word.removesuffix("s"):
-            yield f"{name} is the word {word} of docs/developing.md, spelt otherwise"
+            yield f"{name} is a spelling variant of the column {word}"
 
 
 def shells():
@@ -188,7 +194,7 @@ def machines():
     count = len(list((ROOT / "hw/machines").glob("*.toml")))
     words_of = "one two three four five six seven eight nine ten eleven twelve".split()
     for path in markdown.pages():
-        for number in re.findall(r"\b(?:the|all|on|why) \[?(\w+) machines\b(?! of the eighties)", " ".join(markdown.read(path).split())):
+        for number in re.findall(r"\b(?:the|all|on|why) \[?(\w+) machines\b(?! of the (?:eighties|1980s))", " ".join(markdown.read(path).split())):
             if number in words_of and number != words_of[count - 1]:
                 yield f"{path}: '{number} machines', and {count} come with csgsim"
 

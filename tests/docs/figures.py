@@ -112,7 +112,7 @@ class Figures:
         return corpus.of_examples(self)
 
     def one_pixel(self):
-        """What docs/one-pixel.md says of its pixel, worked out by other code and held against csgsim debug."""
+        """What docs/lessons.md says of its pixel, worked out by other code and held against csgsim debug."""
         from tables import one_pixel  # pylint: disable=import-outside-toplevel
 
         return one_pixel.followed(self)
@@ -139,7 +139,7 @@ class Figures:
         return {f"{table}.{key}": figure["value"] for table, keys in tables.items() if isinstance(keys, dict) for key, figure in keys.items()}
 
     def one_seam(self):
-        """Where the seam of docs/one-seam.md opens."""
+        """Where the seam of docs/lessons.md opens."""
         from tables import one_seam  # pylint: disable=import-outside-toplevel
 
         return one_seam.seam(self)

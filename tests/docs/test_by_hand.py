@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of what docs/one-pixel.md is worked out by, on numbers that paper gives."""
+"""Tests of what docs/lessons.md is worked out by, on numbers that paper gives."""
 
 import unittest
 

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""The site of docs/book: it builds without a warning, what its pages name is there, and a word is found. Skips (77) without Sphinx."""
+"""The site of docs/book: it builds without a warning, its links and files exist, and its search finds pages. Skips (77) without Sphinx."""
 
 import html.parser
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -22,7 +23,7 @@ import order  # pylint: disable=wrong-import-position
 
 
 class Names(html.parser.HTMLParser):
-    """What a page of HTML names: links, what is loaded with it, and its anchors."""
+    """The links, loaded files and anchors of an HTML page."""
 
     def __init__(self, path):
         super().__init__()
@@ -43,7 +44,7 @@ def is_elsewhere(target):
 
 
 class Site(unittest.TestCase):
-    """One site for all cases, as it takes some ten seconds to build."""
+    """One site for all cases, because a build takes some ten seconds."""
 
     @classmethod
     def setUpClass(cls):
@@ -88,7 +89,7 @@ class Site(unittest.TestCase):
             self.assertEqual(re.findall(r"""@import[^;]*|url\(["']?(?:https?:|/)[^)]*""", text), [], sheet.name)
 
     def test_scripts_are_no_modules(self):
-        """A browser takes no module from file://, where the site is read."""
+        """Browsers load no modules from file://, where the site is read."""
         script = (self.folder / "_static/scripts/furo.js").read_text(encoding="utf-8")
         self.assertIn("Gumshoe", script)
         self.assertEqual(re.findall(r"(?m)^(?:import|export)\b.*", script), [])
@@ -96,10 +97,21 @@ class Site(unittest.TestCase):
     def test_a_word_is_found(self):
         index = (self.folder / "searchindex.js").read_text(encoding="utf-8")
         index = json.loads(re.sub(r"(?<=[{,])(\w+):", r'"\1":', index.removeprefix("Search.setIndex(").rstrip(" );\n")))
-        for word, page in (("multipli", "one-pixel"), ("quadric", "curves"), ("kunii", None)):
+        for word, page in (("multipli", "lessons"), ("quadric", "shapes"), ("kunii", None)):
             found = index["terms"].get(word, [])
             names = [index["docnames"][number] for number in (found if isinstance(found, list) else [found])]
             self.assertEqual(page in names, page is not None, f"{word}: {names}")
+
+    def test_the_search_puts_the_page_of_a_subject_first(self):
+        if shutil.which("node") is None:
+            self.skipTest("there is no node")
+        wanted = {"shadows": "effects.html", "pixel-planes-5": "machines/pixel-planes.html", "--z-bits": "command-line.html",
+                  "alu.bits": "machines/pixel-planes.html", "quadrics": "numbers.html", "security": "install.html", "rerun": "settings.html", "kunii": None}
+        script = (f"{(self.folder / '_static/search-data.js').read_text(encoding='utf-8')}\n"
+                  f"const {{ search }} = require({json.dumps(str(self.folder / '_static/search.js'))});\n"
+                  f"console.log(JSON.stringify({json.dumps(list(wanted))}.map((query) => search(pages, query).map((one) => one.page.path)[0] || null)));")
+        found = subprocess.run(["node", "-"], input=script, capture_output=True, text=True, check=True).stdout
+        self.assertEqual(dict(zip(wanted, json.loads(found))), wanted)
 
 
 if __name__ == "__main__":

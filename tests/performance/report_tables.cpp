@@ -9,10 +9,10 @@ namespace csgsim::bench {
 
 namespace {
 
-/// Three digits that count.
+/// Three significant digits.
 std::string short_number(double value) { return fmt::format("{:.3g}", value); }
 
-/// Of the build beside this one: its time and the ratio; nothing where there is none.
+/// Time and ratio of the other build; empty if there is none.
 template <class Text>
 std::string other_cells(const Compared& compared, Text text) {
   if (!compared.other) return {};
@@ -25,7 +25,8 @@ std::string speeds(const Results& results) {
   if (results.speeds.empty()) return {};
   const bool beside = results.speeds.front().wall.other.has_value();
   std::string text = fmt::format(
-      "## Runs\n\nA run alone, the first of its process, without start, reading and writing, {} pixels.\n\n"
+      "## Runs\n\nRun time of the simulation alone, without process start, input and output: the first run of a "
+      "process, {} pixels.\n\n"
       "| model | machine | level | clocks | simulated ms | wall ms | simulated s / wall s |{}\n"
       "|---|---|---|--:|--:|--:|--:|{}\n",
       results.settings.size, beside ? " other ms | other ÷ this |" : "", beside ? "--:|--:|" : "");
@@ -34,27 +35,28 @@ std::string speeds(const Results& results) {
                         row.level, row.clocks, milliseconds(row.simulated), milliseconds(row.wall.seconds),
                         short_number(row.ratio()), other_cells(row.wall, milliseconds));
   }
-  return text + fmt::format("\nThe last by `{}`, the others likewise.\n\n", printable(results.speeds.back().command));
+  return text + fmt::format("\nCommand of the last row: `{}`.\n\n", printable(results.speeds.back().command));
 }
 
 std::string dense(const Results& results) {
   if (results.dense.empty()) return {};
   std::string text =
-      "## The clocked engine and a plain dense loop\n\nThe same Program of Pixel-planes; the loop is "
+      "## The cycle level and a plain dense loop\n\nThe same Program of Pixel-planes; the source of the loop is "
       "`tests/performance/dense_loop.cpp`.\n\n"
       "| model | clocks | clocked ms | dense loop ms | clocked / dense |\n|---|--:|--:|--:|--:|\n";
   for (const DensePair& row : results.dense) {
     text += fmt::format("| {} | {} | {} | {} | {} |\n", printable(row.model), row.clocks, milliseconds(row.clocked),
                         milliseconds(row.dense), short_number(row.ratio()));
   }
-  return text + fmt::format("\nThe last by `{}` and the loop in turn, the others likewise.\n\n",
+  return text + fmt::format("\nCommand of the last row: `{}`, alternating with the loop.\n\n",
                             printable(results.dense.back().command));
 }
 
 std::string rivals(const Results& results) {
   if (results.rivals.empty()) return {};
   std::string text =
-      "## Whole processes\n\nFrom start to end, a PNG of 512 x 512 pixels each, in turn.\n\n"
+      "## Whole processes\n\nRun time of whole processes that write a PNG of 512 x 512 pixels, measured "
+      "alternately.\n\n"
       "| model | command | ms | csgsim ms | csgsim / other |\n|---|---|--:|--:|--:|\n";
   for (const Rival& row : results.rivals) {
     if (!row.reason.empty()) {
@@ -65,7 +67,8 @@ std::string rivals(const Results& results) {
     text += fmt::format("| {} | `{}` | {} | {} | {} |\n", printable(row.model), printable(row.command),
                         milliseconds(row.rival), milliseconds(row.csgsim), short_number(row.ratio()));
   }
-  return text + fmt::format("\ncsgsim by `{}`, and likewise.\n\n", printable(results.rivals.back().csgsim_command));
+  return text +
+         fmt::format("\nCommand of csgsim in the last row: `{}`.\n\n", printable(results.rivals.back().csgsim_command));
 }
 
 std::string points_text(const std::vector<Point>& points) {
@@ -84,9 +87,10 @@ std::string growths(const Results& results) {
   if (results.growths.empty()) return {};
   const bool beside = !results.growths.front().others.empty();
   std::string text = fmt::format(
-      "## Growth\n\nSeconds as a power of what grows, fitted to three points or more, all else being equal; "
-      "Pixel-planes, functional level. 1: in proportion; of threads, -1 would be perfect. Depth: levels of the "
-      "tree.\n\n"
+      "## Growth\n\nRun time as a power of one quantity, fitted to at least three points with all other quantities "
+      "fixed; "
+      "Pixel-planes, functional level. An exponent of 1 is linear; for threads, -1 is ideal. Depth is the number of "
+      "levels of the tree.\n\n"
       "| against | part | exponent | ms at each size |{}\n|---|---|--:|---|{}\n",
       beside ? " other's exponent | other's ms |" : "", beside ? "--:|---|" : "");
   for (const Growth& row : results.growths) {
@@ -95,7 +99,7 @@ std::string growths(const Results& results) {
     if (beside) text += fmt::format(" {} | {} |", power_text(row.others), points_text(row.others));
     text += "\n";
   }
-  text += "\nThe largest by:\n\n";
+  text += "\nCommands of the largest sizes:\n\n";
   for (const Growth& row : results.growths) text += fmt::format("    {}\n", printable(row.command));
   return text + "\n";
 }
@@ -104,9 +108,10 @@ std::string counts(const Results& results) {
   if (results.counts.empty()) return {};
   const bool beside = !results.settings.beside.empty();
   std::string text = fmt::format(
-      "## Counts\n\nWhat a run at the functional level takes on any computer. A *tile* has 64 × 64 pixels or fewer; "
-      "*instructions* are those carried out at each; *words* are 64 pixels' bits, *lanes* pixels' numbers that were "
-      "looked at. Processor: millions of its instructions, of the whole process, by callgrind.\n\n"
+      "## Counts\n\nWork of a run at the functional level, independent of the computer. A *tile* has at most 64 × 64 "
+      "pixels; "
+      "*instructions* are those executed at all tiles; *words* are words of 64 pixels' bits, and *lanes* numbers of "
+      "pixels that were read. *Processor* is millions of processor instructions of the whole process, by callgrind.\n\n"
       "| model | machine | tiles | stretches | instructions | linear | words | lanes | processor |{}\n"
       "|---|---|--:|--:|--:|--:|--:|--:|--:|{}\n",
       beside ? " other's | other ÷ this |" : "", beside ? "--:|--:|" : "");
@@ -122,17 +127,18 @@ std::string counts(const Results& results) {
     }
     text += "\n";
   }
-  return text + fmt::format("\nThe last by `{}`, and the run under `valgrind --tool=callgrind`.\n\n",
+  return text + fmt::format("\nCommand of the last row: `{}`; the run under `valgrind --tool=callgrind`.\n\n",
                             printable(results.counts.back().command));
 }
 
 std::string schedules(const Results& results) {
   if (results.schedules.empty()) return {};
   std::string text =
-      "## Threads that are not there\n\nMilliseconds of a run at the functional level on so many threads, worked out "
-      "from those of each tile on one: each tile, or segment, goes to the thread that is free first. *Tiles*: threads "
-      "meet at each question; *segments*: each takes whole regions of the picture. What is not work on tiles (*rest*) "
-      "is not shared out.\n\n| model | machine | rest | measured on 2 | by |";
+      "## Estimated scaling with threads\n\nMilliseconds of a run at the functional level by number of threads, "
+      "calculated "
+      "from the time of each tile on one thread: the next tile, or segment, is assigned to the first idle thread. "
+      "*Tiles*: threads synchronize at each test of the global OR; *segments*: each thread draws whole regions of the "
+      "picture. The work outside tiles (*rest*) is not parallel.\n\n| model | machine | rest | measured on 2 | by |";
   for (const Point& point : results.schedules.front().tiles) text += fmt::format(" {:g} |", point.x);
   text += "\n|---|---|--:|--:|---|";
   for (std::size_t i = 0; i < results.schedules.front().tiles.size(); ++i) text += "--:|";
@@ -152,8 +158,9 @@ std::string works(const Results& results) {
   if (results.works.empty()) return {};
   const bool beside = results.works.front().wall.other.has_value();
   std::string text = fmt::format(
-      "## Whole commands\n\nFrom start to end; the most memory of a process of theirs, and bytes of that a half-space."
-      "\n\n| name | what | s | MiB | bytes a half-space |{}\n|---|---|--:|--:|--:|{}\n",
+      "## Whole commands\n\nRun time from start to end, the peak memory of the largest process, and its bytes per "
+      "half-space."
+      "\n\n| name | what | s | MiB | bytes per half-space |{}\n|---|---|--:|--:|--:|{}\n",
       beside ? " other s | other ÷ this | other MiB |" : "", beside ? "--:|--:|--:|" : "");
   const auto mebibytes = [](double bytes) { return fmt::format("{:.0f}", bytes / (1024 * 1024)); };
   for (const Whole& row : results.works) {
@@ -164,7 +171,7 @@ std::string works(const Results& results) {
     if (beside) text += fmt::format(" {} |", mebibytes(row.other_memory));
     text += "\n";
   }
-  text += "\nBy:\n\n";
+  text += "\nCommands:\n\n";
   for (const Whole& row : results.works)
     for (const std::string& command : row.commands) text += fmt::format("    {}\n", printable(command));
   return text + "\n";

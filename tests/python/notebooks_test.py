@@ -51,7 +51,7 @@ def owners(*operands, **options):
 
 
 class Notebooks(unittest.TestCase):
-    """Each of the tasks of docs/tasks.md."""
+    """Each of the tasks of docs/view.md."""
 
     def test_outputs_are_not_kept(self):
         for file in FOLDER.glob("*.ipynb"):
@@ -75,7 +75,7 @@ class Notebooks(unittest.TestCase):
             support.done("compile", FIGURE, size="8x8", z_bits=8, fraction_bits=0, output=file)
             lines = support.done("disasm", str(file)).splitlines()
         self.assertIn(names["instruction"]["text"], next(line for line in lines if line.endswith("# i8")))
-        levels = [-88, -88, -111, -111, -55, -27]  # those after which docs/tasks.md has a probe in the wave among them
+        levels = [-88, -88, -111, -111, -55, -27]  # those after which docs/view.md has a probe in the wave among them
         self.assertIn(f"{levels}\n", printed)
         for bits, stats in zip((1, 2, 4, 8), names["alu"]):
             said, _ = support.stats("render", CARBURETTOR, **VIEW, machine=f"pixel-planes-4+alu.bits={bits}")

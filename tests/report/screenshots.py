@@ -1,4 +1,4 @@
-"""Draws the pictures of docs/report.md again: pages in a headless Chromium.
+"""Draws the pictures of docs/view.md again: pages in a headless Chromium.
 
 Usage, from the source folder: python3 tests/report/screenshots.py build/release/csgsim docs/pictures/report"""
 

@@ -30,7 +30,7 @@ def turned(camera, degrees):
 
 def main():
     csgsim = pathlib.Path(sys.argv[1]).resolve()
-    print("| model | machine | pictures a second | of the time, compiling | running |\n|---|---|--:|--:|--:|")
+    print("| model | machine | pictures per second | compiling, share of time | running |\n|---|---|--:|--:|--:|")
     for model, camera, knobs in ROWS:
         server = Server(csgsim, f"tests/models/{model}.csg", "--size", "512x512", cwd=SOURCE)
         try:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The three tasks of docs/tasks.md done in the page of csgsim view alone, in a headless Chromium. What it shows has to equal what the commands of that page write as JSON.
+"""The three tasks of docs/view.md done in the page of csgsim view alone, in a headless Chromium. What it shows has to equal what the commands of that page write as JSON.
 
 Usage: tasks_test.py CSGSIM SOURCE_FOLDER. Exit code 77 where there is no Chromium."""
 

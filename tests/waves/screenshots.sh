@@ -31,7 +31,7 @@ show() {
   test "$(stat -c %s "$2")" -gt 20000 || { echo "$2 shows nothing" >&2; exit 1; }
 }
 
-# The first command of docs/waves.md.
+# The first command of docs/debugging.md.
 csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --at owner -o "$work/frame_buffer.vcd" > /dev/null
 show frame_buffer "$pictures/frame_buffer.png"
 

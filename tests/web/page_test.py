@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The page without a program in a headless Chromium, behind a static server: page_test.py CSGSIM SOURCE SITE [PICTURE].
 
-With PICTURE the page is photographed for docs/web.md. Exit code 77 where there is no SITE, or no Chromium."""
+With PICTURE the page is photographed for docs/view.md. Exit code 77 where there is no SITE, or no Chromium."""
 
 import base64
 import contextlib

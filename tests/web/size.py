@@ -10,7 +10,7 @@ def main():
     site = pathlib.Path(sys.argv[1])
     pages = [file for ending in ("html", "css", "js") for file in site.glob("*." + ending)]
     groups = {"`csgsim.wasm`": [site / "csgsim.wasm"], "the page and its scripts": pages, "models": list((site / "models").iterdir())}
-    print("| | kB | packed by gzip |\n|---|--:|--:|")
+    print("| | kB | kB with gzip |\n|---|--:|--:|")
     for name, files in groups.items():
         texts = [file.read_bytes() for file in files]
         packed = sum(len(gzip.compress(text)) for text in texts)

@@ -38,7 +38,7 @@ TURN = """(async () => {
 def main():
     server = StaticServer(SITE)
     page = browser.Browser(browser.find())
-    print("| model | machine | pictures a second | of the time, compiling | running |\n|---|---|--:|--:|--:|")
+    print("| model | machine | pictures per second | compiling, share of time | running |\n|---|---|--:|--:|--:|")
     try:
         for model, camera, knobs in ROWS:
             page.send("Page.navigate", url=f"{server.address}?model={model}.csg&size=64x64")

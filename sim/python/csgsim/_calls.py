@@ -94,7 +94,7 @@ def study(name, /, *operands, **options):
 
 
 def sweep(*models, **options):
-    """What memory bits buy, as `csgsim sweep`: a dictionary a point. Keys are explained in docs/developing.md#words.
+    """What memory bits buy, as `csgsim sweep`: a dictionary a point. Keys are explained in docs/settings.md#columns-of-studies.
 
     >>> rows = csgsim.sweep("part.csg", strategy=["stack", "list"], z_bits=[16, 20])
     >>> min(rows, key=lambda row: row["clocks"])["strategy"]

@@ -91,7 +91,7 @@ class Drawing:
     `picture`  rows x columns x 3, 8 bits each of red, green and blue
     `depth`    rows x columns, distance from the eye along the view axis in model units, inf where nothing is seen
     `owner`    rows x columns, index of the primitive that is seen, -1 where nothing is
-    `stats`    all counts: the keys are those of `csgsim render --stats`, docs/stats.md
+    `stats`    all counts: the keys are those of `csgsim render --stats`, docs/settings.md
     `program`  what the machine was sent, a Program
     """
 

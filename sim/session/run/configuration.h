@@ -11,7 +11,7 @@
 #include "sim/session/options/option_list.h"
 #include "sim/story/halfspaces.h"
 
-/// The `configuration` of a stats file: all that a run follows from. docs/stats.md describes every key.
+/// The `configuration` of a stats file: all that a run follows from. docs/settings.md describes every key.
 namespace csgsim::session {
 
 /// What a command runs, beside its options.

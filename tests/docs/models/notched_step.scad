@@ -1,5 +1,5 @@
 // notched_step - a slab and a wall with a notch through the wall into the slab:
-// the model of docs/one-pixel.md, small enough for paper.
+// the model of docs/lessons.md, small enough for paper.
 //
 // 3 primitives: 1 union, 1 difference.
 // Licence: MIT, the csgsim authors.

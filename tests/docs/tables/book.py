@@ -1,4 +1,4 @@
-"""README.md: the list of pages, in the order of the book."""
+"""docs/README.md: the table of contents, in the order of the book."""
 
 import sys
 
@@ -8,10 +8,12 @@ from runs import ROOT
 sys.path.insert(0, str(ROOT / "docs/book"))
 import order  # pylint: disable=wrong-import-position
 
+CONTENTS = "docs/README.md"
+
 
 def pages(_):
     rows = []
     for name, listed in order.parts():
         rows.append((f"**{name}**", ""))
-        rows += [(f"[{title}]({path})", purpose) for path, title, purpose in listed]
-    return ruled(("page", "for"), rows, numbers_from=9)
+        rows += [(f"[{title}]({path.removeprefix('docs/')})", purpose) for path, title, purpose in listed if path != CONTENTS]
+    return ruled(("page", "subject"), rows, numbers_from=9)

@@ -1,4 +1,4 @@
-"""docs/budgets.md: a sphere without facets."""
+"""docs/performance.md: a sphere without facets."""
 
 from figures import ruled
 

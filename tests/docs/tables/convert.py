@@ -32,7 +32,7 @@ def line(name, count, ours, theirs):
 
 
 def times(figures):
-    lines = [row("model", "triangles", "csgsim, s", "OpenSCAD, s", "times as fast"), "|---|--:|--:|--:|--:|"]
+    lines = [row("model", "triangles", "csgsim, s", "OpenSCAD, s", "speed-up"), "|---|--:|--:|--:|--:|"]
     for name in MODELS:
         path = f"tests/models/{name}.csg"
         lines.append(line(f"`{name}`", triangles(figures, path), *both(figures, path)))

@@ -1,4 +1,4 @@
-"""docs/corpus.md: OpenSCAD's own examples on the machines."""
+"""docs/performance.md: OpenSCAD's own examples on the machines."""
 
 import collections
 import re

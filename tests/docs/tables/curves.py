@@ -1,4 +1,4 @@
-"""docs/curves.md."""
+"""docs/shapes.md."""
 
 from figures import point, ruled
 

@@ -75,11 +75,11 @@ def tile(_):
     sizes = tile_bytes(BITS), tile_bytes(BITS - NUMBER_BITS, NUMBERS)
     rows = [("bytes of shared memory a tile", *(f"{size:,}" for size in sizes)),
             ("tiles at a time, of a processor and of the GPU", *(f"{blocks(size)}, {blocks(size) * PROCESSORS}" for size in sizes)),
-            ("operations of an instruction at a tile", f"{STEP * THREADS:,} a clock of the machine", f"{CHAIN * THREADS:,}; as many again if open"),
-            ("bytes to and from shared memory", f"{STEP_BYTES * THREADS:,} a clock of the machine", f"{8 * THREADS:,}; as many again"),
+            ("operations of an instruction at a tile", f"{STEP * THREADS:,} a clock of the machine", f"{CHAIN * THREADS:,}; twice that if open"),
+            ("bytes to and from shared memory", f"{STEP_BYTES * THREADS:,} a clock of the machine", f"{8 * THREADS:,}; twice that if open"),
             (f"operations a byte, where the processor has {LANES / SHARED_WIDTH:.1f}", f"{STEP / STEP_BYTES:.2f}", f"{CHAIN / 8:.2f}"),
             ("clocks of the GPU, if operations alone bound it", f"{step_clocks():.0f} a clock of the machine", f"{CHAIN * THREADS / LANES:.0f}"),
-            ("clocks from an instruction to the next", "the same", f"{chain()}; as many again")]
+            ("clocks from an instruction to the next", "the same", f"{chain()}; twice that if open")]
     return ruled((f"{BITS} bits a pixel", "bit by bit", "by corners"), rows)
 
 

@@ -1,4 +1,4 @@
-"""docs/one-instruction.md: one instruction of One pixel on the wires, worked out by hand and held against a wave of the machine."""
+"""docs/lessons.md: one instruction of One pixel on the wires, worked out by hand and held against a wave of the machine."""
 
 import re
 
@@ -72,14 +72,14 @@ def link(figures):
     wires = Wires(figures)
     z1 = re.search(r"^\.field Z1 \[(\d+)\+:(\d+)\]", story(figures).listing, re.MULTILINE)
     rows, used = [], 0
-    for name, value, bits in (("number of `linear_gt`", OPCODE, 6), ("first bit of Z1", int(z1[1]), 12), ("bits of Z1", int(z1[2]), 6),
+    for name, value, bits in (("opcode of `linear_gt`", OPCODE, 6), ("first bit of Z1", int(z1[1]), 12), ("bits of Z1", int(z1[2]), 6),
                               ("width", wires.width, 6), ("fraction bits to drop", wires.plane.shift, 6),
                               *((name, value, wires.width) for name, value in zip("ABC", (wires.plane.a, wires.plane.b, wires.plane.c)))):
         rows.append((name, minus(value), f"`{value % 2**bits:0{bits}b}`", bits, f"{used} to {used + bits - 1}"))
         used += bits
     if used != said(figures).bits:
         raise Differs(f"{used} bits, not {said(figures).bits}")
-    return ruled(("operand", "value", "in bits", "how many", "places"), rows, numbers_from=9)
+    return ruled(("operand", "value", "binary", "width", "bit positions"), rows, numbers_from=9)
 
 
 def levels(figures):
@@ -94,11 +94,11 @@ def levels(figures):
         rows.append((f"{level[0].upper()}, level {level[-1]}", " + ".join([*terms, "C"]), minus(f"{wires.sum_at(level):,}"),
                      f"{name} has a {1 if place & bit else 0} at {bit}: {share}"))
     rows.append(("pixel", f"{X}A + {Y}B + C", f"{wires.plane.sum_at(X, Y):,}", ""))
-    return ruled(("enters", "is", "streams", "the level adds"), rows, numbers_from=9)
+    return ruled(("input of", "sum", "value", "the level adds"), rows, numbers_from=9)
 
 
-MEANING = {"-": "a bit of the fraction passes by", "compare_from_0": "K := maj(F, ¬Z1, 0)", "compare": "K := maj(F, ¬Z1, K)",
-           "compare_with_0": "K := maj(F, 1, K): no more bits of Z1", "sign_enable": "K := maj(¬F, 0, K); E := E and K: F's sign"}
+MEANING = {"-": "fraction bit, not compared", "compare_from_0": "K := maj(F, ¬Z1, 0)", "compare": "K := maj(F, ¬Z1, K)",
+           "compare_with_0": "K := maj(F, 1, K): beyond Z1", "sign_enable": "K := maj(¬F, 0, K); E := E and K: F's sign"}
 
 
 def pixel(figures):
@@ -117,7 +117,7 @@ def pixel(figures):
         if function != "-" and (carry, enabled) != (int(of("carry", then)), int(of("enable", then))):
             raise Differs(f"clock {clock}: K and E are {carry}, {enabled} by hand, and not in the wave")
         rows.append((clock, f, "" if z1 == "z" else z1, MEANING[function], "" if carry is None else carry, enabled))
-    return ruled(("clock", "F", "Z1", "the ALU", "K then", "E then"), rows, numbers_from=9)
+    return ruled(("clock", "F", "Z1", "ALU", "K after", "E after"), rows, numbers_from=9)
 
 
 def after(function, f, z1, carry, enabled):
@@ -155,7 +155,7 @@ def pictures(figures):
     below = TOP + CELL * len(rows) + 12
     for n, (fill, words) in enumerate(((FRACTION, "fraction"), (FIELD, "meets a bit of Z1"), (BEYOND, "beyond Z1, and the sign"))):
         parts += [art.box(LEFT + 170 * n, below, 16, 14, fill, "#808080"), art.text(LEFT + 170 * n + 24, below + 12, words, 12, anchor="start")]
-    folder = figures.runs.run("true # the picture of docs/one-instruction.md").folder
+    folder = figures.runs.run("true # the picture of docs/lessons.md").folder
     drawing = art.picture(LEFT + CELL * columns + 12, below + 26, "Bits of the linear expression by clock and level of the trees", parts)
     (folder / "trees.svg").write_text(drawing, encoding="utf-8")
     return folder
@@ -181,7 +181,7 @@ def answers(figures):
     return "\n".join([
         f"1. {minus(column)}, which is 8A + C: `csgsim wave step.csgt --probe 8,5 --probe tree.y:0 --window i{NUMBER} -o column.vcd`",
         f"2. {'1' if is_greater else '0'}: F >> 4 is {wires.plane.at(x, y)}, and Z1 is {hand.front('A', x, y)}: `{asked}`",
-        f"3. i{keep}: {taken[0]} clocks and not {taken[1]}, as F comes twice, to compare and to write: `{debug(f'until i{keep}', 'where')}`",
+        f"3. i{keep}: {taken[0]} clocks instead of {taken[1]}, because F is streamed twice, to compare and to write: `{debug(f'until i{keep}', 'where')}`",
     ])
 
 

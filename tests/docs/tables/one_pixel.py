@@ -1,4 +1,4 @@
-"""docs/one-pixel.md: the stream of a small model, what one pixel has after each part of it, and what that costs."""
+"""docs/lessons.md: the stream of a small model, what one pixel has after each part of it, and what that costs."""
 
 import re
 
@@ -23,7 +23,7 @@ def pictures(figures):
         "depth": art.kept(told_by, "N in B shade", place),
         "enabled": art.enabled(told_by, place), "stream": art.stream(told_by),
     }
-    folder = figures.runs.run("true # the pictures of docs/one-pixel.md").folder
+    folder = figures.runs.run("true # the pictures of docs/lessons.md").folder
     for name, drawing in drawn.items():
         (folder / f"{name}.svg").write_text(drawing, encoding="utf-8")
     return folder
@@ -44,7 +44,7 @@ def planes(figures):
         parts = [each for each in (plane.a * X, plane.b * Y, plane.c) if each]
         worked = minus(" + ".join(map(str, parts)) + f" = {plane.sum_at(X, Y)}").replace("+ −", "− ")
         rows.append((name, plane.a, plane.b, plane.c, worked, 2**plane.shift, minus(plane.at(X, Y)), fronts, backs))
-    return ruled(("plane", "A", "B", "C", f"A · {X} + B · {Y} + C", "over", "z", "front of", "back of"),
+    return ruled(("plane", "A", "B", "C", f"A · {X} + B · {Y} + C", "divisor", "z", "front of", "back of"),
                  [tuple(map(minus, row)) for row in rows])
 
 
@@ -55,28 +55,28 @@ def extents(figures):
     for box in BOXES:
         fronts, backs = ([hand.depth(box, face, X, Y) for face in faces] for faces in (by_hand.FRONTS, by_hand.BACKS))
         rows.append((box, minus(", ".join(map(str, fronts))), max(fronts), ", ".join(map(str, backs)), min(backs)))
-    return ruled(("box", "forward planes", "front, the greatest", "backward planes", "back, the least"), rows)
+    return ruled(("box", "forward planes", "front (maximum)", "backward planes", "back (minimum)"), rows)
 
 
-HOLDS = {"Z2": "depth of the nearest surface so far", "Z1": "depth of the surface that is worked on",
-         "colour": "colour of the nearest surface so far: 8 bits each of red, green, blue",
-         "mask": "is the surface in Z1 still to be seen here?"}
+HOLDS = {"Z2": "depth of the nearest surface drawn before", "Z1": "depth of the surface being processed",
+         "colour": "colour of that surface: 8 bits each of red, green, blue",
+         "mask": "1 while the surface in Z1 may be visible here"}
 
 
 def memory(figures):
     fields = re.findall(r"^\.field (\w+) \[(\d+)(?:\+:(\d+))?\]", story(figures).listing, re.MULTILINE)
     rows = [(name, f"{first} to {int(first) + int(bits) - 1}" if bits else first, bits or 1, HOLDS[name]) for name, first, bits in fields]
-    return ruled(("field", "bits of memory", "how many", "holds"), rows, numbers_from=9)
+    return ruled(("field", "bits of memory", "width", "content"), rows, numbers_from=9)
 
 
 WHAT = {
-    "setup": "Z2 becomes nothing, the colour the background's",
-    "render": "edges; the greatest forward plane into Z1; backward planes behind it?",
-    "N render": "edges; the least backward plane into Z1; forward planes before it? Where not, Z1 becomes 255",
-    "test": "Z1 < Z2? The mask keeps the answer", "N in B test": "all pixels again: Z1 < Z2? The mask keeps the answer",
-    "skip": "is any pixel left? If none, jump over the rest of {box}", "classify": "Z1 in {other}? E says so",
-    "mask": "where it is in N, the mask becomes 0; E becomes the mask", "N mask": "the mask becomes E", "merge": "Z2 becomes Z1",
-    "shade": "for each visible plane: where F = Z1, its colour",
+    "setup": "Z2 := 255 (nothing), colour := background",
+    "render": "edge tests; maximum of the forward planes into Z1; are the backward planes behind it?",
+    "N render": "edge tests; minimum of the backward planes into Z1; Z1 := 255 where a forward plane is not before it",
+    "test": "Z1 < Z2? The mask stores the result", "N in B test": "enable all pixels; Z1 < Z2? The mask stores the result",
+    "skip": "if no pixel is enabled, skip the rest of {box}", "classify": "is Z1 in {other}? E holds the result",
+    "mask": "where it is in N, mask := 0; E := mask", "N mask": "mask := E", "merge": "Z2 := Z1",
+    "shade": "for each visible plane: where F = Z1, write its colour",
 }
 
 
@@ -94,7 +94,7 @@ def stream(figures, *names):
             now = step.after[X, Y]
             rows.append((f"i{step.first} to i{step.last}" if step.first < step.last else f"i{step.first}", what(step.name), step.clocks,
                          int(now.enabled), now.z1, now.z2, int(now.mask), f"`#{now.colour:06x}`"))
-    return ruled(("instructions", "what they do", "clocks", "E", "Z1", "Z2", "mask", "colour"), rows, numbers_from=2)
+    return ruled(("instructions", "action", "clocks", "E", "Z1", "Z2", "mask", "colour"), rows, numbers_from=2)
 
 
 HOLD = {"le": ("F ≤ Z1", lambda value, z1: value <= z1), "gt": ("F > Z1", lambda value, z1: value > z1)}
@@ -117,9 +117,9 @@ def answers_to(stream_part, names, z1):
             asked, value = edge(each.text)
             holds = value >= 0
         elif name == "enable_all":
-            asked = "all pixels"
+            asked = "enable all pixels"
         elif name == "set_constant":
-            asked, z1 = "Z1 becomes 0", 0
+            asked, z1 = "Z1 := 0", 0
         elif name == "keep_max":
             value = plane.at(X, Y)
             asked, holds = f"{names[plane]}: F > Z1?", value > z1
@@ -146,7 +146,7 @@ def one_by_one(figures, *named):
         if (z1, enabled) != (machine[X, Y]["Z1"], machine[X, Y]["E"]):
             raise Differs(f"i{n}: Z1 and E are {z1}, {enabled} by hand, {machine[X, Y]} by csgsim debug")
         rows.append((f"i{n}", minus(asked), minus(value), ("yes" if holds else "no") if value != "" else "", each.clocks, z1, enabled))
-    return ruled(("", "asks", "F", "so?", "clocks", "Z1 then", "E then"), rows, numbers_from=4)
+    return ruled(("", "test or action", "F", "result", "clocks", "Z1 after", "E after"), rows, numbers_from=4)
 
 
 def serial(figures):
@@ -156,18 +156,18 @@ def serial(figures):
     plane, width = by_hand.expression(text), int(re.search(r"\(w(\d+)", text)[1])
     bits = [plane.sum_at(X, Y) >> n & 1 for n in range(width)]
     meets = ["–"] * plane.shift + ["Z1"] * 8 + ["sign"] * (width - plane.shift - 8)
-    rows = [("bit of F", *bits), ("meets", *meets)]
+    rows = [("bit of F", *bits), ("compared with", *meets)]
     return ruled(("clock", *range(1, width + 1)), rows)
 
 
 WHY = {
-    "setup": "a clock a bit that is written: 8 of Z2, 24 of the colour; 1 to enable all",
-    "render": "a clock a bit of F; forward planes come twice, to compare and to write",
-    "classify": "a clock a bit of F, once; and the questions whether a pixel is left",
-    "stack": "one bit at a time; 8 where Z1 becomes 255",
-    "merge": "two clocks a bit to compare Z1 with Z2, as one port reads both; one a bit to copy",
-    "shade": "all planes that are seen but the last again, and 24 bits for each colour",
-    "latency": "8 levels of the trees, once, until the last bit has arrived",
+    "setup": "one clock per bit written: 8 of Z2, 24 of the colour; 1 to enable all pixels",
+    "render": "one clock per bit of F; forward planes are streamed twice, to compare and to write",
+    "classify": "one clock per bit of F; also the tests whether any pixel is enabled",
+    "stack": "one clock per bit; 8 to set Z1 to 255",
+    "merge": "two clocks per bit to compare Z1 with Z2, because one port reads both; one per bit to copy",
+    "shade": "all visible planes except the last are streamed again; 24 bits for each colour",
+    "latency": "8 tree levels, once, until the last bit has arrived",
 }
 
 
@@ -177,22 +177,23 @@ def bill(figures):
         rows.append((f"`{purpose}`", of.instructions or "", of.clocks, WHY[purpose]))
     added = sum(row[2] for row in rows)
     clearing = stats.account.parts.controller.clearing
-    waited = "the first words are on their way over the link, and others that were not there in time"
-    rows += [("clear", "", clearing, "memory becomes 0, a bit a clock"), ("waiting", "", stats.clocks - added - clearing, waited),
+    waited = "the first words travel over the link; some later words arrive late"
+    rows += [("clear", "", clearing, "memory is cleared, one bit per clock"), ("waiting", "", stats.clocks - added - clearing, waited),
              ("**all**", len(story(figures).stream), f"{stats.clocks:,}", "")]
     return ruled(("purpose", "instructions", "clocks", "why"), rows, numbers_from=9)
 
 
 MACHINES = {
-    "pixel-planes-4": ("bits", "this one"),
-    "pixel-powers": ("bits", "trees for squares too, which boxes do not need; more memory to clear"),
-    "scan-line": ("bits", "a line at a time: each gets the instructions that meet it, and words of F pass from cell to cell"),
-    "pixel-square": ("stack", "divides the model itself, square by square of 16 × 16; this picture is one square"),
+    "pixel-planes-4": ("bits", "the machine above"),
+    "pixel-powers": ("bits", "has trees for squares, which boxes do not need; more memory to clear"),
+    "scan-line": ("bits", "line by line: a line receives the instructions that touch it, and words of F pass from cell to cell"),
+    "pixel-square": ("stack", "divides the model itself into squares of 16 × 16; this picture is one square"),
     "pixel-planes-5": ("bits", "graphics processors divide the model and send squares of 128 × 128 over a ring to four renderers"),
     "multi-processor": ("stack", "16 processors of 16-bit words share the pixels, and each divides its part of the picture"),
 }
 
-PAGES = {"pixel-planes-4": "pixel-planes.md", "pixel-powers": "pixel-planes.md#pixel-powers", "pixel-planes-5": "pixel-planes.md#pixel-planes-5"}
+
+PAGES = dict.fromkeys(("pixel-planes-4", "pixel-planes-5", "pixel-powers"), "pixel-planes")  # of several machines
 
 
 def machines(figures):
@@ -202,11 +203,11 @@ def machines(figures):
                                "-o $OUT/step.png --stats $OUT/stats.json")
         stats = run.json("stats.json")
         drawn.add((run.folder / "step.png").read_bytes())
-        rows.append((f"[`{name}`](machines/{PAGES.get(name, name + '.md')})", f"`{strategy}`", f"{stats.clocks:,}",
+        rows.append((f"[`{name}`](machines/{PAGES.get(name, name)}.md)", f"`{strategy}`", f"{stats.clocks:,}",
                      f"{stats.clocks / stats.machine.clock_hz * 1e6:,.1f}", words))
     if len(drawn) != 1:
         raise Differs("machines draw different pictures")
-    return ruled(("machine", "strategy", "clocks", "µs", "what changes"), rows, numbers_from=9)
+    return ruled(("machine", "strategy", "clocks", "µs", "difference"), rows, numbers_from=9)
 
 
 def followed(figures):

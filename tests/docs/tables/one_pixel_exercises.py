@@ -1,4 +1,4 @@
-"""The exercises of docs/one-pixel.md: answers by hand, and the commands that show them."""
+"""The exercises of docs/lessons.md: answers by hand, and the commands that show them."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""The pictures of docs/one-pixel.md as SVG: grids of pixels with their numbers, the tree, a ray."""
+"""The pictures of docs/lessons.md as SVG: grids of pixels with their numbers, the tree, a ray."""
 
 import html
 

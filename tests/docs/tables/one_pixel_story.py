@@ -1,4 +1,4 @@
-"""The stream of docs/one-pixel.md, in steps, and what every pixel has after each.
+"""The stream of docs/lessons.md, in steps, and what every pixel has after each.
 
 Nothing is shown before csgsim debug has told, of every pixel after every step, what tests/docs/by_hand.py works out."""
 

@@ -1,4 +1,4 @@
-"""docs/one-seam.md: how a plane is rounded, and the planes of a seam that opens."""
+"""docs/lessons.md: how a plane is rounded, and the planes of a seam that opens."""
 
 import re
 
@@ -13,7 +13,7 @@ MODEL = "tests/docs/models/two_passes.csg"
 CAMERA = "--camera 30,-24,36,3.2,8.2,3"
 VIEW = f"--size 16x16 {CAMERA}"
 X, Y = 7, 7
-FACE = ("N", by_hand.Face(1, True))  # Y = 8 of docs/one-pixel.md
+FACE = ("N", by_hand.Face(1, True))  # Y = 8 of docs/lessons.md
 
 
 def rounded(figures):
@@ -24,7 +24,7 @@ def rounded(figures):
     rows = [(name, minus(f"{real:.3f}"), minus(whole), minus(f"{whole - real:+.3f}"))
             for name, real, whole in zip("ABC", exact, (plane.a, plane.b, plane.c))]
     rows += [(f"F at {x},{y}", f"{at(x, y):.3f}", plane.sum_at(x, y), minus(f"{plane.sum_at(x, y) - at(x, y):+.3f}")) for x, y in ((7, 5), (8, 8))]
-    return ruled(("", "exact", "rounded", "off by"), rows, numbers_from=1)
+    return ruled(("", "exact", "rounded", "error"), rows, numbers_from=1)
 
 
 def shown(figures, options="", pixel=(X, Y), model=MODEL):
@@ -73,8 +73,8 @@ def answers(figures):
     floor = shown(figures, "--snap")[1]
     rows = [(f"{floor - seam(figures).ends:,} steps: the floor is at {floor:,}", explain(" --snap"), f"depth     {floor} steps"),
             (f"No: {seam(figures).thick} steps of a million are far less than one of 256, and both planes round to the same depth", explain(" --z-bits 8"), "shows p1"),
-            ("No: the planes differ in the model, and more bits tell them apart the better", explain(" --fraction-bits 16"), "shows p2"),
-            ("No wall: where passes overlap it does not matter which of two planes is nearer",
+            ("No: the planes differ in the model, and more bits separate them better", explain(" --fraction-bits 16"), "shows p2"),
+            ("No wall: where the passes overlap, it does not matter which plane is nearer",
              REACHING + explain("").replace("$MODEL", "reach.csg"), "shows p")]
     made = []
     for n, (words, command, wanted) in enumerate(rows, 1):

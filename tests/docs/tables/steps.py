@@ -10,16 +10,20 @@ VARIES = ("simulated in",)
 
 
 class Steps:
-    """The indented code of a page, a text for each stretch of lines, in a folder where `links` of the repository are."""
+    """The indented code of a page, or of a section of it, one text per stretch of lines, in a folder with `links` to the repository."""
 
-    def __init__(self, page, links, not_run=()):
+    def __init__(self, page, links, not_run=(), section=None):
         self.page = page
+        self.section = section
         self.links = links
         self.not_run = NOT_RUN + tuple(not_run)
 
     def texts(self):
         found, lines, is_printed = [], [], False
-        for line in (ROOT / self.page).read_text(encoding="utf-8").splitlines() + [""]:
+        text = (ROOT / self.page).read_text(encoding="utf-8")
+        if self.section:
+            text = text.split(f"\n## {self.section}\n")[1].split("\n## ")[0]
+        for line in text.splitlines() + [""]:
             is_printed ^= line.startswith("```")
             if line.startswith("    ") and not is_printed:
                 lines.append(line[4:])

@@ -1,10 +1,10 @@
-"""docs/tasks.md, with what its wave shows of the multiplier trees."""
+"""The three tasks of docs/view.md, and the values that their wave shows in the multiplier trees."""
 
 import re
 
 from .steps import Steps
 
-STEPS = Steps("docs/tasks.md", links=["hw", "tests", "traces"], not_run=["gtkwave"])
+STEPS = Steps("docs/view.md", links=["hw", "tests", "traces"], not_run=["gtkwave"], section="Three tasks")
 lines = STEPS.lines
 folder = STEPS.folder
 
@@ -69,7 +69,7 @@ def trees(figures, column, row):
     wave = Wave(folder(figures) / "trees.vcd")
     text = wave.instruction()
     a, b, c, width = expression(text)
-    table = [f"The instruction is `{text}`.", "", "| wire | streams | which is |", "|---|---:|---|"]
+    table = [f"The instruction is `{text}`.", "", "| wire | value | expression |", "|---|---:|---|"]
     for level in LEVELS:
         axis, depth = level[0], int(level[2])
         upper = lambda place: place & (SIZE - (SIZE >> depth))  # its highest bits, as many as there are levels above

@@ -1,4 +1,4 @@
-"""docs/waves.md: what stepped trees take."""
+"""docs/debugging.md: what stepped trees take."""
 
 from figures import THESIS_MODELS, ruled
 
