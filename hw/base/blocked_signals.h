@@ -4,7 +4,7 @@
 
 namespace csgsim {
 
-/// This thread lets no signals through until the object goes.
+/// Blocks all signals in this thread during the object's lifetime.
 class BlockedSignals {
  public:
   BlockedSignals() {

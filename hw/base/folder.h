@@ -4,7 +4,7 @@
 
 namespace csgsim {
 
-/// Makes a folder, with those that it is in, where there is none. Throws InputError.
+/// Creates the folder and its missing parents. Throws InputError.
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace csgsim

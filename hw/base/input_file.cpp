@@ -24,9 +24,9 @@ namespace {
   throw InputError(fmt::format("{}: cannot be read: {}", path.native(), why));
 }
 
-/// The system would take what is before it.
+/// The system calls would end the name at the zero byte.
 void refuse_zero_byte(const std::filesystem::path& path) {
-  if (path.native().find('\0') != std::string::npos) fail(path, "its name has a zero byte; leave it out");
+  if (path.native().find('\0') != std::string::npos) fail(path, "its name contains a zero byte; remove it");
 }
 
 std::string all_of(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
@@ -39,7 +39,7 @@ std::string all_of(const Descriptor& file, const std::filesystem::path& path, co
   std::string bytes;
   try {
     bytes.reserve(expected);
-    // One more tells that it is longer, where there can be more.
+    // One byte more than the limit shows that the file is too long; max() guards against overflow.
     const std::size_t most = std::max(kind.most_bytes, kind.most_bytes + 1);
     if (const std::error_code error = read_to_end(file, bytes, most)) fail(path, error.message());
   } catch (const std::bad_alloc&) {
@@ -84,7 +84,7 @@ void require_regular(const Descriptor& file, const std::filesystem::path& path, 
 
 Descriptor open_regular_file(const std::filesystem::path& path, const InputKind& kind) {
   refuse_zero_byte(path);
-  // What is there is looked at before it is opened: that of a device may have effects.
+  // The file is examined before it is opened: opening a device may have side effects.
   const Descriptor seen(::open(path.c_str(), O_PATH | O_CLOEXEC));
   if (!seen.is_open()) {
     if (errno == ENOENT || errno == ENOTDIR) return {};

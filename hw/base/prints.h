@@ -4,10 +4,10 @@
 
 namespace csgsim {
 
-/// Prints text of a result on standard output, as it is.
+/// Prints text of a result to standard output, unchanged.
 void print_text(std::string_view text);
 
-/// While it lives, what this thread prints so goes nowhere: its caller gets the result itself.
+/// Discards what this thread passes to print_text() during the object's lifetime; the caller uses the result itself.
 class SilentPrints {
  public:
   SilentPrints() noexcept;

@@ -4,7 +4,7 @@
 
 namespace csgsim {
 
-/// Wall time that has passed.
+/// Wall time since `begin`, in seconds.
 inline double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
