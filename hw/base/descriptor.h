@@ -27,7 +27,7 @@ class Descriptor {
   [[nodiscard]] int number() const { return number_; }
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
 
-/// Closes the descriptor if it is open. The error matters: a network file system may report a failed write only here.
+  /// Closes the descriptor if it is open. The error matters: a network file system may report a failed write only here.
   std::error_code close();
 
  private:

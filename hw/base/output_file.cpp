@@ -28,8 +28,8 @@ void check(const fs::path& path, const std::error_code& error) {
   if (error) fail_to_write(path, error);
 }
 
-/// Throws if the place has a file without write permission, even if its folder would permit a replacement, or if no file
-/// can have that name.
+/// Throws if the place has a file without write permission, even if its folder would permit a replacement, or if no
+/// file can have that name.
 void check_place(const fs::path& requested, const fs::path& place) {
   const bool is_there = ::faccessat(AT_FDCWD, place.c_str(), F_OK, AT_EACCESS) == 0;
   if (!is_there && errno != ENOENT) fail_to_write(requested, last_error());
@@ -46,7 +46,8 @@ void refuse_kept_input(const fs::path& requested, const fs::path& place) {
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-/// Duplicates standard output or error if the path names the same stream, which keeps its position; else opens the path.
+/// Duplicates standard output or error if the path names the same stream, which keeps its position; else opens the
+/// path.
 Descriptor open_stream(const fs::path& path) {
   struct stat wanted {};
   if (::stat(path.c_str(), &wanted) != 0) return {};
@@ -59,7 +60,8 @@ Descriptor open_stream(const fs::path& path) {
 }
 
 [[noreturn]] void fail_on_terminal(const fs::path& path) {
-  throw InputError(path.native() + ": a terminal cannot show binary data; name a file, or pipe the output to a program");
+  throw InputError(path.native() +
+                   ": a terminal cannot show binary data; name a file, or pipe the output to a program");
 }
 
 /// Makes the file's name durable: the folder's entry has to reach the disk, too.

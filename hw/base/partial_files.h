@@ -7,8 +7,8 @@
 
 namespace csgsim {
 
-/// A file name with that ending that no other file has, in this process, in others on this machine, or on other machines
-/// that share the folder.
+/// A file name with that ending that no other file has, in this process, in others on this machine, or on other
+/// machines that share the folder.
 std::filesystem::path unused_name(std::string_view ending = {});
 
 /// Registers a file for deletion if a signal ends the process during the object's lifetime.
@@ -23,8 +23,8 @@ class PartialFile {
   std::optional<std::size_t> slot_;
 };
 
-/// Installs handlers that delete all registered files before a catchable signal ends the process (interrupt, CPU time or
-/// file size limit, broken pipe, alarm, ...). Ignored signals stay ignored.
+/// Installs handlers that delete all registered files before a catchable signal ends the process (interrupt, CPU time
+/// or file size limit, broken pipe, alarm, ...). Ignored signals stay ignored.
 void delete_partial_files_on_signals();
 
 }  // namespace csgsim

@@ -7,7 +7,7 @@
 
 namespace csgsim::isa {
 
-/// Of every piece that an instruction of the lines serves, in the order of the pieces.
+/// The row extent of each piece that occurs in the lines' instructions, in the order of the pieces.
 std::vector<RowExtent> extents_of(std::span<const Segment> lines);
 
 }  // namespace csgsim::isa

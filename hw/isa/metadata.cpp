@@ -40,7 +40,7 @@ json numbers_of(const Record& record) {
   return row;
 }
 
-/// With what its group's division takes and the number of its steps, where there is a display model.
+/// With the counts of its group's division and the number of its steps if there is a display model.
 json segment_row(const Segment& segment, bool divided) {
   json row = numbers_of(segment);
   if (divided) {
@@ -93,7 +93,7 @@ const json& member_of(const json& object, const char* key) {
   return *found;
 }
 
-/// The elements of an array of exactly so many.
+/// The elements of an array, which must have `size` elements.
 const json& row_of(const json& value, std::string_view what, std::size_t size) {
   if (!value.is_array() || value.size() != size) malformed(what, fmt::format("a list of {}", size));
   return value;
@@ -113,7 +113,7 @@ void read(const json& value, std::string_view what, RowExtent& extent) {
   read(row[1], what, extent.last);
 }
 
-/// A record whose members stand in a row, in their order.
+/// A record stored as a row of its members in order.
 template <class Record>
 requires std::same_as<Record, DivisionStep> || std::same_as<Record, Preparation>
 void read(const json& value, std::string_view what, Record& record) {
@@ -130,18 +130,18 @@ void read(const json& value, std::string_view what, std::vector<Element>& member
   for (const json& element : value) read(element, what, member.emplace_back());
 }
 
-/// How many each primitive has.
+/// Reads the number of pieces of each primitive.
 void read_pieces(const json& value, Facts& facts) {
   std::vector<std::uint32_t> counts;
   read(value, "pieces", counts);
   const std::uint64_t all = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
   const bool has_none = std::find(counts.begin(), counts.end(), 0U) != counts.end();
   if (has_none || counts.size() != facts.primitives.size() || all > most_pieces)
-    malformed("pieces", fmt::format("a number above 0 for each primitive, {} at most together", most_pieces));
+    malformed("pieces", fmt::format("a number above 0 for each primitive, at most {} in total", most_pieces));
   set_piece_counts(counts, facts);
 }
 
-/// What a row tells besides the segment itself.
+/// Counts in a segment's row that are not stored in the segment.
 struct SegmentSizes {
   std::uint64_t steps = 0;
   std::uint64_t instructions = 0;
@@ -168,19 +168,19 @@ SegmentSizes read_segment(const json& value, bool divided, Segment& segment) {
   return sizes;
 }
 
-/// Gives each segment as many of the steps as its row says.
+/// Distributes the steps to the segments by the counts of their rows.
 void share_out(const std::vector<DivisionStep>& steps, std::span<const std::uint64_t> counts, Program& program) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] > steps.size() - next) malformed("steps", "as long as its segments say");
+    if (counts[i] > steps.size() - next) malformed("number of steps", "the sum of the segments' step counts");
     const auto first = steps.begin() + static_cast<std::ptrdiff_t>(next);
     program.segments[i].division->steps.assign(first, first + static_cast<std::ptrdiff_t>(counts[i]));
     next += static_cast<std::size_t>(counts[i]);
   }
-  if (next != steps.size()) malformed("steps", "as long as its segments say");
+  if (next != steps.size()) malformed("number of steps", "the sum of the segments' step counts");
 }
 
-/// Of the frame and of each segment; nothing where nobody has counted.
+/// One row for the frame and one per segment; null if nothing was counted.
 json preparation_rows(const Program& program) {
   bool any = *program.preparation != Preparation{};
   json rows = json::array({numbers_of(*program.preparation)});
@@ -192,12 +192,13 @@ json preparation_rows(const Program& program) {
 }
 
 void share_out(const std::vector<Preparation>& rows, Program& program) {
-  if (rows.size() != program.segments.size() + 1) malformed("preparation", "a row for the frame and each segment");
+  if (rows.size() != program.segments.size() + 1)
+    malformed("preparation", "one row for the frame and one for each segment");
   *program.preparation = rows.front();
   for (std::size_t i = 0; i < program.segments.size(); ++i) *program.segments[i].preparation = rows[i + 1];
 }
 
-/// Refuses nesting deeper than encode_metadata makes, which bounds the recursion of the reader of CBOR.
+/// Rejects deeper nesting than encode_metadata() writes, which bounds the recursion of the CBOR reader.
 class DepthGuard : public nlohmann::json_sax<json> {
  public:
   bool null() override { return true; }
@@ -219,21 +220,22 @@ class DepthGuard : public nlohmann::json_sax<json> {
   int depth_ = 0;
 };
 
-/// Refuses strings in pieces, which encode_metadata does not write: the reader of CBOR calls itself for each piece, and
-/// a piece may be in pieces again. Items stand one behind the other whatever they are part of.
-void refuse_strings_in_pieces(std::span<const std::byte> cbor) {
+/// Rejects indefinite-length strings, which encode_metadata() never writes: the CBOR reader recurses for each chunk,
+/// and chunks may nest. A flat scan suffices because the items of CBOR follow one another at any nesting depth.
+void refuse_indefinite_strings(std::span<const std::byte> cbor) {
   constexpr unsigned bytes_major = 2;
   constexpr unsigned text_major = 3;
   constexpr unsigned first_long = 24;  // the argument follows in 1, 2, 4 or 8 bytes
   constexpr unsigned last_long = 27;
-  constexpr unsigned in_pieces = 31;
+  constexpr unsigned indefinite_length = 31;
   ByteReader in(cbor);
   while (in.left() > 0) {
     const unsigned head = in.byte();
     const unsigned major = head >> 5U;
     std::uint64_t argument = head & 0x1fU;
     const bool is_string = major == bytes_major || major == text_major;
-    if (is_string && argument == in_pieces) throw MalformedBytes("has metadata with a string in pieces");
+    if (is_string && argument == indefinite_length)
+      throw MalformedBytes("has metadata with an indefinite-length string");
     if (argument >= first_long && argument <= last_long) {
       const unsigned size = 1U << (argument - first_long);
       argument = 0;
@@ -244,7 +246,7 @@ void refuse_strings_in_pieces(std::span<const std::byte> cbor) {
 }
 
 json parse_cbor(std::span<const std::byte> cbor) {
-  refuse_strings_in_pieces(cbor);
+  refuse_indefinite_strings(cbor);
   const auto* begin = reinterpret_cast<const std::uint8_t*>(cbor.data());
   const auto* end = begin + cbor.size();
   DepthGuard guard;
@@ -255,8 +257,8 @@ json parse_cbor(std::span<const std::byte> cbor) {
   return parsed;
 }
 
-/// Metadata of the first version that can be read, as this one has it: it names no machine, its background stands among
-/// the settings, and the field of role colour is shown.
+/// Converts metadata of the first readable version to the current one. The old version names no machine, keeps the
+/// background in the compile record, and displays the field with the role colour.
 json upgraded(json root) {
   json shown{
       {"colour_base", 0}, {"colour_bits", 0}, {"background", member_of(member_of(root, "compile"), "background")}};
