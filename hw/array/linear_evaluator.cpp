@@ -6,17 +6,17 @@ namespace csgsim::array {
 
 namespace {
 
-/// What a node has in its streams: the value at its first leaf, what it grows by from there to the next leaf but for
-/// the square's coefficient, and in the X tree the slope along the column.
+/// Values of a node's streams: the value at its first leaf, its growth to the next leaf without the square term, the
+/// square coefficient, and in the X tree the slope along the column.
 struct Node {
   std::uint64_t value = 0;
   std::uint64_t slope = 0;
   std::uint64_t square = 0;
   std::uint64_t row_slope = 0;
-  std::uint64_t cross = 0;  ///< by which the last grows from leaf to leaf
+  std::uint64_t cross = 0;  ///< growth of row_slope from leaf to leaf
 };
 
-/// A right child is `half` leaves on; 0 if there is none.
+/// The right child is `half` leaves further on; 0 if there is none.
 LevelProbe probe_of(const StreamBit& bit, const Node& node, std::uint64_t half) {
   if (!bit.token.active()) return {};
   const auto of = [&](std::uint64_t value) { return bit.token.of(value); };
@@ -35,10 +35,10 @@ LevelProbe probe_of(const StreamBit& bit, const Node& node, std::uint64_t half) 
           .row_slope_carry = carry(node.row_slope, half * node.cross)};
 }
 
-/// The first leaf of the node of a level, so many levels above the leaves, that covers that leaf.
+/// First leaf of the node that covers `leaf` and lies `below` levels above the leaves.
 std::uint32_t node_of(std::uint32_t leaf, unsigned below) { return leaf >> below << below; }
 
-/// The leaves from the node's first to its right child's; 0 if it has none.
+/// Distance in leaves from the node's first leaf to its right child's; 0 if it has no right child.
 std::uint64_t half_of(std::uint32_t node, unsigned below, std::uint32_t leaves) {
   const std::uint64_t half = below == 0 ? 0 : std::uint64_t{1} << (below - 1);
   return node + half < leaves ? half : 0;
@@ -85,7 +85,7 @@ bool LinearEvaluator::clock(const RootBits& root, StreamBit& leaves) {
   return true;
 }
 
-/// What entered so many clocks ago.
+/// The bits that entered `clocks` clocks ago.
 StreamBit LinearEvaluator::at(unsigned clocks, const RootBits& root) const {
   if (clocks == 0) return entering(root);
   const std::size_t place = oldest_ + clocks - 1;

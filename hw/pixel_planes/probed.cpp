@@ -79,7 +79,7 @@ array::PixelReplay replay_until(const isa::Program& program, const std::vector<b
     return replay;
   };
   array::PixelReplay quick = replayed(true);
-  return quick.knows_registers() ? quick : replayed(false);
+  return quick.registers_known() ? quick : replayed(false);
 }
 
 array::Place place_of(wave::Pixel pixel, const isa::Program& program) {
