@@ -74,7 +74,7 @@ struct LevelProbe {
 /// multiplicand wire. The stream reaches level k after k clocks, and the multiplicand n-1 clocks after the stream's
 /// first bit, so at level k the multiplicand has weight 2^(n-1-k); before its first bit it counts as 0.
 ///
-/// In trees with w bits per clock each adder is w bits wide and stores the carry out of its top bit. A factor of two
+/// If w bits enter per clock, each adder is w bits wide and stores the carry out of its top bit. A factor of two
 /// is then one bit instead of one clock, so each level needs its own tap. For weight 2^s, s = n-1-k, bit j - s of the
 /// multiplicand has to meet bit j of the stream at level k. The wires are tapped twice, floor(s / w) clocks after they
 /// passed with the stream's bits and one clock later; w of these 2w bits are added, beginning s mod w below the first

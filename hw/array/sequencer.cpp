@@ -70,7 +70,7 @@ BitStep Sequencer::once(ArrayStep step) {
   return {.root = {}, .pixels = step, .last = true};
 }
 
-/// Issues as many bits of the linear expression as the trees deliver in a clock; the stream is sent `passes` times.
+/// Issues the bits of the linear expression that the trees deliver in a clock; the stream is sent `passes` times.
 BitStep Sequencer::stream_bits(const Places& places, unsigned passes) {
   const ArrayStep step = linear_step(places);
   const isa::Linear& linear = instruction_.linear;
@@ -92,7 +92,7 @@ BitStep Sequencer::stream_bits(const Places& places, unsigned passes) {
   return {.root = root, .pixels = step, .last = !busy_};
 }
 
-/// Issues as many bits of a field instruction as the ALU processes in a clock.
+/// Issues the bits of a field instruction that the ALU processes in a clock.
 BitStep Sequencer::field_bits(ArrayStep step) {
   step.bits = step_bits();
   bit_ += step.bits;

@@ -15,8 +15,8 @@ struct BitStep {
   bool last = false;  ///< whether this is the last step of its instruction
 };
 
-/// Expands an instruction into bit steps, one per clock. A step on fields processes as many adjacent bits as the ALU is
-/// wide, a step on a linear expression as many as the trees deliver; the remainder of a root takes one bit per clock.
+/// Expands an instruction into bit steps, one per clock. A step on fields processes `alu_bits` adjacent bits, a step on
+/// a linear expression `evaluator_bits`; the remainder of a root takes one bit per clock.
 class Sequencer {
  public:
   /// `memory_reads`: read ports of pixel memory, 1 or 2. `alu_bits`: bits that the ALU processes in a clock.

@@ -27,7 +27,7 @@ class SteppedEvaluator {
   /// Returns the token of these bits, at the same clocks as LinearEvaluator::clock.
   Token clock(const RootBits& root, std::span<std::uint64_t> leaves);
 
-  // As in LinearEvaluator; `pixel` must be one of the built pixels. Trees of degree 1 have no slopes.
+  // Same signals as in LinearEvaluator; `pixel` must be one of the built pixels. Trees of degree 1 have no slopes.
   [[nodiscard]] LevelProbe x_level(unsigned level, std::uint32_t x, const RootBits& root) const;
   [[nodiscard]] LevelProbe y_level(unsigned level, Place pixel, const RootBits& root) const;
 

@@ -19,7 +19,7 @@ namespace {
 
 /// The dynamic linker's search path for the object that contains this code: LD_LIBRARY_PATH, its run path and the
 /// system's folders. The linker is queried for folders, not for the module, because a sanitizer that intercepts dlopen
-/// would search the run path of its own library. Relative folders are dropped, so the current folder is never searched.
+/// would search the sanitizer's run path. Relative folders are dropped, so the current folder is never searched.
 std::vector<std::filesystem::path> library_folders() {
   Dl_info unused{};
   void* object = nullptr;

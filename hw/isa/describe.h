@@ -115,7 +115,7 @@ void describe(T& preparation, Visit&& visit) {
   visit("nodes", preparation.nodes);
 }
 
-/// Without the steps.
+/// The group's counts, without the steps.
 template <Any<DivisionCounts> T, class Visit>
 void describe(T& division, Visit&& visit) {
   visit("group_boxes", division.group_boxes);

@@ -40,7 +40,7 @@ json numbers_of(const Record& record) {
   return row;
 }
 
-/// With the counts of its group's division and the number of its steps if there is a display model.
+/// A row that includes the counts of the group's division and the number of steps if there is a display model.
 json segment_row(const Segment& segment, bool divided) {
   json row = numbers_of(segment);
   if (divided) {

@@ -35,14 +35,14 @@ bool GlobalOr::any_enabled() {
   return found;
 }
 
-/// No pixel's enable changes while a question is at the pixels, so that the wire need not be looked at again.
+/// Sensitive to the question only: no enable bit changes while a question is at the pixels.
 void GlobalOr::reduce() {
   const bool asked = question.read();
   answer.write({.valid = asked, .any_enabled = asked && any_enabled()});
 }
 
-/// From the last level to the first, so that each takes what the one before it held. Bits that nobody asks for stay.
-/// Sleeps while nobody asks.
+/// Goes from the last level to the first, so that each reads the old value of the level before it. Registers without a
+/// question keep their bits. Sleeps while no question is pending.
 void GlobalOr::shift() {
   if (!clock.posedge()) return;
   for (std::size_t i = levels_.size() - 1; i > 0; --i) {
@@ -57,7 +57,7 @@ void GlobalOr::shift() {
   if (rests && !question.read()) next_trigger(question.value_changed_event());
 }
 
-/// A gate of the first level has pixels that follow each other in row order.
+/// Each gate of the first level combines consecutive pixels in row order.
 void GlobalOr::gather_enable(Level& level) {
   std::fill(level.bits.begin(), level.bits.end(), false);
   if (foretold_) {

@@ -325,12 +325,12 @@ TEST_CASE("a Program that draws where the picture before stands is refused") {
   CHECK_NOTHROW(check({.opcode = Opcode::set_constant, .fields = {{{20, 12}}}}, 8));
   CHECK_THROWS_WITH_AS(
       check({.opcode = Opcode::set_constant, .fields = {{{20, 13}}}}, 8),
-      "segment 0, instruction 1: set_constant meets the 8 bits from bit 32 on, from which mine shows a "
-      "picture while the next is drawn; compile the model for this machine, or take one whose "
-      "scan_out.buffers is 1",
+      "segment 0, instruction 1: set_constant overlaps the 8 bits from bit 32 on, from which mine displays a "
+      "picture while it draws the next; compile the model for this machine, or use a machine with "
+      "scan_out.buffers = 1",
       InputError);
   CHECK_THROWS_WITH_AS(check({.opcode = Opcode::enable_all}, 21),
-                       doctest::Contains("the colour field meets the 21 bits from bit 19 on"), InputError);
+                       doctest::Contains("the colour field overlaps the 21 bits from bit 19 on"), InputError);
   machine = with_buffers(machine, 1, ScanOutPort::own);
   CHECK_NOTHROW(check({.opcode = Opcode::set_constant, .fields = {{{20, 13}}}}, 21));
 }
