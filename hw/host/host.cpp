@@ -23,14 +23,14 @@ namespace {
 
 using processors::Operations;
 
-/// The most clocks of a frame that are told: a double holds them.
-constexpr double most_clocks = 9e15;
+/// Maximum clocks of a frame; a double represents it exactly.
+constexpr double max_clocks = 9e15;
 
 void add(const isa::Preparation& preparation, Operations& all) {
   for (const Recipe& recipe : recipes()) all += preparation.*recipe.count * recipe.each;
 }
 
-/// Read once: it is asked for each frame.
+/// Reads the processor's description once, because it is needed for each frame.
 const processors::Processor& processor_of(const machines::Machine& machine) {
   constexpr std::size_t all = machines::host_processor_names.size();
   static std::array<std::once_flag, all> once;
@@ -65,10 +65,10 @@ std::uint64_t compile_clocks(const isa::Program& program, const machines::Machin
   if (machine.host.processor == machines::ideal_processor) return 0;
   const double seconds = processors::seconds(operations_of(program, machine), processor_of(machine));
   const double clocks = std::ceil(seconds * static_cast<double>(machine.clock_hz) / machine.kind->hosts(machine));
-  if (!(clocks <= most_clocks)) {
+  if (!(clocks <= max_clocks)) {
     throw InputError(
-        fmt::format("the host {} takes {:.3g} clocks for the frame, more than can be told; take a faster "
-                    "one, by host.processor",
+        fmt::format("the host {} takes {:.3g} clocks for the frame, more than the limit of 9e15; choose a faster "
+                    "host.processor",
                     machines::host_processor_names.at(machine.host.processor), clocks));
   }
   return static_cast<std::uint64_t>(clocks);
@@ -82,8 +82,8 @@ machines::FrameTiming with_host(machines::FrameTiming timing, const isa::Program
 }
 
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
-                                 const machines::Told& told) {
-  return with_host(machine.kind->time(program, machine, told), program, machine);
+                                 const machines::Told& outcome) {
+  return with_host(machine.kind->time(program, machine, outcome), program, machine);
 }
 
 }  // namespace csgsim::host

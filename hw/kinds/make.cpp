@@ -26,8 +26,8 @@ std::unique_ptr<systemc::ClockedMachine> make_clocked_machine(const machines::Ma
   if (form == systemc::EvaluatorForm::worked_out) return maker_of(machine).make(machine);
   if (can_be_stepped(machine)) return maker_of(machine).make_stepped(machine);
   throw InputError("a machine of kind " + std::string(machine.kind->name) +
-                   " has no multiplier trees that can be stepped; take one of kind frame-buffer or pixel-square, or "
-                   "the trees worked out");
+                   " has no multiplier trees that can be stepped; use one of kind frame-buffer or pixel-square, or "
+                   "computed trees");
 }
 
 bool can_be_stepped(const machines::Machine& machine) { return maker_of(machine).make_stepped != nullptr; }

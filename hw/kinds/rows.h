@@ -7,10 +7,10 @@
 
 namespace csgsim::kinds {
 
-/// Every kind of machine that comes with csgsim.
+/// All kinds of machines.
 std::span<const machines::Kind* const> all();
 
-/// The machines' descriptions that come with csgsim.
+/// Descriptions of the built-in machines.
 std::span<const machines::BuiltIn> built_in();
 
 }  // namespace csgsim::kinds

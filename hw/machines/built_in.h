@@ -4,10 +4,10 @@
 
 namespace csgsim::machines {
 
-/// A description that comes with csgsim.
+/// A built-in description.
 struct BuiltIn {
   std::string_view name;
-  std::string_view text;  ///< of NAME.toml
+  std::string_view text;  ///< content of NAME.toml
 };
 
 }  // namespace csgsim::machines

@@ -4,7 +4,7 @@
 
 namespace csgsim::machines {
 
-/// What is wrong with a change of a figure that was asked for, where the description itself is right.
+/// A requested change of a parameter is wrong, while the description itself is valid.
 class ChangeError : public InputError {
  public:
   using InputError::InputError;

@@ -25,7 +25,7 @@ const Kind& kind_of(const FigureFile& file, std::span<const Kind* const> kinds) 
   if (found != kinds.end()) return **found;
   std::vector<std::string_view> names;
   for (const Kind* one : kinds) names.push_back(one->name);
-  file.fail("kind", fmt::format("unknown kind '{}'; there are {}", kind, fmt::join(names, ", ")));
+  file.fail("kind", fmt::format("unknown kind '{}'; the kinds are {}", kind, fmt::join(names, ", ")));
 }
 
 std::vector<FigureForm> forms_of(std::span<const FigureSchema> schema) {
@@ -60,8 +60,8 @@ Machine read_machine(const FigureFile& file, std::span<const Kind* const> kinds)
 
 Machine read_description(std::string_view text, std::string_view file, std::span<const Kind* const> kinds,
                          std::span<const std::string> changes) {
-  return read_changed(text, file, changes, [&](const toml::table& root, const std::string& said) {
-    return read_machine(FigureFile(root, file, said), kinds);
+  return read_changed(text, file, changes, [&](const toml::table& root, const std::string& spec) {
+    return read_machine(FigureFile(root, file, spec), kinds);
   });
 }
 

@@ -4,8 +4,7 @@
 
 namespace csgsim::machines {
 
-/// For kinds whose pixels are below multiplier trees: throws FigureError if these bring the ALU more bits in a clock
-/// than it takes.
+/// For kinds with multiplier trees: throws FigureError if the trees deliver more bits per clock than the ALU processes.
 void check_evaluator(const Machine& machine);
 
 }  // namespace csgsim::machines

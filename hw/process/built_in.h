@@ -6,7 +6,7 @@
 
 namespace csgsim::process {
 
-/// The processes' descriptions that come with csgsim.
+/// Descriptions of the built-in processes.
 std::span<const machines::BuiltIn> built_in_processes();
 
 }  // namespace csgsim::process

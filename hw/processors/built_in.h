@@ -6,7 +6,7 @@
 
 namespace csgsim::processors {
 
-/// The processors' descriptions that come with csgsim.
+/// Descriptions of the built-in processors.
 std::span<const machines::BuiltIn> built_in_processors();
 
 }  // namespace csgsim::processors

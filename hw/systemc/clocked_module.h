@@ -4,7 +4,7 @@
 
 namespace csgsim::systemc {
 
-/// A part that acts at each rising edge of the clock.
+/// Base class of modules that act at each rising edge of the clock.
 class ClockedModule : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};

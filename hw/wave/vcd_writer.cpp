@@ -11,10 +11,10 @@ namespace csgsim::wave {
 
 namespace {
 
-constexpr std::string_view clock_code = "!";    // of variables that are no taps
-constexpr std::string_view number_code = "\"";  // which clock it is
+constexpr std::string_view clock_code = "!";    // variable `clock`
+constexpr std::string_view number_code = "\"";  // variable `clock_number`
 
-/// The n-th short name of printable characters, after those.
+/// The n-th short code of printable characters after those two.
 std::string code_of(std::size_t n) {
   constexpr std::size_t characters = 94;
   std::string code;

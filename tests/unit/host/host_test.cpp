@@ -117,7 +117,8 @@ TEST_CASE("a Program that says it took more than any clock can tell is refused")
   const machines::Machine machine = machine_named("pixel-planes-4");
   isa::Program program = drawn_on(machine);
   program.preparation->planes = 1'000'000'000'000;
-  CHECK_THROWS_WITH_AS(host::compile_clocks(program, machine), doctest::Contains("more than can be told"), InputError);
+  CHECK_THROWS_WITH_AS(host::compile_clocks(program, machine), doctest::Contains("more than the limit of 9e15"),
+                       InputError);
 }
 
 TEST_CASE("a host's operations are those of a Program's numbers, of its segments and of what is written") {
