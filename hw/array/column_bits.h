@@ -1,3 +1,5 @@
+// Tables of the column-dependent bits of linear expressions.
+// Used by DeferredPixels.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Deferred, batched execution of pixel processors.
+// Used by PixelArray.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Vectorized loops over bit planes.
+// Used by hw/array.
 #pragma once
 
 #include <cstddef>

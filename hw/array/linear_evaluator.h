@@ -1,3 +1,5 @@
+// Model of the linear expression evaluator, computed from coefficients.
+// Used by hw/array and hw/pixel_planes.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Pixel processors and memories of an array.
+// Used by hw/pixel_planes, hw/systemc and PixelReplay.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Bit planes: one 64-bit word holds one bit of 64 pixels.
+// Used by hw/array, hw/pixel_planes, hw/pixel_square and hw/systemc.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Expands instructions into bit steps.
+// Used by the controllers of hw/pixel_planes and hw/pixel_square, and by PixelReplay.
 #pragma once
 
 #include <cstdint>

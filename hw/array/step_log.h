@@ -1,3 +1,5 @@
+// Log of pending bit steps, merged into runs.
+// Used by DeferredPixels and its kernels.
 #pragma once
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Model of the linear expression evaluator, adder by adder.
+// Used by hw/pixel_planes.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Multiplier tree with registers and serial adders.
+// Used by SteppedEvaluator.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Bits of an expression's stream on wires and in registers.
+// Used by hw/array.
 #pragma once
 
 #include <cstdint>

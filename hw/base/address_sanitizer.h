@@ -1,3 +1,5 @@
+// Detects builds with AddressSanitizer.
+// Used by hw/systemc, sim/pictures and tests.
 #pragma once
 
 /// CSGSIM_ADDRESS_SANITIZER: 1 if the build uses the address sanitizer, else 0. GCC and clang report it differently.

@@ -1,3 +1,5 @@
+// Blocks signals in a thread for a scope.
+// Used by OutputFolder, sim/system and sim/waves.
 #pragma once
 
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): pthread_sigmask is POSIX

@@ -1,3 +1,5 @@
+// Owner of a POSIX file descriptor, with read, write and sync functions.
+// Used for files in hw/base and host/read, and by sim/system, sim/session, sim/studies and sim/web.
 #pragma once
 
 #include <string>

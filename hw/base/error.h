@@ -1,3 +1,5 @@
+// The exception for bad input.
+// Used in all rooms.
 #pragma once
 
 #include <stdexcept>

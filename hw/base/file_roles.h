@@ -1,3 +1,5 @@
+// Detects outputs that would overwrite inputs or other outputs.
+// Used by the options of sim/session and by inputs_kept.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,5 @@
+// Creates folders.
+// Used by OutputFolder and sim/studies.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,5 @@
+// A value on the heap with value semantics.
+// Used by hw/isa/program.h.
 #pragma once
 
 #include <memory>

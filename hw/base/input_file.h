@@ -1,3 +1,5 @@
+// Reads input files with a size limit.
+// Used by all readers of files in hw, host and sim.
 #pragma once
 
 #include <cstddef>

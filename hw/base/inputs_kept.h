@@ -1,3 +1,5 @@
+// Protects files that a command has read from being overwritten by its outputs.
+// Used by sim/app, sim/session and OutputFile.
 #pragma once
 
 #include <filesystem>

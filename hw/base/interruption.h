@@ -1,3 +1,5 @@
+// Cooperative cancellation of long work.
+// Used by the engines, sim/studies, sim/system, sim/viewer and sim/python.
 #pragma once
 
 #include <exception>

@@ -1,3 +1,5 @@
+// Escapes text for HTML and XML.
+// Used by sim/report and sim/plots.
 #pragma once
 
 #include <string>

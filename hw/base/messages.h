@@ -1,3 +1,5 @@
+// Writes messages to standard error.
+// Used by host/read and the rooms of sim.
 #pragma once
 
 #include <string>

@@ -1,3 +1,5 @@
+// Loads csgsim's own shared libraries on demand.
+// Used by host/flat, sim/pictures, sim/viewer and sim/web.
 #pragma once
 
 #include <filesystem>

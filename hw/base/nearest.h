@@ -1,3 +1,5 @@
+// Suggestions for misspelled words.
+// Used wherever names, keys and options are looked up.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Writes output files atomically.
+// Used by all writers of files.
 #pragma once
 
 #include <filesystem>

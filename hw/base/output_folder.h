@@ -1,3 +1,5 @@
+// Writes a folder of files atomically.
+// Used by csgsim rtl.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,5 @@
+// Requests and releases pages of memory in bulk.
+// Used by sim/observe and host/emit.
 #pragma once
 
 #include <cstddef>

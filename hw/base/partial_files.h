@@ -1,3 +1,5 @@
+// Deletes unfinished files when a signal ends the process.
+// Used by OutputFile, sim/app and sim/system.
 #pragma once
 
 #include <cstddef>

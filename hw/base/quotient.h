@@ -1,3 +1,5 @@
+// Integer division with rounding up or down.
+// Used throughout hw and by host/view.
 #pragma once
 
 #include <concepts>

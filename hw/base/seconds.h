@@ -1,3 +1,5 @@
+// Measures wall time.
+// Used by sim/app, sim/software, sim/studies and sim/viewer.
 #pragma once
 
 #include <chrono>

@@ -1,3 +1,5 @@
+// Formats untrusted text, shell words and numbers for messages and tables.
+// Used in all rooms.
 #pragma once
 
 #include <cstdint>

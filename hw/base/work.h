@@ -1,3 +1,5 @@
+// Counts the work of reading and compiling a model against a limit.
+// Used throughout host and by sim/software.
 #pragma once
 
 #include <cstdint>

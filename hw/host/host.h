@@ -1,3 +1,5 @@
+// Work and clocks of the host for a frame.
+// Used by the engines, sim/observe, sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>

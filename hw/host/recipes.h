@@ -1,3 +1,5 @@
+// Processor operations per task of the host.
+// Used by host.cpp and tests.
 #pragma once
 
 #include <cstdint>

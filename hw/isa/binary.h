@@ -1,3 +1,5 @@
+// Reads and writes the binary form of Programs (.csgt).
+// Used by program_file.cpp, sim/checkpoint, sim/session, sim/viewer and sim/app.
 #pragma once
 
 #include <cstddef>

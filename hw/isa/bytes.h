@@ -1,3 +1,5 @@
+// Byte streams with varint and zigzag numbers.
+// Used by hw/isa and sim/checkpoint.
 #pragma once
 
 #include <cstddef>

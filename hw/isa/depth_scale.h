@@ -1,3 +1,5 @@
+// Converts between depth integers and distances.
+// Used by host/view, host/emit, sim/judges and other rooms that interpret depths.
 #pragma once
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Lists the members of each record of a Program.
+// Used by the binary and text forms, validation and the manual in hw/isa.
 #pragma once
 
 #include <concepts>

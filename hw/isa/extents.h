@@ -1,3 +1,5 @@
+// Row extents of pieces, computed from instructions.
+// Used by host/emit and by the reader of old files.
 #pragma once
 
 #include <span>

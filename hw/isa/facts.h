@@ -1,3 +1,5 @@
+// Names and statistics of a Program.
+// Used by hw/isa and by sim, for reports, waves and debugging.
 #pragma once
 
 #include <cstdint>

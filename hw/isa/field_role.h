@@ -1,3 +1,5 @@
+// Roles and names of fields of pixel memory.
+// Used by hw/isa, host/emit, host/effects and sim/story.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Counts of host and division work for a Program.
+// Used by host/emit, host/csg, hw/host, hw/division and the machines with dividers.
 #pragma once
 
 #include <cstdint>

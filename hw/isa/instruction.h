@@ -1,3 +1,5 @@
+// Fields, linear expressions, origins and instructions.
+// Used by all engines and machines.
 #pragma once
 
 #include <array>

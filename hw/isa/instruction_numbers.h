@@ -1,3 +1,5 @@
+// Numbers of instructions within a Program.
+// Used by hw/wave, several machines, sim/engine, sim/story, sim/waves and sim/python.
 #pragma once
 
 #include <cstddef>

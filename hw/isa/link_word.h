@@ -1,3 +1,5 @@
+// A word of up to 256 bits on a link.
+// Used by the encoding (wire.h), hw/link and all machines.
 #pragma once
 
 #include <algorithm>

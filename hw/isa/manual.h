@@ -1,3 +1,5 @@
+// Generates the manual of the instruction set.
+// Used by csgsim manual instructions.
 #pragma once
 
 #include <string>

@@ -1,3 +1,5 @@
+// CBOR metadata of the binary form.
+// Used by binary.cpp.
 #pragma once
 
 #include <cstddef>

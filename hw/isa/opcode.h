@@ -1,3 +1,5 @@
+// Opcode numbers and their properties.
+// Used by opcodes.h and instruction.h.
 #pragma once
 
 #include <array>

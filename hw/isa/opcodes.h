@@ -1,3 +1,5 @@
+// The table of the instruction set.
+// Used by all engines, machines and emitters.
 #pragma once
 
 #include <array>

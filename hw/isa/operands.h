@@ -1,3 +1,5 @@
+// Queries about operands of instructions.
+// Used by hw/isa, several machines and rooms of sim.
 #pragma once
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Maps convex pieces to primitives of the model.
+// Used by hw/isa, hw/wave, host/emit and the reports of sim.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Programs: segments of instructions with a frame header.
+// Used by the host, all engines and all machines.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Loads and saves Program files.
+// Used by sim/session, sim/python and csgsim.h.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Quoted strings and hexadecimal digits of the text form.
+// Used by hw/isa and sim/debug.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Prints and parses the text form of Programs.
+// Used by csgsim disasm, sim/debug, sim/story, sim/viewer and sim/python.
 #pragma once
 
 #include <iosfwd>

@@ -1,3 +1,5 @@
+// PEGTL grammar of the text form.
+// Used by text_parse.cpp.
 #pragma once
 
 #include <type_traits>

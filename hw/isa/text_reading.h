@@ -1,3 +1,5 @@
+// Semantic actions of the text form's grammar.
+// Used by text_grammar.h and text_reading.cpp.
 #pragma once
 
 #include <charconv>

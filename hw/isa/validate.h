@@ -1,3 +1,5 @@
+// Validation of the parts of a Program.
+// Used by the text reader, wire.cpp and tests.
 #pragma once
 
 #include <cstddef>

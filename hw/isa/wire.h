@@ -1,3 +1,5 @@
+// Encodes commands for the link and decodes them.
+// Used by hw/link, hw/division and all machines.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Makes the SystemC model of a machine.
+// Used by sim/cycle and sim/waves.
 #pragma once
 
 #include <memory>

@@ -1,3 +1,5 @@
+// Tables of all kinds and built-in machines.
+// Used by hw/kinds, sim/session and sim/studies.
 #pragma once
 
 #include <span>

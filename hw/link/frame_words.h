@@ -1,3 +1,5 @@
+// A frame as words of a link.
+// Used by LinkSource, the machines and sim/rtl.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +21,8 @@ namespace csgsim::link {
 /// A frame in the host's memory: for each segment a SegmentStart and its instructions, then FrameEnd.
 struct FrameWords {
   std::vector<isa::LinkWord> words;
-  /// For each instruction of the frame, and one past the last, the word at which the host continues after all previous
-  /// instructions: the instruction's first word, or that of a SegmentStart or FrameEnd before it.
+  /// The word at which the host continues after all previous instructions, for each instruction of the frame and one
+  /// past the last: the instruction's first word, or that of a SegmentStart or FrameEnd before it.
   std::vector<std::size_t> begins;
 };
 

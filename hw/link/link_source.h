@@ -1,3 +1,5 @@
+// The host's end of a link.
+// Used by the Pixel-planes machine.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// The machine's end of a link.
+// Used by hw/pixel_planes, hw/pixel_square and hw/scan_line.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,5 @@
+// Transistors of a pixel.
+// Used by hw/process and sim/studies.
 #pragma once
 
 #include <cstdint>

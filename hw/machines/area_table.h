@@ -1,3 +1,5 @@
+// Synthesised transistor counts.
+// Used by area.cpp and hw/process.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// A built-in description.
+// Used by hw/kinds, hw/processors and hw/process.
 #pragma once
 
 #include <string_view>

@@ -1,3 +1,5 @@
+// Loads descriptions by name or file.
+// Used by hw/processors and hw/process.
 #pragma once
 
 #include <fmt/format.h>

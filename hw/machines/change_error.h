@@ -1,3 +1,5 @@
+// The exception for wrong parameter changes.
+// Used by hw/machines and by callers that change parameters.
 #pragma once
 
 #include "hw/base/error.h"

@@ -1,3 +1,5 @@
+// Counts clocks by activity.
+// Used by hw/multi_processor, hw/pixel_square and hw/scan_line.
 #pragma once
 
 #include <array>

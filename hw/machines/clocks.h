@@ -1,3 +1,5 @@
+// Clocks of instructions.
+// Used by the timing models, the engines and host/emit.
 #pragma once
 
 #include <cstdint>

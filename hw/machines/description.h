@@ -1,3 +1,5 @@
+// Reads machine descriptions.
+// Used by hw/kinds and sim/session.
 #pragma once
 
 #include <span>

@@ -1,3 +1,5 @@
+// Applies KEY=VALUE changes to descriptions.
+// Used by the readers of machines, processors and processes.
 #pragma once
 
 #include <toml++/toml.h>

@@ -1,3 +1,5 @@
+// The exception for inconsistent parameters.
+// Used by hw/machines and hw/bit_serial_memory.
 #pragma once
 
 #include <string>

@@ -1,3 +1,5 @@
+// Reads parameters from TOML.
+// Used by the readers of machines, processors and processes.
 #pragma once
 
 #include <toml++/toml.h>

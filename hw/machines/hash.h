@@ -1,3 +1,5 @@
+// Hash of a machine's parameters.
+// Used by sim/session and sim/studies for keys of results.
 #pragma once
 
 #include <string>

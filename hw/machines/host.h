@@ -1,3 +1,5 @@
+// Parameters of a machine's host.
+// Used by machine.h.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Interface of all kinds of machines.
+// Used by the rooms of the kinds, hw/host, and the rooms of sim.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Analytic timing of a link.
+// Used by hw/pixel_planes and hw/link.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Work of a machine's parts, to find the limit of the frame rate.
+// Used by Kind and its implementations.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// A machine with its parameters.
+// Used by all kinds of machines and most rooms of sim.
 #pragma once
 
 #include <any>

@@ -1,3 +1,5 @@
+// Names with parameter changes.
+// Used by hw/kinds and sim/studies.
 #pragma once
 
 #include <span>

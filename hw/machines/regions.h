@@ -1,3 +1,5 @@
+// Regions of the picture and properties of a machine that the host needs.
+// Used by host/emit, hw/host, and several machines and studies.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +17,7 @@ std::vector<isa::Region> regions(const Machine& machine);
 /// How a machine divides the model itself, by the rules of docs/division.md: the host sends it the model as seen by the
 /// camera, and the machine makes the instructions of each region.
 struct Division {
-  /// Side of a group in regions, for the first of two levels; 0 if there is one level.
+  /// Side of a group in regions, for the first of two levels; 0 for a single level.
   std::uint32_t group_side = 0;
   std::uint64_t list_entries = 0;  ///< maximum number of entries that remain after the first level
   /// Explicit groups, in the order in which the machine draws them, if they are not squares of regions.

@@ -1,3 +1,5 @@
+// Checks that a machine can run a Program.
+// Used by several machines, sim/functional and sim/cycle.
 #pragma once
 
 #include "hw/isa/program.h"
@@ -10,8 +12,8 @@ namespace csgsim::machines {
 /// check of the machine's kind fails.
 void check_runs_on(const isa::Program& program, const Machine& machine);
 
-/// For kinds that draw parts of the picture: throws InputError unless the Program's segments are the machine's regions
-/// and its pixels have no more memory than the machine's.
+/// Used by kinds that draw parts of the picture. Throws InputError unless the Program's segments are the machine's
+/// regions and its pixels have no more memory than the machine's.
 void check_parts(const isa::Program& program, const Machine& machine);
 
 }  // namespace csgsim::machines

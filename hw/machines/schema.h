@@ -1,3 +1,5 @@
+// Schema of machine parameters.
+// Used by the kinds of machines and sim/session.
 #pragma once
 
 #include <cstdint>

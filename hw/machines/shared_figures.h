@@ -1,3 +1,5 @@
+// Parameters shared by several kinds.
+// Used by the kinds of machines.
 #pragma once
 
 #include "hw/isa/instruction.h"

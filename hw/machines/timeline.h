@@ -1,3 +1,5 @@
+// Clocks of each instruction of a frame.
+// Used by the kinds of machines, sim/debug and sim/story.
 #pragma once
 
 #include <cstdint>
@@ -21,12 +23,12 @@ struct ClockSpan {
 
 /// Clocks in which the instructions of a frame are executed.
 struct Timeline {
-  /// For each instruction of each segment, the clocks in which its steps leave the unit that issues them, a controller
+  /// Clocks, for each instruction of each segment, in which its steps leave the unit that issues them, a controller
   /// or the entry of a chain; for a question, including the clocks until its answer. The span of a skipped instruction
   /// is empty, at 0.
   std::vector<std::vector<ClockSpan>> issued;
 
-  /// For each segment, the clocks in which memory and enable of its pixels are cleared.
+  /// Clocks, for each segment, in which memory and enable of its pixels are cleared.
   std::vector<ClockSpan> cleared;
 
   /// Pixel activity from which it was computed, for kinds that need it.
@@ -36,7 +38,7 @@ struct Timeline {
 /// Computed without stepping. `outcome`: as for time_frame(). Throws InputError for a kind that does not support it.
 Timeline timeline(const isa::Program& program, const Machine& machine, const Told& outcome = {});
 
-/// For each instruction of a segment, the clocks in which pixel (x, y) of the picture, which lies in the segment's
+/// Clocks, for each instruction of a segment, in which pixel (x, y) of the picture, which lies in the segment's
 /// region, executes it: its effects are visible from the span's `end` on. `timeline` belongs to that Program and
 /// machine. The span of a skipped instruction is empty, at 0.
 std::vector<ClockSpan> at_pixel(const Timeline& timeline, const isa::Program& program, const Machine& machine,

@@ -1,3 +1,5 @@
+// Clocks of a frame.
+// Used by the kinds of machines, hw/host, sim/engine and sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Run-time outcomes that exact timing needs.
+// Used by the timing models and sim/engine.
 #pragma once
 
 #include <concepts>

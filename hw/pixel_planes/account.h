@@ -1,3 +1,5 @@
+// Clock account of the Pixel-planes controller.
+// Used by the controller and the timing model.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Schedule of clearing pixel memory.
+// Used by the controllers of hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Reports executed instructions to the listener of a run.
+// Used by the Pixel-planes machine.
 #pragma once
 
 #include <cstdint>

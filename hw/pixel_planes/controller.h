@@ -1,3 +1,5 @@
+// The controller of Pixel-planes.
+// Used by the Pixel-planes machine.
 #pragma once
 
 #include <cstdint>

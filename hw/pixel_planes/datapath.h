@@ -1,3 +1,5 @@
+// Multiplier trees, delay line and pixel processors.
+// Used by PixelPipeline.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Parameters that only frame-buffer machines have.
+// Used by hw/pixel_planes, sim/rtl and tests.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// A known picture served through the refresh port.
+// Used by PixelPipeline.
 #pragma once
 
 #include <cstdint>

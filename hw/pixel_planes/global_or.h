@@ -1,3 +1,5 @@
+// The global OR of the enable bits.
+// Used by hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// The machine kind "frame-buffer".
+// Used by hw/kinds, sim/rtl and tests.
 #pragma once
 
 #include "hw/machines/kind.h"

@@ -1,3 +1,5 @@
+// SystemC module of the datapath, simulated on demand.
+// Used by hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <cstddef>

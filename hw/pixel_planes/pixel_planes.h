@@ -1,3 +1,5 @@
+// The Pixel-planes machine in SystemC.
+// Used by its maker and by tests.
 #pragma once
 
 #include <cstdint>

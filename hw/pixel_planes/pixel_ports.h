@@ -1,3 +1,5 @@
+// Interfaces of the pixel pipeline.
+// Used by the modules of hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <cstdint>

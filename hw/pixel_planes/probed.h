@@ -1,3 +1,5 @@
+// Starts a machine with few pixels in the middle of a frame.
+// Used by the Pixel-planes machine for waves.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// The scan-out of a frame buffer.
+// Used by the Pixel-planes machine.
 #pragma once
 
 #include <cstdint>

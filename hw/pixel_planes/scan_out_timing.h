@@ -1,3 +1,5 @@
+// Analytic timing of the scan-out.
+// Used by timing.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Wave taps of trees, control words and pixels.
+// Used by hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <cstdint>

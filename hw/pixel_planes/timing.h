@@ -1,3 +1,5 @@
+// Analytic timing of Pixel-planes.
+// Used by the Pixel-planes machine and tests.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// The built-in processes.
+// Used by load.cpp.
 #pragma once
 
 #include <span>

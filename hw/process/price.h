@@ -1,3 +1,5 @@
+// Clock rate, area and energy of a machine in a process.
+// Used by sim/studies.
 #pragma once
 
 #include <cstdint>

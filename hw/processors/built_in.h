@@ -1,3 +1,5 @@
+// The built-in processors.
+// Used by load.cpp and tests.
 #pragma once
 
 #include <span>

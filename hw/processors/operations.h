@@ -1,3 +1,5 @@
+// Kinds and counts of processor operations.
+// Used by hw/host and sim/software.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Processors with clocks per operation.
+// Used by hw/host, sim/software and other rooms of sim.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// PixelView of a pixel array.
+// Used by hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <memory>

@@ -1,3 +1,5 @@
+// PixelView of cleared pixels.
+// Used by hw/pixel_square and hw/multi_processor.
 #pragma once
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// A clock without level changes.
+// Used by hw/pixel_planes, hw/pixel_square and hw/scan_line.
 #pragma once
 
 #include <systemc>

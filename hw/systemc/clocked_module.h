@@ -1,3 +1,5 @@
+// Base class of clocked modules.
+// Used by hw/link and the machines.
 #pragma once
 
 #include <systemc>

@@ -1,3 +1,5 @@
+// Reads and writes fields in word-organized pixel memory.
+// Used by hw/scan_line and hw/multi_processor.
 #pragma once
 
 #include <cstdint>

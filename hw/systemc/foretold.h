@@ -1,3 +1,5 @@
+// Results of an earlier run, for machines with few pixels.
+// Used by hw/pixel_planes, hw/kinds and sim/waves.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// A listener that is disconnected when it throws.
+// Used by Retirement and hw/scan_line.
 #pragma once
 
 #include "hw/systemc/listener_guard.h"

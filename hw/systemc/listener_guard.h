@@ -1,3 +1,5 @@
+// Stores an exception for later.
+// Used by GuardedListener and WaveRecorder.
 #pragma once
 
 #include <exception>

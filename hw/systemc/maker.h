@@ -1,3 +1,5 @@
+// Factories of SystemC machines.
+// Used by all kinds of machines and hw/kinds.
 #pragma once
 
 #include <memory>

@@ -1,3 +1,5 @@
+// Forwards executed instructions to the listener.
+// Used by all SystemC machines.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Interface for observers of a run.
+// Used by all SystemC machines, sim/cycle and sim/waves.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Maps regions to segment numbers.
+// Used by hw/pixel_square and hw/multi_processor.
 #pragma once
 
 #include <cstdint>

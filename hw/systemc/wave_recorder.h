@@ -1,3 +1,5 @@
+// Samples taps into a wave file.
+// Used by sim/waves and tests.
 #pragma once
 
 #include <chrono>

@@ -1,3 +1,5 @@
+// Concept for values on SystemC wires.
+// Used by hw/pixel_planes, hw/scan_line and hw/multi_processor.
 #pragma once
 
 #include <concepts>

@@ -1,3 +1,5 @@
+// Taps that describe an instruction.
+// Used by all SystemC machines and sim/waves.
 #pragma once
 
 #include <functional>

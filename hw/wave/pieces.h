@@ -1,3 +1,5 @@
+// Buffers a long text.
+// Used by VcdWriter and sim/waves.
 #pragma once
 
 #include <functional>

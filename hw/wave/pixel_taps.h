@@ -1,3 +1,5 @@
+// Taps of the fields of a pixel.
+// Used by all SystemC machines.
 #pragma once
 
 #include <functional>

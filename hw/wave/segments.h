@@ -1,3 +1,5 @@
+// Segments of pixels, for waves.
+// Used by the machines that draw in segments.
 #pragma once
 
 #include <cstdint>

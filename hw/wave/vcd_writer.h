@@ -1,3 +1,5 @@
+// Writes VCD files.
+// Used by sim/waves and tests.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Interface of wave file writers.
+// Used by WaveRecorder and sim/waves.
 #pragma once
 
 #include <cstdint>

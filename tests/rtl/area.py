@@ -164,7 +164,9 @@ def header(pixels, nodes, rest):
     rows = "\n".join(f"    {{{alu}, {reads}, {degree}, {row['transistors']}}},"
                      for (alu, reads, degree), row in pixels.items())
     of_nodes = "\n".join(f"    {{{bits}, {degree}, {row['transistors']}}}," for (bits, degree), row in nodes.items())
-    return f"""#pragma once
+    return f"""// Synthesised transistor counts.
+// Used by area.cpp and hw/process.
+#pragma once
 
 #include <array>
 #include <cstdint>
