@@ -52,7 +52,7 @@ struct RowMasks {
 
   HWY_ATTR HWY_INLINE void set(const StreamTable& table, std::size_t first_word, std::size_t row_words) {
     if (one_row) {
-      const std::uint64_t product = product_of(table, first_word / row_words);
+      const std::uint64_t product = row_product(table, first_word / row_words);
       const BlockTag d;
       const Vector step = hn::Set(d, std::uint64_t{hn::Lanes(d)});
       const Vector low = hn::Set(d, std::uint64_t{1});
@@ -66,7 +66,7 @@ struct RowMasks {
     }
     alignas(64) std::uint64_t products[block_words];
     for (std::size_t word = 0; word < block_words; ++word)
-      products[word] = product_of(table, (first_word + word) / row_words);
+      products[word] = row_product(table, (first_word + word) / row_words);
     const BlockTag d;
     const Vector low = hn::Set(d, std::uint64_t{1});
     for (std::size_t word = 0; word < block_words; word += hn::Lanes(d)) {
@@ -84,7 +84,7 @@ struct RowMasks {
   }
 
  private:
-  static std::uint64_t product_of(const StreamTable& table, std::uint64_t y) { return (table.yy * y + table.b) * y; }
+  static std::uint64_t row_product(const StreamTable& table, std::uint64_t y) { return (table.yy * y + table.b) * y; }
 };
 
 /// The bits of a stream with x*y at a vector of pixels: bit j is row j.

@@ -92,7 +92,7 @@ void StepLog::push_bit(const ArrayStep& step, unsigned bit, const StreamBit* tre
     run.latches = latches;
     run.from_tree = step.source == OperandSource::tree && tree != nullptr;
     if (run.from_tree) {
-      run.stream = stream_of(*tree);
+      run.stream = find_stream(*tree);
       const int first = (tree->token.active() ? tree->token.bit : 0) + step.first;
       run.stream_bit = static_cast<std::uint16_t>(first + static_cast<int>(bit));
     } else if (step.source == OperandSource::tree) {
@@ -135,7 +135,7 @@ void StepLog::note(const Run& run) {
 }
 
 /// Streams whose coefficients agree in the bits known of both are treated as one: their bits are the same.
-std::uint16_t StepLog::stream_of(const StreamBit& tree) {
+std::uint16_t StepLog::find_stream(const StreamBit& tree) {
   const Token all{.bit = 0, .bits = static_cast<std::uint16_t>(bits_.alu_bits)};
   const StreamBit bits = tree.token.active() ? tree : StreamBit{.token = all};
   const unsigned known = static_cast<unsigned>(bits.token.bit) + bits.token.bits;

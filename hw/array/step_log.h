@@ -128,7 +128,7 @@ class StepLog {
   void append(const Run& run);
   void note(const Run& run);
   [[nodiscard]] bool takes_latch(const ArrayStep& step) const;
-  std::uint16_t stream_of(const StreamBit& tree);
+  std::uint16_t find_stream(const StreamBit& tree);
 
   PixelBits bits_;
   Batch batch_;

@@ -129,7 +129,7 @@ void SteppedEvaluator::put_leaves(std::span<std::uint64_t> leaves) const {
   }
 }
 
-std::size_t SteppedEvaluator::lane_of(std::uint32_t x) const {
+std::size_t SteppedEvaluator::find_lane(std::uint32_t x) const {
   const auto found = std::find(columns_of_lanes_.begin(), columns_of_lanes_.end(), x);
   if (found == columns_of_lanes_.end()) throw std::out_of_range("a column whose Y tree is not built");
   return static_cast<std::size_t>(std::distance(columns_of_lanes_.begin(), found));
@@ -143,7 +143,7 @@ LevelProbe SteppedEvaluator::x_level(unsigned level, std::uint32_t x, const Root
 
 LevelProbe SteppedEvaluator::y_level(unsigned level, Place pixel, const RootBits& root) const {
   const LevelProbe column = x_level(columns_.levels(), pixel.x, root);
-  const std::size_t lane = lane_of(pixel.x);
+  const std::size_t lane = find_lane(pixel.x);
   const NodeStreams in{in_lane(column.stream, lane, row_.value), in_lane(column.row_slope, lane, row_.slope), {}};
   return rows_.probe(level, pixel.y, lane, column.token, in, to_rows(root));
 }

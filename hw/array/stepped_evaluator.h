@@ -34,7 +34,7 @@ class SteppedEvaluator {
   [[nodiscard]] LevelProbe y_level(unsigned level, Place pixel, const RootBits& root) const;
 
  private:
-  [[nodiscard]] std::size_t lane_of(std::uint32_t x) const;
+  [[nodiscard]] std::size_t find_lane(std::uint32_t x) const;
   [[nodiscard]] std::size_t plane_words() const;
   [[nodiscard]] TreeWires to_columns(const RootBits& root) const;
   [[nodiscard]] TreeWires to_rows(const RootBits& root) const;

@@ -29,7 +29,7 @@ void refuse_zero_byte(const std::filesystem::path& path) {
   if (path.native().find('\0') != std::string::npos) fail(path, "its name contains a zero byte; remove it");
 }
 
-std::string all_of(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
+std::string read_all(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
   struct stat status {};
   if (!file.is_open() || ::fstat(file.number(), &status) != 0)
     fail(path, last_error().message() + "; check the path and its permissions");
@@ -53,7 +53,7 @@ std::string all_of(const Descriptor& file, const std::filesystem::path& path, co
 }  // namespace
 
 std::string read_file(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
-  std::string bytes = all_of(file, path, kind);
+  std::string bytes = read_all(file, path, kind);
   if (!kind.is_continued) keep_input(path);
   return bytes;
 }
@@ -65,7 +65,7 @@ std::string read_file(const std::filesystem::path& path, const InputKind& kind) 
   static std::optional<std::string> kept;
   if (kept) check_length("standard input", kept->size(), kind);
   if (!kept) {
-    kept = all_of(Descriptor(::dup(STDIN_FILENO)), "standard input", kind);
+    kept = read_all(Descriptor(::dup(STDIN_FILENO)), "standard input", kind);
     keep_input(standard_input_file);
   }
   return *kept;

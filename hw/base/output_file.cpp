@@ -44,7 +44,7 @@ void refuse_kept_input(const fs::path& requested, const fs::path& place) {
       fmt::format("{}: it is the same file as the input {}; name another output", requested.native(), input->native()));
 }
 
-fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+fs::path parent_folder(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
 /// Duplicates standard output or error if the path names the same stream, which keeps its position; else opens the
 /// path.
@@ -112,7 +112,7 @@ OutputFile::OutputFile(fs::path path) : requested_(std::move(path)), final_(requ
     check_place(requested_, final_);
     refuse_kept_input(requested_, final_);
   }
-  const fs::path folder = is_stream_ ? fs::temp_directory_path(error) : folder_of(final_);
+  const fs::path folder = is_stream_ ? fs::temp_directory_path(error) : parent_folder(final_);
   check(requested_, error);
   create(folder);
 }
@@ -153,7 +153,7 @@ void OutputFile::commit() {
   check(requested_, error);
   registered_.reset();
   partial_.clear();
-  check(requested_, sync_folder(folder_of(final_)));
+  check(requested_, sync_folder(parent_folder(final_)));
 }
 
 void OutputFile::copy_to_stream() {

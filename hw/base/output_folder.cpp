@@ -35,7 +35,7 @@ void require_done(const fs::path& path, const std::error_code& error) {
   if (error) fail_to_write(path, error);
 }
 
-std::string hash_of(std::string_view content) {
+std::string content_hash(std::string_view content) {
   Hash hash;
   hash.add(content);
   return hash.text();
@@ -61,7 +61,7 @@ std::map<fs::path, std::string> listed(const fs::path& folder) {
 void check_unedited(const fs::path& requested, const fs::path& folder) {
   for (const auto& [name, hash] : listed(folder)) {
     const fs::path path = folder / name;
-    if (fs::is_regular_file(fs::symlink_status(path)) && hash_of(read_regular_file(path, listed_kind)) != hash)
+    if (fs::is_regular_file(fs::symlink_status(path)) && content_hash(read_regular_file(path, listed_kind)) != hash)
       refuse_folder(requested / name, "it has been edited and would be overwritten");
   }
 }
@@ -102,7 +102,7 @@ OutputFolder::~OutputFolder() {
 void OutputFolder::write(const fs::path& name, std::string_view content) {
   make_folder((partial_ / name).parent_path());
   write_file(partial_ / name, content);
-  list_ += fmt::format("{} {}\n", hash_of(content), name.native());
+  list_ += fmt::format("{} {}\n", content_hash(content), name.native());
 }
 
 void OutputFolder::commit() {

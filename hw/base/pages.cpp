@@ -22,7 +22,7 @@ constexpr std::uintptr_t large_page = std::uintptr_t{1} << 21U;
 
 }  // namespace
 
-void have_pages(void* memory, std::size_t bytes) {
+void prefault_pages(void* memory, std::size_t bytes) {
   const auto address = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t first = (address + page - 1) / page * page;
   const std::uintptr_t end = (address + bytes) / page * page;
@@ -35,7 +35,7 @@ void have_pages(void* memory, std::size_t bytes) {
 
 #else
 
-void have_pages(void* /*memory*/, std::size_t /*bytes*/) {}
+void prefault_pages(void* /*memory*/, std::size_t /*bytes*/) {}
 
 #endif
 

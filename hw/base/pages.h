@@ -9,7 +9,7 @@ namespace csgsim {
 
 /// Requests all pages of memory that is about to be written from the system at once, as huge pages if available:
 /// faulting them in one by one is several times slower. Pages that are not granted are mapped on first access.
-void have_pages(void* memory, std::size_t bytes);
+void prefault_pages(void* memory, std::size_t bytes);
 
 /// Returns freed memory to the system, even between blocks in use. Called after work that leaves few allocations.
 void give_back_memory();
@@ -19,7 +19,7 @@ template <class Element>
 std::vector<Element> filled(std::size_t count, const Element& value) {
   std::vector<Element> elements;
   elements.reserve(count);
-  have_pages(elements.data(), count * sizeof(Element));
+  prefault_pages(elements.data(), count * sizeof(Element));
   elements.assign(count, value);
   return elements;
 }

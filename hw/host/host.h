@@ -14,7 +14,7 @@ namespace csgsim::host {
 
 /// Work of the machine's host for a frame: it prepares the display model for a machine that divides the model itself,
 /// and otherwise compiles every segment.
-processors::Operations operations_of(const isa::Program& program, const machines::Machine& machine);
+processors::Operations count_operations(const isa::Program& program, const machines::Machine& machine);
 
 /// Clocks of the machine until its host has finished that work, rounded up; 0 for an ideal host. Throws InputError
 /// above 9e15.

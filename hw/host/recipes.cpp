@@ -160,7 +160,7 @@ void Written::add(const isa::Instruction& instruction, unsigned link_width) {
   longs += std::uint64_t{isa::wire_words(instruction, link_width)} * quotient_up(link_width, long_bits);
 }
 
-Operations operations_of(const Written& written) {
+Operations count_operations(const Written& written) {
   Operations all = written.instructions * any_instruction;
   all += (written.instructions + written.numbers) * packed;
   for (const Operations& each : {moved, halfspace, fitted}) all += written.linear * each;
@@ -169,13 +169,13 @@ Operations operations_of(const Written& written) {
   return all;
 }
 
-Operations operations_of(const isa::Instruction& instruction, unsigned link_width) {
+Operations count_operations(const isa::Instruction& instruction, unsigned link_width) {
   Written written;
   written.add(instruction, link_width);
-  return operations_of(written);
+  return count_operations(written);
 }
 
-Operations of_model_long() {
+Operations model_long_operations() {
   Operations all = 2 * packed;
   all += long_stored;
   return all;

@@ -36,10 +36,10 @@ struct Written {
 };
 
 /// Operations to move expressions to their segments, minimize their widths, and assemble and store the instructions.
-processors::Operations operations_of(const Written& written);
-processors::Operations operations_of(const isa::Instruction& instruction, unsigned link_width);
+processors::Operations count_operations(const Written& written);
+processors::Operations count_operations(const isa::Instruction& instruction, unsigned link_width);
 
 /// Operations for one long of the display model, assembled from its numbers.
-processors::Operations of_model_long();
+processors::Operations model_long_operations();
 
 }  // namespace csgsim::host

@@ -48,8 +48,8 @@ Pixel x counts from the segment's left and y from its top, both from 0.
 
 ## Linear expressions
 
-The evaluator gives every pixel its own A\*x + B\*y + C, one bit a clock, least significant bit first, for integers A, B
-and C. An instruction adds two numbers:
+The evaluator gives every pixel its own A\*x + B\*y + C, one bit per clock, least significant bit first, for integers A,
+B and C. An instruction adds two numbers:
 
 - **width**: the number of bits streamed, as a two's complement number. The host chooses no more bits than the range
   over the segment needs; if the sum needs more, its high bits are lost, and a run counts an overflow. Only `stripe`
@@ -107,9 +107,9 @@ std::string_view clocks_of(ClockClass clock_class) {
     case ClockClass::linear_twice: return "twice as many: to compare, then to write";
     case ClockClass::field: return "width of the field, over the width of the ALU, rounded up";
     case ClockClass::two_fields:
-      return "twice as many for the width of the wider field; once on machines that read twice a clock";
+      return "twice as many for the width of the wider field; once on machines that read twice per clock";
     case ClockClass::root:
-      return "w\\*w + 2w for a root of w bits; (w\\*w + 5w) / 2 on machines that read twice a clock";
+      return "w\\*w + 2w for a root of w bits; (w\\*w + 5w) / 2 on machines that read twice per clock";
     case ClockClass::answer: return "1 + latency of the trees + levels of the global OR";
   }
   return {};
@@ -146,7 +146,7 @@ std::string operands_of(const OpcodeInfo& row) {
 }
 
 /// Bits of an instruction on a link, as a formula in the width w of its linear expression and n of its target.
-std::string wire_bits_of(Opcode opcode) {
+std::string wire_bits_formula(Opcode opcode) {
   const unsigned fixed = wire_bits(Instruction{opcode, {}, {}, 0, {}});
   const unsigned a_linear_bit = wire_bits(Instruction{opcode, {}, {0, 0, 0, 1, 0}, 0, {}}) - fixed;
   const unsigned a_target_bit = wire_bits(Instruction{opcode, {{{0, 1}}}, {}, 0, {}}) - fixed;
@@ -164,7 +164,7 @@ void put_opcodes(std::string& page) {
       "| number | instruction | operands | fields | bits on a link | meaning |\n|---|---|---|---|---|---|\n");
   for (const OpcodeInfo& row : opcode_table)
     put(page, "| {} | `{}` | {} | {} | {} | {} |\n", static_cast<unsigned>(row.opcode), row.name, operands_of(row),
-        widths_of(row), wire_bits_of(row.opcode), row.meaning);
+        widths_of(row), wire_bits_formula(row.opcode), row.meaning);
   put(page,
       "\nThe fields of one instruction do not overlap, except that those of the `bit_` instructions may be the "
       "same.\n\n");

@@ -34,7 +34,7 @@ json field_row(const NamedField& named) {
 }
 
 template <class Record>
-json numbers_of(const Record& record) {
+json number_row(const Record& record) {
   json row = json::array();
   describe(record, [&](const char*, const auto& member) { row.push_back(member); });
   return row;
@@ -42,9 +42,9 @@ json numbers_of(const Record& record) {
 
 /// A row that includes the counts of the group's division and the number of steps if there is a display model.
 json segment_row(const Segment& segment, bool divided) {
-  json row = numbers_of(segment);
+  json row = number_row(segment);
   if (divided) {
-    for (json& number : numbers_of(*segment.division)) row.push_back(std::move(number));
+    for (json& number : number_row(*segment.division)) row.push_back(std::move(number));
     row.push_back(segment.division->steps.size());
   }
   row.push_back(segment.instructions.size());
@@ -87,20 +87,20 @@ void read(const json& value, std::string_view what, FieldRole& member) {
   member = static_cast<FieldRole>(found - field_role_names.begin());
 }
 
-const json& member_of(const json& object, const char* key) {
+const json& require_member(const json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end()) throw MalformedBytes(fmt::format("has metadata without {}", key));
   return *found;
 }
 
 /// The elements of an array, which must have `size` elements.
-const json& row_of(const json& value, std::string_view what, std::size_t size) {
+const json& require_row(const json& value, std::string_view what, std::size_t size) {
   if (!value.is_array() || value.size() != size) malformed(what, fmt::format("a list of {}", size));
   return value;
 }
 
 void read(const json& value, std::string_view what, NamedField& named) {
-  const json& row = row_of(value, what, 4);
+  const json& row = require_row(value, what, 4);
   read(row[0], what, named.name);
   read(row[1], what, named.field.base);
   read(row[2], what, named.field.width);
@@ -108,7 +108,7 @@ void read(const json& value, std::string_view what, NamedField& named) {
 }
 
 void read(const json& value, std::string_view what, RowExtent& extent) {
-  const json& row = row_of(value, what, 2);
+  const json& row = require_row(value, what, 2);
   read(row[0], what, extent.first);
   read(row[1], what, extent.last);
 }
@@ -119,7 +119,7 @@ requires std::same_as<Record, DivisionStep> || std::same_as<Record, Preparation>
 void read(const json& value, std::string_view what, Record& record) {
   std::size_t members = 0;
   describe(record, [&](const char*, auto&) { ++members; });
-  const json& row = row_of(value, what, members);
+  const json& row = require_row(value, what, members);
   std::size_t column = 0;
   describe(record, [&](const char* key, auto& member) { read(row[column++], key, member); });
 }
@@ -155,7 +155,7 @@ SegmentSizes read_segment(const json& value, bool divided, Segment& segment) {
     describe(*segment.division, add);
     ++members;
   }
-  const json& row = row_of(value, "segments", members + 1);
+  const json& row = require_row(value, "segments", members + 1);
   std::size_t column = 0;
   const auto take = [&](const char* key, auto& member) { read(row[column++], key, member); };
   describe(segment, take);
@@ -183,10 +183,10 @@ void share_out(const std::vector<DivisionStep>& steps, std::span<const std::uint
 /// One row for the frame and one per segment; null if nothing was counted.
 json preparation_rows(const Program& program) {
   bool any = *program.preparation != Preparation{};
-  json rows = json::array({numbers_of(*program.preparation)});
+  json rows = json::array({number_row(*program.preparation)});
   for (const Segment& segment : program.segments) {
     any = any || *segment.preparation != Preparation{};
-    rows.push_back(numbers_of(*segment.preparation));
+    rows.push_back(number_row(*segment.preparation));
   }
   return any ? rows : json();
 }
@@ -260,10 +260,11 @@ json parse_cbor(std::span<const std::byte> cbor) {
 /// Converts metadata of the first readable version to the current one. The old version names no machine, keeps the
 /// background in the compile record, and displays the field with the role colour.
 json upgraded(json root) {
-  json shown{
-      {"colour_base", 0}, {"colour_bits", 0}, {"background", member_of(member_of(root, "compile"), "background")}};
+  json shown{{"colour_base", 0},
+             {"colour_bits", 0},
+             {"background", require_member(require_member(root, "compile"), "background")}};
   std::vector<NamedField> fields;
-  read(member_of(root, "fields"), "fields", fields);
+  read(require_member(root, "fields"), "fields", fields);
   const auto colour = std::ranges::find(fields, FieldRole::colour, &NamedField::role);
   if (colour != fields.end()) {
     shown["colour_base"] = colour->field.base;
@@ -294,7 +295,7 @@ std::vector<std::uint8_t> encode_metadata(const Program& program) {
     root["display_model"] = hexadecimal(program.display_model);
     json& steps = root["steps"] = json::array();
     for (const Segment& segment : program.segments)
-      for (const DivisionStep& step : segment.division->steps) steps.push_back(numbers_of(step));
+      for (const DivisionStep& step : segment.division->steps) steps.push_back(number_row(step));
   }
   if (json rows = preparation_rows(program); !rows.is_null()) root["preparation"] = std::move(rows);
   return json::to_cbor(root);
@@ -305,13 +306,13 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
   Metadata metadata;
   Program& program = metadata.program;
   describe_header(program, [&](const char* name, auto& record) {
-    const json& object = member_of(root, name);
+    const json& object = require_member(root, name);
     if (!object.is_object()) malformed(name, "a map");
-    describe(record, [&](const char* key, auto& member) { read(member_of(object, key), key, member); });
+    describe(record, [&](const char* key, auto& member) { read(require_member(object, key), key, member); });
   });
-  read(member_of(root, "primitives"), "primitives", program.facts->primitives);
+  read(require_member(root, "primitives"), "primitives", program.facts->primitives);
   if (const auto pieces = root.find("pieces"); pieces != root.end()) read_pieces(*pieces, *program.facts);
-  read(member_of(root, "fields"), "fields", program.facts->fields);
+  read(require_member(root, "fields"), "fields", program.facts->fields);
   if (const auto extents = root.find("extents"); extents != root.end()) read(*extents, "extents", program.extents);
   if (const auto model = root.find("display_model"); model != root.end()) {
     std::string digits;
@@ -320,7 +321,7 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
     if (!bytes || bytes->empty()) malformed("display_model", "hexadecimal digits, two a byte");
     program.display_model = *bytes;
   }
-  const json& segments = member_of(root, "segments");
+  const json& segments = require_member(root, "segments");
   if (!segments.is_array()) malformed("segments", "a list");
   const bool divided = !program.display_model.empty();
   std::vector<std::uint64_t> step_counts;
@@ -331,7 +332,7 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
   }
   if (divided) {
     std::vector<DivisionStep> steps;
-    read(member_of(root, "steps"), "steps", steps);
+    read(require_member(root, "steps"), "steps", steps);
     share_out(steps, step_counts, program);
   }
   if (const auto found = root.find("preparation"); found != root.end()) {

@@ -42,7 +42,7 @@ machines::Machine read(const BuiltIn& machine, std::span<const std::string> chan
   return machines::read_description(machine.text, fmt::format("{}.toml", machine.name), all(), changes);
 }
 
-machines::Machine read_file_of(const std::string& file, std::span<const std::string> changes) {
+machines::Machine load_file(const std::string& file, std::span<const std::string> changes) {
   const std::string text = read_file(file, machine_file);
   machines::Machine machine = machines::read_description(text, file, all(), changes);
   const std::string name = changes.empty() ? machine.name : machines::read_description(text, file, all()).name;
@@ -136,7 +136,7 @@ machines::Machine load(const std::string& machine, const std::vector<std::string
   const std::string name(machines::base_of(machine));
   std::vector<std::string> all_changes = machines::changes_of(machine);
   all_changes.insert(all_changes.end(), changes.begin(), changes.end());
-  if (!file_of(machine).empty()) return read_file_of(name, all_changes);
+  if (!file_of(machine).empty()) return load_file(name, all_changes);
   if (const BuiltIn* const found = built_in_named(name)) return read(*found, all_changes);
   throw InputError(no_such("machine", name, built_in_names()) + ", or a file, whose name ends in .toml");
 }

@@ -38,7 +38,7 @@ struct Catalogue {
   [[nodiscard]] Described load(const std::string& spec) const {
     const std::string name(base_of(spec));
     const std::vector<std::string> changes = changes_of(spec);
-    if (!file_of(spec).empty()) return read_file_of(name, changes);
+    if (!file_of(spec).empty()) return load_file(name, changes);
     if (const BuiltIn* const found = named(name)) return read_built_in(*found, changes);
     throw InputError(no_such(what, name, names()) + ", or a file, whose name ends in .toml");
   }
@@ -53,7 +53,7 @@ struct Catalogue {
     return read(known.text, fmt::format("{}.toml", known.name), changes);
   }
 
-  [[nodiscard]] Described read_file_of(const std::string& file, std::span<const std::string> changes) const {
+  [[nodiscard]] Described load_file(const std::string& file, std::span<const std::string> changes) const {
     const std::string kind = fmt::format("a {} file, which ends in .toml", what);
     const std::string advice = fmt::format("a {} file is much shorter", what);
     const std::string text = read_file(file, InputKind{kind, std::size_t{1} << 20U, advice});

@@ -12,7 +12,7 @@ GlobalOr::GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::u
   std::size_t lines = fan_in == 0 ? 1 : std::size_t{shape.width} * shape.height;
   while (lines > 1) {
     lines = quotient_up(lines, fan_in);
-    levels_.push_back({.asked = false, .bits = std::vector<bool>(lines)});
+    levels_.push_back({.pending = false, .bits = std::vector<bool>(lines)});
   }
   SC_HAS_PROCESS(GlobalOr);
   if (levels_.empty()) {
@@ -26,7 +26,7 @@ GlobalOr::GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::u
   }
 }
 
-void GlobalOr::foretell(std::vector<bool> answers) { foretold_.emplace(answers.begin(), answers.end()); }
+void GlobalOr::set_answers(std::vector<bool> answers) { foretold_.emplace(answers.begin(), answers.end()); }
 
 bool GlobalOr::any_enabled() {
   if (!foretold_) return enable->any_enabled();
@@ -37,8 +37,8 @@ bool GlobalOr::any_enabled() {
 
 /// Sensitive to the question only: no enable bit changes while a question is at the pixels.
 void GlobalOr::reduce() {
-  const bool asked = question.read();
-  answer.write({.valid = asked, .any_enabled = asked && any_enabled()});
+  const bool pending = question.read();
+  answer.write({.valid = pending, .any_enabled = pending && any_enabled()});
 }
 
 /// Goes from the last level to the first, so that each reads the old value of the level before it. Registers without a
@@ -46,14 +46,14 @@ void GlobalOr::reduce() {
 void GlobalOr::shift() {
   if (!clock.posedge()) return;
   for (std::size_t i = levels_.size() - 1; i > 0; --i) {
-    levels_[i].asked = levels_[i - 1].asked;
-    if (levels_[i].asked) gather(levels_[i - 1], levels_[i]);
+    levels_[i].pending = levels_[i - 1].pending;
+    if (levels_[i].pending) gather(levels_[i - 1], levels_[i]);
   }
-  levels_.front().asked = question.read();
-  if (levels_.front().asked) gather_enable(levels_.front());
+  levels_.front().pending = question.read();
+  if (levels_.front().pending) gather_enable(levels_.front());
   const Level& last = levels_.back();
-  answer.write({.valid = last.asked, .any_enabled = last.asked && last.bits.front()});
-  const bool rests = std::none_of(levels_.begin(), levels_.end(), [](const Level& level) { return level.asked; });
+  answer.write({.valid = last.pending, .any_enabled = last.pending && last.bits.front()});
+  const bool rests = std::none_of(levels_.begin(), levels_.end(), [](const Level& level) { return level.pending; });
   if (rests && !question.read()) next_trigger(question.value_changed_event());
 }
 

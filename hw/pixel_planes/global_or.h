@@ -27,12 +27,12 @@ class GlobalOr final : public sc_core::sc_module {
   GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::uint32_t fan_in);
 
   /// Supplies the answers to the next questions, in order, for a machine in which only some pixels are built.
-  void foretell(std::vector<bool> answers);
+  void set_answers(std::vector<bool> answers);
 
  private:
   /// The registers behind the gates of a level.
   struct Level {
-    bool asked = false;  ///< whether they hold data of a question
+    bool pending = false;  ///< whether they hold data of a question
     std::vector<bool> bits;
   };
 

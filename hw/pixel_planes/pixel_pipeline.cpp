@@ -44,9 +44,9 @@ PixelPipeline::PixelPipeline(sc_core::sc_module_name name, const machines::Machi
 /// The word is at the pixels at once if the trees have no levels (latency 0).
 void PixelPipeline::put(std::uint64_t edge, const ControlWord& word, const array::RootBits& bits) {
   puts_.push_back({edge, word, bits});
-  const bool asked = asks_;
-  asks_ = word.step.function == array::AluFunction::answer;
-  if (asks_ || asked) wake_at(edge + latency_);
+  const bool requested_or = requests_or_;
+  requests_or_ = word.step.function == array::AluFunction::answer;
+  if (requests_or_ || requested_or) wake_at(edge + latency_);
   if (word.last) wake_at(edge + latency_ + 1);
 }
 

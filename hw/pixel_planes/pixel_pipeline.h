@@ -68,7 +68,7 @@ class PixelPipeline final : public sc_core::sc_module, public PixelWires, public
 
   const sc_core::sc_time period_;
   const unsigned latency_;
-  bool asks_ = false;  ///< whether the last word put requests the global OR
+  bool requests_or_ = false;  ///< whether the last word put requests the global OR
   std::optional<ForetoldPicture> foretold_;
   std::vector<std::uint64_t> due_;  ///< edges at which to wake, the latest first
   sc_core::sc_event woken_{"woken"};

@@ -203,7 +203,7 @@ void PixelPlanes::draw(const isa::Program& program, systemc::RunListener& listen
 void PixelPlanes::start(const isa::Program& program) {
   if (foretold_) pipeline_.show(shown_field(program, machine_));
   if (start_) return resume(program, *std::exchange(start_, std::nullopt));
-  if (foretold_) global_or_.foretell(foretold_->answers);
+  if (foretold_) global_or_.set_answers(foretold_->answers);
   host_.load(link::frame_words(program, machine_.link.width));
   waiting_frames_.nb_write(true);
 }
@@ -214,8 +214,8 @@ void PixelPlanes::resume(const isa::Program& program, const Start& start) {
   const array::PixelReplay fresh(foretold_->pixels, machine_.array.memory_bits, sequencer(machine_), machine_.alu_bits);
   const array::PixelReplay replay = replay_until(program, foretold_->answers, start, fresh);
   pipeline_.resume(replay.pixels(), replay.tree());
-  const auto asked = static_cast<std::ptrdiff_t>(start.questions);
-  global_or_.foretell({foretold_->answers.begin() + asked, foretold_->answers.end()});
+  const auto first = static_cast<std::ptrdiff_t>(start.questions);
+  global_or_.set_answers({foretold_->answers.begin() + first, foretold_->answers.end()});
   link::FrameWords words = link::frame_words(program, machine_.link.width, start.ordinal + 1, start.end);
   for (std::size_t i = start.moment.words_read; i < start.moment.words_sent; ++i) link_.nb_write(words.words[i]);
   host_.resume(std::move(words), start.moment.words_sent, start.moment.clocks_left);

@@ -49,7 +49,7 @@ std::optional<Start> start_before(const isa::Program& program, const machines::M
                          if (start) start->end = first + index + 2 + machine.link.fifo_depth;
                          return begin < window.end;
                        });
-  if (start) start->moment = moment_of(program, machine, foretold.skips, start->segment, start->index);
+  if (start) start->moment = instruction_moment(program, machine, foretold.skips, start->segment, start->index);
   return start;
 }
 

@@ -73,7 +73,7 @@ bool ScanOut::begin() {
   if (!pictures.nb_read(next)) return false;
   colour_ = next.colour;
   row_ = 0;
-  asked_ = 0;
+  requested_ = 0;
   latched_ = 0;
   shifted_ = shape_.width;
   acted_at_ = systemc::edges(period_) - 1;
@@ -88,7 +88,7 @@ void ScanOut::transfer() {
   if (latched_ != colour_.width || shifted_ != shape_.width) return;
   std::swap(latch_row_, shift_row_);
   std::fill(latch_row_.begin(), latch_row_.end(), 0U);
-  asked_ = 0;
+  requested_ = 0;
   latched_ = 0;
   shifted_ = 0;
   ++row_;
@@ -111,9 +111,9 @@ void ScanOut::latch() {
 }
 
 void ScanOut::ask() {
-  if (asked_ == colour_.width) return;
-  const RefreshStep step{static_cast<std::uint16_t>(colour_.base + asked_), static_cast<std::uint16_t>(row_)};
-  if (refreshes.nb_write(step)) ++asked_;
+  if (requested_ == colour_.width) return;
+  const RefreshStep step{static_cast<std::uint16_t>(colour_.base + requested_), static_cast<std::uint16_t>(row_)};
+  if (refreshes.nb_write(step)) ++requested_;
 }
 
 void ScanOut::latch_bit(RefreshStep step) {

@@ -60,7 +60,7 @@ class ScanOut final : public sc_core::sc_module {
   const ScanOutPort port_;
   isa::Field colour_;
   std::uint32_t row_ = 0;                 ///< row being latched
-  std::uint32_t asked_ = 0;               ///< bits of it requested from the controller
+  std::uint32_t requested_ = 0;           ///< bits of it requested from the controller
   std::uint32_t latched_ = 0;             ///< bits of it latched
   std::vector<std::uint32_t> latch_row_;  ///< one colour per pixel
   std::vector<std::uint32_t> shift_row_;  ///< one colour per pixel

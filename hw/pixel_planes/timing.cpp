@@ -34,8 +34,8 @@ struct Task {
   std::size_t jumps_over = 0;  ///< number of tasks skipped after this one
 };
 
-std::vector<Task> tasks_of(const isa::Program& program, const machines::Machine& machine,
-                           std::span<const machines::Skip> skips) {
+std::vector<Task> make_tasks(const isa::Program& program, const machines::Machine& machine,
+                             std::span<const machines::Skip> skips) {
   std::vector<Task> tasks;
   tasks.reserve(program.segments.size() + isa::instructions_in(program) + 1);
   const auto words = [&](const isa::Command& command) { return isa::wire_words(command, machine.link.width); };
@@ -111,7 +111,7 @@ class FrameModel {
   [[nodiscard]] Moment moment() const {
     machines::LinkTiming link = link_;
     const std::uint64_t read = first_word_ + link.words_read();
-    const std::uint64_t left = first_word_ + words_of(first_task_, tasks_.size()) - read;
+    const std::uint64_t left = first_word_ + count_words(first_task_, tasks_.size()) - read;
     std::uint64_t stored = 0;
     while (link.sent() - link.words_read() < left && link.send_before(begun_, stored)) continue;
     return {.clock = begun_,
@@ -121,7 +121,7 @@ class FrameModel {
   }
 
   /// Words of the tasks in [from, until).
-  [[nodiscard]] std::uint64_t words_of(std::size_t from, std::size_t until) const {
+  [[nodiscard]] std::uint64_t count_words(std::size_t from, std::size_t until) const {
     std::uint64_t words = 0;
     for (std::size_t task = from; task < until; ++task) words += tasks_[task].words;
     return words;
@@ -219,7 +219,7 @@ class FrameModel {
     link_.stop(known, !sent);
     link_.request(known);
     const std::size_t next_task = question + 1 + tasks_[question].jumps_over;
-    first_word_ += words_of(first_task_, next_task);
+    first_word_ += count_words(first_task_, next_task);
     first_task_ = next_task;
     read_ = known;
     jumped_ = true;
@@ -345,7 +345,7 @@ std::uint64_t Kind::clocks(const isa::Instruction& instruction, const machines::
 
 machines::FrameTiming Kind::time(const isa::Program& program, const machines::Machine& machine,
                                  const machines::Told& outcome) const {
-  const std::vector<Task> tasks = tasks_of(program, machine, outcome.skips);
+  const std::vector<Task> tasks = make_tasks(program, machine, outcome.skips);
   const std::uint32_t colour_bits = program.colour.width;
   SequenceModel model(machine);
   model.draw(tasks, colour_bits);
@@ -356,7 +356,7 @@ machines::FrameTiming Kind::time(const isa::Program& program, const machines::Ma
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const machines::Machine& machine,
                                                  const machines::Told& outcome) const {
-  const std::vector<Task> tasks = tasks_of(program, machine, outcome.skips);
+  const std::vector<Task> tasks = make_tasks(program, machine, outcome.skips);
   std::vector<machines::ClockSpan> spans(tasks.size());
   FrameModel(machine, tasks, 0, nullptr, 0, &spans).time();
   machines::Timeline timeline;
@@ -370,9 +370,9 @@ std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, co
   return timeline;
 }
 
-Moment moment_of(const isa::Program& program, const machines::Machine& machine, std::span<const machines::Skip> skips,
-                 std::uint32_t segment, std::uint32_t index) {
-  const std::vector<Task> tasks = tasks_of(program, machine, skips);
+Moment instruction_moment(const isa::Program& program, const machines::Machine& machine,
+                          std::span<const machines::Skip> skips, std::uint32_t segment, std::uint32_t index) {
+  const std::vector<Task> tasks = make_tasks(program, machine, skips);
   std::size_t task = segment + 1 + index;  // after a clear for each segment
   for (std::uint32_t s = 0; s < segment; ++s) task += program.segments[s].instructions.size();
   const std::uint32_t colour_bits = program.colour.width;
@@ -397,7 +397,7 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
 std::vector<machines::FrameTiming> time_sequence(std::span<const DrawnFrame> frames, const machines::Machine& machine) {
   SequenceModel model(machine);
   for (const DrawnFrame& frame : frames)
-    model.draw(tasks_of(*frame.program, machine, frame.skips), frame.program->colour.width);
+    model.draw(make_tasks(*frame.program, machine, frame.skips), frame.program->colour.width);
   return model.finish();
 }
 

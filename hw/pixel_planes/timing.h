@@ -22,8 +22,8 @@ struct Moment {
 };
 
 /// The moment of an executed instruction, in a frame without a previous picture on display.
-Moment moment_of(const isa::Program& program, const machines::Machine& machine, std::span<const machines::Skip> skips,
-                 std::uint32_t segment, std::uint32_t index);
+Moment instruction_moment(const isa::Program& program, const machines::Machine& machine,
+                          std::span<const machines::Skip> skips, std::uint32_t segment, std::uint32_t index);
 
 /// A frame of a sequence and the skips in it.
 struct DrawnFrame {

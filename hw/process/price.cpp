@@ -77,7 +77,7 @@ double pixel_path(const Machine& machine, const Process& process) {
 }
 
 /// Stream bits that a node passes on to its children.
-double streams_of(const Machine& machine) {
+double stream_bits(const Machine& machine) {
   return (machine.evaluator_degree == 1 ? 2.0 : 4.0) * machine.evaluator_bits;
 }
 
@@ -87,7 +87,7 @@ double register_bits(const Machine& machine) {
   const double operand_latch = machine.memory_reads == 1 ? machine.alu_bits : 0;
   const double carries = machine.evaluator_degree == 1 ? 1 : 3;
   const double flag_and_delay = machine.evaluator_degree == 1 ? 0 : machine.evaluator_bits == 1 ? 2 : 1;
-  return 3 + operand_latch + streams_of(machine) * machines::registered_nodes(machine) + carries + flag_and_delay;
+  return 3 + operand_latch + stream_bits(machine) * machines::registered_nodes(machine) + carries + flag_and_delay;
 }
 
 /// Adders chained between registers of a tree.
@@ -116,7 +116,7 @@ double pixel_energy(const Machine& machine, double logic, const Process& process
   const double pitch = std::sqrt(pixel_area(machine, logic, process));  // mm
   return aj * (ports * machine.alu_bits * read + adders * static_cast<double>(process.adder_energy) +
                register_bits(machine) * static_cast<double>(process.register_energy) +
-               streams_of(machine) * pitch * static_cast<double>(process.wire_energy));
+               stream_bits(machine) * pitch * static_cast<double>(process.wire_energy));
 }
 
 /// Transistors shared by all pixels of an array, summed over the arrays.
@@ -159,10 +159,12 @@ std::optional<double> machine_mm2(const Machine& machine, const machines::Resour
                                   const Process& process) {
   const std::optional<double> logic = logic_transistors(machine);
   if (!logic) return std::nullopt;
-  const std::uint64_t of_pixels = resources.processors * machine.array.memory_bits;
-  const double beside = static_cast<double>(resources.memory_bits - std::min(of_pixels, resources.memory_bits));
-  const double buffer_bit = machines::cell_transistors(1) * static_cast<double>(process.memory_transistor_area) * nm2;
-  return static_cast<double>(resources.processors) * pixel_area(machine, *logic, process) + beside * buffer_bit +
+  const std::uint64_t pixel_bits = resources.processors * machine.array.memory_bits;
+  const double buffer_bits = static_cast<double>(resources.memory_bits - std::min(pixel_bits, resources.memory_bits));
+  const double buffer_bit_area =
+      machines::cell_transistors(1) * static_cast<double>(process.memory_transistor_area) * nm2;
+  return static_cast<double>(resources.processors) * pixel_area(machine, *logic, process) +
+         buffer_bits * buffer_bit_area +
          shared_transistors(machine) * static_cast<double>(process.transistor_area) * nm2;
 }
 

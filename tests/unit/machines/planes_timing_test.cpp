@@ -175,7 +175,7 @@ TEST_CASE("the words read and sent at a moment after a jump count those that wer
   const std::vector<machines::Skip> skips{{0, 0}};
   std::vector<Instruction> instructions(5, {.opcode = Opcode::enable_all});
   instructions.front() = {.opcode = Opcode::skip_if_none, .constant = 3};
-  const pixel_planes::Moment moment = pixel_planes::moment_of(program_of(instructions), machine, skips, 0, 4);
+  const pixel_planes::Moment moment = pixel_planes::instruction_moment(program_of(instructions), machine, skips, 0, 4);
   CHECK(moment.clock == 30);
   CHECK(moment.words_read == 3 + 2 + 3 + 1);
   CHECK(moment.words_sent == 3 + 2 + 3 + 2);
