@@ -46,9 +46,8 @@ enum class EnableEffect : std::uint8_t {
 /// In the meanings E is the pixel's enable bit, t a target field, s and r source fields, k a constant or a count, and
 /// F the pixel's value of the linear expression: the low `width` bits of A*x + B*y + C as a two's complement number,
 /// shifted right by `shift` with floor; x and y are the pixel's column and row in its segment. After `squares` the sum
-/// also contains A*x*x + B*x*y + C*y*y with the coefficients of the squares. Fields are unsigned. D is a field of
-/// 2w + 1 bits without its top bit.
-/// Memory is written only where E is 1, except by enable_store.
+/// also contains A*x*x + B*x*y + C*y*y with the coefficients of the squares. Fields are unsigned. D is the value of a
+/// field of 2w + 1 bits without its top bit. Memory is written only where E is 1, except by enable_store.
 // clang-format off
 #define CSGSIM_OPCODES(OP)                                                                                             \
   OP( 0, enable_all,        none,   none,     none,   one,         one,         sets,    "E := 1")                     \

@@ -27,7 +27,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     shared::memory_writes,
     shared::alu_bits,
     machines::own_figure<Figures, &Figures::has_global_or>("global_or.present", "lines", 0, 1,
-                                                           "wired OR of all enable bits, back to the controller"),
+                                                           "wired OR of all enable bits, fed back to the controller"),
     machines::or_ideal(machines::own_figure<Figures, &Figures::or_fan_in>(
                            "global_or.fan_in", "lines", 2, 65536,
                            "inputs of each gate of that OR, followed by a register; ideal: it settles in a clock"),
