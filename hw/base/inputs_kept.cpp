@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 struct Kept {
   std::mutex mutex;
   bool is_on = false;
-  std::set<fs::path> files;  ///< complete
+  std::set<fs::path> files;  ///< absolute paths
 };
 
 Kept& kept() {

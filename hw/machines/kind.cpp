@@ -12,7 +12,7 @@ namespace csgsim::machines {
 Machine blank(const Kind& kind) {
   Machine machine;
   machine.kind = &kind;
-  kind.give_figures(machine);
+  kind.init_own_figures(machine);
   return machine;
 }
 
@@ -114,8 +114,8 @@ FrameTiming with_pace(FrameTiming timing) {
   return timing;
 }
 
-FrameTiming time_frame(const isa::Program& program, const Machine& machine, const Told& told) {
-  return with_pace(machine.kind->time(program, machine, told));
+FrameTiming time_frame(const isa::Program& program, const Machine& machine, const Told& outcome) {
+  return with_pace(machine.kind->time(program, machine, outcome));
 }
 
 }  // namespace csgsim::machines

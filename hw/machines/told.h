@@ -1,3 +1,5 @@
+// Run-time outcomes that exact timing needs.
+// Used by the timing models and sim/engine.
 #pragma once
 
 #include <concepts>
@@ -8,44 +10,44 @@
 
 namespace csgsim::machines {
 
-/// A skip_if_none that found no pixel enabled, so that the instructions it names were not carried out.
+/// A skip_if_none that found no enabled pixel and therefore skipped instructions.
 struct Skip {
   std::uint32_t segment = 0;
-  std::uint32_t index = 0;  ///< of the question within the segment
+  std::uint32_t index = 0;  ///< index of the skip_if_none within the segment
 
   constexpr bool operator==(const Skip&) const = default;
 };
 
-/// Which pixels of a segment its instructions met. A plane has a bit a pixel: pixel x of a row is bit x % 64 of word
-/// x / 64, each row padded to whole words with zeros.
+/// The enabled pixels of a segment at each of its instructions. A plane has one bit per pixel: pixel x of a row is bit
+/// x % 64 of word x / 64; rows are padded to whole words with zeros.
 struct MetPixels {
-  /// Numbers of planes.
+  /// Plane numbers for one instruction.
   struct Planes {
-    std::uint32_t enabled = 0;  ///< pixels whose E was 1 when the instruction began
-    std::uint32_t chosen = 0;   ///< of these, at keep_max and keep_min, where F was kept; else the same
+    std::uint32_t enabled = 0;  ///< pixels with E = 1 when the instruction began
+    std::uint32_t chosen = 0;   ///< for keep_max and keep_min, the enabled pixels that kept F; otherwise = enabled
 
     constexpr bool operator==(const Planes&) const = default;
   };
 
   std::size_t row_words = 0;
-  std::vector<std::vector<std::uint64_t>> planes{{}};  ///< the first, without words, is 0 at every pixel
-  std::vector<Planes> instructions;                    ///< one an instruction
+  std::vector<std::vector<std::uint64_t>> planes{{}};  ///< the first has no words and stands for 0 at every pixel
+  std::vector<Planes> instructions;                    ///< one per instruction
 
   bool operator==(const MetPixels&) const = default;
 };
 
-/// Clocks that the processors of a segment's pixels spend at them on an instruction.
+/// Clocks that the processors spend on an instruction at the pixels of a segment.
 struct PixelClocks {
   std::uint64_t all = 0;
-  std::uint64_t enabled = 0;  ///< of these, at pixels whose E was 1 when it began
+  std::uint64_t enabled = 0;  ///< part spent at pixels with E = 1 at the beginning
 
   constexpr bool operator==(const PixelClocks&) const = default;
 };
 
-/// What decides about the clocks of a Program and only a run tells.
+/// Run-time outcomes that exact timing needs.
 struct Told {
   std::span<const Skip> skips;     ///< in program order
-  std::span<const MetPixels> met;  ///< one a segment; none where no run told, or Kind::asks_for_pixels does not ask
+  std::span<const MetPixels> met;  ///< one per segment; empty without a run, or if the kind does not need it
 
   constexpr Told() = default;
   constexpr Told(std::span<const Skip> all_skips, std::span<const MetPixels> all_met)
@@ -55,7 +57,7 @@ struct Told {
   constexpr Told(const Skips& all_skips) : skips(all_skips) {}
 };
 
-/// The same, kept.
+/// An owning copy of Told.
 struct RunRecord {
   std::vector<Skip> skips;
   std::vector<MetPixels> met;

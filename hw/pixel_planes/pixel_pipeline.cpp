@@ -41,12 +41,12 @@ PixelPipeline::PixelPipeline(sc_core::sc_module_name name, const machines::Machi
   sensitive << woken_;
 }
 
-/// Without a level of the trees the word is at the pixels at once.
+/// The word is at the pixels at once if the trees have no levels (latency 0).
 void PixelPipeline::put(std::uint64_t edge, const ControlWord& word, const array::RootBits& bits) {
   puts_.push_back({edge, word, bits});
-  const bool asked = asks_;
-  asks_ = word.step.function == array::AluFunction::answer;
-  if (asks_ || asked) wake_at(edge + latency_);
+  const bool requested_or = requests_or_;
+  requests_or_ = word.step.function == array::AluFunction::answer;
+  if (requests_or_ || requested_or) wake_at(edge + latency_);
   if (word.last) wake_at(edge + latency_ + 1);
 }
 
@@ -86,7 +86,7 @@ const Datapath& PixelPipeline::now() const {
   return datapath_;
 }
 
-/// What the wires carry from this edge on.
+/// Applies the values put on the wires up to this edge.
 void PixelPipeline::take_puts() const {
   for (; next_put_ < puts_.size() && puts_[next_put_].edge <= edge_; ++next_put_)
     datapath_.put(puts_[next_put_].word, puts_[next_put_].bits);

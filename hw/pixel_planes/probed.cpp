@@ -15,7 +15,7 @@ namespace csgsim::pixel_planes {
 
 namespace {
 
-/// Visits the instructions that a frame carries out: visit(segment, index, questions asked before); false ends it.
+/// Calls visit(segment, index, number of questions before) for each executed instruction, until it returns false.
 template <class Visit>
 void for_each_carried_out(const isa::Program& program, const std::vector<bool>& answers, Visit visit) {
   std::size_t questions = 0;
@@ -33,7 +33,7 @@ void for_each_carried_out(const isa::Program& program, const std::vector<bool>& 
 
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
                                   const systemc::Foretold& foretold, wave::Window window) {
-  // One more for the word that the pixels have carried out last, which is looked at too.
+  // One clock more than the pipeline for the word that the pixels have executed last, which is also traced.
   const std::uint64_t lead = machines::evaluator_latency(machine) + 2;
   std::optional<Start> start;
   std::uint64_t first = 0;  // ordinal of the segment's first instruction
@@ -49,13 +49,13 @@ std::optional<Start> start_before(const isa::Program& program, const machines::M
                          if (start) start->end = first + index + 2 + machine.link.fifo_depth;
                          return begin < window.end;
                        });
-  if (start) start->moment = moment_of(program, machine, foretold.skips, start->segment, start->index);
+  if (start) start->moment = instruction_moment(program, machine, foretold.skips, start->segment, start->index);
   return start;
 }
 
 array::PixelReplay replay_until(const isa::Program& program, const std::vector<bool>& answers, const Start& start,
                                 const array::PixelReplay& fresh) {
-  // Of these all is carried out at all pixels: as a rule they write every register.
+  // The last instructions are executed at all pixels, because they usually write every register.
   constexpr std::uint64_t last_ones = 400;
   const auto replayed = [&](bool leaves_out) {
     array::PixelReplay replay = fresh;
@@ -79,7 +79,7 @@ array::PixelReplay replay_until(const isa::Program& program, const std::vector<b
     return replay;
   };
   array::PixelReplay quick = replayed(true);
-  return quick.knows_registers() ? quick : replayed(false);
+  return quick.registers_known() ? quick : replayed(false);
 }
 
 array::Place place_of(wave::Pixel pixel, const isa::Program& program) {

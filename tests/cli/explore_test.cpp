@@ -264,7 +264,7 @@ TEST_CASE("what is wrong with --vary and --axes is told in a line, with what to 
   misused(command + " --vary alu.bits", "say KEY=a,b,c");
   misused(command + " --vary alu.bit=1", "the nearest known is 'alu.bits'");
   misused(command + " --vary alu.bits=1,999", "--vary alu.bits");
-  misused(command + " --vary evaluator.bits=1,4", "the ALU takes what the trees bring");
+  misused(command + " --vary evaluator.bits=1,4", "the ALU must process all bits that the trees deliver");
   misused(command + " --vary strategy=auto", "strategy");
   misused(command + " --vary alu.bits=1,2 --set alu.bits=4", "is set besides");
   misused(command + " --vary alu.bits=1,2 --vary alu.bits=4", "said twice");

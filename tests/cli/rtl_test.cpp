@@ -85,13 +85,13 @@ TEST_CASE("a design without a model has a serial line, and no testbench") {
 }
 
 TEST_CASE("a design is not written over files that are not its own, and the current folder is refused") {
-  refused({"pixel-planes-4", "m.csg", "--size", "8x8", "-o", "."}, 1, ".: the current folder is in it",
-          "name a folder that is empty or not there");
+  refused({"pixel-planes-4", "m.csg", "--size", "8x8", "-o", "."}, 1, ".: it contains the current folder",
+          "name an empty folder or a new one");
   const Folder folder;
   fs::create_directory(folder.path() / "d");
   write(folder / "d/board.v", "mine\n");
   const Words words{"pixel-planes-4", "m.csg", "--size", "8x4", "-o", "d"};
-  fails(rtl(folder, words), 1, {"d: it has files that csgsim did not write"});
+  fails(rtl(folder, words), 1, {"d: it contains files that csgsim did not write"});
   CHECK(files_below(folder.path() / "d") == std::set<std::string>{"board.v"});
   CHECK(content(folder / "d/board.v") == "mine\n");
 }

@@ -136,7 +136,7 @@ TEST_CASE("a terminal is shown text, and never binary data") {
     CAPTURE(words);
     const Outcome outcome = on_terminal(words);
     CHECK(outcome.code == 2);
-    CHECK(outcome.out.find("a terminal cannot show binary data; name a file, or lead it into a pipe") !=
+    CHECK(outcome.out.find("a terminal cannot show binary data; name a file, or pipe the output to a program") !=
           std::string::npos);
     CHECK(outcome.out.find("primitives") == std::string::npos);  // refused before anything is drawn
     CHECK(outcome.out.find("IHDR") == std::string::npos);

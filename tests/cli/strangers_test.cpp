@@ -326,7 +326,7 @@ TEST_CASE("a waveform that the disk has no room for is told, and leaves no file"
     CAPTURE(outcome.err);
     CHECK(outcome.code == 1);
     CHECK(one_line(outcome.err));
-    CHECK(outcome.err.starts_with("w.vcd: cannot write it: File too large"));
+    CHECK(outcome.err.starts_with("w.vcd: cannot be written: File too large"));
     CHECK(folder.files() == 0);
   }
 }
