@@ -113,7 +113,7 @@ TEST_CASE("what the Verilog does not have is refused with the mend, and nothing 
 }
 
 TEST_CASE("options that say how to compile are refused where nothing is compiled, for the reason that is true") {
-  const std::string name_one = "is for models; name one behind the machine";
+  const std::string name_one = "is for models; name one after the machine";
   refused({"pixel-planes-4", "--size", "8x8", "--colour-bits", "12", "-o", "d"}, 2, "--colour-bits", name_one);
   refused({"pixel-planes-4", "--set", "background.colour=0,0,0", "-o", "d"}, 2, "'background.colour=0,0,0'", name_one);
   refused({"pixel-planes-4", "p.txt", "--colour-bits", "12", "-o", "d"}, 2, "--colour-bits",

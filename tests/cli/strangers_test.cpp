@@ -149,7 +149,7 @@ TEST_CASE("rerun says that all is the same only of what it has run and compared"
   stats.set_option("frames", 2);
   stats.refuses("--frames: a sequence of frames has no stats", {"-o", "a.png"});
   stats.change([](Json& json) { json["clocks"] = 1; });
-  refused(stats.rerun(), "t.json", "the run differs from it: /clocks was 1, is");
+  refused(stats.rerun(), "t.json", "the run differs: /clocks was 1, is");
 }
 
 TEST_CASE("a value in a stats file is its option's alone, whatever bytes it has") {

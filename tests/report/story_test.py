@@ -145,7 +145,7 @@ def check_two(page, csgsim, path, failures):
     page.open(path)
     pages_test.check_numbers(page, data, 30, failures)
     texts = page.evaluate("[...document.querySelectorAll('p')].map(element => element.textContent)")
-    first, pictures = (next(line for line in done.stdout.split("\n") if part in line) for part in ("another instruction", "the pictures differ"))
+    first, pictures = (next(line for line in done.stdout.split("\n") if part in line) for part in ("first instruction that differs", "the pictures differ"))
     failures.check(any(text.startswith(f"The first instruction that differs is {first.split()[0]}:") for text in texts), f"the first other instruction is not told: {texts[:6]}")
     differ = int(pictures.split(" differ at ")[1].split()[0].replace(",", ""))
     failures.check(any(f" differ at {differ:,} pixels" in text for text in texts), f"how many pixels differ is not told: {texts[:6]}")
