@@ -161,7 +161,7 @@ TEST_CASE("a change in a file that OpenSCAD's source includes is noticed") {
   succeeded(run_beside(folder, {"rerun", "a.json"}));
   write(folder / "part.scad", "cube(size = [8, 8, 8]);\n");
   refused(run_beside(folder, {"rerun", "a.json", "-o", "b.png"}),
-          "a.json: m.scad, or a file that it takes in, has changed; add --anyway to continue");
+          "a.json: m.scad, or a file that it includes, has changed; add --anyway to continue");
   CHECK(!fs::exists(folder / "b.png"));
 }
 
@@ -183,13 +183,13 @@ TEST_CASE("stats of another version are told apart, and counts that differ are t
 TEST_CASE("what is no stats file is refused with its place") {
   const Folder folder;
   write(folder / "a.json", "{\n  \"clocks\": 3,\n}");
-  refused(run_words({"rerun", "a.json"}, folder.path()), "a.json:3:1: this is no JSON");
+  refused(run_words({"rerun", "a.json"}, folder.path()), "a.json:3:1: not valid JSON");
   write(folder / "a.json", "{\"configuration\": " + std::string(1'000'000, '[') + std::string(1'000'000, ']') + "}");
-  refused(run_words({"rerun", "a.json"}, folder.path()), "a.json: too many brackets in brackets");
+  refused(run_words({"rerun", "a.json"}, folder.path()), "a.json: brackets are nested deeper than");
   write(folder / "a.json", "{\"clocks\": 3}");
   refused(run_words({"rerun", "a.json"}, folder.path()), "a.json: it has no configuration");
   write(folder / "a.json", R"({"configuration": {"command": ["csgsim", "sweep"], "options": {}}})");
-  refused(run_words({"rerun", "a.json"}, folder.path()), "only stats of render and run can be run again");
+  refused(run_words({"rerun", "a.json"}, folder.path()), "only runs of render and run can be repeated");
   write(folder / "a.json", R"({"configuration": {"command": ["csgsim", "run"], "options": {"program": 7}}})");
   refused(run_words({"rerun", "a.json"}, folder.path()), "its configuration has 7 where a text should be");
   write(folder / "a.json", R"({"configuration": {"command": ["csgsim", "run"], "options": {"program": "p", "-": 7}}})");

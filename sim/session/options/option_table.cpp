@@ -27,9 +27,9 @@ constexpr std::string_view outputs = "Outputs";
 constexpr std::string_view further = "Further options";
 constexpr std::string_view settings = "Settings files";
 constexpr std::string_view messages = "Messages";
-constexpr std::string_view operand;  // help has it before all options
+constexpr std::string_view operand;  // help lists operands before all options
 
-/// In the order of help.
+/// Order of the headings in help.
 constexpr auto subjects = std::to_array<std::string_view>(
     {varied, drawn, view, machine, algorithm, accuracy, run, outputs, settings, further, messages});
 

@@ -9,7 +9,7 @@
 
 namespace csgsim::session {
 
-/// Whether to tell on standard error how far things are.
+/// Whether to show progress on standard error.
 inline bool shows_progress(const std::string& progress) {
   return progress == "auto" && !is_silent() && ::isatty(STDERR_FILENO) != 0;
 }
