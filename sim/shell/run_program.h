@@ -9,7 +9,7 @@ using namespace session;
 /// Runs the Program at the requested level, writes the requested files and prints the summary. The verdict of a judge,
 /// if there is one, goes into the stats under `accuracy`; all inputs of the run are under `configuration`. `advice`
 /// describes changes that may speed the run up.
-void run_program(const OptionList& asked, const RunSubject& subject, const RunRequest& request, RunOutputs& outputs,
+void run_program(const OptionList& options, const RunSubject& subject, const RunRequest& request, RunOutputs& outputs,
                  const Advice& advice, const Judge& judge = {}, const CheckpointOptions& checkpoints = {});
 
 }  // namespace csgsim::shell

@@ -159,13 +159,13 @@ bool is_done(const ChildEnd& end) { return end.exceeded == Exceeded::nothing && 
 std::string why_failed(const ChildEnd& end, const ChildLimits& limits) {
   switch (end.exceeded) {
     case Exceeded::nothing: break;
-    case Exceeded::time: return fmt::format("it is not done after {} s", limits.time.count());
-    case Exceeded::output: return "it writes more than " + binary_size(limits.output);
-    case Exceeded::errors: return fmt::format("it writes more than {} of messages", binary_size(limits.errors));
+    case Exceeded::time: return fmt::format("it did not finish within {} s", limits.time.count());
+    case Exceeded::output: return "it wrote more than " + binary_size(limits.output);
+    case Exceeded::errors: return fmt::format("it wrote more than {} of messages", binary_size(limits.errors));
   }
   if (WIFSIGNALED(end.status)) {
-    return std::string("it was ended by a signal: ") + ::strsignal(WTERMSIG(end.status)) +
-           (limits.memory == ChildLimits::none ? "" : "; it may have " + binary_size(limits.memory) + " of memory");
+    return std::string("it was killed by a signal: ") + ::strsignal(WTERMSIG(end.status)) +
+           (limits.memory == ChildLimits::none ? "" : "; its memory limit is " + binary_size(limits.memory));
   }
   const std::size_t begin = std::min(end.errors.find_first_not_of(" \n"), end.errors.size());
   return end.errors.substr(begin, end.errors.find('\n', begin) - begin);

@@ -106,11 +106,11 @@ struct Windows {
   std::string shown;  ///< description for the summary
 };
 
-Windows windows_of(const Options& options, const std::optional<waves::WindowRequest>& asked,
+Windows windows_of(const Options& options, const std::optional<waves::WindowRequest>& requested,
                    const isa::Program& program, const machines::Machine& machine, const waves::Foreknowledge& known,
                    std::span<const wave::Pixel> pixels) {
-  if (asked) {
-    waves::WindowRequest request = *asked;
+  if (requested) {
+    waves::WindowRequest request = *requested;
     if (request.kind == waves::WindowRequest::Kind::primitive)
       request.begin = primitive_named(program, request.name, "--window");
     const auto windows =
@@ -158,14 +158,14 @@ std::optional<waves::WindowRequest> checked(const Options& options, const Option
   if (!options.at.empty() && command.is_given("window"))
     throw UsageError("--at", "replaces --window; give only one of them");
   if (!options.at.empty()) return std::nullopt;
-  const waves::WindowRequest asked = for_option("--window", [&] { return waves::parse_window(options.window); });
-  if (has_lanes_only && asked.kind != waves::WindowRequest::Kind::clocks) {
+  const waves::WindowRequest requested = for_option("--window", [&] { return waves::parse_window(options.window); });
+  if (has_lanes_only && requested.kind != waves::WindowRequest::Kind::clocks) {
     throw UsageError(
         "--window",
         "without a --pixel, unit activities are recorded over clocks FIRST:END; leave --window out for the "
         "whole frame");
   }
-  return asked;
+  return requested;
 }
 
 /// Paths of the viewer files.
@@ -192,7 +192,7 @@ void print_summary(const Options& options, const Windows& windows, const wave::R
 }
 
 void record(const Options& options, const OptionList& command) {
-  const std::optional<waves::WindowRequest> asked = checked(options, command);
+  const std::optional<waves::WindowRequest> requested = checked(options, command);
   std::vector<std::filesystem::path> outputs{options.output};
   for (std::filesystem::path& path : view_paths(options)) outputs.push_back(std::move(path));
   refuse_clashes(options.model.inputs(), outputs);
@@ -209,7 +209,7 @@ void record(const Options& options, const OptionList& command) {
   refuse_overflow(known.result);
   const bool is_whole = has_lanes(options) && !command.is_given("window") && options.at.empty();
   const Windows windows =
-      is_whole ? whole_frame(known) : windows_of(options, asked, program, machine, known, request.pixels);
+      is_whole ? whole_frame(known) : windows_of(options, requested, program, machine, known, request.pixels);
   request.windows = waves::padded(windows.windows, options.padding);
   waves::WaveFile waveform(files.front(), ends_in(options.output, ".fst"));
   request.write = [&](std::string_view text) { waveform.write(text); };

@@ -28,13 +28,13 @@ namespace {
 
 void refuse_less_memory(const isa::Program& program, const std::string& file, const machines::Machine& machine) {
   if (program.shape.memory_bits <= machine.array.memory_bits) return;
-  throw InputError(fmt::format(
-      "{}: the Program takes {} bits of memory a pixel, and {} has {}; take a machine with more, or compile "
-      "the model for this one",
-      file, program.shape.memory_bits, machine.name, machine.array.memory_bits));
+  throw InputError(
+      fmt::format("{}: the Program needs {} memory bits per pixel, and {} has {}; take a machine with more, or compile "
+                  "the model for this one",
+                  file, program.shape.memory_bits, machine.name, machine.array.memory_bits));
 }
 
-/// Of a Program that does not name its machine.
+/// The default machine, or the given one, for a Program that does not name its machine.
 machines::Machine assumed_machine(const isa::Program& program, const std::string& file, const std::string& asked,
                                   const std::vector<std::string>& sets) {
   machines::Machine machine = load_machine(asked.empty() ? ModelRequest{}.machine : asked, sets);
@@ -45,11 +45,11 @@ machines::Machine assumed_machine(const isa::Program& program, const std::string
   const std::uint32_t bits = program.shape.memory_bits;
   const std::string memory =
       bits > machine.array.memory_bits
-          ? fmt::format(", with {} bits of memory a pixel instead of its {}", bits, machine.array.memory_bits)
+          ? fmt::format(", with {} memory bits per pixel instead of {}", bits, machine.array.memory_bits)
           : "";
   tell_line(
-      fmt::format("{}: warning: the Program does not name the machine that it was compiled for; {} is assumed{}; "
-                  "name one by --machine",
+      fmt::format("{}: warning: the Program does not name the machine it was compiled for; {} is assumed{}; name one "
+                  "with --machine",
                   file, machine.name, memory));
   return machine;
 }
@@ -63,25 +63,25 @@ machines::Machine named_machine(const isa::Program& program, const std::string& 
   }
 }
 
-/// Nothing where it is not known any more.
+/// The machine that the Program names; nothing, with a warning, if it cannot be loaded.
 std::optional<machines::Machine> machine_named(const isa::Program& program, const std::string& file) {
   try {
     return load_machine(program.machine, {});
   } catch (const InputError& error) {
-    tell_line(fmt::format("{}: warning: whether this machine fits cannot be told: {}", file, error.what()));
+    tell_line(fmt::format("{}: warning: cannot check whether this machine fits: {}", file, error.what()));
     return std::nullopt;
   }
 }
 
-/// Where it is not the machine that the Program names.
+/// Checks a machine other than the one that the Program names.
 void check_fits(const isa::Program& program, const std::string& file, const machines::Machine& machine) {
   const std::optional<machines::Machine> known = machine_named(program, file);
   if (!known) return refuse_less_memory(program, file, machine);
   const machines::Machine& own = *known;
   if (machine.kind != own.kind) {
     throw InputError(fmt::format(
-        "{}: the Program was compiled for {}, of the kind {}, and {} is of the kind {}; leave --machine out, "
-        "or compile the model for this one",
+        "{}: the Program was compiled for {}, of kind {}, and {} is of kind {}; leave --machine out, or compile the "
+        "model for this one",
         file, own.name, own.kind->name, machine.name, machine.kind->name));
   }
   const std::vector<std::string> others = machines::other_figures(machine, own);

@@ -16,12 +16,12 @@ namespace csgsim::session {
 
 namespace {
 
-constexpr std::string_view drawn = "What is drawn";
+constexpr std::string_view drawn = "Model and scene";
 constexpr std::string_view view = "View";
 constexpr std::string_view machine = "Machine";
 constexpr std::string_view algorithm = "Algorithm and pixel memory";
 constexpr std::string_view accuracy = "Accuracy";
-constexpr std::string_view varied = "What is varied or asked";
+constexpr std::string_view varied = "Study or query";
 constexpr std::string_view run = "The run";
 constexpr std::string_view outputs = "Outputs";
 constexpr std::string_view further = "Further options";
