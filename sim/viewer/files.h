@@ -5,7 +5,7 @@
 
 namespace csgsim::viewer {
 
-/// A file of `page/`, which is part of the program.
+/// An embedded file of `page/`.
 struct PageFile {
   std::string_view name;
   std::string_view text;

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t most_rows = 4000;
 
-/// A node that is still to be shown.
+/// A node that has not been shown yet.
 struct Waiting {
   std::uint32_t node = 0;
   std::size_t depth = 0;
@@ -49,7 +49,7 @@ Json primitive_row(std::size_t depth, std::uint32_t piece, const isa::Facts& fac
   return {{"depth", depth}, {"text", "p" + std::to_string(primitive) + name}, {"primitive", primitive}};
 }
 
-/// Puts the operands where they are shown next, the first of them first.
+/// Pushes the operands in reverse, so that the first is shown next.
 void put_operands(const std::vector<std::uint32_t>& operands, std::size_t depth, std::vector<Waiting>& waiting) {
   std::transform(operands.rbegin(), operands.rend(), std::back_inserter(waiting), [depth](std::uint32_t operand) {
     return Waiting{operand, depth};
