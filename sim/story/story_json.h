@@ -8,7 +8,7 @@
 
 namespace csgsim::story {
 
-/// The whole story; docs/debugging.md describes every key with its unit.
+/// The whole history; docs/debugging.md describes every key with its unit.
 nlohmann::ordered_json to_json(const Subject& subject, const Story& story);
 
 nlohmann::ordered_json to_json(const Subject& subject, const Story& story, const WhyNot& answer);

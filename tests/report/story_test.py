@@ -93,7 +93,7 @@ def check_keys(page, failures):
     page.press("Enter")
     failures.check(page.evaluate(SHOWN).startswith(f"pixel {x},{y} shows"), "Enter does not show the story of a pixel near the cursor")
     if pages_test.tab_to(page, ".ask input", failures):
-        for text, told in ((f"{x} {y}", f"pixel {x},{y} shows"), ("3,4000", "there is no pixel 3,4000"), ("", "say which pixel"), (f"{x}, {y - 1}", f"csgsim explain {' '.join(THESIS)} --pixel {x},{y - 1}")):
+        for text, told in ((f"{x} {y}", f"pixel {x},{y} shows"), ("3,4000", "there is no pixel 3,4000"), ("", "enter a pixel"), (f"{x}, {y - 1}", f"csgsim explain {' '.join(THESIS)} --pixel {x},{y - 1}")):
             page.evaluate(f"document.activeElement.value = {json.dumps(text)}")
             page.press("Enter")
             shown = page.evaluate("document.querySelector('.story').textContent")

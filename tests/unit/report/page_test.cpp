@@ -72,10 +72,10 @@ TEST_CASE("a study's page says why a point is none, and why there is no picture"
   report::Page page = report::begun_page("title", file, {{"csgsim sweep", {}}, "a.csg", {}, "too dark"});
   page.sections.push_back({"Points", {report::points_table(page.data, "/points", "All", columns)}});
   const std::string html = report::to_html(page);
-  CHECK(html.find("<th scope=col>why not</th>") != std::string::npos);
+  CHECK(html.find("<th scope=col>reason</th>") != std::string::npos);
   CHECK(html.find("no &lt;room&gt;") != std::string::npos);
   CHECK(count(html, ">bits</th>") == 1);  // the second point's strategy: no point has a key of that name
-  CHECK(html.find("There is no picture: too dark") != std::string::npos);
+  CHECK(html.find("No picture: too dark") != std::string::npos);
 }
 
 TEST_CASE("the page of effects has a plot of their clocks, with a mark for each bill of each effect") {
