@@ -34,7 +34,7 @@ void History::keep(std::uint64_t number, checkpoint::Snapshot snapshot) {
   kept_.insert_or_assign(number, std::move(snapshot));
   while (kept_.size() > std::clamp<std::uint64_t>(fit, 2, most_kept)) {
     stride_ *= 2;
-    // The first stays, and of the others those that are as far apart as the stride.
+    // Keep the first, and of the others those at least a stride apart.
     std::uint64_t last = kept_.begin()->first;
     std::erase_if(kept_, [&, is_first = true](const auto& one) mutable {
       const bool stays = std::exchange(is_first, false) || one.first - last >= stride_;

@@ -6,7 +6,7 @@
 
 namespace csgsim::observe {
 
-/// Counts and shares by name, then `parts`: the clocks of each by activity.
+/// Counts and shares by name, then `parts`: the clocks of each unit by activity.
 nlohmann::ordered_json account_json(const machines::Account& account);
 
 }  // namespace csgsim::observe

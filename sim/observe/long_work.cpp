@@ -37,7 +37,7 @@ void LongWork::at(double done) {
   const double expected = elapsed() / done;
   if (expected < warned_of_) return;
   warned_ = expected;
-  tell_line(fmt::format("warning: {} will take about {} here, to judge by the first {:.2g} %; {}", what_,
+  tell_line(fmt::format("warning: {} will take about {}, judging by the first {:.2g} %; {}", what_,
                         duration_text(expected), 100 * done, remedy_));
 }
 

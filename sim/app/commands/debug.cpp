@@ -43,7 +43,7 @@ void execute(const std::string& text, const std::string& name, std::size_t line,
              debug::Session& session) {
   const debug::Command& command = debug::parse_command(text, name, line, program);
   try {
-    fmt::print("{}", session.carry_out(command));
+    fmt::print("{}", session.execute(command));
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}:{}: {}", name, line, error.what()));
   }
