@@ -4,7 +4,7 @@
 
 namespace csgsim::web {
 
-/// From now on read_file finds this text under the name. All other files are refused: a page has none.
+/// Makes read_file return this text for the name. All other files are refused.
 void keep_file(std::string name, std::string text);
 
 }  // namespace csgsim::web

@@ -82,8 +82,8 @@ TEST_CASE("the page of effects has a plot of their clocks, with a mark for each 
   const Json flat{{"effect", "flat"}, {"clocks", 51251}};
   const Json fog{{"effect", "fog"}, {"clocks", 1719}, {"alone_clocks", 1743}, {"together_clocks", 1743}};
   const std::string html = report::to_html(report::effects_page({{"effects", {flat, fog}}}, {}, {}));
-  for (const std::string tip : {"billed: effect flat, clocks 51,251", "billed: effect fog, clocks 1,719",
-                                "added alone: effect fog, clocks 1,743", "spared without it: effect fog, clocks 1,743"})
+  for (const std::string tip : {"charged: effect flat, clocks 51,251", "charged: effect fog, clocks 1,719",
+                                "added alone: effect fog, clocks 1,743", "saved without it: effect fog, clocks 1,743"})
     CHECK(count(html, "<title>" + tip + "</title>") == 1);
   CHECK(count(html, "<g class=\"pt\">") == 4);
 }
@@ -107,7 +107,7 @@ TEST_CASE("a study's configuration is its options and the figures of its machine
   const report::Section section = report::configuration_section(Json::object(), {"c", {{"--size", "8x8"}}, {machine}});
   REQUIRE(section.parts.size() == 2);
   const std::string html = report::table_html(std::get<report::Table>(section.parts[1]));
-  for (const std::string part : {"Figures of m", ">clock.hz<", ">5<", ">Hz<", ">assumed<"})
+  for (const std::string part : {"Parameters of m", ">clock.hz<", ">5<", ">Hz<", ">assumed<"})
     CHECK(html.find(part) != std::string::npos);
   CHECK(report::table_html(std::get<report::Table>(section.parts[0])).find(">8x8<") != std::string::npos);
 }
