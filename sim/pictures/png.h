@@ -4,7 +4,7 @@
 
 namespace csgsim::pictures {
 
-/// A PNG file of 8 bits a channel.
+/// Encodes a PNG file with 8 bits per channel.
 Encoded encode_png(const Raster& raster, Bytes bytes);
 
 }  // namespace csgsim::pictures

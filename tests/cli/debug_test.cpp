@@ -93,7 +93,7 @@ TEST_CASE("checkpoints that cannot be are refused in one line, and leave nothing
     CHECK(one_line(outcome.err.substr(end)));
     CHECK(outcome.err.find(text) != std::string::npos);
   };
-  refused("run " + trace("old_example002") + " --resume " + file, "of another Program");
+  refused("run " + trace("old_example002") + " --resume " + file, "belongs to another Program");
   refused(run_it + " --machine pixel-planes-4+clock.frequency=11000000 --resume " + file, "on another machine");
   write(folder / "short.csgs", content(file).substr(0, 1000));
   refused(run_it + " --resume " + (folder / "short.csgs"), "checksum does not match");
