@@ -1,3 +1,5 @@
+// Saves, loads and resumes checkpoints.
+// Used by sim/debug and sim/session.
 #pragma once
 
 #include <filesystem>

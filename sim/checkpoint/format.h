@@ -1,3 +1,5 @@
+// Constants of the checkpoint format.
+// Used by decode.cpp and snapshot.cpp.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Encoding of planes, pixels and bits in checkpoints.
+// Used by decode.cpp and snapshot.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// A run's state at an instruction boundary, and its file format.
+// Used by sim/checkpoint and sim/debug.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Issue clocks of instructions, computed on first use.
+// Used by sim/debug and sim/viewer.
 #pragma once
 
 #include <cstdint>

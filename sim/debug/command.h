@@ -1,3 +1,5 @@
+// Commands of the debugger, and their parser.
+// Used by sim/debug.
 #pragma once
 
 #include <cstdint>

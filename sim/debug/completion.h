@@ -1,3 +1,5 @@
+// Completion of debugger commands.
+// Used by sim/app.
 #pragma once
 
 #include <span>

@@ -1,3 +1,5 @@
+// Conditions on watched fields.
+// Used by session.cpp and stops.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// A field of every pixel as a picture.
+// Used by sim/debug and sim/viewer.
 #pragma once
 
 #include <string>

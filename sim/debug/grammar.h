@@ -1,3 +1,5 @@
+// PEGTL grammar of debugger commands.
+// Used by parse.cpp.
 #pragma once
 
 #include <type_traits>

@@ -1,3 +1,5 @@
+// Saved states for stepping back.
+// Used by session.h.
 #pragma once
 
 #include <cstdint>

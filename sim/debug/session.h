@@ -1,3 +1,5 @@
+// A debugging session.
+// Used by sim/app.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Text output of the debugger.
+// Used by field_picture.cpp and session.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Breakpoints and targets of a run.
+// Used by session.h.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Interfaces of engines, observers and pixel state.
+// Used throughout sim.
 #pragma once
 
 #include <cstdint>

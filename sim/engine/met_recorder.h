@@ -1,3 +1,5 @@
+// Records at which pixels instructions take effect.
+// Used by sim/functional and sim/reference.
 #pragma once
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Instruction numbers and places in a Program.
+// Used by sim/engine, sim/debug, sim/observe, sim/report and sim/viewer.
 #pragma once
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// A run that can stop, and its saved state.
+// Used throughout sim.
 #pragma once
 
 #include <cstdint>

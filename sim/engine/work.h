@@ -1,3 +1,5 @@
+// Work counters of an engine.
+// Used by sim/engine and sim/functional.
 #pragma once
 
 #include <cstdint>

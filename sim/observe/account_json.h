@@ -1,3 +1,5 @@
+// A machine's clock account as JSON.
+// Used by stats_json.cpp.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,3 +1,5 @@
+// The unit that limits the frame rate.
+// Used by sim/observe, sim/shell and sim/studies.
 #pragma once
 
 #include <optional>

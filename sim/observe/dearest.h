@@ -1,3 +1,5 @@
+// The most expensive primitives of a frame.
+// Used by sim/observe, sim/report, sim/shell and sim/studies.
 #pragma once
 
 #include <cstddef>

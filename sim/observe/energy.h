@@ -1,3 +1,5 @@
+// Energy of a frame.
+// Used by sim/observe and sim/studies.
 #pragma once
 
 #include <optional>

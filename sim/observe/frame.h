@@ -1,3 +1,5 @@
+// Observer that assembles the picture of a run.
+// Used throughout sim.
 #pragma once
 
 #include <cstdint>

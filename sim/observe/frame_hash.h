@@ -1,3 +1,5 @@
+// Hashes of a picture.
+// Used by sim/session and sim/studies.
 #pragma once
 
 #include <string>

@@ -1,3 +1,5 @@
+// Measures the worth of changed machine parameters.
+// Used by sim/observe and sim/session.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Warns about work that will take minutes.
+// Used by sim/observe, sim/session and sim/studies.
 #pragma once
 
 #include <cstddef>

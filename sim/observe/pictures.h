@@ -1,3 +1,5 @@
+// Writes pictures, depths and owners to files.
+// Used throughout sim.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Observer that shows the progress of a run.
+// Used by sim/session.
 #pragma once
 
 #include <chrono>

@@ -1,3 +1,5 @@
+// Observer that counts instructions and clocks.
+// Used throughout sim.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Encodes pictures in common file formats.
+// Used by sim/observe, sim/python, sim/report, sim/session, sim/viewer and sim/web.
 #pragma once
 
 #include <filesystem>

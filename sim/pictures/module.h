@@ -1,3 +1,5 @@
+// Interface of the module of picture formats.
+// Used by module_loader.h and png.h.
 #pragma once
 
 #include <string>

@@ -1,3 +1,5 @@
+// Loads the module of picture formats on demand.
+// Used by encode.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,5 @@
+// Encodes PNG files with libpng.
+// Used by encode.cpp.
 #pragma once
 
 #include "sim/pictures/module.h"

@@ -1,3 +1,5 @@
+// Samples of a picture in memory.
+// Used by encode.h and module.h.
 #pragma once
 
 #include <cstdint>

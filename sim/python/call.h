@@ -1,3 +1,5 @@
+// Converts Python calls to requests.
+// Used by module.cpp.
 #pragma once
 
 #include <optional>

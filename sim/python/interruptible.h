@@ -1,3 +1,5 @@
+// Runs work so that Ctrl-C can interrupt it.
+// Used by module.cpp.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -1,3 +1,5 @@
+// Converts results to Python values.
+// Used by module.cpp.
 #pragma once
 
 #include <pybind11/numpy.h>

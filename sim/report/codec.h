@@ -1,3 +1,5 @@
+// Compact encodings of page data: varints, base 64, runs.
+// Used by sim/report, sim/viewer and sim/web.
 #pragma once
 
 #include <cstdint>

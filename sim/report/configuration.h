@@ -1,3 +1,5 @@
+// Configuration section of pages.
+// Used by sim/report and sim/viewer.
 #pragma once
 
 #include <string>

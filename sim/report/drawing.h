@@ -1,3 +1,5 @@
+// Records the evolution of a picture, step by step.
+// Used by sim/report and sim/viewer.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Structure of an HTML page: sections, tables, pictures.
+// Used by sim/report, sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// HTML of the parts of a page.
+// Used by sim/report and sim/viewer.
 #pragma once
 
 #include <string>

@@ -1,3 +1,5 @@
+// Frames and their differences as PNG pictures.
+// Used by sim/report, sim/app, sim/session and sim/viewer.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Tables of a study's points.
+// Used by sim/report and sim/studies.
 #pragma once
 
 #include <span>

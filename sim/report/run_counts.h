@@ -1,3 +1,5 @@
+// Counts of a run on pages.
+// Used by run_page.cpp and two_page.cpp.
 #pragma once
 
 #include <array>

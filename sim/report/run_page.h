@@ -1,3 +1,5 @@
+// The page of a single run.
+// Used by sim/session and sim/viewer.
 #pragma once
 
 #include "hw/isa/program.h"

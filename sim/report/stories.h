@@ -1,3 +1,5 @@
+// Histories of selected pixels for a page.
+// Used by run_page.cpp and two_page.cpp.
 #pragma once
 
 #include <cstddef>

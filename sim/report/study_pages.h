@@ -1,3 +1,5 @@
+// Common parts of the pages of studies.
+// Used by sim/report, sim/app, sim/session and sim/studies.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,5 @@
+// The page that compares two runs.
+// Used by sim/app.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Template values for FPGA boards.
+// Used by design.cpp.
 #pragma once
 
 #include <vector>

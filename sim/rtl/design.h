@@ -1,3 +1,5 @@
+// Generates a Verilog design.
+// Used by sim/app.
 #pragma once
 
 #include <string>

@@ -1,3 +1,5 @@
+// Verilog parameters of a machine.
+// Used by design.cpp.
 #pragma once
 
 #include <cstdint>

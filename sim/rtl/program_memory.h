@@ -1,3 +1,5 @@
+// Memory files of a Program for $readmemh.
+// Used by design.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Replaces names in templates.
+// Used by board.h and design.cpp.
 #pragma once
 
 #include <span>

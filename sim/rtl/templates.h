@@ -1,3 +1,5 @@
+// Embedded Verilog and templates.
+// Used by design.cpp and templates.cpp.in.
 #pragma once
 
 #include <span>

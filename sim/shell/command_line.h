@@ -1,3 +1,5 @@
+// Commands, their parsing and their help.
+// Used by sim/shell and sim/app.
 #pragma once
 
 #include <deque>

@@ -1,3 +1,5 @@
+// Draws a sequence of frames with a turning camera.
+// Used by sim/app.
 #pragma once
 
 #include <cstdint>

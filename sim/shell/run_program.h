@@ -1,3 +1,5 @@
+// Runs a Program and prints its summary.
+// Used by sim/app.
 #pragma once
 
 #include "sim/session/run/finished_run.h"

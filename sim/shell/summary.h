@@ -1,3 +1,5 @@
+// Printed summary of a run.
+// Used by run_program.cpp.
 #pragma once
 
 #include "sim/observe/frame.h"

@@ -1,3 +1,5 @@
+// Text and JSON that explain a pixel.
+// Used by sim/session and sim/viewer.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Splits a pixel's run into events and surfaces.
+// Used by attempts.cpp and story.cpp.
 #pragma once
 
 #include <cstdint>

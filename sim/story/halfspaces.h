@@ -1,3 +1,5 @@
+// Finds the half-space or quadric behind an instruction.
+// Used by sim/story and sim/session.
 #pragma once
 
 #include <cstddef>

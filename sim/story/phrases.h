@@ -1,3 +1,5 @@
+// Texts of values, decisions and geometry.
+// Used by sim/story, sim/app and sim/report.
 #pragma once
 
 #include <cstdint>

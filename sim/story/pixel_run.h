@@ -1,3 +1,5 @@
+// Executes a Program at a single pixel.
+// Used by events.h and story.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// The history of a pixel in a frame.
+// Used by sim/story, sim/app and sim/report.
 #pragma once
 
 #include <cstddef>

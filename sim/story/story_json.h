@@ -1,3 +1,5 @@
+// A pixel's history as JSON.
+// Used by answer.cpp.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,3 +1,5 @@
+// A pixel's history as text.
+// Used by sim/story, sim/app and sim/report.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Explains why a primitive is not visible at a pixel.
+// Used by answer.cpp, story_json.h and story_text.cpp.
 #pragma once
 
 #include <cstddef>

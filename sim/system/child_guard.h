@@ -1,3 +1,5 @@
+// A guard process that runs and terminates a child program.
+// Used by child_process.cpp.
 #pragma once
 
 #include <sys/types.h>

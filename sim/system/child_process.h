@@ -1,3 +1,5 @@
+// Runs other programs within limits.
+// Used by sim/plots, sim/session, sim/viewer and sim/waves.
 #pragma once
 
 #include <chrono>

@@ -1,3 +1,5 @@
+// An exclusive lock on an output folder.
+// Used by sim/studies.
 #pragma once
 
 #include <filesystem>

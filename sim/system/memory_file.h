@@ -1,3 +1,5 @@
+// Files in memory.
+// Used by sim/system, sim/pictures, sim/plots, sim/session and sim/waves.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,5 @@
+// Access control of the page's server.
+// Used by sim/app.
 #pragma once
 
 #include <cstdint>

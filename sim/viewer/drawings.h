@@ -1,3 +1,5 @@
+// Compiled and drawn models of a viewer session.
+// Used by session.h.
 #pragma once
 
 #include <cstddef>

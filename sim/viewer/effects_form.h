@@ -1,3 +1,5 @@
+// Data of the page's form of effects.
+// Used by session.cpp.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,5 @@
+// Progress, time limit and cancellation of requests.
+// Used by drawings.h and session.h.
 #pragma once
 
 #include <chrono>

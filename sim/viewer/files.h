@@ -1,3 +1,5 @@
+// Embedded files of the page.
+// Used by files.cpp.in and page.cpp.
 #pragma once
 
 #include <span>

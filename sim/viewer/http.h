@@ -1,3 +1,5 @@
+// HTTP requests and replies.
+// Used by sim/viewer.
 #pragma once
 
 #include <functional>

@@ -1,3 +1,5 @@
+// Pixel memory between two instructions.
+// Used by drawings.h.
 #pragma once
 
 #include <cstdint>

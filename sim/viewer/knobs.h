@@ -1,3 +1,5 @@
+// Names of the settings that the page can change.
+// Used by sim/viewer and sim/app.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Activities of a machine's units, merged for display.
+// Used by drawings.h.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Interface of the server module.
+// Used by serve.h and server.h.
 #pragma once
 
 #include <chrono>

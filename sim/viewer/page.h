@@ -1,3 +1,5 @@
+// Serves the files of the page.
+// Used by sim/app.
 #pragma once
 
 #include <optional>

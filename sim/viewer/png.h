@@ -1,3 +1,5 @@
+// PNG pictures as data URLs.
+// Used by instants.cpp, session.cpp and two.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Records waveforms in a separate csgsim process.
+// Used by sim/viewer and sim/web.
 #pragma once
 
 #include <chrono>

@@ -1,3 +1,5 @@
+// Opens the server module.
+// Used by sim/app.
 #pragma once
 
 #include "sim/viewer/module.h"

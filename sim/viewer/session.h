@@ -1,3 +1,5 @@
+// Answers the questions of the page.
+// Used by sim/app and sim/web.
 #pragma once
 
 #include <chrono>

@@ -1,3 +1,5 @@
+// Model trees and active trees as rows.
+// Used by drawings.h.
 #pragma once
 
 #include <cstdint>

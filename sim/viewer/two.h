@@ -1,3 +1,5 @@
+// Comparison of two drawings.
+// Used by session.cpp.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,5 @@
+// Access to members of JSON requests.
+// Used by drawings.h, evaluations.h and session.h.
 #pragma once
 
 #include <cstdint>

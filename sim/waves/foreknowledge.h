@@ -1,3 +1,5 @@
+// Results of a functional run that waveform recording needs.
+// Used by sim/waves and sim/app.
 #pragma once
 
 #include <cstdint>

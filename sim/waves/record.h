@@ -1,3 +1,5 @@
+// Records waveforms of a clocked machine.
+// Used by sim/waves and sim/app.
 #pragma once
 
 #include <cstdint>

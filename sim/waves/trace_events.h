@@ -1,3 +1,5 @@
+// Writes waveforms as Chrome trace events.
+// Used by record.cpp.
 #pragma once
 
 #include <cstdint>

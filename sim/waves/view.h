@@ -1,3 +1,5 @@
+// Save files for waveform viewers.
+// Used by sim/waves and sim/app.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Writes waveform files, VCD or FST.
+// Used by sim/app.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,5 @@
+// Windows of clocks to record.
+// Used by sim/app.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Selects the spheres that are drawn as circles and paraboloids.
+// Used by model_request.cpp.
 #pragma once
 
 #include "host/emit/look.h"

@@ -1,3 +1,5 @@
+// Resolves primitives and pixels named in options.
+// Used by sim/session, sim/app and sim/viewer.
 #pragma once
 
 #include <cstdint>

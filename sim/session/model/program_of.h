@@ -1,3 +1,5 @@
+// Loads Programs and matches them with machines.
+// Used by sim/session, sim/app and sim/python.
 #pragma once
 
 #include <set>

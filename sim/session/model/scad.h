@@ -1,3 +1,5 @@
+// Runs OpenSCAD on a model's source.
+// Used by sim/session and sim/web.
 #pragma once
 
 #include <chrono>

@@ -1,3 +1,5 @@
+// Finds effects that make surfaces transparent.
+// Used by sim/session and sim/studies.
 #pragma once
 
 #include "host/emit/effect.h"

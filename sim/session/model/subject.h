@@ -1,3 +1,5 @@
+// Distinguishes models from Programs by content and name.
+// Used by sim/session, sim/app, sim/python and sim/studies.
 #pragma once
 
 #include <array>

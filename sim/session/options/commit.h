@@ -1,3 +1,5 @@
+// The commit that csgsim was built from.
+// Used by sim/session and sim/web.
 #pragma once
 
 namespace csgsim::session {

@@ -1,3 +1,5 @@
+// Parses untrusted JSON within limits.
+// Used by sim/shell, sim/viewer and sim/web.
 #pragma once
 
 #include <cstddef>

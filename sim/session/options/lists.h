@@ -1,3 +1,5 @@
+// Parses comma-separated lists of option texts.
+// Used by sim/session, sim/app and sim/studies.
 #pragma once
 
 #include <span>

@@ -1,3 +1,5 @@
+// Default lists of machines for options.
+// Used by sim/app and sim/studies.
 #pragma once
 
 #include <fmt/format.h>

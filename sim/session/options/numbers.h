@@ -1,3 +1,5 @@
+// Parses numbers in option texts and formats counts.
+// Used by sim/session, sim/app, sim/shell and sim/studies.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Options and operands of a request, with validation and messages.
+// Used by sim/session, sim/python, sim/shell and sim/studies.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// The option --progress.
+// Used by sim/session, sim/app and sim/studies.
 #pragma once
 
 #include <unistd.h>

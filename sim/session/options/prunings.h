@@ -1,3 +1,5 @@
+// Parses selections of prunings.
+// Used by sim/session, sim/app and sim/studies.
 #pragma once
 
 #include <string>

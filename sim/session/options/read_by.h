@@ -1,3 +1,5 @@
+// Adapters from parsers to option checks.
+// Used by sim/session, sim/app and sim/studies.
 #pragma once
 
 #include <string>

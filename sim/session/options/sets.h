@@ -1,3 +1,5 @@
+// The option --set: machine parameters and scene keys.
+// Used by sim/session, sim/app and sim/studies.
 #pragma once
 
 #include <string>

@@ -1,3 +1,5 @@
+// Formats tables as text in aligned columns.
+// Used by sim/studies.
 #pragma once
 
 #include <span>

@@ -1,3 +1,5 @@
+// The exception for invalid requests.
+// Used by sim/session, sim/app, sim/python, sim/shell, sim/studies and sim/viewer.
 #pragma once
 
 #include <stdexcept>

@@ -1,3 +1,5 @@
+// Version, build and date of csgsim.
+// Used by sim/session, sim/python, sim/shell, sim/studies and sim/web.
 #pragma once
 
 #include <string>

@@ -1,3 +1,5 @@
+// Measures changed parameters and settings that could speed a run up.
+// Used by sim/session, sim/shell and sim/viewer.
 #pragma once
 
 #include <functional>

@@ -1,3 +1,5 @@
+// Options of checkpoints, and runs that write or resume them.
+// Used by finished_run.h and run_file.h.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// The request behind csgsim explain.
+// Used by sim/session, sim/app and sim/python.
 #pragma once
 
 #include <string>

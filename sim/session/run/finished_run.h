@@ -1,3 +1,5 @@
+// Runs a Program and writes its outputs.
+// Used by sim/session and sim/shell.
 #pragma once
 
 #include <nlohmann/json.hpp>

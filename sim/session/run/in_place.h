@@ -1,3 +1,5 @@
+// Replaces a file by a text or Program in memory.
+// Used by explain.h, render.h and run_file.h.
 #pragma once
 
 #include <optional>

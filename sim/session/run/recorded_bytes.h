@@ -1,3 +1,5 @@
+// Bytes and hashes of files in JSON.
+// Used by sim/session and sim/shell.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,5 @@
+// The option --report and its page file.
+// Used by sim/session, sim/app and sim/studies.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,5 @@
+// The request behind csgsim run.
+// Used by sim/app and sim/python.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,5 @@
+// Output files of a run.
+// Used by sim/session, sim/app and sim/python.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Accuracy of a picture compared with the exact one.
+// Used by sim/session and sim/viewer.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,5 @@
+// Description of the command line for manual pages and shell completion.
+// Used by command_line.cpp, completion.cpp and manual_pages.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Formats help texts.
+// Used by command_line.cpp and description.h.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Reads the run recorded in a stats file and compares runs.
+// Used by sim/app.
 #pragma once
 
 #include <filesystem>

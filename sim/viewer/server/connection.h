@@ -1,3 +1,5 @@
+// One connection of the HTTP server.
+// Used by connections.cpp and module.cpp.
 #pragma once
 
 #include <array>

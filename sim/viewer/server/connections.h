@@ -1,3 +1,5 @@
+// The open connections and their limits.
+// Used by server.h.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Counts open pages.
+// Used by server.h.
 #pragma once
 
 #include <chrono>

@@ -1,3 +1,5 @@
+// Header of an HTTP reply.
+// Used by connection.cpp.
 #pragma once
 
 #include <string>

@@ -1,3 +1,5 @@
+// Incremental HTTP request parser with limits.
+// Used by connection.h and module.h.
 #pragma once
 
 #include <cstddef>

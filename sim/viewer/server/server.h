@@ -1,3 +1,5 @@
+// State shared by all connections.
+// Used by connection.h and module.cpp.
 #pragma once
 
 #include <boost/asio/io_context.hpp>

@@ -1,3 +1,5 @@
+// Parts of C++20 that libc++ for WASI lacks.
+// Included before all other headers by sim/web/build.py.
 #pragma once
 
 // Included first when csgsim is compiled for the web: parts of C++20 that libc++ 19 for WASI lacks because it has no

@@ -1,3 +1,5 @@
+// Parses floating-point numbers.
+// Used by from_chars.cpp.
 #pragma once
 
 #include <charconv>

@@ -1,3 +1,5 @@
+// A small, fast zlib compressor.
+// Used by png.cpp.
 #pragma once
 
 #include <string>

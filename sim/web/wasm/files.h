@@ -1,3 +1,5 @@
+// Files handed over by the page.
+// Used by session.cpp.
 #pragma once
 
 #include <string>
