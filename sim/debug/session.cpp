@@ -66,7 +66,7 @@ void Session::advance(std::uint64_t number) {
   }
 }
 
-void Session::end_if_none_is_left() {
+void Session::finish_trailing_segments() {
   if (number() == numbers_.count()) advance(engine::Run::end);
 }
 
@@ -85,7 +85,7 @@ std::string Session::go(std::optional<Stop> until, const Target* target) {
       if (stops[i].reached())
         why += fmt::format("breakpoint {}: {}\n", breakpoints_[i].number, text_of(breakpoints_[i].target, program_));
     }
-    end_if_none_is_left();
+    finish_trailing_segments();
     if (!why.empty()) return why + place();
   }
   return (until ? text_of(*target, program_) + " was not reached\n" : "") + place();
@@ -98,7 +98,7 @@ std::string Session::perform(const RunOn& /*command*/) { return go({}, nullptr);
 std::string Session::perform(const StepOn& command) {
   for (std::uint64_t i = 0; i < command.count && !run_->finished(); ++i) {
     advance(number() + 1);
-    end_if_none_is_left();
+    finish_trailing_segments();
   }
   return place();
 }

@@ -67,7 +67,7 @@ class Session {
   /// Runs to that instruction, saving states for stepping back.
   void advance(std::uint64_t number);
   /// Skips trailing segments without instructions after the last instruction has been executed.
-  void end_if_none_is_left();
+  void finish_trailing_segments();
   void keep();
   [[nodiscard]] checkpoint::Snapshot snapshot() const;
   void restore(const checkpoint::Snapshot& snapshot);

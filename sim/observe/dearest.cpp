@@ -113,7 +113,7 @@ ClockShares clock_shares(const isa::Program& program, const engine::RunResult& r
   shares.whole = stats.total.clocks + result.latency_clocks;
   const std::vector<Cost>& costs = stats.plain_by_primitive;
   const std::vector<std::uint32_t> order = by_clocks(costs);
-  const std::size_t shown = std::min(order.size(), most_dearest);
+  const std::size_t shown = std::min(order.size(), max_listed_primitives);
   for (std::size_t i = 0; i < shown; ++i) {
     const std::uint32_t index = order[i];
     const std::string name = printable(program.facts->primitives[index]);

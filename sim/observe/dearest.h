@@ -32,7 +32,8 @@ struct EffectCost {
 
 /// Distribution of a frame's clocks. Primitives, effects and the rest add up to the whole.
 struct ClockShares {
-  std::vector<PrimitiveCost> dearest;  ///< most expensive first, at most `most_dearest`; only primitives with clocks
+  std::vector<PrimitiveCost>
+      dearest;  ///< most expensive first, at most `max_listed_primitives`; only primitives with clocks
   std::uint64_t other_primitives = 0;  ///< number of further primitives with clocks
   std::uint64_t other_clocks = 0;      ///< clocks of these
   std::vector<EffectCost> effects;     ///< effects with clocks, except flat shading, which counts for the primitives
@@ -40,7 +41,7 @@ struct ClockShares {
   std::uint64_t whole = 0;             ///< clocks of all instructions, over all segments, and the final latency
 };
 
-inline constexpr std::size_t most_dearest = 10;
+inline constexpr std::size_t max_listed_primitives = 10;
 
 ClockShares clock_shares(const isa::Program& program, const engine::RunResult& result, const Stats& stats);
 

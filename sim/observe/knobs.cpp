@@ -132,14 +132,14 @@ std::string worth(const Knob& knob) {
                      grouped(knob.clocks_before), 100.0 * saved);
 }
 
-std::vector<Knob> that_help(std::vector<Knob> knobs) {
+std::vector<Knob> helpful_knobs(std::vector<Knob> knobs) {
   std::erase_if(knobs, [](const Knob& one) { return one.clocks_after >= one.clocks_before; });
   std::ranges::stable_sort(knobs, {}, &Knob::clocks_after);
   return knobs;
 }
 
-std::vector<Knob> figure_knobs(const isa::Program& program, const machines::Machine& machine,
-                               const engine::RunResult& result, const std::string& word) {
+std::vector<Knob> parameter_knobs(const isa::Program& program, const machines::Machine& machine,
+                                  const engine::RunResult& result, const std::string& word) {
   std::vector<Knob> knobs;
   for (const FigureStep& row : figure_steps) {
     const std::optional<Change> change = change_of(machine, row);
@@ -151,10 +151,10 @@ std::vector<Knob> figure_knobs(const isa::Program& program, const machines::Mach
                                 text_of(*change, change->before), worth(knob));
     knobs.push_back(std::move(knob));
   }
-  return that_help(std::move(knobs));
+  return helpful_knobs(std::move(knobs));
 }
 
-std::size_t figures_to_try(const machines::Machine& machine) {
+std::size_t parameters_to_try(const machines::Machine& machine) {
   return static_cast<std::size_t>(
       std::ranges::count_if(figure_steps, [&](const FigureStep& row) { return change_of(machine, row).has_value(); }));
 }

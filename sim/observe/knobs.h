@@ -26,13 +26,13 @@ std::string worth(const Knob& knob);
 /// Changes each machine parameter that can be improved without another Program by one step, such as twice the width or
 /// half the time. The worth is computed from the same instructions with the clock account of the run itself; nothing is
 /// drawn or compiled. `word` is the value of --machine. Returns only changes that help, best first.
-std::vector<Knob> figure_knobs(const isa::Program& program, const machines::Machine& machine,
-                               const engine::RunResult& result, const std::string& word);
+std::vector<Knob> parameter_knobs(const isa::Program& program, const machines::Machine& machine,
+                                  const engine::RunResult& result, const std::string& word);
 
-/// Number of machine parameters that figure_knobs would try.
-std::size_t figures_to_try(const machines::Machine& machine);
+/// Number of machine parameters that parameter_knobs would try.
+std::size_t parameters_to_try(const machines::Machine& machine);
 
 /// Removes changes that do not help, and sorts the rest by clocks.
-std::vector<Knob> that_help(std::vector<Knob> knobs);
+std::vector<Knob> helpful_knobs(std::vector<Knob> knobs);
 
 }  // namespace csgsim::observe

@@ -17,10 +17,11 @@ Stopwatch wall_time();
 /// Warns once on standard error about work that will take minutes, judging by the time of its first part.
 class LongWork {
  public:
-  static constexpr double few_seconds = 60;  ///< expected times below this cause no warning
+  static constexpr double min_warned_seconds = 60;  ///< expected times below this cause no warning
 
   /// `what` names the work in the warning; `remedy` suggests how to shorten it.
-  LongWork(std::string what, std::string remedy, Stopwatch stopwatch = wall_time(), double warned_of = few_seconds);
+  LongWork(std::string what, std::string remedy, Stopwatch stopwatch = wall_time(),
+           double warning_threshold = min_warned_seconds);
 
   /// Reports the completed fraction of the work, above 0 and at most 1.
   void at(double done);
@@ -40,7 +41,7 @@ class LongWork {
   std::string remedy_;
   Stopwatch stopwatch_;
   double begin_;
-  double warned_of_;
+  double warning_threshold_;
   std::optional<double> warned_;
 };
 

@@ -8,10 +8,10 @@ namespace csgsim::report {
 
 namespace {
 
-constexpr std::size_t most_elements = 16;
+constexpr std::size_t max_elements = 16;
 
 bool is_list_of_leaves(const Json& value) {
-  if (!value.is_array() || value.size() > most_elements) return false;
+  if (!value.is_array() || value.size() > max_elements) return false;
   for (const Json& one : value)
     if (one.is_structured()) return false;
   return true;
@@ -22,10 +22,10 @@ void add_leaves(const Json& value, const std::string& at, const std::string& nam
   if (value.is_object() && !value.empty()) {
     for (const auto& [key, one] : value.items())
       add_leaves(one, child(at, key), name.empty() ? key : fmt::format("{}.{}", name, key), table);
-  } else if (value.is_array() && value.size() <= most_elements && !is_list_of_leaves(value)) {
+  } else if (value.is_array() && value.size() <= max_elements && !is_list_of_leaves(value)) {
     for (std::size_t i = 0; i < value.size(); ++i)
       add_leaves(value[i], at + "/" + std::to_string(i), name + "[" + std::to_string(i) + "]", table);
-  } else if (value.is_array() && value.size() > most_elements) {
+  } else if (value.is_array() && value.size() > max_elements) {
     table.rows.push_back({{name}, {std::to_string(value.size()) + " values, see the page's data"}});
   } else {
     table.rows.push_back({{name}, {value.is_structured() && value.empty() ? Json("none") : value, at}});

@@ -18,7 +18,7 @@ namespace csgsim::report {
 namespace {
 
 /// Maximum number of rows in the table of primitives; the caption mentions a cut.
-constexpr std::size_t most_rows = 1000;
+constexpr std::size_t max_rows = 1000;
 
 /// Sum of the clocks in the accounts of purposes, primitives and effects, including the final latency.
 double whole_clocks(const Json& data) {
@@ -96,10 +96,10 @@ OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const 
       {"Primitives, most expensive first",
        {"primitive", "line", "clocks", "share", "pixels seen", "pieces", "instructions"},
        {}}};
-  if (owners.primitive.size() > most_rows) {
+  if (owners.primitive.size() > max_rows) {
     owners.prices.caption =
-        "The " + grouped(most_rows) + " most expensive of " + grouped(primitives.size()) + " primitives";
-    owners.primitive.resize(most_rows);
+        "The " + grouped(max_rows) + " most expensive of " + grouped(primitives.size()) + " primitives";
+    owners.primitive.resize(max_rows);
   }
   const std::vector<std::uint64_t> pixels = observe::pixels_seen(frame, program);
   const double whole = whole_clocks(data);

@@ -40,7 +40,7 @@ std::string video_lines(const BoardWires& wires, unsigned channel) {
 }  // namespace
 
 void add_board(std::vector<Filling>& fillings, const BoardWires& wires) {
-  const unsigned channel = std::min(most_channel_bits, isa::channel_widths(wires.colour_bits)[1]);
+  const unsigned channel = std::min(max_channel_bits, isa::channel_widths(wires.colour_bits)[1]);
   fillings.push_back({"CHANNEL_BITS", fmt::format("{}", channel)});
   fillings.push_back({"BOARD_VIDEO", video_lines(wires, channel)});
   fillings.push_back(

@@ -16,7 +16,7 @@ struct BoardWires {
 };
 
 /// Maximum bits per channel on a board: enough for a small video DAC.
-inline constexpr unsigned most_channel_bits = 4;
+inline constexpr unsigned max_channel_bits = 4;
 
 /// Adds the fillings of board templates that concern wires: names with BOARD_, and CHANNEL_BITS.
 void add_board(std::vector<Filling>& fillings, const BoardWires& wires);

@@ -62,7 +62,7 @@ std::vector<Parameter> parameters_of(const machines::Machine& machine, const isa
       {"SCAN_SHARED", is_shared ? 1U : 0U, "scan_out.port"},
       {"BUFFERS", own.scan_out_buffers, "scan_out.buffers"},
       {"COLOUR_BITS", program != nullptr ? program->colour.width : isa::most_colour_bits, ""},
-      {"CHIP", std::min(pixels, most_chip_pixels), ""},
+      {"CHIP", std::min(pixels, max_chip_pixels), ""},
   };
 }
 

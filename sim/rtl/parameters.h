@@ -19,7 +19,7 @@ struct Parameter {
 };
 
 /// Maximum number of pixels of a chip, which share word lines and their decoders.
-inline constexpr std::uint32_t most_chip_pixels = 64;
+inline constexpr std::uint32_t max_chip_pixels = 64;
 
 /// The module parameters of a machine, in the order of the module. Pixels have the flag for roots if the trees have
 /// degree 2 or the Program, if given, takes a root. Throws InputError with a fix for machines that the Verilog does not

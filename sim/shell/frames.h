@@ -12,7 +12,7 @@ namespace csgsim::shell {
 
 using namespace session;
 
-inline constexpr std::uint32_t most_frames = 1000;
+inline constexpr std::uint32_t max_frames = 1000;
 
 /// A sequence of pictures with a turning camera.
 struct Turntable {

@@ -123,7 +123,7 @@ void print_account(const observe::Report& report) {
   }
 }
 
-constexpr std::size_t most_knobs_printed = 3;
+constexpr std::size_t max_printed_knobs = 3;
 
 void print_rest(const std::string& name, std::uint64_t clocks, std::uint64_t whole) {
   if (clocks == 0) return;
@@ -151,7 +151,7 @@ void print_most_expensive(const observe::Report& report, const observe::Frame& p
 
 void print_knobs(const observe::Report& report, const Advice& advice) {
   if (advice.machine.empty()) return;
-  for (std::size_t i = 0; i < std::min(report.knobs.size(), most_knobs_printed); ++i) {
+  for (std::size_t i = 0; i < std::min(report.knobs.size(), max_printed_knobs); ++i) {
     const observe::Knob& knob = report.knobs[i];
     fmt::print("{:<18}{}\n", i == 0 ? "knobs" : "", printable(knob.sentence));
     if (!knob.sentence.starts_with(knob.option)) fmt::print("{:<18}  {}\n", "", printable(knob.option));

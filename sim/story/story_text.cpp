@@ -17,7 +17,7 @@ namespace csgsim::story {
 
 namespace {
 
-constexpr std::size_t most_beside = 6;  ///< limit for names of surfaces beside the pixel
+constexpr std::size_t max_names_beside = 6;  ///< limit for names of surfaces beside the pixel
 
 /// The line of the model's file in a name like cylinder@9:9; empty for other names.
 std::string line_text(const isa::Program& program, std::uint32_t piece) {
@@ -227,9 +227,9 @@ class Writer {
     }
     if (beside.empty()) return;
     std::string names;
-    for (std::size_t i = 0; i < std::min(beside.size(), most_beside); ++i)
+    for (std::size_t i = 0; i < std::min(beside.size(), max_names_beside); ++i)
       names += (i == 0 ? "" : ", ") + primitive_text(program_, beside[i]);
-    if (beside.size() > most_beside) names += fmt::format(" and {} more", beside.size() - most_beside);
+    if (beside.size() > max_names_beside) names += fmt::format(" and {} more", beside.size() - max_names_beside);
     line("  beside this pixel: {}", names);
   }
 

@@ -17,7 +17,7 @@ namespace csgsim::system {
 
 namespace {
 
-constexpr std::size_t most_holder_bytes = 200;
+constexpr std::size_t max_holder_bytes = 200;
 
 [[noreturn]] void fail(const std::filesystem::path& folder, const std::error_code& error) {
   throw InputError(fmt::format("{}: cannot be locked: {}; check the path, its permissions and the free disk space",
@@ -26,7 +26,7 @@ constexpr std::size_t most_holder_bytes = 200;
 
 [[noreturn]] void fail_held(const std::filesystem::path& folder, const Descriptor& file) {
   std::string holder;
-  static_cast<void>(read_to_end(file, holder, most_holder_bytes));
+  static_cast<void>(read_to_end(file, holder, max_holder_bytes));
   throw InputError(fmt::format("{}: another csgsim is writing there ({}); wait until it ends, or choose another -o",
                                folder.native(), holder.empty() ? "just started" : printable(holder)));
 }

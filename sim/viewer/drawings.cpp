@@ -19,7 +19,7 @@ namespace csgsim::viewer {
 
 namespace {
 
-constexpr std::size_t most_kept = 2;  ///< enough to compare two
+constexpr std::size_t max_kept = 2;  ///< enough to compare two
 
 std::optional<std::string> source_in(const Json& wish) {
   const Json& text = member_in(wish, "source", Json::value_t::string, "a text");
@@ -132,7 +132,7 @@ std::shared_ptr<Drawing> Drawings::kept(const ParsedWish& parsed) {
 void Drawings::keep(const std::shared_ptr<Drawing>& next) {
   const std::lock_guard lock(mutex_);
   kept_.insert(kept_.begin(), next);
-  if (kept_.size() > most_kept) kept_.pop_back();
+  if (kept_.size() > max_kept) kept_.pop_back();
 }
 
 std::shared_ptr<std::mutex> Drawings::turn_of(const ParsedWish& parsed) {

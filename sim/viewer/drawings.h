@@ -30,7 +30,7 @@ struct Beginning {
 };
 
 /// Results about a drawing, computed on demand.
-struct FoundOut {
+struct DrawingResults {
   std::mutex mutex;  ///< held while a member is created or changed
   std::optional<session::Drawn> drawn{};
   std::unique_ptr<Instants> instants{};
@@ -48,7 +48,7 @@ struct Drawing {
   std::vector<std::string> words;  ///< words of a command line: the model and its options
   std::vector<std::string> warnings;
   double compiling = 0;  ///< seconds
-  std::unique_ptr<FoundOut> found = std::make_unique<FoundOut>();
+  std::unique_ptr<DrawingResults> found = std::make_unique<DrawingResults>();
 
   /// The command line of the named command for the same model and options.
   [[nodiscard]] std::string command(const std::string& name) const;

@@ -107,7 +107,7 @@ Json stats_of(const session::CompiledModel& model, const machines::Machine& mach
   return report::without_wall_times(observe::to_json(report));
 }
 
-Reply nothing_there() { return {.status = 404, .body = "there is no page of that name\n"}; }
+Reply not_found_reply() { return {.status = 404, .body = "there is no page of that name\n"}; }
 
 bool is_drawn(const Drawing& drawing) {
   const std::lock_guard lock(drawing.found->mutex);
@@ -302,7 +302,7 @@ Reply Session::answered_post(const Request& request, std::string_view path) {
     return json_reply(Json::object());
   }
   const auto question = std::ranges::find(questions, path, &Question::name);
-  if (question == std::end(questions)) return nothing_there();
+  if (question == std::end(questions)) return not_found_reply();
   Evaluation evaluation(evaluations_, evaluation_name);
   try {
     return json_reply((this->*question->answer)(wish, evaluation));
@@ -316,7 +316,7 @@ Reply Session::answered(const Request& request, std::string_view path) {
   if (request.method == "GET" && path == "about") return json_reply(about());
   if (request.method == "GET" && path == "report")
     return {.type = "text/html; charset=utf-8", .body = report(), .has_scripts = true};
-  return nothing_there();
+  return not_found_reply();
 }
 
 Reply Session::answer(const Request& request, std::string_view path) {

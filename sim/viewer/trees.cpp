@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t most_rows = 4000;
+constexpr std::size_t max_rows = 4000;
 
 /// A node that has not been shown yet.
 struct Waiting {
@@ -67,7 +67,7 @@ Json rows_of(const csg::ActiveTree& active, const isa::Facts& facts) {
   Json rows = Json::array();
   std::vector<Waiting> waiting;
   put_operands(active.operands, 0, waiting);
-  while (!waiting.empty() && rows.size() < most_rows) {
+  while (!waiting.empty() && rows.size() < max_rows) {
     const Waiting at = waiting.back();
     waiting.pop_back();
     const csg::ActiveNode& node = active.nodes[at.node];
@@ -88,7 +88,7 @@ Json tree_of(const model::Tree& tree, const isa::Facts& facts) {
   Json rows = Json::array();
   std::vector<Waiting> waiting;
   if (tree.root != model::no_index) waiting.push_back({tree.root, 0});
-  while (!waiting.empty() && rows.size() < most_rows) {
+  while (!waiting.empty() && rows.size() < max_rows) {
     const Waiting at = waiting.back();
     waiting.pop_back();
     const model::Node& node = tree.nodes[at.node];

@@ -13,7 +13,7 @@ namespace csgsim::waves {
 
 namespace {
 
-constexpr std::uint64_t most_clocks_in_view = 64;
+constexpr std::uint64_t max_clocks_in_view = 64;
 constexpr unsigned window_width = 1900;  // screen pixels
 constexpr unsigned names_width = 560;
 constexpr unsigned row_height = 23;
@@ -26,7 +26,7 @@ std::string_view flags_of(wave::Show show) {
 
 /// GTKWave shows 2^-zoom time units in 200 screen pixels.
 double zoom_of(std::uint64_t clocks, std::uint64_t period) {
-  const auto shown = static_cast<double>(std::min(clocks, most_clocks_in_view) * period);
+  const auto shown = static_cast<double>(std::min(clocks, max_clocks_in_view) * period);
   return -std::log2(shown * 200.0 / (window_width - names_width));
 }
 

@@ -24,8 +24,8 @@ namespace csgsim::waves {
 
 namespace {
 
-constexpr std::uint64_t small_gap = 16;    // clocks; stretches closer than this are joined
-constexpr std::uint64_t most_before = 40;  // clocks recorded before an instruction reaches the pixel
+constexpr std::uint64_t small_gap = 16;          // clocks; stretches closer than this are joined
+constexpr std::uint64_t max_clocks_before = 40;  // clocks recorded before an instruction reaches the pixel
 constexpr std::string_view forms =
     "clocks FIRST:END, instructions iFIRST:iEND or iN, primitive:NAME, purpose:NAME or effect:NAME";
 
@@ -245,7 +245,7 @@ LastWrite last_write(std::string_view what, const isa::Program& program, const m
   last.at_pixel = machines::at_pixel(known.timeline, program, machine, last.segment, pixel.x, pixel.y)[last.index];
   const std::uint64_t issued = known.timeline.issued[last.segment][last.index].begin;
   const std::uint64_t way = last.at_pixel.begin - std::min(issued, last.at_pixel.begin);
-  last.windows = {{last.at_pixel.begin - std::min(way, most_before), last.at_pixel.end + 1}};
+  last.windows = {{last.at_pixel.begin - std::min(way, max_clocks_before), last.at_pixel.end + 1}};
   return last;
 }
 

@@ -50,7 +50,7 @@ struct Options {
 };
 
 constexpr std::string_view block_ending = ".bintree";
-constexpr std::uint32_t usual_resolution = 64;
+constexpr std::uint32_t default_resolution = 64;
 
 bool writes_blocks(const Options& options) { return ends_in(options.output, block_ending); }
 
@@ -166,7 +166,7 @@ void convert_to_mesh(const Options& options) {
 
 void convert_to_blocks(const Options& options) {
   if (options.ascii) throw UsageError("--ascii", "a .bintree file has only one form; leave it out");
-  const std::uint32_t resolution = options.resolution.value_or(usual_resolution);
+  const std::uint32_t resolution = options.resolution.value_or(default_resolution);
   if (!std::has_single_bit(resolution))
     throw UsageError("--resolution", "blocks are halved, so the resolution must be a power of two");
   const facet::Faceting faceting = requested_faceting(options);

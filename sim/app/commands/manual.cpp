@@ -165,7 +165,7 @@ void add_manual(CommandLine& line) {
   command.option("TOPIC", options->topic, "What to print").one_of(names, "topic");
   command.option("MACHINE", options->machines,
                  "Comma-separated machines, processors or processes, by name or .toml file; all: every built-in one");
-  add_figure_sets(command, options->sets, "the machine, or of those that have it");
+  add_parameter_sets(command, options->sets, "the machine, or of those that have it");
   command.runs([options] { run(*options); });
 }
 

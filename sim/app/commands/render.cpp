@@ -47,7 +47,7 @@ void add_render(CommandLine& line) {
   command
       .option("--frames", options->turntable.frames,
               "Draw this number of pictures, NAME_000.png and so on, and report frames per second")
-      .between(1U, most_frames);
+      .between(1U, max_frames);
   command.option("--turn", options->turntable.degrees,
                  "Degrees the camera turns between frames, about the vertical axis through its centre");
   command.prints_summary();

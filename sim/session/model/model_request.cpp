@@ -139,7 +139,7 @@ ModelRequest model_request_in(std::span<const std::string> words) {
 }
 
 std::chrono::seconds ModelRequest::openscad_time() const {
-  return openscad_seconds ? std::chrono::seconds(*openscad_seconds) : usual_openscad_time;
+  return openscad_seconds ? std::chrono::seconds(*openscad_seconds) : default_openscad_time;
 }
 
 std::vector<std::string> strategy_names() {
@@ -207,7 +207,7 @@ void ModelRequest::add_view_to(OptionList& options) {
   options
       .option("--limit", limit,
               "Stop with an error when reading or compiling the model takes more than this many million steps")
-      .between(1U, most_limit);
+      .between(1U, max_work_limit);
   options.flag("--view-all,--viewall", view_all, "Move the camera so that the whole model just fits the picture");
   options.option("--near", near,
                  "Distance of the near plane of a perspective view, in model units; solids are capped there");

@@ -33,8 +33,8 @@ struct Tolerance {
 inline constexpr unsigned most_stack_bits = 64;
 
 /// Limit of the work for reading a model, and again for compiling it, in millions of steps (hw/base/work.h).
-inline constexpr std::uint32_t usual_limit = 8'000;
-inline constexpr std::uint32_t most_limit = 1'000'000'000;
+inline constexpr std::uint32_t default_work_limit = 8'000;
+inline constexpr std::uint32_t max_work_limit = 1'000'000'000;
 
 /// Memory bits per pixel where memory is not the subject: plain pictures, and studies that measure the bits needed.
 inline constexpr std::uint32_t ample_memory_bits = 256;
@@ -44,7 +44,7 @@ struct ModelRequest {
   std::string model;
   std::string imports_from;
   bool snap = false;  ///< restore rotations from the printed digits
-  std::uint32_t limit = usual_limit;
+  std::uint32_t limit = default_work_limit;
   std::optional<std::uint32_t> openscad_seconds;
   std::string machine = "pixel-planes-4";
   std::string size;

@@ -166,7 +166,7 @@ const KnownOption& known_option(std::string_view option) {
   return found == std::span(options).end() ? other : *found;
 }
 
-int place_of_subject(std::string_view subject) {
+int heading_position(std::string_view subject) {
   return static_cast<int>(std::ranges::find(subjects, subject) - subjects.begin());
 }
 

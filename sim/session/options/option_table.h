@@ -31,7 +31,7 @@ struct KnownOption {
 const KnownOption& known_option(std::string_view option);
 
 /// Position of a heading in help.
-int place_of_subject(std::string_view subject);
+int heading_position(std::string_view subject);
 
 /// The option's value, with relative file names moved into that folder. `-` and values that name no file stay
 /// unchanged.

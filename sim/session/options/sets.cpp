@@ -160,7 +160,7 @@ std::vector<std::string> with_figures(const std::vector<std::string>& names, con
   return edited;
 }
 
-void add_figure_sets(OptionList& command, std::vector<std::string>& sets, const std::string& which) {
+void add_parameter_sets(OptionList& command, std::vector<std::string>& sets, const std::string& which) {
   command.option("--set", sets, "A parameter of " + which + ", as in alu.bits=4; repeat for several");
 }
 

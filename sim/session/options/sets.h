@@ -37,7 +37,7 @@ machines::Machine load_machine(const isa::MachineRecord& record, const std::vect
 std::vector<std::string> with_figures(const std::vector<std::string>& names, const std::vector<std::string>& sets);
 
 /// Adds --set to a command without a scene. `which` names the machine in the help text.
-void add_figure_sets(OptionList& command, std::vector<std::string>& sets, const std::string& which);
+void add_parameter_sets(OptionList& command, std::vector<std::string>& sets, const std::string& which);
 
 /// Throws UsageError if a scene key is set, since nothing is compiled.
 void refuse_scene_sets(const std::vector<std::string>& sets, const std::string& option = "--set");

@@ -96,9 +96,9 @@ std::vector<observe::Knob> knobs_of(const Advice& advice, const isa::Program& pr
   engine::RunResult complete = result;
   // The cycle level counts clocks but does not record the run-time outcomes from which clocks are computed.
   if (complete.met.empty()) complete.met = functional::record_of_run(program, machine).met;
-  std::vector<observe::Knob> knobs = observe::figure_knobs(program, machine, complete, advice.machine);
+  std::vector<observe::Knob> knobs = observe::parameter_knobs(program, machine, complete, advice.machine);
   if (advice.settings) std::ranges::move(advice.settings(result), std::back_inserter(knobs));
-  return observe::that_help(std::move(knobs));
+  return observe::helpful_knobs(std::move(knobs));
 }
 
 }  // namespace csgsim::session

@@ -59,7 +59,7 @@ engine::RunResult run_with_checkpoints(engine::Engine& engine, const isa::Progra
       break;
     }
     const std::uint64_t left = numbers.count() - numbers.of(run->place());
-    const std::uint64_t stride = options.every.value_or(CheckpointOptions::usual_stride);
+    const std::uint64_t stride = options.every.value_or(CheckpointOptions::default_stride);
     run->advance(stride < left ? numbers.of(run->place()) + stride : engine::Run::end, all);
     checkpoint::save_snapshot(options.checkpoint,
                               checkpoint::take_snapshot(identity, *run, observers.frame, observers.stats));

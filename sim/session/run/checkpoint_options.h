@@ -25,7 +25,7 @@ struct RunObservers {
 
 /// Options of a run that can be interrupted and resumed.
 struct CheckpointOptions {
-  static constexpr std::uint64_t usual_stride = 1000;
+  static constexpr std::uint64_t default_stride = 1000;
 
   std::string checkpoint;
   std::optional<std::uint64_t> every;

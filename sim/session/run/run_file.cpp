@@ -19,7 +19,7 @@ void ProgramRequest::add_to(OptionList& options) {
               "A machine's name or .toml file, instead of the machine the Program was compiled for; it gets the "
               "array of the Program")
       .check(is_read_by(check_machine));
-  add_figure_sets(options, sets, "the machine");
+  add_parameter_sets(options, sets, "the machine");
   run.add_to(options);
   checkpoints.add_to(options);
 }

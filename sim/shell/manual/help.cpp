@@ -149,7 +149,7 @@ std::vector<SubjectHelp> by_subject(std::span<const OptionHelp> options) {
     if (found == subjects.end()) found = subjects.insert(found, SubjectHelp{subject, {}});
     found->options.push_back(&option);
   }
-  std::ranges::sort(subjects, {}, [](const SubjectHelp& one) { return session::place_of_subject(one.subject); });
+  std::ranges::sort(subjects, {}, [](const SubjectHelp& one) { return session::heading_position(one.subject); });
   return subjects;
 }
 

@@ -31,7 +31,7 @@ constexpr auto recorded_commands = std::to_array<std::string_view>({"render", "r
 constexpr auto without_effect =
     std::to_array<std::string_view>({"checkpoint-every", "openscad-time", "progress", "quiet"});
 
-constexpr std::size_t most_differences = 10;  ///< reported at most
+constexpr std::size_t max_differences = 10;  ///< reported at most
 
 std::string place_of(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
@@ -99,8 +99,8 @@ std::vector<std::string> values_of(const RecordedRun& run, const SettableOption&
       return values;
     case Takes::texts: break;
   }
-  if (!value.is_array() || value.size() > most_in_list)
-    fail_value(run, value, fmt::format("a list of at most {} texts", most_in_list));
+  if (!value.is_array() || value.size() > max_list_values)
+    fail_value(run, value, fmt::format("a list of at most {} texts", max_list_values));
   for (const Json& one : value) values.push_back(text_in(run, one));
   return values;
 }
@@ -216,7 +216,7 @@ std::vector<std::string> differences(const RecordedRun& run, const Json& stats) 
   const Json before = counts_of(run.stats);
   const Json now = counts_of(stats);
   for (const Json& one : Json::diff(before, now)) {
-    if (found.size() == most_differences) break;
+    if (found.size() == max_differences) break;
     const Json::json_pointer place(one.at("path").get<std::string>());
     found.push_back(fmt::format("{} was {}, is {}", printable(place.to_string()),
                                 before.contains(place) ? shown(before.at(place)) : "not there",

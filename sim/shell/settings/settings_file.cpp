@@ -211,8 +211,8 @@ class Reader {
   }
 
   void check_length(const SettableOption& option, const toml::array& list) const {
-    if (list.size() > most_in_list)
-      fail(list.source().begin, fmt::format("{} has more than {} values", option.name, most_in_list));
+    if (list.size() > max_list_values)
+      fail(list.source().begin, fmt::format("{} has more than {} values", option.name, max_list_values));
   }
 
   std::string shown_;

@@ -15,7 +15,7 @@ namespace csgsim::shell {
 
 using namespace session;
 
-inline constexpr std::size_t most_in_list = 10'000;  ///< values of an option in a file
+inline constexpr std::size_t max_list_values = 10'000;  ///< values of an option in a file
 
 // Options of every command that has options; they concern settings files.
 inline constexpr std::string_view config_name = "--config";

@@ -14,13 +14,13 @@ class Connection;
 /// shown the token are counted separately from strangers, so that strangers cannot block them.
 class Connections {
  public:
-  static constexpr std::size_t most_strangers = 32;
-  static constexpr std::size_t most_admitted = 64;
+  static constexpr std::size_t max_strangers = 32;
+  static constexpr std::size_t max_admitted = 64;
 
   /// Adds a connection as a stranger. If there are too many strangers, closes the oldest.
   void add(const std::shared_ptr<Connection>& one);
 
-  /// Counts a stranger as admitted. Returns false if most_admitted are admitted already.
+  /// Counts a stranger as admitted. Returns false if max_admitted are admitted already.
   [[nodiscard]] bool admit(const std::shared_ptr<Connection>& one);
 
   void remove(const std::shared_ptr<Connection>& one);
