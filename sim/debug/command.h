@@ -15,7 +15,7 @@ namespace csgsim::debug {
 
 /// A field of one pixel of the picture, or its enable bit.
 struct Watched {
-  isa::Field field;  ///< of width 0: E
+  isa::Field field;  ///< width 0 stands for E
   std::uint32_t x = 0;
   std::uint32_t y = 0;
 
@@ -33,7 +33,7 @@ struct Condition {
   bool operator==(const Condition&) const = default;
 };
 
-/// Before the instruction with that number in the whole Program.
+/// Stops before the instruction with that number in the whole Program.
 struct AtInstruction {
   std::uint64_t number = 0;
   bool operator==(const AtInstruction&) const = default;
@@ -85,7 +85,7 @@ struct ListAround {
   std::optional<std::uint64_t> number;  ///< number of an instruction; the next one if absent
 };
 struct TakePicture {
-  isa::Field field;  ///< of width 0: E
+  isa::Field field;  ///< width 0 stands for E
   std::string file;
 };
 struct WriteCheckpoint {

@@ -13,7 +13,7 @@ namespace csgsim::debug {
 
 // Text output of the debugger, in complete lines.
 
-/// How a field's role affects its display.
+/// Display properties derived from a field's role.
 struct FieldMeaning {
   bool is_colour = false;
   bool is_depth = false;

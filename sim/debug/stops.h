@@ -11,7 +11,7 @@
 
 namespace csgsim::debug {
 
-/// Watches a run for one stop, and tells how far the run can go without a check.
+/// Watches a run for one stop, and computes how far the run can go without a check.
 class Stop {
  public:
   /// Starts watching at the run's place. All arguments but the target have to outlive it. Throws InputError for a

@@ -68,11 +68,11 @@ class Observer {
 
 struct RunResult {
   std::uint64_t clocks = 0;  ///< total, including latency
-  /// Of these, clocks until the last instruction reaches the pixels, if the array covers the whole picture.
+  /// Part of `clocks` until the last instruction reaches the pixels, if the array covers the whole picture.
   std::uint64_t latency_clocks = 0;
-  std::uint64_t shown_clocks = 0;     ///< as machines::FrameTiming
-  std::uint64_t interval_clocks = 0;  ///< as machines::FrameTiming
-  std::uint64_t host_clocks = 0;      ///< as machines::FrameTiming
+  std::uint64_t shown_clocks = 0;     ///< see machines::FrameTiming
+  std::uint64_t interval_clocks = 0;  ///< see machines::FrameTiming
+  std::uint64_t host_clocks = 0;      ///< see machines::FrameTiming
   /// Enabled pixels at which A*x + B*y + C exceeded the width although it must fit (isa::cuts_sum); 0 if not checked.
   std::uint64_t overflows = 0;
   std::uint64_t skipped = 0;            ///< instructions skipped by skip_if_none

@@ -17,7 +17,7 @@ inline constexpr std::uint32_t no_owner = 0xffffffffU;
 struct Frame {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  std::vector<std::uint32_t> colour;  ///< as stored in the colour field (hw/isa/colour_format.h)
+  std::vector<std::uint32_t> colour;  ///< value of the colour field (hw/isa/colour_format.h)
   std::vector<std::uint32_t> depth;   ///< depth steps of the nearest visible surface; all ones if nothing is visible
   std::vector<std::uint32_t> owner;   ///< index of the primitive of that surface, or no_owner
   /// The same for the visible opaque surface, possibly behind others; empty if the Program blends none.
@@ -72,8 +72,8 @@ class FrameObserver : public engine::Observer {
   /// The data collected up to an instruction boundary.
   struct Gathered {
     Frame frame;
-    std::vector<std::uint32_t> candidate_owner;  ///< for every pixel, or empty
-    Panes panes{};                               ///< for every pixel, or empty
+    std::vector<std::uint32_t> candidate_owner;  ///< one entry per pixel, or empty
+    Panes panes{};                               ///< one entry per pixel, or empty
 
     bool operator==(const Gathered&) const = default;
   };

@@ -14,7 +14,7 @@ namespace csgsim::observe {
 
 /// A setting or a machine parameter that was changed to measure its worth.
 struct Knob {
-  std::string sentence;             ///< what was changed, and its worth
+  std::string sentence;             ///< description of the change and its worth
   std::string option;               ///< option of csgsim render, as `--machine scan-line+link.width=64`
   std::uint64_t clocks_before = 0;  ///< from one frame to the next
   std::uint64_t clocks_after = 0;   ///< from one frame to the next, with the option

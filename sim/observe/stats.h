@@ -16,7 +16,7 @@ struct Cost {
   std::uint64_t instructions = 0;
   std::uint64_t clocks = 0;
   std::uint64_t pixel_operations = 0;  ///< bit steps times pixel processors, or the machine's own count if it differs
-  std::uint64_t enabled = 0;           ///< of these, at pixels whose E was 1 when the instruction began
+  std::uint64_t enabled = 0;           ///< the part at pixels whose E was 1 when the instruction began
 
   Cost& operator+=(const Cost& other);
   bool operator==(const Cost&) const = default;
@@ -27,7 +27,7 @@ struct Cost {
 /// in parallel, and the run's clocks have a separate account (machines::Account).
 struct Stats {
   Cost total;
-  std::array<Cost, isa::opcode_numbers> by_opcode{};  ///< by opcode number
+  std::array<Cost, isa::opcode_numbers> by_opcode{};  ///< indexed by opcode number
   std::array<Cost, isa::purpose_table.size()> by_purpose{};
   std::vector<Cost> by_primitive;  ///< one per primitive of the Program
   /// The part of by_primitive that belongs to no effect other than flat shading. Together with by_effect without its

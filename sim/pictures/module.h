@@ -14,7 +14,7 @@ struct Encoded {
   std::string error;  ///< empty on success
 };
 
-/// Where a format can be written.
+/// Target that a format can be written to.
 enum class Target {
   none,    ///< unknown format, or one that creates no file
   memory,  ///< Encoded::bytes

@@ -55,7 +55,7 @@ Held held_of(isa::Program program, machines::Machine machine) {
 
 /// A picture and its counts.
 struct Drawn {
-  observe::Frame frame;  ///< with the requested surfaces
+  observe::Frame frame;  ///< shows the requested surfaces
   nlohmann::ordered_json stats;
   Held held;
 };

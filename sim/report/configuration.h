@@ -12,10 +12,10 @@ namespace csgsim::report {
 
 /// The command of a page, with its options.
 struct Context {
-  std::string command;                                         ///< with its arguments, quoted for a POSIX shell
+  std::string command;                                         ///< command line, quoted for a POSIX shell
   std::vector<std::pair<std::string, std::string>> options{};  ///< names and values, given or by default
-  std::vector<Json> machines{};                                ///< as the `machine` of a stats file's configuration
-  std::string explain{};  ///< for a run: explain_command (sim/session/run/explain.h)
+  std::vector<Json> machines{};                                ///< format of `machine` in a stats file's configuration
+  std::string explain{};  ///< result of explain_command (sim/session/run/explain.h); empty for studies
 };
 
 /// The leaves of a part of the data as rows named by their keys, as in `array.width`, without nulls. A long list

@@ -130,7 +130,7 @@ class Recorder {
   }
 
   void add(DrawingStep step) {
-    constexpr std::size_t punctuation = 40;  // of a JSON array with six elements, including its numbers
+    constexpr std::size_t punctuation = 40;  // bytes of a JSON array with six elements, including its numbers
     bytes_ += step.text.size() + step.serves.size() + (step.changes.size() + 2) / 3 * 4 + punctuation;
     drawing_.steps.push_back(std::move(step));
   }
@@ -219,7 +219,7 @@ Drawing record_work(const isa::Program& program, const machines::Machine& machin
   std::size_t kept_every = 1;
   for (; boundaries.size() > limits.steps; kept_every *= 2) keep_every_second(boundaries);
   Recorder recorder(program, machine, limits);
-  std::size_t stride = 1;  // of the boundaries
+  std::size_t stride = 1;  // boundaries per step
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
     const bool is_last = i + 1 == boundaries.size();
     if ((i + 1) % stride == 0 || is_last) recorder.go_to(boundaries[i]);

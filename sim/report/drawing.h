@@ -18,7 +18,7 @@ namespace csgsim::report {
 struct DrawingStep {
   std::uint64_t number = 0;   ///< number of instructions of the Program before it
   std::string text;           ///< text of the last of these; empty before the first
-  std::string serves;         ///< what that instruction serves: a purpose, and pieces of primitives
+  std::string serves;         ///< purpose of that instruction, and pieces of primitives
   std::uint64_t clocks = 0;   ///< clocks of the instructions until here, in all regions
   std::uint64_t enabled = 0;  ///< displayed pixels whose E is 1
   /// Differences from the previous step: runs of varints (codec.h), each the number of unchanged pixels, the number of
@@ -49,11 +49,11 @@ struct Drawing {
 struct DrawingLimits {
   std::uint64_t instructions = 2000;  ///< longest Program with a step after each instruction
   std::size_t steps = 2000;
-  std::size_t bytes = 700'000;  ///< of all steps, in the page
+  std::size_t bytes = 700'000;  ///< size of all steps in the page
   std::uint32_t side = 512;     ///< displayed pixels per row and per column
 };
 
-/// What an instruction serves: its purpose, and pieces of primitives.
+/// Describes what an instruction serves: its purpose, and pieces of primitives.
 std::string served_by(const isa::Instruction& instruction, const isa::Facts& facts);
 
 /// Runs the Program at the functional level and records what it draws. If the steps exceed the limits, every second one

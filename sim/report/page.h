@@ -15,7 +15,7 @@ namespace csgsim::report {
 
 using Json = nlohmann::ordered_json;
 
-/// How a number is shown.
+/// Display format of a number.
 enum class Show : std::uint8_t {
   plain,  ///< digits in groups; fractions to four digits, with the exact value in a tooltip
   share,  ///< a fraction of 1, as a percentage with a bar

@@ -33,7 +33,7 @@ struct DrawnProgram {
 struct Difference {
   Picture picture;                     ///< A in light grey, with the differing pixels marked
   std::uint64_t pixels = 0;            ///< pixels that differ in colour or primitive
-  std::vector<std::uint32_t> differs;  ///< for each pixel in row order: 1 if it differs, else 0
+  std::vector<std::uint32_t> differs;  ///< 1 for each differing pixel, else 0, in row order
   std::size_t first = 0;               ///< first differing pixel, in row order
 };
 

@@ -16,17 +16,17 @@ namespace csgsim::report {
 
 /// One of two runs on a page.
 struct ShownRun {
-  std::string name;  ///< what was drawn, and on which machine
+  std::string name;  ///< name of what was drawn, and the machine
   DrawnProgram drawn;
   const machines::Machine& machine;
-  Json stats;           ///< as in a stats file
-  std::string explain;  ///< as Context::explain
+  Json stats;           ///< content of a stats file
+  std::string explain;  ///< see Context::explain
 };
 
 /// The first difference of two runs.
 struct FirstDifference {
   std::vector<std::string> sentences;  ///< description for the page
-  std::optional<std::size_t> pixel;    ///< in row order; its histories come first
+  std::optional<std::size_t> pixel;    ///< index in row order; its histories come first
 };
 
 /// The page of two runs, A and B, with pictures of one size: both pictures and their difference, counts and clocks side

@@ -12,7 +12,7 @@ namespace csgsim::rtl {
 /// A Program as memory files for $readmemh, one hexadecimal word per line.
 struct ProgramMemory {
   std::string words;   ///< words of the link, in the order of sending
-  std::string begins;  ///< for each instruction, and one more, the number of its first word
+  std::string begins;  ///< number of the first word of each instruction, and the end
   std::size_t word_count = 0;
   std::size_t begin_count = 0;
 };

@@ -32,7 +32,7 @@ struct ModelQuadric {
   std::size_t count = 0;  ///< number of quadrics of the primitive
   facet::QuadricKind kind{};
   glm::dvec3 origin{0};  ///< centre, a point of the axis, or apex; in model units
-  glm::dvec3 axis{0};    ///< for cylinders and cones, unit vector
+  glm::dvec3 axis{0};    ///< unit vector of cylinders and cones
 };
 
 /// Finds the plane that an instruction streams by its coefficients, since a Program does not record it.

@@ -138,8 +138,8 @@ struct Story {
   std::uint32_t depth = 0;             ///< depth of that surface in steps; all ones if nothing is visible
   std::uint32_t opaque_owner = 0;      ///< primitive of the visible opaque surface, possibly behind others
   std::uint32_t opaque_depth = 0;      ///< depth of that surface
-  std::uint32_t colour = 0;            ///< as the colour field holds it
-  std::vector<Event> events;           ///< in program order
+  std::uint32_t colour = 0;            ///< value of the colour field
+  std::vector<Event> events;           ///< events in program order
   std::vector<Attempt> attempts;
 };
 

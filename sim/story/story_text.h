@@ -18,7 +18,7 @@ std::string text_of(const Subject& subject, const Story& story);
 /// Whole lines of that text.
 struct TextPart {
   std::string text;
-  std::uint64_t end = 0;  ///< for an event: the number of its last instruction plus 1; 0 for other lines
+  std::uint64_t end = 0;  ///< number after the last instruction of an event; 0 for other lines
 };
 
 /// The same text in parts: what the pixel shows, then each event, with the lines between events.

@@ -18,10 +18,10 @@ struct GuardedProgram {
   std::size_t memory = 0;  ///< RLIMIT_AS of its processes; the maximum value means no limit
 };
 
-/// How the program ended.
+/// Report on the end of the program.
 struct GuardReport {
   int error = 0;           ///< errno if it could not be run
-  int status = 0;          ///< as from waitpid
+  int status = 0;          ///< status from waitpid
   std::size_t memory = 0;  ///< peak resident memory of a process of its group, in bytes
 };
 

@@ -27,9 +27,9 @@ struct ChildLimits {
 /// The limit at which a program was stopped.
 enum class Exceeded : std::uint8_t { nothing, time, output, errors };
 
-/// How a child program ended.
+/// Result of a child program.
 struct ChildEnd {
-  int status = 0;          ///< as from waitpid
+  int status = 0;          ///< status from waitpid
   std::size_t memory = 0;  ///< peak resident bytes of one of its processes; at least those of its caller
   Exceeded exceeded = Exceeded::nothing;
   std::string output;  ///< up to its limit

@@ -72,7 +72,7 @@ class Evaluations {
 /// must stop (hw/base/interruption.h).
 class Evaluation {
  public:
-  /// With an empty name it cannot be cancelled.
+  /// An evaluation with an empty name cannot be cancelled.
   Evaluation(Evaluations& all, std::string name);
   ~Evaluation();
   Evaluation(const Evaluation&) = delete;

@@ -15,7 +15,7 @@ struct Request {
   std::string host{};          ///< header Host
   std::string origin{};        ///< header Origin
   std::string site{};          ///< header Sec-Fetch-Site
-  std::string content_type{};  ///< of the body
+  std::string content_type{};  ///< header Content-Type
   std::string body{};
 };
 

@@ -38,7 +38,7 @@ class Lanes {
   struct Lane {
     std::string part;
     std::string name;
-    std::vector<Stretch> stretches;  ///< in order of time
+    std::vector<Stretch> stretches;  ///< ordered by time
   };
   class Shortened;
 
@@ -47,7 +47,7 @@ class Lanes {
 
   std::vector<std::string> texts_;
   std::unordered_map<std::string, std::uint32_t> indices_;  ///< index of each text
-  std::unordered_map<unsigned, std::string> parts_;         ///< by their numbers in the file
+  std::unordered_map<unsigned, std::string> parts_;         ///< unit names by their numbers in the file
   std::unordered_map<unsigned, std::size_t> lane_of_;       ///< index into lanes_, by number in the file
   std::vector<Lane> lanes_;
   std::uint64_t begin_ = 0;

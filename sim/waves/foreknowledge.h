@@ -18,7 +18,7 @@ namespace csgsim::waves {
 struct Foreknowledge {
   engine::RunResult result;
   std::vector<bool> answers;           ///< result of each question in order: whether any pixel is enabled
-  std::vector<std::uint32_t> picture;  ///< for a Program of one segment with colours: its pixels in row order
+  std::vector<std::uint32_t> picture;  ///< pixels in row order, for a Program of one segment with colours
   machines::Timeline timeline;
 };
 

@@ -35,7 +35,7 @@ enum class Format : std::uint8_t {
 struct Recording {
   double writing_seconds = 0;   ///< wall time for sampling and writing
   bool reached = false;         ///< a window was reached; otherwise the frame ended before the first
-  std::vector<wave::Tap> taps;  ///< as in the file, within `top`; must not be sampled
+  std::vector<wave::Tap> taps;  ///< taps of the file, within `top`; must not be sampled
   std::string top;
 };
 

@@ -43,7 +43,7 @@ class TraceEvents final : public wave::Writer {
   [[nodiscard]] std::string microseconds(std::uint64_t clocks) const;
 
   std::vector<Lane> lanes_;
-  std::uint64_t period_;  ///< in picoseconds
+  std::uint64_t period_;  ///< picoseconds
   wave::Pieces out_;
   std::uint64_t next_ = 0;  ///< clock after the last sampled one
   bool has_events_ = false;

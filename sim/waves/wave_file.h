@@ -24,7 +24,7 @@ class WaveFile {
 
  private:
   OutputFile& file_;
-  std::optional<system::MemoryFile> dump_;  ///< for vcd2fst
+  std::optional<system::MemoryFile> dump_;  ///< input of vcd2fst
 };
 
 }  // namespace csgsim::waves

@@ -35,10 +35,10 @@ void refuse_less_memory(const isa::Program& program, const std::string& file, co
 }
 
 /// The default machine, or the given one, for a Program that does not name its machine.
-machines::Machine assumed_machine(const isa::Program& program, const std::string& file, const std::string& asked,
-                                  const std::vector<std::string>& sets) {
-  machines::Machine machine = load_machine(asked.empty() ? ModelRequest{}.machine : asked, sets);
-  if (!asked.empty()) {
+machines::Machine assumed_machine(const isa::Program& program, const std::string& file,
+                                  const std::string& chosen_machine, const std::vector<std::string>& sets) {
+  machines::Machine machine = load_machine(chosen_machine.empty() ? ModelRequest{}.machine : chosen_machine, sets);
+  if (!chosen_machine.empty()) {
     refuse_less_memory(program, file, machine);
     return machine;
   }
@@ -93,16 +93,17 @@ void check_fits(const isa::Program& program, const std::string& file, const mach
 
 }  // namespace
 
-machines::Machine machine_for(const isa::Program& program, const std::string& file, const std::string& asked,
+machines::Machine machine_for(const isa::Program& program, const std::string& file, const std::string& chosen_machine,
                               const std::vector<std::string>& sets) {
   const std::string shown = printable(shown_name(file));
   if (program.machine.name.empty()) {
-    machines::Machine machine = assumed_machine(program, shown, asked, sets);
+    machines::Machine machine = assumed_machine(program, shown, chosen_machine, sets);
     machines::adopt(machine, program);
     return machine;
   }
-  machines::Machine machine = asked.empty() ? named_machine(program, shown, sets) : load_machine(asked, sets);
-  if (!asked.empty()) check_fits(program, shown, machine);
+  machines::Machine machine =
+      chosen_machine.empty() ? named_machine(program, shown, sets) : load_machine(chosen_machine, sets);
+  if (!chosen_machine.empty()) check_fits(program, shown, machine);
   machines::adopt(machine, program);
   return machine;
 }
@@ -114,7 +115,7 @@ void refuse_model_options(const OptionList& options, const std::set<std::string>
   }
 }
 
-ProgramOnMachine program_of(const ModelRequest& request, const std::string& asked) {
+ProgramOnMachine program_of(const ModelRequest& request, const std::string& chosen_machine) {
   if (is_model(request.model)) {
     machines::Machine machine = machine_of(request);
     isa::Program program = compile_model(request, machine).program;
@@ -122,7 +123,7 @@ ProgramOnMachine program_of(const ModelRequest& request, const std::string& aske
   }
   refuse_scene_sets(request.sets);
   isa::Program program = read_program(request.model);
-  machines::Machine machine = machine_for(program, request.model, asked, request.sets);
+  machines::Machine machine = machine_for(program, request.model, chosen_machine, request.sets);
   return {std::move(machine), std::move(program)};
 }
 

@@ -17,14 +17,14 @@ namespace csgsim::session {
 isa::Program read_program(const std::string& path);
 
 /// The machine that runs a Program of that file, with the given parameters and the array of the Program: the machine
-/// that the Program names, or `asked` if it is not empty. Prints a warning about differences between the two, and about
-/// the assumption made if the Program names none. Throws InputError if the machine is of another kind or has less
-/// memory than the Program needs, and as load_machine does.
-machines::Machine machine_for(const isa::Program& program, const std::string& file, const std::string& asked,
+/// that the Program names, or `chosen_machine` if it is not empty. Prints a warning about differences between the two,
+/// and about the assumption made if the Program names none. Throws InputError if the machine is of another kind or has
+/// less memory than the Program needs, and as load_machine does.
+machines::Machine machine_for(const isa::Program& program, const std::string& file, const std::string& chosen_machine,
                               const std::vector<std::string>& sets);
 
-/// For commands that accept a model or a Program. Compile options do not apply to a Program. Throws UsageError for a
-/// given option that is not one of the command's `own` options (long names without dashes); `why` ends the message.
+/// Used by commands that accept a model or a Program. Compile options do not apply to a Program. Throws UsageError for
+/// a given option that is not one of the command's `own` options (long names without dashes); `why` ends the message.
 void refuse_model_options(const OptionList& options, const std::set<std::string>& own,
                           const std::string& why = "a Program has been compiled already");
 
@@ -38,7 +38,7 @@ struct ProgramOnMachine {
 /// get the array of the Program. Throws InputError, or UsageError if a scene key is set for a Program.
 ProgramOnMachine program_of(const ModelRequest& request, const OptionList& options);
 
-/// The same; `asked` is the value of --machine for a Program, empty if it was not given.
-ProgramOnMachine program_of(const ModelRequest& request, const std::string& asked);
+/// The same; `chosen_machine` is the value of --machine for a Program, empty if it was not given.
+ProgramOnMachine program_of(const ModelRequest& request, const std::string& chosen_machine);
 
 }  // namespace csgsim::session

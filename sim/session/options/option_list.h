@@ -91,13 +91,13 @@ class Option {
   [[nodiscard]] std::string problem(std::span<const std::string> texts) const;
 
   [[nodiscard]] bool is_given() const { return !given.empty(); }
-  [[nodiscard]] std::string key() const;                      ///< as in SettableOption
+  [[nodiscard]] std::string key() const;                      ///< see SettableOption
   [[nodiscard]] bool is_called(std::string_view name) const;  ///< whether that is its key or another long name
   [[nodiscard]] std::string shown_name() const;               ///< `--z-bits`, or `MODEL`
   [[nodiscard]] std::string value_text() const;               ///< the given texts, separated by commas
   [[nodiscard]] OptionValue value() const;
 
-  std::vector<std::string> names;  ///< with dashes, short names first; one name for an operand
+  std::vector<std::string> names;  ///< names with dashes, short ones first; one name for an operand
   Takes takes = Takes::text;
   std::string meaning;
   std::string usual;                 ///< default, for help; empty if there is none to show

@@ -14,9 +14,9 @@
 
 namespace csgsim::session {
 
-/// How to look for changes that speed a run up.
+/// Request for changes that speed a run up.
 struct Advice {
-  std::string machine;    ///< as given to --machine; empty for no advice
+  std::string machine;    ///< value of --machine; empty for no advice
   bool is_asked = false;  ///< --advice; otherwise nothing is tried, since it takes as long as many runs
   std::string ask;        ///< hint how to ask for advice
   /// Recompiles with other settings to measure their worth; empty if there is no model.

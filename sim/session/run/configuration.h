@@ -24,7 +24,7 @@ struct RunSubject {
   std::string hash;                           ///< hash of what was compiled or run; if empty, of the subject's file
   const view::Camera* camera = nullptr;       ///< null for a Program
   const std::vector<scene::SectionValues>* scene = nullptr;
-  std::function<story::HalfspaceFinder()> halfspaces{};  ///< for the page of a model's run; empty for a Program
+  std::function<story::HalfspaceFinder()> halfspaces{};  ///< used by the page of a model's run; empty for a Program
   bool is_in_place = false;  ///< the subject's file is only a name; the hash is that of its replacement
 };
 

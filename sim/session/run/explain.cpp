@@ -34,7 +34,7 @@ void ExplainRequest::add_to(OptionList& options) {
 
 namespace {
 
-/// Where a point of the model appears.
+/// Position of a point of the model in the picture.
 struct Seen {
   Pixel pixel;
   double distance = 0;  ///< from the eye along the view axis, model units
@@ -54,8 +54,8 @@ bool is_of_program(const ExplainRequest& request, const InPlace& in_place) {
 
 ProgramOnMachine program_in_place(const isa::Program& program, const ModelRequest& request, const OptionList& options) {
   refuse_scene_sets(request.sets);
-  const std::string asked = options.is_given("machine") ? request.machine : "";
-  return {machine_for(program, request.model, asked, request.sets), program};
+  const std::string chosen_machine = options.is_given("machine") ? request.machine : "";
+  return {machine_for(program, request.model, chosen_machine, request.sets), program};
 }
 
 Explained explained_by(const ExplainRequest& request, const OptionList& options, const InPlace& in_place) {
@@ -114,13 +114,13 @@ story::Answer answer_of(const ExplainRequest& request, const Explained& subject)
 
 }  // namespace
 
-std::string explain_command(const OptionList& asked, const std::string& subject, const GivenTexts& instead) {
+std::string explain_command(const OptionList& options, const std::string& subject, const GivenTexts& instead) {
   ExplainRequest request;
   OptionList list("explain");
   request.add_to(list);
   list.give_operand(subject);
   const bool takes_all = is_model(subject);
-  for (const Option& option : asked.all()) {
+  for (const Option& option : options.all()) {
     const std::string key = option.key();
     const bool is_taken = takes_all || key == "machine" || key == "set";
     const bool is_replaced = option.takes != Takes::texts &&

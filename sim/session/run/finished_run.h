@@ -22,7 +22,7 @@ namespace csgsim::session {
 
 /// A completed run and its results.
 struct FinishedRun {
-  observe::Frame picture;  ///< as the machine shows it
+  observe::Frame picture;  ///< the picture that the machine displays
   engine::RunResult result;
   observe::Stats stats;
   std::vector<observe::Knob> knobs;   ///< tried changes that help

@@ -31,7 +31,7 @@ struct RunRequest {
   std::string stats;
   ReportOption report;  ///< added only by commands that have a model
   std::string level = "functional";
-  std::string evaluator = "worked-out";  ///< for the cycle level: one of evaluator_names
+  std::string evaluator = "worked-out";  ///< one of evaluator_names; used at the cycle level
   std::string progress = "auto";
   unsigned threads = 1;
   bool advice = false;  ///< try changed parameters and settings to measure their worth
@@ -61,7 +61,7 @@ std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, co
 
 /// A Program drawn in memory, without files.
 struct Drawn {
-  observe::Frame frame;  ///< as the machine shows it
+  observe::Frame frame;  ///< the picture that the machine displays
   observe::Stats stats;
   engine::RunResult result;
   double seconds = 0;  ///< wall time

@@ -18,7 +18,7 @@ inline constexpr const char* folder_type = "FOLDER";
 
 /// An option or an operand in help. Texts may be empty.
 struct OptionHelp {
-  std::vector<std::string> names;  ///< with dashes, the short name first; one name for an operand
+  std::vector<std::string> names;  ///< names with dashes, short ones first; one name for an operand
   std::string type;                ///< type of the value: TEXT, UINT, FLOAT, folder_type; empty for a flag
   std::string meaning;
   std::vector<std::string> words;  ///< accepted words; empty if any text is accepted

@@ -53,7 +53,7 @@ class Reader {
   struct Found {
     Setting setting;
     toml::source_position place;
-    bool is_own;  ///< in the command's own table
+    bool is_own;  ///< the setting is in the command's own table
   };
 
   [[noreturn]] void fail(const toml::source_position& place, std::string_view message) const {

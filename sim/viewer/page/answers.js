@@ -13,7 +13,7 @@ export const progressOf = async evaluation => (await answerTo('progress', {evalu
 // Cancels the question with this evaluation name; its answer then has `cancelled`.
 export const cancel = evaluation => answerTo('cancel', {evaluation});
 
-// What the page needs at its start.
+// Returns the data that the page needs at its start.
 export const askAbout = async () => (await fetch('about')).json();
 
 // Called when the page is set up.

@@ -26,7 +26,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void close();
 
  private:
-  /// What the connection waits for.
+  /// State of the connection, by what it waits for.
   enum class Phase : std::uint8_t {
     reading,    ///< a complete request
     answering,  ///< a worker's reply

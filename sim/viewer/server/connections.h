@@ -26,7 +26,7 @@ class Connections {
   void remove(const std::shared_ptr<Connection>& one);
 
  private:
-  std::list<std::shared_ptr<Connection>> strangers_;  ///< in order of arrival
+  std::list<std::shared_ptr<Connection>> strangers_;  ///< ordered by arrival
   std::list<std::shared_ptr<Connection>> admitted_;
 };
 

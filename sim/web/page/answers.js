@@ -52,7 +52,7 @@ const aboutModel = async () => {
   return JSON.parse((await post({question: 'about'})).body);
 };
 
-// After an error another model can still be chosen.
+// The user can choose another model after an error.
 export const askAbout = async () => {
   await setUpChoice();
   try {
