@@ -52,7 +52,7 @@ class Narrator {
   Narrator(const isa::Program& program, const PixelRun& run, std::span<const std::uint64_t> first_numbers)
       : program_(program), run_(run), first_numbers_(first_numbers) {}
 
-  std::vector<Event> run() {
+  std::vector<Event> narrate() {
     for (const PixelStep& step : run_.steps) {
       if (open_ && open_->event.segment != step.segment) close();
       take(step);
@@ -312,7 +312,7 @@ class Narrator {
 
 std::vector<Event> events_of(const isa::Program& program, const PixelRun& run,
                              std::span<const std::uint64_t> first_numbers) {
-  return Narrator(program, run, first_numbers).run();
+  return Narrator(program, run, first_numbers).narrate();
 }
 
 }  // namespace csgsim::story

@@ -150,9 +150,9 @@ RecordedRun recorded_run_of(const std::string& text, const std::string& file) {
                                  run.file, place_of_fault(text)));
   }
   if (!run.stats.is_object() || !run.stats.contains("configuration")) {
-                     ": it has no configuration that describes its run; name a stats file of "
-                     "csgsim render or run");
-                     "csgsim render or run");
+    throw InputError(run.file +
+                     ": it has no configuration that describes its run; name a stats file of csgsim render "
+                     "or run");
   }
   run.configuration = run.stats.at("configuration");
   return run;
