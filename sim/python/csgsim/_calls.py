@@ -95,7 +95,9 @@ def study(name, /, *operands, **options):
 
 
 def sweep(*models, **options):
-    """Measures the benefit of memory bits, like `csgsim sweep`: a dictionary per point. docs/developing.md#words explains the keys.
+    """Measures the benefit of memory bits, like `csgsim sweep`: a dictionary per point.
+
+    docs/developing.md#words explains the keys.
 
     >>> rows = csgsim.sweep("part.csg", strategy=["stack", "list"], z_bits=[16, 20])
     >>> min(rows, key=lambda row: row["clocks"])["strategy"]

@@ -30,7 +30,8 @@ class Machine:
     >>> wide = csgsim.Machine("pixel-planes-4", **{"alu.bits": 2})
     >>> csgsim.render("part.csg", machine=wide).stats["clocks"]
 
-    `name`, `description` and `kind` are texts; `figures` maps keys to parameters; `spelt` is its name as an option's text.
+    `name`, `description` and `kind` are texts; `figures` maps keys to parameters; `spelt` is its name in
+    options.
     """
 
     def __init__(self, name, **figures):

@@ -39,9 +39,9 @@ std::vector<Mesh> parse_3mf(std::string_view /*bytes*/, std::string_view name) {
 namespace session {
 
 std::string csg_of_scad(const std::string& file, std::chrono::seconds /*longest*/) {
-  throw InputError(file +
-                   ": this page does not include OpenSCAD; export the model from OpenSCAD as .csg (File, Export) and "
-                   "open that file");
+  throw InputError(
+      file +
+      ": this page does not include OpenSCAD; export the model as .csg there (File, Export), and open that file");
 }
 
 std::string csg_of_scad(const std::string& file, std::string_view /*text*/, std::chrono::seconds longest) {
