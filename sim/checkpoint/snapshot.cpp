@@ -33,7 +33,7 @@ std::uint64_t hash_of(const machines::Machine& machine) {
   return hash.value();
 }
 
-/// Words of one plane, or 0 where the run has no pixels yet.
+/// Words of one plane; 0 if the run has no pixels yet.
 std::size_t plane_words(const engine::RunState& run) {
   for (const std::vector<std::uint64_t>& plane : run.planes)
     if (!plane.empty()) return plane.size();

@@ -1,3 +1,5 @@
+// Records at which pixels instructions take effect.
+// Used by sim/functional and sim/reference.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +18,8 @@
 
 namespace csgsim::engine {
 
-/// Writes down which pixels the instructions of a run meet, where the machine's kind asks for that. It is told of every
-/// instruction right before and right after it.
+/// Records at which pixels the instructions of a run take effect, if the machine's kind needs that. It is called right
+/// before and right after every instruction.
 class MetRecorder {
  public:
   MetRecorder(const isa::Program& program, const machines::Machine& machine)
@@ -26,11 +28,11 @@ class MetRecorder {
   }
 
   [[nodiscard]] bool asks() const { return asks_; }
-  /// One a segment; null where it has not been told of all instructions that came before.
+  /// One per segment; null if a part of the run was not recorded.
   [[nodiscard]] const std::vector<machines::MetPixels>* met() const { return is_whole_ ? &met_ : nullptr; }
-  /// Of a segment; instructions that it has not been told of are said to meet no pixel.
+  /// The record of one segment; instructions that were not recorded appear without pixels.
   [[nodiscard]] const machines::MetPixels& met(std::uint32_t segment) const { return met_[segment]; }
-  /// The run goes on from elsewhere.
+  /// Called when the run continues from another place.
   void jump() {
     is_whole_ = !asks_;
     is_at_hand_ = false;
@@ -86,7 +88,7 @@ class MetRecorder {
     is_at_hand_ = true;
   }
 
-  /// What is kept is another number than was there, or does not fit, which disables the pixel.
+  /// The pixels whose value changes or does not fit; a value that does not fit disables the pixel.
   std::uint32_t chosen(machines::MetPixels& met, isa::Field field, const PixelState& state) {
     read(field, state, values_);
     const isa::Region region = state.region();
@@ -103,12 +105,12 @@ class MetRecorder {
 
   bool asks_;
   bool is_whole_ = true;
-  bool is_at_hand_ = false;  ///< it knows which pixels are enabled
+  bool is_at_hand_ = false;  ///< the enabled pixels are known
   std::vector<machines::MetPixels> met_;
-  std::vector<std::uint64_t> enabled_;  ///< pixels, as the instruction finds them
-  std::vector<std::uint64_t> after_;    ///< and leaves them
-  std::uint32_t plane_ = 0;             ///< of `enabled_`
-  std::vector<std::uint32_t> before_;   ///< of a target
+  std::vector<std::uint64_t> enabled_;  ///< enabled pixels before the instruction
+  std::vector<std::uint64_t> after_;    ///< enabled pixels after it
+  std::uint32_t plane_ = 0;             ///< index of the plane of `enabled_`
+  std::vector<std::uint32_t> before_;   ///< values of a target before the instruction
   std::vector<std::uint32_t> values_;
 };
 

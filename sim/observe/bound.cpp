@@ -21,7 +21,7 @@ double share_of(const machines::Load& load, std::uint64_t clocks) {
   return static_cast<double>(load.clocks) / static_cast<double>(clocks);
 }
 
-/// With an article, but for one of several that is called by its number.
+/// Adds an article, except for one of several units that is named by its number.
 std::string with_article(const std::string& part) {
   const bool is_numbered = part.back() >= '0' && part.back() <= '9';
   return is_numbered ? part : "the " + part;
@@ -40,14 +40,16 @@ std::optional<Bound> bound_of(const engine::RunResult& result, const machines::M
     return static_cast<double>(machine.clock_hz) / static_cast<double>(clocks);
   };
   std::string sentence = fmt::format(
-      "{} bounds the frame: it {} in {:.1f} % of the {} clocks from one frame to the next, {:.4g} frames a second",
+      "{} limits the frame rate: it {} in {:.1f} % of the {} clocks from one frame to the next, {:.4g} frames per "
+      "second",
       with_article(most.part), most.does, 100.0 * share_of(most, next), grouped(next), rate(next));
   if (loads.size() > 1 && loads[1].clocks > 0)
     sentence += fmt::format("; next is {}, {:.1f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], next));
   Bound bound{most.part, share_of(most, next), result.host_clocks > next, sentence};
   if (!bound.by_host) return bound;
   bound.sentence = fmt::format(
-      "the host bounds the frame: it compiles the next in {} clocks, {:.4g} frames a second; if it kept up, {}",
+      "the host limits the frame rate: it compiles a frame in {} clocks, {:.4g} frames per second; with a faster host, "
+      "{}",
       grouped(result.host_clocks), rate(result.host_clocks), sentence);
   return bound;
 }

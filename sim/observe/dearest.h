@@ -1,3 +1,5 @@
+// The most expensive primitives of a frame.
+// Used by sim/observe, sim/report, sim/shell and sim/studies.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +14,15 @@
 
 namespace csgsim::observe {
 
-/// What a primitive takes of a frame, without the effects.
+/// Cost of a primitive in a frame, without effects.
 struct PrimitiveCost {
-  std::uint32_t primitive = 0;   ///< its index
-  std::string name;              ///< as the Program has it, `cylinder@9:9`
-  std::string source;            ///< its place in the model's file, `9:9`; empty if the name tells none
-  std::uint64_t clocks = 0;      ///< of its instructions, in all segments
-  double share = 0;              ///< of ClockShares::whole
-  std::uint32_t pieces = 0;      ///< convex ones that it is drawn as
-  std::uint64_t halfspaces = 0;  ///< that are scan-converted for its surface: what pruning leaves of it
+  std::uint32_t primitive = 0;   ///< index of the primitive
+  std::string name;              ///< name in the Program, `cylinder@9:9`
+  std::string source;            ///< position in the model's file, `9:9`; empty if the name has none
+  std::uint64_t clocks = 0;      ///< clocks of its instructions, in all segments
+  double share = 0;              ///< fraction of ClockShares::whole
+  std::uint32_t pieces = 0;      ///< number of convex pieces it is drawn as
+  std::uint64_t halfspaces = 0;  ///< half-spaces scan-converted for its surface, after pruning
 };
 
 struct EffectCost {
@@ -28,24 +30,25 @@ struct EffectCost {
   std::uint64_t clocks = 0;
 };
 
-/// Where a frame's clocks went. The primitives, the effects and the rest add up to the whole.
+/// Distribution of a frame's clocks. Primitives, effects and the rest add up to the whole.
 struct ClockShares {
-  std::vector<PrimitiveCost> dearest;  ///< the dearest first, at most `most_dearest`, of those that take any clocks
-  std::uint64_t other_primitives = 0;  ///< how many more take clocks
-  std::uint64_t other_clocks = 0;      ///< of these
-  std::vector<EffectCost> effects;     ///< that take any, but for flat shading, which is the primitives'
-  std::uint64_t rest = 0;              ///< of no primitive: clearing the frame, and what the last step is on its way
+  std::vector<PrimitiveCost>
+      dearest;  ///< most expensive first, at most `max_listed_primitives`; only primitives with clocks
+  std::uint64_t other_primitives = 0;  ///< number of further primitives with clocks
+  std::uint64_t other_clocks = 0;      ///< clocks of these
+  std::vector<EffectCost> effects;     ///< effects with clocks, except flat shading, which counts for the primitives
+  std::uint64_t rest = 0;              ///< clocks for no primitive: clearing the frame, and the final latency
   std::uint64_t whole = 0;             ///< clocks of all instructions, over all segments, and the final latency
 };
 
-inline constexpr std::size_t most_dearest = 10;
+inline constexpr std::size_t max_listed_primitives = 10;
 
 ClockShares clock_shares(const isa::Program& program, const engine::RunResult& result, const Stats& stats);
 
-/// The place in a primitive's name; empty if there is none.
+/// The position in a primitive's name; empty if there is none.
 std::string source_of(const std::string& name);
 
-/// Pixels of the picture in which each primitive of the Program is seen.
+/// Number of visible pixels of each primitive of the Program.
 std::vector<std::uint64_t> pixels_seen(const Frame& frame, const isa::Program& program);
 
 }  // namespace csgsim::observe

@@ -121,7 +121,7 @@ std::string place_text(const glm::dvec3& place) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", place.x, place.y, place.z);
 }
 
-/// D, its root and what became of that.
+/// D, its root and the depth computed from it.
 std::string working_text(const isa::Program& program, const QuadricDepth& depth) {
   const auto half = static_cast<std::uint16_t>(depth.field.width / 2);
   const isa::Field root{static_cast<std::uint16_t>(depth.field.base + half + 1U), half};

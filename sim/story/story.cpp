@@ -14,8 +14,8 @@ namespace csgsim::story {
 
 namespace {
 
-/// From the beginning of the first instruction of the event to the end of the last. `clocks`: of the segment's
-/// instructions at the pixel.
+/// The clocks from the beginning of the event's first instruction to the end of its last. `clocks` are those of the
+/// segment's instructions at the pixel.
 machines::ClockSpan clocks_of(const Event& event, std::uint64_t first_number,
                               const std::vector<machines::ClockSpan>& clocks) {
   if (event.what == What::skip) return {};

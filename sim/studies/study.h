@@ -10,12 +10,14 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "hw/machines/machine.h"
 #include "sim/plots/plot.h"
 #include "sim/session/model/model_request.h"
+#include "sim/session/options/command_group.h"
 #include "sim/session/options/option_list.h"
 #include "sim/studies/parallel.h"
 #include "sim/studies/row_text.h"
@@ -116,6 +118,7 @@ struct StudyRow {
   bool has_shards = true;
   bool is_quick = false;  ///< several points are measured while one row goes to the disk
   std::unique_ptr<Study> (*make)() = nullptr;
+  std::string_view group = session::study_group;  ///< heading in `csgsim --help`
 };
 
 /// Has the rows of a study, which are of one type: `Row::point_columns` columns, of which Row::columns(row, visit)

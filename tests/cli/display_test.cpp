@@ -79,6 +79,6 @@ TEST_CASE("shards of display are gathered to the table of one run, and what it d
   misused(display(" --methods scanline"), "did you mean scan-line");
   misused(display(" --bucket-sizes 0"), "--bucket-sizes");
   misused(display(" --fragments 2"), "--fragments");
-  misused(display(" --curves exact --machine pixel-powers"), "--curves: this command takes facets alone");
+  misused(display(" --curves exact --machine pixel-powers"), "--curves: this command supports facets only");
   succeeded(run(display(" --machine pixel-powers --methods scan-line")));
 }

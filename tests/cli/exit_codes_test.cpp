@@ -68,7 +68,7 @@ TEST_CASE("lists of machines are of the command line too, and a list can be of n
   const std::string out = " -o " + (folder / "out");
   for (const std::string study : {"compare ", "sweep ", "corpus "}) {
     misused(study + model("sphere") + out + " --machines pixel-plane", "did you mean pixel-planes-4?");
-    misused(study + model("sphere") + out + " --machines ''", "has nothing at a comma");
+    misused(study + model("sphere") + out + " --machines ''", "empty element in list");
   }
   misused("corpus " + model("sphere") + out + " --z-bits 31", "is not a whole number from 4 to 30");
   const std::string small = "compare " + model("sphere") + " --machines pixel-planes-4 --size 16x16 --no-plots";

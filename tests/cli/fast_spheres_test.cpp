@@ -44,7 +44,7 @@ TEST_CASE("what is no sphere of an orthographic picture stays facets, and is tol
   CHECK(one_line(of_three));
   CHECK(of_three.find("model.csg:3:1: warning: ") != std::string::npos);
   CHECK(of_three.find("this is an ellipsoid and is drawn in facets, as is 1 more curved solid") != std::string::npos);
-  CHECK(told(ball, "--projection p").find("is an ellipse in a perspective picture and is drawn in facets") !=
+  CHECK(told(ball, "--projection p").find("is an ellipse in a perspective picture and is drawn as facets") !=
         std::string::npos);
   CHECK(told("sphere($fn=5,$fa=12,$fs=2,r=10);\n", "").empty());
 }
@@ -84,5 +84,5 @@ TEST_CASE("where the bits of a machine do not hold the squares, or it divides th
   const Folder folder;
   const std::string options = "render " + written(folder, ball) + " --view-all --curves fast -o " + (folder / "p.png");
   fails(run(options), 1, {"17 squares", "--curves facets"});
-  fails(run(options + " --machine pixel-square"), 1, {"draw facets by --curves facets"});
+  fails(run(options + " --machine pixel-square"), 1, {"draw facets with --curves facets"});
 }

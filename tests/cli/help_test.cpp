@@ -73,7 +73,7 @@ TEST_CASE("remarks of a help are filled: no line breaks where the next word has 
 TEST_CASE("help has the options by subject, and none is left for the last resort") {
   const std::string help = run("render --help").out;
   std::size_t at = 0;
-  for (const std::string subject : {"What is drawn:", "View:", "Machine:", "Algorithm and pixel memory:", "Accuracy:",
+  for (const std::string subject : {"Model and scene:", "View:", "Machine:", "Algorithm and pixel memory:", "Accuracy:",
                                     "The run:", "Outputs:", "Messages:", "Example:"}) {
     CAPTURE(subject);
     const std::size_t found = help.find("\n\n" + subject + "\n");

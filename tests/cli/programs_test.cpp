@@ -128,7 +128,7 @@ TEST_CASE("a Program is refused by a machine of another kind, or with less memor
   CHECK(run("run " + wide + output).err.empty());
   CHECK(run("run " + wide + " --machine pixel-planes-4" + output).err.empty());
   refused("run " + wide + " --machine pixel-planes-4+alu.bits=4" + output,
-          "takes 96 bits of memory a pixel, and pixel-planes-4+alu.bits=4 has 72");
+          "needs 96 memory bits per pixel, and pixel-planes-4+alu.bits=4 has 72");
   const Outcome told =
       succeeded(run("run " + wide + " --machine pixel-planes-4+alu.bits=4+array.memory_bits=100" + output));
   CHECK(one_line(told.err));
@@ -146,12 +146,12 @@ TEST_CASE("of a Program that names no machine it is said which one is assumed") 
   const Outcome assumed = succeeded(run("run " + (folder / "p.csgt") + output));
   CHECK(one_line(assumed.err));
   CHECK(assumed.err.find(
-            "warning: the Program does not name the machine that it was compiled for; pixel-planes-4 is assumed;") !=
+            "warning: the Program does not name the machine it was compiled for; pixel-planes-4 is assumed;") !=
         std::string::npos);
   CHECK(run("run " + (folder / "p.csgt") + " --machine pixel-planes-4" + output).err.empty());
   program.shape.memory_bits = 96;
   isa::save_program(program, folder / "p.csgt", isa::ProgramForm::binary);
-  CHECK(run("run " + (folder / "p.csgt") + output).err.find("with 96 bits of memory a pixel instead of its 72") !=
+  CHECK(run("run " + (folder / "p.csgt") + output).err.find("with 96 memory bits per pixel instead of 72") !=
         std::string::npos);
   CHECK(run("run " + (folder / "p.csgt") + " --machine pixel-planes-4" + output).code == 1);
   program.machine = {"no-such-machine", "", {}};

@@ -36,7 +36,7 @@ TEST_CASE("of many warnings of OpenSCAD's the first are told, the others counted
 TEST_CASE("source that makes no shape is refused as such") {
   const Outcome outcome = draw_source("echo 'ECHO: 1' >&2; echo");
   CHECK(outcome.code == 1);
-  CHECK(outcome.err == "part.scad: it makes no shape, so there is nothing to draw; call a module that makes one\n");
+  CHECK(outcome.err == "part.scad: it creates no shape, so there is nothing to draw; call a module that creates one\n");
 }
 
 TEST_CASE("source is a model for each command that takes models and Programs") {

@@ -29,7 +29,7 @@ TEST_CASE("faces that six digits have moved apart are warned of, and brought tog
   const std::string told = drawn("nothing.csg", "");
   const std::string skin = content(folder / "picture.png");
   CHECK(told.find("nothing.csg:3:1: warning: a face of it and one of") != std::string::npos);
-  CHECK(told.find("nothing.csg:8:1 are nearly in one plane") != std::string::npos);
+  CHECK(told.find("nothing.csg:8:1 are nearly, but not exactly, coplanar") != std::string::npos);
   CHECK(told.find("use --snap") != std::string::npos);
   const std::string snapped = drawn("nothing.csg", " --snap");
   const std::string restored = content(folder / "picture.png");
@@ -77,5 +77,5 @@ TEST_CASE("files of another folder are imported from the folder that is named, a
   const std::string words = "compile " + (folder / "models/m.csg") + " --size 16x16 -o " + (folder / "p.csgt");
   succeeded(run(words + " --imports-from " + (folder / "parts")));
   CHECK(run(words + " --imports-from " + (folder / "models")).code == 1);
-  fails(run(words + " --imports-from " + (folder / "part")), 1, {"part is no folder"});
+  fails(run(words + " --imports-from " + (folder / "part")), 1, {"part is not a folder"});
 }

@@ -127,7 +127,7 @@ TEST_CASE("a stats file cannot name a settings file, nor anything that is writte
         "[render]\noutput = 'home.png'\nstats = 'any_name'\nreport = 'x.html'\n[run]\ncheckpoint = 'bashrc'\n");
   for (const std::string name : {"home.png", "any_name", "x.html", "bashrc"}) write(stats.folder / name, "precious");
   stats.set_option("config", "evil.toml");
-  stats.refuses("'config' is no option of csgsim render that stats tell of");
+  stats.refuses("'config' is not an option of csgsim render that stats record");
   stats.change([](Json& json) {
     for (const char* const option : {"output", "depth", "owner", "stats", "report"})
       json["configuration"]["options"][option] = "home.png";
@@ -144,12 +144,12 @@ TEST_CASE("rerun says that all is the same only of what it has run and compared"
   for (const std::string name : {"help", "dump-config", "version", "no-such-option"}) {
     CAPTURE(name);
     stats.set_option(name, true);
-    stats.refuses(fmt::format("'{}' is no option of csgsim render", name), {"-o", "a.png"});
+    stats.refuses(fmt::format("'{}' is not an option of csgsim render", name), {"-o", "a.png"});
   }
   stats.set_option("frames", 2);
   stats.refuses("--frames: a sequence of frames has no stats", {"-o", "a.png"});
   stats.change([](Json& json) { json["clocks"] = 1; });
-  refused(stats.rerun(), "t.json", "the run differs from it: /clocks was 1, is");
+  refused(stats.rerun(), "t.json", "the run differs: /clocks was 1, is");
 }
 
 TEST_CASE("a value in a stats file is its option's alone, whatever bytes it has") {

@@ -81,7 +81,7 @@ TEST_CASE("trace refuses what it does not know, with the nearest that there is")
   misused(trace(" --directories excel"), "did you mean excell");
   misused(trace(" --cast shadows"), "did you mean shadow");
   misused(trace(" --cast light"), "the rays are primary");
-  misused(trace(" --curves exact --machine pixel-powers"), "--curves: this command takes facets alone");
+  misused(trace(" --curves exact --machine pixel-powers"), "--curves: this command supports facets only");
   misused(trace(" --item-buffer wihtout"), "did you mean without");
   misused(trace(" --bucket-sizes 0"), "1");
   misused(trace(" --processors mc68001"), "mc68000");

@@ -153,7 +153,7 @@ TEST_CASE("a lane's stretches follow each other, and what follows is something e
   }
 }
 TEST_CASE("of what the parts are at without a pixel there are only clocks, and to a file only by its name") {
-  misused("wave traces/x.csgt --at owner -o parts.json", "say which, as in --pixel 100,20");
+  misused("wave traces/x.csgt --at owner -o parts.json", "name one, as in --pixel 100,20");
   misused("wave traces/x.csgt --window i3 -o parts.json", "FIRST:END");
-  misused("wave traces/x.csgt --lanes -o parts.vcd", "has to end in .json");
+  misused("wave traces/x.csgt --lanes -o parts.vcd", "a name that ends in .json");
 }

@@ -29,7 +29,7 @@ void add_compile(CommandLine& line) {
   };
   const auto options = std::make_shared<Options>();
   Command& command =
-      line.add("compile", drawing, "Compile a CSG model into a Program file, to be run without the model",
+      line.add("compile", everyday_group, "Compile a CSG model into a Program file, which runs without the model",
                "Example:\n  csgsim compile carburettor.csg -o carburettor.csgt\n  csgsim run carburettor.csgt -o "
                "carburettor.png");
   options->model.add_to(command);

@@ -15,8 +15,8 @@ void warn_of_near_faces(const CompiledModel& model, const ModelRequest& request)
           ? ""
           : fmt::format(" ({}{} more such pairs)", found.are_more ? "at least " : "", found.pairs - 1);
   tell_line(fmt::format(
-      "{}: warning: a face of it and one of {} are nearly in one plane, but not quite{}; specks or a skin may be seen: "
-      "{}let one reach well into the other",
+      "{}: warning: a face of it and one of {} are nearly, but not exactly, coplanar{}; specks or a thin skin may be "
+      "visible: {}let one solid reach well into the other",
       model::place_of(model.tree, found.first[0]), model::place_of(model.tree, found.first[1]), others,
       request.snap ? "" : "use --snap, or "));
 }

@@ -17,9 +17,9 @@ const emit::EffectRow* see_through(const emit::Options& emit, const model::Tree&
 
 void refuse_see_through(const ModelRequest& request, const model::Tree& tree, const view::Camera& camera) {
   if (const emit::EffectRow* const effect = see_through(emit_options_of(request), tree, camera)) {
-    throw InputError(fmt::format(
-        "{}: the exact picture that others are held against knows opaque solids alone; add --set effects.{}.on=false",
-        printable(request.model), effect->name()));
+    throw InputError(
+        fmt::format("{}: the exact reference picture supports opaque solids only; add --set effects.{}.on=false",
+                    printable(request.model), effect->name()));
   }
 }
 

@@ -320,6 +320,7 @@ extern const StudyRow compare_row{
         "What has been measured is in compare.csv at once; the same command goes on after an interruption.",
     .plots = "plots (.png, .svg) of the machines and of the time against half-spaces and pixels",
     .folder = Folder::usual,
-    .make = [] { return std::unique_ptr<Study>(std::make_unique<Compare>()); }};
+    .make = [] { return std::unique_ptr<Study>(std::make_unique<Compare>()); },
+    .group = session::everyday_group};
 
 }  // namespace csgsim::studies

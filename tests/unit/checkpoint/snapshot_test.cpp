@@ -264,11 +264,11 @@ TEST_CASE("a checkpoint of another Program or machine is refused, whatever the m
   isa::Program other = program;
   other.segments[0].instructions.back().constant = 34;
   CHECK(error_of([&] { checkpoint::decode(bytes, "c", other, machine); }) ==
-        "c: the checkpoint is of another Program; resume it with the one it was made of");
+        "c: the checkpoint belongs to another Program; resume it with the Program it was taken from");
   machines::Machine slower = machine;
   slower.memory_reads = 2;
   CHECK(error_of([&] { checkpoint::decode(bytes, "c", program, slower); }) ==
-        "c: the checkpoint is of a run on another machine; give the same --machine");
+        "c: the checkpoint belongs to a run on another machine; give the same --machine");
   machines::Machine renamed = machine;
   renamed.name = "another";
   CHECK_NOTHROW(checkpoint::decode(bytes, "c", program, renamed));

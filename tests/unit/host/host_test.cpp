@@ -106,7 +106,7 @@ TEST_CASE("a host that takes longer than the machine bounds the frame, and else 
   };
   const observe::Bound bound = bound_on(slow);
   CHECK(bound.by_host);
-  CHECK(bound.sentence.starts_with("the host bounds the frame: it compiles"));
+  CHECK(bound.sentence.starts_with("the host limits the frame rate: it compiles"));
   const observe::Bound kept_up = bound_on(machine_named("pixel-planes-4+host.count=4096"));
   CHECK(!kept_up.by_host);
   CHECK(kept_up.part == bound.part);

@@ -232,7 +232,7 @@ TEST_CASE("boxes that an intersection joins are one solid, and the facet's box o
   const story::WhyNot answer = story::why_not(subject, story, 2);
   CHECK(answer.drawn_as == 1);
   CHECK(contains(text_of(subject, story, answer), "drawn with p1 cube"));
-  CHECK(contains(text_of(subject, story, answer), "the facet seen here is of p1"));
+  CHECK(contains(text_of(subject, story, answer), "the facet visible here belongs to p1"));
 }
 
 TEST_CASE("of boxes that an intersection joins JSON names the one whose facet is seen, and with which it is drawn") {
@@ -269,10 +269,10 @@ TEST_CASE(
   const std::string text = story::text_of(subject, story);
   CHECK(contains(text, "shows p2 cube"));
   CHECK(contains(text, "through   p1 cube"));
-  CHECK(contains(text, "merged; this is what is seen"));
+  CHECK(contains(text, "merged; this is the visible surface"));
   const story::WhyNot why_not = story::why_not(subject, story, 1);
   CHECK_FALSE(why_not.is_seen);
-  CHECK(contains(text_of(subject, story, why_not), "a part of the colour, but not the nearest seen"));
+  CHECK(contains(text_of(subject, story, why_not), "contributes to the colour, but is not the nearest"));
 }
 
 TEST_CASE("a pixel that glass alone is seen at shows the glass, with nothing behind it") {
