@@ -10,8 +10,8 @@ namespace {
 
 constexpr double tick_length = 5;
 constexpr double tick_gap = 4;        ///< pixels from a tick to its text
-constexpr double between_ticks = 8;   ///< pixels between two texts
-constexpr double pixels_a_tick = 34;  ///< upwards
+constexpr double between_ticks = 8;   ///< minimum number of pixels between two texts
+constexpr double pixels_a_tick = 34;  ///< minimum vertical distance of ticks
 constexpr unsigned x_ticks_at_most = 9;
 constexpr double longest_upright = 170;
 constexpr double longest_level = 150;
@@ -21,7 +21,7 @@ struct XTick {
   std::string text;
 };
 
-/// The texts of the ticks, side by side or upright.
+/// The texts of the ticks, horizontal or rotated.
 std::vector<Text> tick_texts(const std::vector<XTick>& ticks, bool is_upright) {
   std::vector<std::string> words;
   words.reserve(ticks.size());
@@ -36,7 +36,7 @@ std::vector<Text> tick_texts(const std::vector<XTick>& ticks, bool is_upright) {
   return texts;
 }
 
-/// Those that fit beside each other within the picture, from the left on.
+/// The texts that fit in the picture without overlap, chosen from left to right.
 std::vector<Text> fitting(const std::vector<Text>& texts, bool is_upright, double right_edge) {
   std::vector<Text> kept;
   double end = 0;

@@ -22,7 +22,7 @@ std::string_view fill_of(const std::vector<std::string>& names, const std::strin
   return number < palette::fills.size() ? palette::fills[number] : palette::background.colour;
 }
 
-/// Those of the plot, then what bars have besides.
+/// The plot's own names, followed by other names that its bars use.
 std::vector<std::string> names_of(const Bars& plot) {
   std::vector<std::string> names = plot.names;
   for (const Bar& bar : plot.bars) {
@@ -50,11 +50,11 @@ std::vector<KeyEntry> key_of(const std::vector<std::string>& names, const Bars& 
     }
   }
   if (more > 0) {
-    key.push_back({fmt::format("{} more: {}", more, plot.table), Sample::fill, {palette::background.colour, "", {}}});
+    key.push_back({fmt::format("{} more in {}", more, plot.table), Sample::fill, {palette::background.colour, "", {}}});
   }
   key.push_back({"free", Sample::fill, {palette::paper, "", {}}});
   if (plot.bars.size() > most_bars)
-    key.push_back({fmt::format("{} bars more: {}", plot.bars.size() - most_bars, plot.table)});
+    key.push_back({fmt::format("{} more bars in {}", plot.bars.size() - most_bars, plot.table)});
   return key;
 }
 

@@ -17,13 +17,13 @@ namespace {
 constexpr double between_panels = 24;
 constexpr double mark_size = 9;
 constexpr double small_mark_size = 5;
-constexpr std::size_t many_points = 60;  ///< of a series, whose marks are small
+constexpr std::size_t many_points = 60;  ///< series with more points have small marks
 constexpr double longest_label = 220;
 constexpr std::size_t numbers_in_key = 24;
 
 double panel_height(std::size_t panels) { return panels == 1 ? 360 : panels == 2 ? 230 : 170; }
 
-/// A panel's place, and what its pixels stand for.
+/// A panel's place in the picture, and the values that its axes span.
 struct Panel {
   Box area;
   Extent x;
@@ -58,7 +58,7 @@ Extent y_extent(const Chart& chart, std::size_t panel) {
       if (is_finite(point)) values.push_back(point.y);
     }
   }
-  // What stands above a name is judged by its height.
+  // Bars and marks above names are compared by height, so the axis starts at 0.
   return extent_of(values, chart.panels[panel].scale, chart.x.is_names ? Begin::at_zero : Begin::near_zero);
 }
 
@@ -76,13 +76,13 @@ std::vector<Panel> panels_of(const Chart& chart) {
   return panels;
 }
 
-/// What is drawn in a panel, and what is to be written there.
+/// The marks, lines and labels of one panel.
 class PanelContent {
  public:
   PanelContent(const Chart& chart, const Panel& panel)
       : chart_(chart), panel_(panel), surroundings_{inside(panel.area), {}, {}} {}
 
-  /// `more` pixels across than the smallest mark.
+  /// Adds a series. `more` is added to the size of the marks, in pixels.
   void add(Drawing& drawing, const Series& series, const palette::Look& look, double more) {
     const double size = series.is_background || series.points.size() > many_points ? small_mark_size : mark_size + more;
     const std::vector<Pixel> pixels = pixels_of(series, size);
@@ -99,7 +99,7 @@ class PanelContent {
     }
   }
 
-  /// Writes the labels; what found no room for its text is told in the key.
+  /// Adds the labels. The key holds the texts of labels that were replaced by a number.
   void add_labels(Drawing& drawing, std::vector<KeyEntry>& key, const std::string& table) const {
     std::vector<LabelWish> wishes;
     wishes.reserve(labels_.size());
@@ -115,14 +115,14 @@ class PanelContent {
     }
     const auto told = static_cast<std::size_t>(std::ranges::count_if(
         placed, [](const PlacedLabel& label) { return !label.number || *label.number <= numbers_in_key; }));
-    if (told < labels_.size()) key.push_back({fmt::format("{} labels more: {}", labels_.size() - told, table)});
+    if (told < labels_.size()) key.push_back({fmt::format("{} more labels in {}", labels_.size() - told, table)});
   }
 
  private:
   struct Label {
     Pixel at;
     std::string text;
-    double mark = 0;  ///< pixels across of the largest there
+    double mark = 0;  ///< size in pixels of the largest mark at this place
   };
 
   static Box inside(const Box& area) { return {area.left + 2, area.top + 2, area.right - 2, area.bottom - 2}; }
@@ -140,7 +140,7 @@ class PanelContent {
     return pixels;
   }
 
-  /// Corners of the stairs; one point alone goes to the right.
+  /// Corners of the steps; a single point extends to the right edge.
   [[nodiscard]] std::vector<Pixel> steps_of(const std::vector<Pixel>& pixels) const {
     std::vector<Pixel> corners;
     corners.reserve(2 * pixels.size());
@@ -153,7 +153,7 @@ class PanelContent {
     return corners;
   }
 
-  /// Labels of one place are one text.
+  /// Merges the labels of points at the same place into one text.
   void add_label(const Pixel& at, std::string text, double mark) {
     const auto same = std::ranges::find_if(
         labels_, [&](const Label& label) { return overlap(around(label.at, 1), around(at, 0.5)); });
@@ -179,7 +179,7 @@ class PanelContent {
   std::vector<Label> labels_;
 };
 
-/// Marks of series that are drawn first are larger, so that some of them is seen below others.
+/// Series that are drawn first get larger marks, so that they remain visible below later ones.
 double mark_growth(const SeriesLooks& looks, std::size_t series) {
   constexpr double step = 2;
   constexpr std::size_t steps = 3;
@@ -191,7 +191,7 @@ double mark_growth(const SeriesLooks& looks, std::size_t series) {
   return step * static_cast<double>(std::min(steps, later));
 }
 
-/// Background first, then what has no colour of its own, then the others.
+/// Background series first, then those without a colour, then the others.
 std::vector<std::size_t> drawing_order(const Chart& chart, const SeriesLooks& looks) {
   std::vector<std::size_t> order;
   for (const bool coloured : {false, true}) {

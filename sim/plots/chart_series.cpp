@@ -13,10 +13,10 @@ namespace csgsim::plots {
 
 namespace {
 
-/// Series of one name.
+/// Series with the same name.
 struct Name {
   const Series* first;
-  double largest;  ///< in the first panel that they are in
+  double largest;  ///< largest y value in the first panel that has the series
 };
 
 std::vector<Name> names_of(const Chart& chart) {
@@ -33,7 +33,7 @@ std::vector<Name> names_of(const Chart& chart) {
   return names;
 }
 
-/// Those with the largest values first, where there are more than colours.
+/// Moves the names with the largest values to the front if there are more names than colours.
 void move_chosen_to_front(std::vector<Name>& names) {
   if (names.size() <= palette::most_series) return;
   std::vector<Name> sorted = names;
@@ -44,17 +44,17 @@ void move_chosen_to_front(std::vector<Name>& names) {
   });
 }
 
-/// How each name looks: as all charts that belong together have it, or by itself.
+/// Maps each name to a look: the one shared by all charts of a study, or one chosen for this chart alone.
 Looks places_of(const Chart& chart) {
   if (!chart.looks.empty()) return chart.looks;
   const std::array<Names, 1> alone{names_by_choice(chart)};
   return common_looks(alone, palette::most_series, palette::most_series);
 }
 
-/// `least` is the largest value of the least of those that have colours.
+/// Key entry for the uncoloured series. `least` is the smallest maximum among the coloured series.
 std::string others_text(const std::vector<Name>& others, double least, const std::string& table) {
   const bool are_smaller = std::ranges::all_of(others, [&](const Name& one) { return one.largest <= least; });
-  return fmt::format("{} more{}: {}", others.size(), are_smaller ? ", with smaller values" : "", table);
+  return fmt::format("{} more{} (see {})", others.size(), are_smaller ? ", with smaller values" : "", table);
 }
 
 Sample sample_of(Trace trace) {

@@ -11,7 +11,7 @@ namespace csgsim::plots {
 
 namespace {
 
-/// In the order in which they come up; what has no name comes last, as no key tells of it.
+/// All names in order of first appearance. The empty name comes last because it has no entry in the key.
 Names all_of(std::span<const Names> plots) {
   Names all;
   bool has_nameless = false;
@@ -25,7 +25,7 @@ Names all_of(std::span<const Names> plots) {
   return all;
 }
 
-/// The looks of those that are in a plot with it.
+/// The looks of the names that share a plot with `name`.
 std::set<std::size_t> taken_beside(const std::string& name, std::span<const Names> plots, const Looks& looks) {
   std::set<std::size_t> taken;
   for (const Names& names : plots) {

@@ -9,13 +9,13 @@ namespace csgsim::plots {
 
 namespace {
 
-constexpr double margin = 0.06;          ///< of the axis, on both sides
-constexpr double room_for_zero = 0.2;    ///< of the axis, below the least positive value
-constexpr double place_of_zero = 0.05;   ///< along the axis
-constexpr double logarithmic_from = 20;  ///< times the least positive value
-constexpr double near_greatest = 0.4;    ///< times the greatest value
-constexpr double least_shown = 1e-250;   ///< on a logarithmic axis, so that there is room below
-constexpr double largest_shown = 1e250;  ///< larger values lie on the edge, where differences are doubles still
+constexpr double margin = 0.06;          ///< fraction of the axis, at both ends
+constexpr double room_for_zero = 0.2;    ///< fraction of the axis below the smallest positive value
+constexpr double place_of_zero = 0.05;   ///< position along the axis
+constexpr double logarithmic_from = 20;  ///< ratio of maximum to smallest positive value
+constexpr double near_greatest = 0.4;    ///< fraction of the maximum
+constexpr double least_shown = 1e-250;   ///< lower limit of a logarithmic axis, leaves room below
+constexpr double largest_shown = 1e250;  ///< larger values are clamped to the edge, so that differences stay finite
 
 bool is_logarithmic(std::span<const double> values, double least_positive, Scale scale) {
   if (scale == Scale::linear || least_positive == 0 || *std::ranges::min_element(values) < 0) return false;

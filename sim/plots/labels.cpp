@@ -12,17 +12,17 @@ namespace csgsim::plots {
 
 namespace {
 
-constexpr double gap = 2;               ///< pixels from what is drawn to a label beside it
-constexpr double away_from_others = 6;  ///< pixels, where there is room
-constexpr double first_ring = 12;       ///< pixels from what is drawn to a label at a leader
+constexpr double gap = 2;               ///< pixels from a mark to the label next to it
+constexpr double away_from_others = 6;  ///< preferred distance in pixels from other marks
+constexpr double first_ring = 12;       ///< distance in pixels from a mark to a label with a leader
 constexpr double ring_step = 8;
 constexpr unsigned rings = 12;
 constexpr unsigned directions = 16;
 
-/// Beside the place: to the right above, as people expect it, and on around.
+/// Directions around the point, in order of preference: top right first.
 constexpr auto beside = std::to_array<Pixel>({{1, -1}, {1, 0}, {1, 1}, {0, -1}, {0, 1}, {-1, -1}, {-1, 0}, {-1, 1}});
 
-/// A box of that size that lies in the direction, with its nearest point so far away.
+/// A box `width` wide in the given direction from `at`, with its nearest point at `distance`.
 Box box_towards(const Pixel& at, const Pixel& direction, double distance, double width) {
   const double x = at.x + direction.x * distance + std::clamp(direction.x * 2, -1.0, 1.0) * width / 2;
   const double y = at.y + direction.y * distance + std::clamp(direction.y * 2, -1.0, 1.0) * line_height / 2;
@@ -37,7 +37,7 @@ class Placer {
  public:
   explicit Placer(const Surroundings& surroundings) : around_(surroundings) {}
 
-  /// Whether a text of that width has found a place.
+  /// Tries to place a text of the given width; returns whether it succeeded.
   bool place(std::size_t wish, const LabelWish& what, double width, std::optional<unsigned> number) {
     const Pixel& at = what.at;
     for (const double distance : {away_from_others, 0.0}) {
@@ -66,7 +66,7 @@ class Placer {
     return true;
   }
 
-  /// Whether something that is not drawn at the place is so near to the box that the text might be its.
+  /// Whether a mark of another point is so close to the box that the label could be read as belonging to it.
   [[nodiscard]] bool is_near_another(const Box& box, const Pixel& at, double distance) const {
     const Box wide{box.left - distance, box.top - distance, box.right + distance, box.bottom + distance};
     return std::ranges::any_of(

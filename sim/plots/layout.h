@@ -1,3 +1,5 @@
+// Computes positions for everything that a plot shows.
+// Used by files.h and by the reports.
 #pragma once
 
 #include <variant>
@@ -7,10 +9,10 @@
 
 namespace csgsim::plots {
 
-/// Pixels of every plot from left to right; its height follows what is in it.
+/// Width of every plot in pixels; the height depends on the content.
 inline constexpr double plot_width = 800;
 
-/// A place for everything that the plot shows. No two texts overlap, and none leaves the picture.
+/// Places all parts of the plot. Texts neither overlap nor leave the picture.
 Drawing laid_out(const Chart& chart);
 Drawing laid_out(const Bars& bars);
 inline Drawing laid_out(const Plot& plot) {

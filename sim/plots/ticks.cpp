@@ -10,7 +10,7 @@ namespace csgsim::plots {
 
 namespace {
 
-/// 1, 2 or 5 times a power of ten.
+/// A step of 1, 2 or 5 times a power of ten.
 struct Step {
   int factor = 1;
   int exponent = 0;
@@ -22,7 +22,8 @@ struct Step {
   }
 };
 
-/// The smallest step of which at most `most` go into the range, and that doubles of its size can tell.
+/// The smallest step that fits at most `most` times into the range and is large enough for doubles of this size to
+/// differ.
 Step step_of(double low, double high, unsigned most) {
   const double largest = std::max(std::abs(low), std::abs(high));
   const double least = std::max((high - low) / most, 4 * std::numeric_limits<double>::epsilon() * largest);

@@ -10,7 +10,7 @@ namespace csgsim::plots {
 
 namespace {
 
-/// As the axis calls it.
+/// The value's text on the axis, or the number.
 std::string value_text(const Axis& axis, double value) {
   const auto tick = std::ranges::find(axis.ticks, value, &Tick::value);
   return tick == axis.ticks.end() ? number_text(value) : tick->text;

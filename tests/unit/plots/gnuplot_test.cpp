@@ -176,15 +176,15 @@ TEST_CASE("what gnuplot says of its script becomes one line of ours, without the
   const std::string error = error_with(
       "echo >&2; echo 'set terminal pngcairo size 600,600' >&2; echo '   ^' >&2;"
       "echo 'line 2: unknown or ambiguous terminal name; type just set terminal for a list' >&2; echo >&2; exit 1");
-  CHECK(error.find("plot.png: gnuplot did not draw; it says: unknown or ambiguous terminal name") == 0);
+  CHECK(error.find("plot.png: gnuplot drew no picture; gnuplot reports: unknown or ambiguous terminal name") == 0);
   CHECK(error.find("set terminal pngcairo") == std::string::npos);
   CHECK(error.find('\n') == std::string::npos);
   CHECK(error.find("--no-plots") != std::string::npos);
 }
 
 TEST_CASE("gnuplot that fails without a word, breaks off, or is ended is told") {
-  CHECK(error_with("exit 3").find("it ended with 3") != std::string::npos);
-  CHECK(error_with("printf '\\211PNG half'").find("its picture is not whole") != std::string::npos);
+  CHECK(error_with("exit 3").find("exited with status 3") != std::string::npos);
+  CHECK(error_with("printf '\\211PNG half'").find("the picture is incomplete") != std::string::npos);
   CHECK(error_with("kill -9 $$").find("it was ended by a signal: Killed") != std::string::npos);
 }
 

@@ -79,7 +79,7 @@ TEST_CASE("the key names the series with the largest values, and how many others
   for (const char* name :
        {"series 2", "series 6", "series 10", "series 14", "series 18", "series 19", "series 17", "series 16"})
     CHECK(with(drawing, name).size() == 1);
-  CHECK(with(drawing, "12 more") == std::vector<std::string>{"12 more, with smaller values: table.csv"});
+  CHECK(with(drawing, "12 more") == std::vector<std::string>{"12 more, with smaller values (see table.csv)"});
   CHECK(with(plots::laid_out(chart_of(8)), "more").empty());
 }
 
@@ -178,7 +178,7 @@ TEST_CASE("every label is in the plot, or by its number in the key, or counted t
         {static_cast<double>(i % 4), static_cast<double>(i) / 1000, "point " + std::to_string(i)});
   chart.series[0].points.push_back({0, 100, ""});
   const plots::Drawing drawing = plots::laid_out(chart);
-  const std::vector<std::string> more = with(drawing, "labels more: table.csv");
+  const std::vector<std::string> more = with(drawing, "more labels in table.csv");
   REQUIRE(more.size() == 1);
   CHECK(with(drawing, ": point ").size() > 3);
   // Points that fall on one place share a label, which names all that fit.
@@ -213,7 +213,7 @@ TEST_CASE("bars beyond the most that are shown are counted") {
     bars.bars.push_back({"bar " + std::to_string(i), 8, {{"Z1", 0, 4}}});
   const plots::Drawing drawing = plots::laid_out(bars);
   CHECK(with(drawing, "bar ").size() == plots::most_bars);
-  CHECK(with(drawing, "7 bars more: table.csv").size() == 1);
+  CHECK(with(drawing, "7 more bars in table.csv").size() == 1);
 }
 
 TEST_CASE("names that are shortened still differ, and are no wider than they may be") {
