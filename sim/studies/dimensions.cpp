@@ -20,7 +20,7 @@ std::vector<double> tolerances_in(const std::string& text) {
   for (const std::string& word : session::parse_words(text)) {
     tolerances.push_back(session::numbers<double>(word, ',', 1, "--tolerances", "0.1,0.05")[0]);
     if (!(tolerances.back() > 0))
-      throw InputError(printable(word) + " is no tolerance; take a number of model units above 0");
+      throw InputError(printable(word) + " is not a tolerance; use a positive number of model units");
   }
   return tolerances;
 }

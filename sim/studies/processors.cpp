@@ -21,7 +21,7 @@ std::vector<software::Priced> processors_in(const std::string& list) {
 void add_processors(session::OptionList& command, std::string& list) {
   command
       .option("--processors", list,
-              "List of processors that the work is priced for, by name or .toml file; this-computer is measured")
+              "Processors to compute costs for, as names or .toml files separated by commas; this-computer is measured")
       .check(session::is_read_by(processors_in));
 }
 

@@ -13,6 +13,7 @@
 #include "hw/base/interruption.h"
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
+#include "sim/plots/common_looks.h"
 #include "sim/plots/files.h"
 #include "sim/report/points.h"
 #include "sim/report/study_pages.h"
@@ -34,7 +35,7 @@ namespace {
 namespace fs = std::filesystem;
 using Rows = std::vector<std::string>;
 
-/// Rows that are written at once, where they come faster than the disk takes them one at a time.
+/// Number of rows that are written together if they arrive faster than the disk can take single rows.
 constexpr std::size_t most_pending = 8;
 
 fs::path folder_of(const StudyCommand& asked) {
@@ -55,7 +56,7 @@ void measure(StudyCommand& asked, std::span<const std::size_t> points, const Stu
   session::with_memory_for_threads(threads, "points", [&] { asked.study->measure(points, threads, finished); });
 }
 
-/// Measures the points that the table has not.
+/// Measures the points that are missing from the table.
 Rows complete(StudyCommand& asked, std::span<const Asked> points, Table& table) {
   const std::vector<std::size_t> missing = table.missing(points);
   {
@@ -75,7 +76,7 @@ Rows complete(StudyCommand& asked, std::span<const Asked> points, Table& table) 
   return table.in_order(points);
 }
 
-/// Of all points together.
+/// Combined inputs of all points.
 Inputs inputs_of(std::span<const Asked> points) {
   Hash models;
   Hash machines;
@@ -88,17 +89,19 @@ Inputs inputs_of(std::span<const Asked> points) {
 
 void refuse_page(const StudyCommand& asked) {
   if (!asked.options.report.asked()) return;
-  throw session::UsageError("--report", "a shard has no page; csgsim gather writes it from all of them");
+  throw session::UsageError("--report", "a shard has no page; csgsim gather writes one from all shards");
 }
 
 void run_shard(StudyCommand& asked) {
   refuse_page(asked);
   if (asked.study->looks_further())
-    throw session::UsageError("--shard", "a search goes on from what has been measured; leave out one of both");
+    throw session::UsageError(
+        "--shard", "a search depends on earlier results and cannot be sharded; remove --shard or the search");
   const std::vector<Asked> points = asked.study->ask();
   if (points.size() > most_points)
-    throw InputError(fmt::format("{} points are too many to be shared out, {} at most; take several studies",
-                                 points.size(), most_points));
+    throw InputError(
+        fmt::format("{} points are too many to be sharded, the maximum is {}; split them into several studies",
+                    points.size(), most_points));
   ShardRun run(folder_of(asked),
                {*asked.options.shard, points.size(), inputs_of(points), asked.command.words(options_without_effect)},
                asked.study->format().columns);
@@ -133,14 +136,14 @@ report::Page page_of(const StudyCommand& asked, const std::string& json, std::sp
   if (page.data.contains("points"))
     page.sections.push_back(
         {"Points",
-         {report::points_table(page.data, "/points", "All that was measured", page_columns(study.format().columns))}});
+         {report::points_table(page.data, "/points", "All measured points", page_columns(study.format().columns))}});
   report::end_page(page, context);
   return page;
 }
 
-/// Where results go, which are shown in any case.
+/// Destinations of the results.
 struct Places {
-  std::optional<StudyFolder> folder;  ///< none if nothing is kept
+  std::optional<StudyFolder> folder;  ///< empty if results are not kept
   session::ReportFile report;
   std::string title;
 
@@ -162,11 +165,13 @@ Table table_of(const StudyCommand& asked, const Places& places) {
   return {places.file(asked, ".csv"), places.title, study.format(), serves};
 }
 
-/// Plots and the page, as they were asked for; returns whether there are files of plots.
+/// Writes plots and the page if requested; returns whether plot files were written.
 bool write_shown(const StudyCommand& asked, Places& places, const std::string& json) {
   const bool has_plot_files = places.folder && !asked.options.no_plots;
   std::vector<plots::Plot> plots;
   if (has_plot_files || places.report.asked()) plots = asked.study->plots();
+  // Series with the same name look the same in all plots of the study, even if several models have their own plots.
+  plots::give_common_looks(plots);
   const bool are_drawn = has_plot_files && !plots.empty();
   if (are_drawn) plots::draw(plots, places.folder->path());
   if (places.report.asked()) places.report.write(page_of(asked, json, plots));
@@ -185,7 +190,7 @@ void show(const StudyCommand& asked, Places& places) {
   study.refuse();
 }
 
-/// All points that the study asks for are measured, or in the table.
+/// Measures all points that the study requests, or takes them from the table.
 void measure_all(StudyCommand& asked, std::vector<Asked> more, const Places& places) {
   Study& study = *asked.study;
   Table table = table_of(asked, places);
@@ -210,20 +215,20 @@ void add_shard(session::OptionList& command, std::optional<Shard>& shard) {
           throw session::UsageError("--shard", error.what());
         }
       },
-      "Measure only the k-th of n shares of the points, as 3/16, into FOLDER/shards; csgsim gather joins them");
+      "Measure only share k of n of the points, such as 3/16, into FOLDER/shards; csgsim gather joins the shares");
 }
 
 void add_folder(const StudyRow& row, Folder kept, session::OptionList& command, std::string& folder) {
   std::string unsaid;
-  if (kept == Folder::usual) unsaid = fmt::format("; MODEL-{} if not given", row.name);
-  if (kept == Folder::optional) unsaid = "; nothing is kept if not given";
+  if (kept == Folder::usual) unsaid = fmt::format("; default: MODEL-{}", row.name);
+  if (kept == Folder::optional) unsaid = "; without it, results are not kept";
   session::Option& option = command.option(
       "-o,--output", folder, fmt::format("Folder for {}.csv, {}.json and the plots{}", row.name, row.name, unsaid));
   if (kept == Folder::named) option.required();
   option.folder();
 }
 
-/// What every study has.
+/// Adds the options that every study has.
 std::shared_ptr<StudyCommand> describe_kept(session::OptionList& list, const StudyRow& row, Folder kept) {
   auto asked = std::make_shared<StudyCommand>(StudyCommand{&row, row.make(), {}, list, kept});
   RunnerOptions& options = asked->options;
@@ -231,9 +236,9 @@ std::shared_ptr<StudyCommand> describe_kept(session::OptionList& list, const Stu
   asked->study->add_options(list);
   add_folder(row, kept, list, options.folder);
   if (row.is_parallel)
-    list.option("--threads", options.threads, "Points that are measured at the same time")
+    list.option("--threads", options.threads, "Number of points to measure in parallel")
         .between(1U, session::most_threads);
-  list.flag("--no-plots", options.no_plots, "Do without plots (gnuplot)");
+  list.flag("--no-plots", options.no_plots, "Omit plots (drawn by gnuplot)");
   if (row.has_shards) add_shard(list, options.shard);
   options.report.add_to(list);
   session::add_progress(list, options.progress);

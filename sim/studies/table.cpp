@@ -10,7 +10,7 @@ namespace csgsim::studies {
 
 namespace {
 
-/// What a row was measured from; all of the row has been checked.
+/// The inputs that a row was measured from. The row must have been checked.
 Inputs inputs_of(const std::string& row, std::size_t point_columns) {
   const std::vector<std::string> cells = split_cells(row);
   return {cells.at(point_columns), cells.at(point_columns + 1), cells.at(point_columns + 2)};
@@ -118,9 +118,10 @@ std::vector<std::string> Table::in_order(std::span<const Asked> asked) {
 
 std::vector<std::string> Table::put(const Gathered& gathered) {
   if (gathered.columns != format_.columns) {
-    throw InputError(path_.native() +
-                     ": this csgsim has other columns than the one that measured the shards; gather with " +
-                     gathered.inputs.csgsim);
+    throw InputError(
+        path_.native() +
+        ": this csgsim writes other columns than the version that measured the shards; gather with version " +
+        gathered.inputs.csgsim);
   }
   for (std::size_t i = 0; i < gathered.rows.size(); ++i) {
     try {
@@ -133,7 +134,7 @@ std::vector<std::string> Table::put(const Gathered& gathered) {
   const std::unordered_set<std::string> lines(gathered.rows.begin(), gathered.rows.end());
   for (const std::string& row : rows_) {
     if (!lines.contains(row))
-      throw InputError(path_.native() + ": has points that the shards do not have; take another place with -o");
+      throw InputError(path_.native() + ": has points that the shards lack; choose another folder with -o");
   }
   if (file_) file_->replace(gathered.rows);
   take(gathered.rows);

@@ -21,28 +21,28 @@ std::string missed_text(double by, const char* unit, const char* behind) {
   return counted(static_cast<std::uint64_t>(by), unit) + behind;
 }
 
-/// By Wish. What is missed of a speed is rounded up in the last place, so that it never shows as 0.
+/// Indexed by Wish. A missed frame rate is rounded up in the last digit, so that it never appears as 0.
 constexpr WishKind kinds[] = {
-    {"fewest bits", "max_bits", "memory bits a pixel, at most", false,
+    {"fewest bits", "max_bits", "memory bits per pixel, maximum", false,
      [](const Wishes& wishes) { return static_cast<double>(wishes.max_bits); },
      [](const DesignRow& row) { return static_cast<double>(row.used_bits); },
-     [](const Wishes& wishes) { return fmt::format("at most {} a pixel", counted(wishes.max_bits, "bit")); },
-     [](const DesignRow& row) { return fmt::format("{} a pixel", counted(row.used_bits, "bit")); },
+     [](const Wishes& wishes) { return fmt::format("at most {} per pixel", counted(wishes.max_bits, "bit")); },
+     [](const DesignRow& row) { return fmt::format("{} per pixel", counted(row.used_bits, "bit")); },
      [](double by) { return missed_text(by, "bit", " too many"); }},
-    {"most accurate", "max_wrong_pixels", "wrong pixels, at most", false,
+    {"most accurate", "max_wrong_pixels", "wrong pixels, maximum", false,
      [](const Wishes& wishes) { return static_cast<double>(wishes.max_wrong_pixels); },
      [](const DesignRow& row) { return static_cast<double>(row.wrong); },
      [](const Wishes& wishes) { return "at most " + counted(wishes.max_wrong_pixels, "wrong pixel"); },
      [](const DesignRow& row) { return counted(row.wrong, "wrong pixel"); },
      [](double by) { return missed_text(by, "wrong pixel", " too many"); }},
-    {"fastest", "min_fps", "frames a second, at least", true, [](const Wishes& wishes) { return wishes.min_fps; },
+    {"fastest", "min_fps", "frames/s, minimum", true, [](const Wishes& wishes) { return wishes.min_fps; },
      [](const DesignRow& row) { return row.frames_per_second; },
      [](const Wishes& wishes) {
-       return wishes.min_fps > 0 ? fmt::format("at least {:g} frames a second", wishes.min_fps) : "any speed";
+       return wishes.min_fps > 0 ? fmt::format("at least {:g} frames/s", wishes.min_fps) : "any speed";
      },
-     [](const DesignRow& row) { return fmt::format("{:.2f} frames a second", row.frames_per_second); },
-     [](double by) { return fmt::format("{:.2f} frames a second too few", std::ceil(by * 100.0) / 100.0); }},
-    {"most colours", "min_colour_bits", "bits of colour, at least", true,
+     [](const DesignRow& row) { return fmt::format("{:.2f} frames/s", row.frames_per_second); },
+     [](double by) { return fmt::format("{:.2f} frames/s too few", std::ceil(by * 100.0) / 100.0); }},
+    {"most colours", "min_colour_bits", "colour bits, minimum", true,
      [](const Wishes& wishes) { return static_cast<double>(wishes.min_colour_bits); },
      [](const DesignRow& row) { return static_cast<double>(row.point.colour_bits); },
      [](const Wishes& wishes) { return fmt::format("at least {} of colour", counted(wishes.min_colour_bits, "bit")); },
@@ -50,18 +50,18 @@ constexpr WishKind kinds[] = {
      [](double by) { return missed_text(by, "bit", " of colour too few"); }},
 };
 
-/// The order of equals: what is cheaper to build, then what is faster, then what is more right. Programs that take as
-/// long from frame to frame may be drawn in different times.
+/// Order of ties: cheaper hardware, then faster, then more accurate. Programs with the same time between frames may
+/// take different times to draw.
 Values cost(const AdviceRow& row) {
   return {static_cast<double>(row.used_bits),       static_cast<double>(row.point.alu_bits),
           static_cast<double>(row.interval_clocks), static_cast<double>(row.clocks),
           static_cast<double>(row.wrong),           -static_cast<double>(row.point.colour_bits)};
 }
 
-/// The order of choices by a wish.
+/// Order of choices by one requirement.
 Values rank(Wish wish, const AdviceRow& row) {
   Values values = cost(row);
-  // Speed is the time from frame to frame, then that of drawing; bits come first in any case.
+  // Speed is the time between frames, then the drawing time; `cost` breaks ties.
   if (wish == Wish::speed) values.insert(values.begin(), {values[2], values[3]});
   if (wish == Wish::wrong_pixels) values.insert(values.begin(), values[4]);
   if (wish == Wish::colour) values.insert(values.begin(), values[5]);
@@ -78,7 +78,7 @@ std::vector<AdviceRow> compiled(std::span<const AdviceRow> rows) {
   return all;
 }
 
-/// How many wishes are missed, and the sum of the parts that they are missed by.
+/// Number of missed requirements, and the sum of their relative misses.
 std::pair<int, double> distance(const AdviceRow& row, const Wishes& wishes) {
   std::pair<int, double> sum{0, 0};
   for (const Wish wish : all_wishes) {
@@ -106,7 +106,8 @@ bool meets_all(const AdviceRow& row, const Wishes& wishes) {
 
 std::vector<AdviceRow> advice_front(std::span<const AdviceRow> rows) {
   const std::vector<AdviceRow> choices = compiled(rows);
-  std::map<std::pair<std::uint64_t, std::uint64_t>, double> paces;  // in one number, the least first
+  std::map<std::pair<std::uint64_t, std::uint64_t>, double>
+      paces;  // ranks of the pairs (interval, clocks), fastest first
   for (const AdviceRow& row : choices) paces[{row.interval_clocks, row.clocks}] = 0;
   double place = 0;
   for (auto& [pace, number] : paces) number = place++;

@@ -24,7 +24,7 @@ namespace {
 
 using Rows = std::span<const AdviceRow>;
 
-/// What is recommended is drawn again, each with its own strategy, colouring and ALU.
+/// Draws a recommended choice again, with its own strategy, colouring and ALU, and checks that the result is the same.
 void check_by_drawing(const AdviseOptions& options, const AdviceQuestion& question, const AdviceRow& row,
                       bool are_read) {
   DesignQuestion measured = question.measured;
@@ -32,8 +32,8 @@ void check_by_drawing(const AdviseOptions& options, const AdviceQuestion& questi
   const Job job = question.job_of(options, row.point);
   if (to_line(AdviceRow(DesignMeter(measured).measure(row.point, job))) == to_line(row)) return;
   if (are_read)
-    throw InputError("a choice that is recommended draws another picture than its row says; " + whose_fault(true));
-  throw std::logic_error("a choice that is recommended draws another picture than was judged");
+    throw InputError("drawing a recommended choice gives another result than its row; " + whose_fault(true));
+  throw std::logic_error("drawing a recommended choice gave another result than before");
 }
 
 std::string picture_name(const AdviseOptions& options, const std::string& what) {
@@ -57,7 +57,7 @@ Advice advice_of(const AdviseOptions& options, const session::OptionList& comman
   return advice;
 }
 
-/// A picture of each choice that is recommended, which may be the best by several wishes.
+/// A picture of each recommended choice; one choice may be the best by several requirements.
 std::vector<report::Picture> pictures_of(const AdviseOptions& options, const Advice& advice) {
   std::vector<std::pair<AdviceRow, std::string>> choices;
   const auto add = [&](const AdviceRow& row, const std::string& name) {
@@ -69,7 +69,7 @@ std::vector<report::Picture> pictures_of(const AdviseOptions& options, const Adv
     }
   };
   for (const Recommendation& one : advice.recommendations) add(one.row, kind_of(one.wish).best);
-  if (advice.nearest) add(*advice.nearest, "nearest to all wishes");
+  if (advice.nearest) add(*advice.nearest, "closest to all wishes");
   std::vector<report::Picture> pictures;
   pictures.reserve(choices.size());
   for (const auto& [row, name] : choices) pictures.push_back(picture_of(options, row, name));
@@ -89,7 +89,7 @@ report::Table wishes_table(const report::Json& data) {
   return table;
 }
 
-/// Pointers of what is recommended, and of the nearest choice where there is one.
+/// JSON pointers of the recommendations, and of the nearest choice if present.
 std::vector<std::string> recommended(const report::Json& data) {
   std::vector<std::string> all;
   for (std::size_t i = 0; i < data["recommendations"].size(); ++i)
@@ -100,11 +100,11 @@ std::vector<std::string> recommended(const report::Json& data) {
 
 report::Cell name_of(const report::Json& data, const std::string& at) {
   const report::Cell what = report::cell(data, at + "/what");
-  return what.at.empty() ? report::Cell{"nearest to all wishes"} : what;
+  return what.at.empty() ? report::Cell{"closest to all wishes"} : what;
 }
 
 report::Table recommendations_table(const report::Json& data) {
-  report::Table table{"The best by each wish", {"best by", "meets all wishes", "misses its own by"}, {}};
+  report::Table table{"Best choice by each wish", {"best by", "meets all wishes", "misses its own by"}, {}};
   const std::vector<report::PointColumn> columns = advised_columns();
   for (const report::PointColumn& column : columns) table.columns.emplace_back(column.title);
   for (const std::string& at : recommended(data)) {
@@ -125,14 +125,14 @@ report::Table commands_table(const report::Json& data) {
   return table;
 }
 
-/// What a page says of the recommendations.
+/// The recommendations section of a page.
 report::Section recommendations(const report::Json& data, std::uint64_t searched, std::uint64_t refused,
                                 std::vector<report::Picture> pictures) {
   const char* const outcome =
       data["meets_all"].get<bool>()
-          ? "Each of these is the best by one wish of the choices that meet the others."
-          : "No choice meets all wishes. Each of these is the best by one wish of the choices that meet the others; "
-            "what it misses its own wish by is what is in the way.";
+          ? "Each of these is the best by one wish among the choices that meet the others."
+          : "No choice meets all wishes. Each of these is the best by one wish among the choices that meet the others; "
+            "the last column of the wish shows how far it is missed.";
   report::Section section{"Recommendations",
                           {report::Paragraph{fmt::format("{} choices were searched; {} of them cannot be drawn.",
                                                          grouped(searched), grouped(refused))},
@@ -152,7 +152,7 @@ class Advise : public StudyOf<AdviceRow> {
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return options_.model.inputs(); }
-  /// What was measured serves other wishes and other ranges too.
+  /// One table serves all wishes and all ranges.
   [[nodiscard]] std::set<std::string> varied() const override {
     const std::vector<std::string> own = own_options();
     std::set<std::string> names(own.begin(), own.end());
@@ -189,12 +189,12 @@ class Advise : public StudyOf<AdviceRow> {
     return {plot_of_advice(rows(), question_.wishes, advice_.recommendations, plot_stem(options_.model.model))};
   }
 
-  [[nodiscard]] std::string page_title() const override { return "The cheapest memory"; }
+  [[nodiscard]] std::string page_title() const override { return "Cheapest memory"; }
   [[nodiscard]] PageSubject page_subject() const override {
     return {options_.model, {session::machine_of(options_.model)}, false};
   }
 
-  /// Without the points that were searched, which are thousands.
+  /// Omits the thousands of searched points.
   [[nodiscard]] report::Json page_data(report::Json file) const override {
     file.erase("points");
     return file;
@@ -204,15 +204,15 @@ class Advise : public StudyOf<AdviceRow> {
     const auto refused = std::ranges::count_if(rows(), [](const AdviceRow& row) { return !row.compiled(); });
     return {recommendations(data, rows().size(), static_cast<std::uint64_t>(refused), pictures_of(options_, advice_)),
             {"Front",
-             {report::points_table(data, "/front", "Choices that no other beats, fewest memory bits first",
+             {report::points_table(data, "/front", "Pareto-optimal choices, fewest memory bits first",
                                    advised_columns())}}};
   }
 
   void refuse() const override {
     if (std::ranges::any_of(rows(), [](const AdviceRow& row) { return row.unexplained > 0; }))
-      throw InputError("a picture is wrong beyond the bounds of docs/numbers.md; " + whose_fault(are_read()));
+      throw InputError("the errors of a picture exceed the bounds of docs/numbers.md; " + whose_fault(are_read()));
     if (advice_.nearest)
-      throw InputError("no choice meets all wishes; the nearest has " +
+      throw InputError("no choice meets all wishes; the closest one has " +
                        misses_text(*advice_.nearest, question_.wishes));
   }
 
@@ -222,11 +222,11 @@ class Advise : public StudyOf<AdviceRow> {
     return AdviceRow(meter_->measure(design, question_.job_of(options_, design)));
   }
 
-  /// Points with the same z bits and fraction bits, which follow each other, wait for one picture: each thread has its
-  /// own at a time.
+  /// Adjacent points with the same z bits and fraction bits share one exact picture, which would block threads that
+  /// need it at the same time. Each thread therefore works on another picture.
   [[nodiscard]] std::vector<std::size_t> in_turn(std::span<const std::size_t> points, unsigned threads) const override {
     std::map<std::pair<unsigned, unsigned>, std::size_t> pictures;
-    std::vector<std::size_t> counts;  // of the points of each
+    std::vector<std::size_t> counts;  // number of points per picture
     std::vector<std::tuple<std::size_t, std::size_t, std::size_t>> turns;
     for (const std::size_t point : points) {
       const DesignPoint& design = question_.points[point];
@@ -259,15 +259,15 @@ class Advise : public StudyOf<AdviceRow> {
 
 extern const StudyRow advise_row{
     .name = "advise",
-    .does = "Find the cheapest memory for a model: what meets wishes for bits, wrong pixels, speed and colours",
+    .does = "Find the cheapest memory for a model that meets limits on bits, wrong pixels, speed and colours",
     .example =
         "  csgsim advise carburettor.csg --camera 220,-255,135,2,0,5 --max-bits 64 --max-wrong-pixels 10 --min-fps 20\n"
         "  csgsim advise carburettor.csg --alu-bits 1,2,4,8 --min-colour-bits 12 -o carburettor-advice\n"
-        "Lists are with commas, ranges of numbers as 3..8; every combination is measured. What has been measured is "
+        "Lists are separated by commas, ranges are written 3..8; every combination is measured. Results are "
         "kept in\n"
-        "advise.csv at once; the same command goes on after an interruption, and with other wishes measures nothing "
-        "anew.",
-    .plots = "a plot (.png, .svg) of what memory buys",
+        "advise.csv; after an interruption, the same command resumes, and changed wishes need no new =>"
+        "measurements.",
+    .plots = "a plot (.png, .svg) of frame rate against memory",
     .folder = Folder::optional,
     .has_shards = false,
     .is_quick = true,

@@ -17,7 +17,7 @@
 namespace csgsim::studies {
 
 namespace {
-/// Those with colours enough.
+/// The rows with enough colour bits.
 std::vector<AdviceRow> coloured(std::span<const AdviceRow> rows, const Wishes& wishes) {
   std::vector<AdviceRow> all;
   for (const AdviceRow& row : rows) {
@@ -26,7 +26,7 @@ std::vector<AdviceRow> coloured(std::span<const AdviceRow> rows, const Wishes& w
   return all;
 }
 
-/// Rows of the front that are printed; the files have all.
+/// Maximum number of printed rows of the front; the files have all.
 constexpr std::size_t most_rows = 40;
 
 std::string figures_text(const AdviceRow& row) {
@@ -35,7 +35,7 @@ std::string figures_text(const AdviceRow& row) {
                      grouped(row.clocks), text(Wish::colour));
 }
 
-/// Rows of the front with the colours that are asked for; all rows, if none has them.
+/// Rows of the front with enough colour bits; all rows if none has.
 std::vector<AdviceRow> with_colours(const std::vector<AdviceRow>& front, const Wishes& wishes) {
   std::vector<AdviceRow> all = coloured(front, wishes);
   return all.empty() ? front : all;
@@ -54,7 +54,7 @@ void print_row(const AdviceRow& row, bool has_alu, bool meets) {
              meets ? "  *" : "");
 }
 
-/// The first, with those of the others that are the same choice.
+/// Prints the first recommendation together with those that recommend the same choice.
 void print_recommendation(std::span<const Recommendation> all, const std::string& command, const Wishes& wishes) {
   const Recommendation& first = all.front();
   const WishKind& kind = kind_of(first.wish);
@@ -64,7 +64,7 @@ void print_recommendation(std::span<const Recommendation> all, const std::string
   }
   fmt::print("\n{}: {}\n", names, figures_text(first.row));
   if (first.miss > 0)
-    fmt::print("  in the way is the wish for {}: with the others met, {} is the best, {}\n", kind.limit_text(wishes),
+    fmt::print("  conflicting wish: {}; with the others met, the best is {}, {}\n", kind.limit_text(wishes),
                kind.value_text(first.row), kind.miss_text(first.miss));
   fmt::print("  {}\n", command);
 }
@@ -81,13 +81,13 @@ struct Staircase {
   std::vector<Step> steps;
 };
 
-/// The accepted number of wrong pixels, none, and ten and a hundred times as many.
+/// The accepted number of wrong pixels, 0, and 10 and 100 times the accepted number.
 std::set<std::uint64_t> limits_of(const Wishes& wishes) {
   const std::uint64_t wish = std::max<std::uint64_t>(wishes.max_wrong_pixels, 1);
   return {0, wishes.max_wrong_pixels, 10 * wish, 100 * wish};
 }
 
-/// The most frames a second with at most n bits, for each n at which it rises.
+/// The maximum frame rate with at most n bits, for each n at which it rises.
 std::vector<Step> steps_of(std::span<const AdviceRow> front, std::uint64_t most_wrong) {
   std::vector<Step> steps;
   for (const AdviceRow& row : front) {
@@ -98,7 +98,7 @@ std::vector<Step> steps_of(std::span<const AdviceRow> front, std::uint64_t most_
   return steps;
 }
 
-/// A limit that buys no more than a stricter one has no line.
+/// A limit that gives the same frame rates as a stricter one has no line.
 std::vector<Staircase> staircases_of(std::span<const AdviceRow> front, const Wishes& wishes) {
   std::vector<Staircase> all;
   for (const std::uint64_t limit : limits_of(wishes)) {
@@ -123,7 +123,7 @@ void add_staircases(const std::vector<Staircase>& all, plots::Chart& chart) {
   }
 }
 
-/// Labelled marks, one for each choice: several wishes may have the same.
+/// Labelled marks of the recommendations; several wishes may have the same choice.
 void add_recommendations(std::span<const Recommendation> all, plots::Chart& chart) {
   plots::Series series{"recommended", 0, plots::Trace::marks};
   for (const Recommendation& one : all) {
@@ -143,7 +143,7 @@ void add_wishes(const Wishes& wishes, plots::Chart& chart) {
     chart.series.push_back({fmt::format("wish: at most {} bits", wishes.max_bits), 0, plots::Trace::upright, {wish}});
   if (wish.y > 0) {
     chart.series.push_back(
-        {fmt::format("wish: at least {:g} frames a second", wishes.min_fps), 0, plots::Trace::level, {wish}});
+        {fmt::format("wish: at least {:g} frames/s", wishes.min_fps), 0, plots::Trace::level, {wish}});
   }
 }
 
@@ -177,7 +177,7 @@ void print_question(const std::string& subject, std::span<const AdviceRow> rows,
   const auto compiled = std::count_if(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.compiled(); });
   fmt::print("{}: {} searched", printable(subject), session::counted(rows.size(), "choice"));
   const auto refused = rows.size() - static_cast<std::size_t>(compiled);
-  if (refused > 0) fmt::print(", {} of which cannot be drawn", grouped(refused));
+  if (refused > 0) fmt::print("; {} cannot be drawn", grouped(refused));
   fmt::print("\nwishes: ");
   for (const Wish wish : all_wishes)
     fmt::print("{}{}", wish == Wish::bits ? "" : ", ", kind_of(wish).limit_text(wishes));
@@ -197,10 +197,10 @@ void print_front(std::span<const AdviceRow> rows, const Wishes& wishes) {
   }
   fmt::print("*: meets all wishes. ");
   if (shown.size() < front.size())
-    fmt::print("The {} nearest to the wishes of {} that no other beats{}.\n", shown.size(), grouped(front.size()),
-               colours_text(wishes));
+    fmt::print("Shown are the {} closest to the wishes of {} Pareto-optimal choices{}.\n", shown.size(),
+               grouped(front.size()), colours_text(wishes));
   else
-    fmt::print("No other choice beats these{}.\n", colours_text(wishes));
+    fmt::print("These are all Pareto-optimal choices{}.\n", colours_text(wishes));
 }
 
 void print_advice(const Advice& advice, const Wishes& wishes) {
@@ -243,9 +243,9 @@ std::string advice_json(const std::string& title, const Wishes& wishes, std::spa
 
 plots::Plot plot_of_advice(std::span<const AdviceRow> rows, const Wishes& wishes,
                            std::span<const Recommendation> recommendations, const std::string& model) {
-  plots::Chart chart{fmt::format("{}: what memory buys, with {} bits of colour or more", model, wishes.min_colour_bits),
-                     {"memory bits a pixel", plots::Scale::linear, {}, false, true},
-                     {{"frames a second, at most", plots::Scale::linear}},
+  plots::Chart chart{fmt::format("{}: frame rate and memory, at least {} colour bits", model, wishes.min_colour_bits),
+                     {"memory bits per pixel", plots::Scale::linear, {}, false, true},
+                     {{"maximum frames/s", plots::Scale::linear}},
                      {},
                      "advise.csv"};
   add_staircases(staircases_of(advice_front(coloured(rows, wishes)), wishes), chart);

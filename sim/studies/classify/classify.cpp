@@ -47,13 +47,14 @@ std::string all_of(const Rows& rows) {
   return fmt::format("{}", fmt::join(software::names_in(rows), ","));
 }
 
-/// The rays of a picture do not depend on what they are classified by, so all surfaces have to be the same.
+/// The rays of a picture do not depend on the classification method, so all methods must see the same surfaces.
+/// Describes the first difference; empty if there is none.
 std::string difference_of(std::span<const ClassifyRow> rows) {
   const auto first = std::ranges::find_if(rows, &ClassifyRow::drawn);
   for (const ClassifyRow& row : rows) {
     if (row.drawn() && row.surfaces != first->surfaces) {
-      return fmt::format("{}/{} sees other surfaces than {}/{}", row.point.method, row.point.coherence,
-                         first->point.method, first->point.coherence);
+      return fmt::format("the surfaces seen by {}/{} differ from those seen by {}/{}", row.point.method,
+                         row.point.coherence, first->point.method, first->point.coherence);
     }
   }
   return "";
@@ -63,18 +64,20 @@ class Classify : public StudyOf<ClassifyRow> {
  public:
   void add_options(session::OptionList& command) override {
     add_model_without_machine(options_, command);
-    command.option("--methods", methods_, "List of methods, as csgsim manual methods tells of them")
+    command.option("--methods", methods_, "Methods, separated by commas; see csgsim manual methods")
         .words(software::names_in(software::methods()), session::is_read_by(methods_in));
-    command.option("--coherences", coherences_, "List of what methods keep from point to point")
+    command
+        .option("--coherences", coherences_,
+                "Coherences, separated by commas: the data that methods keep between points")
         .words(software::names_in(software::coherences()), session::is_read_by(coherences_in));
-    command.option("--shapes", shapes_, "List of shapes of the tree")
+    command.option("--shapes", shapes_, "Shapes of the tree, separated by commas")
         .words(software::names_in(software::shapes()), session::is_read_by(shapes_in));
     command
         .option("--reduced", reduced_,
-                "List of ways to prune trees beforehand: for cells of the picture, inside a primitive")
+                "Ways to prune trees in advance, separated by commas: for cells of the picture, inside a primitive")
         .words(software::names_in(software::prunings()), session::is_read_by(reductions_in));
     add_processors(command, processors_);
-    json_.add_to(command, "The surfaces that each ray meets, in order, and what it sees");
+    json_.add_to(command, "Write the surfaces that each ray intersects, in order, and the visible one");
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
@@ -104,10 +107,10 @@ class Classify : public StudyOf<ClassifyRow> {
   }
 
   void print() const override {
-    fmt::print("{}: what classifying its rays takes, as in tables 4.9 and 4.10 of the thesis\n",
+    fmt::print("{}: cost of classifying its rays, as in tables 4.9 and 4.10 of the thesis\n",
                printable(session::shown_name(options_.model)));
     print_classification(rows(), processors_in(processors_));
-    if (difference_of(rows()).empty()) fmt::print("\nAll methods see the same surfaces, at every pixel.\n");
+    if (difference_of(rows()).empty()) fmt::print("\nAll methods see the same surfaces at every pixel.\n");
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
@@ -129,7 +132,7 @@ class Classify : public StudyOf<ClassifyRow> {
     return plots_of_classification(rows(), processors_in(processors_), plot_stem(options_.model));
   }
 
-  [[nodiscard]] std::string page_title() const override { return "What classifying rays takes"; }
+  [[nodiscard]] std::string page_title() const override { return "Cost of classifying rays"; }
   [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   void refuse() const override {
@@ -144,7 +147,7 @@ class Classify : public StudyOf<ClassifyRow> {
   }
 
  private:
-  /// Methods in their order, each with all coherences; what takes whole rays has neither these nor reduced trees.
+  /// Adds all methods, each with all coherences. Methods that take whole rays have no coherence and no reduced trees.
   void add_points(const std::string& shape, const std::string& reduced) {
     for (const std::string& method : methods_in(methods_)) {
       const software::Choice choice = software::choice_of(method);
@@ -176,12 +179,13 @@ class Classify : public StudyOf<ClassifyRow> {
 
 extern const StudyRow classify_row{
     .name = "classify",
-    .does = "Count and price what software takes to classify a model's rays, by every method",
+    .does = "Count and price the operations of software that classifies a model's rays, for every method",
     .example =
         "  csgsim classify carburettor.csg --camera 220,-255,135,2,0,5 --projection perspective\n"
         "  csgsim classify carburettor.csg --methods standard,status --shapes written,balanced -o out\n"
-        "Methods are those of chapter 4 of the thesis and some of later, on the integers that machines draw by, and\n"
-        "see the surfaces that machines draw. Their operations are counted by kind; a processor's file prices them.",
+        "The methods are those of chapter 4 of the thesis and some later ones. They use the integers of the machines "
+        "and\n"
+        "see the same surfaces. Their operations are counted by kind; a processor's file gives the price of each kind.",
     .plots = "plots (.png, .svg) of seconds by method",
     .folder = Folder::optional,
     .is_parallel = false,

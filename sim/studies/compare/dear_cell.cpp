@@ -14,7 +14,7 @@ namespace csgsim::studies {
 
 namespace {
 
-/// Without what separates names in a cell; names of models that csgsim reads have none of it.
+/// Replaces the characters that separate entries of a cell; names of models that csgsim reads contain none.
 std::string as_word(std::string name) {
   std::ranges::replace_if(
       name, [](char c) { return c == ' ' || c == '=' || c == '\t'; }, '_');

@@ -1,3 +1,5 @@
+// The most expensive primitives of a picture as a table cell.
+// Used by the rows of compare.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +11,23 @@
 
 namespace csgsim::studies {
 
-/// A primitive that is among the dearest of a picture.
+/// A primitive and its cost.
 struct DearPrimitive {
   std::string name;          ///< `cylinder@9:9`, escaped
-  std::uint64_t clocks = 0;  ///< of its instructions, in all segments
+  std::uint64_t clocks = 0;  ///< clocks of its instructions in all segments
 
   bool operator==(const DearPrimitive&) const = default;
 };
 
-/// The dearest first.
+/// Most expensive first.
 using DearPrimitives = std::vector<DearPrimitive>;
 
 DearPrimitives dear_primitives(const observe::ClockShares& shares);
 
-/// As a cell of a table: `cylinder@9:9=1234 cube@4:4=56`.
+/// A cell of a table, such as `cylinder@9:9=1234 cube@4:4=56`.
 std::string to_cell(const DearPrimitives& dear);
 
-/// Throws InputError.
+/// Throws InputError if the cell has another form.
 void from_cell(const std::string& cell, DearPrimitives& dear);
 
 void set_json(nlohmann::ordered_json& row, const char* name, const DearPrimitives& dear);

@@ -36,7 +36,7 @@ std::vector<fs::path> models_in(const fs::path& folder) {
     if (!is_source_of(file, files)) models.push_back(file);
   }
   if (models.empty())
-    throw InputError(printable(folder.native()) + ": there is no .csg, .scad or .jan file in it; name another folder");
+    throw InputError(printable(folder.native()) + ": contains no .csg, .scad or .jan file; specify another folder");
   return models;
 }
 

@@ -51,7 +51,7 @@ void count_machine(const Fitted& fitted, DesignRow& row) {
   if (row.pixel_transistors) row.machine_transistors = *row.pixel_transistors * row.processors;
 }
 
-/// The machine with the clock that the process leaves it.
+/// Sets the machine's clock to the maximum that the process allows.
 void give_clock(const process::Process& process, Fitted& fitted, DesignRow& row) {
   const std::optional<process::Clock> clock = process::clock_of(fitted.machine, process);
   if (!clock) return;
@@ -76,20 +76,20 @@ void price(const process::Process& process, const Fitted& fitted, RunTimer& time
   row.frame_joules = process::frame_joules(machine, resources, {pixel_clocks, 1 / row.frames_per_second}, process);
 }
 
-/// The same but for colours and the ALU, on which the bits of a classification do not depend.
+/// The point without colours and ALU, which do not affect the bits of a classification.
 DesignPoint without_colours(DesignPoint point) {
   point.colour_bits = 0;
   point.alu_bits = 0;
   return point;
 }
 
-/// Memory bits of a pixel that hold colours.
+/// Memory bits per pixel that hold colours.
 std::uint32_t bits_of_colours(unsigned colour_bits, const Job& job) {
   const bool is_twice = job.options.colouring == emit::Colouring::field;
   return colour_bits * (is_twice ? 2U : 1U) + machines::second_buffer(colour_bits, job.machine).width;
 }
 
-/// The greatest difference of a channel.
+/// Maximum difference of a channel.
 unsigned colour_error(const observe::Frame& exact, const observe::Frame& frame, unsigned bits) {
   int most = 0;
   for (std::size_t i = 0; i < frame.colour.size(); ++i) {
@@ -103,7 +103,7 @@ unsigned colour_error(const observe::Frame& exact, const observe::Frame& frame, 
 
 DrawnProgram draw_exactly(Fitted fitted) {
   DrawnProgram drawn = draw(std::move(fitted.program), fitted.machine);
-  if (drawn.has_overflow) throw InputError("a linear expression does not fit its width; this is a fault of csgsim");
+  if (drawn.has_overflow) throw InputError("a linear expression does not fit its width; this is an error in csgsim");
   return drawn;
 }
 
@@ -178,7 +178,7 @@ DesignMeter::PixelErrors DesignMeter::errors_of(const Job& job, const DrawnProgr
   return {errors.wrong(), errors.unexplained, 0};
 }
 
-/// The most colours are drawn, and judged, first; fewer colours leave the rest of the picture as it is.
+/// The maximum number of colour bits is drawn and judged first; fewer colour bits leave depth and owner unchanged.
 DesignMeter::ErrorsByColour DesignMeter::errors_by_colour(const DesignPoint& point, const Job& job) {
   Job one = job;
   const auto drawn_in = [&](unsigned bits) {

@@ -47,7 +47,7 @@ std::vector<unsigned> bucket_sizes_in(const std::string& text) {
   return session::parse_numbers(text, 1, most_bucket_size);
 }
 
-/// Exact methods see the same surfaces of the same facets.
+/// Exact methods must see the same surfaces of the same facets. Describes the first difference; empty if there is none.
 std::string display_difference(std::span<const DisplayStudyRow> rows) {
   const auto is_judged = [](const DisplayStudyRow& row) {
     return row.drawn() && software::display_method(row.point.method).is_exact;
@@ -57,8 +57,8 @@ std::string display_difference(std::span<const DisplayStudyRow> rows) {
       const bool are_alike =
           one.point.tolerance == other.point.tolerance && one.point.fragments == other.point.fragments;
       if (is_judged(one) && is_judged(other) && are_alike && one.surfaces != other.surfaces) {
-        return fmt::format("{} sees other surfaces than {}, of facets {}", other.point.method, one.point.method,
-                           facets_text(one.point));
+        return fmt::format("the surfaces seen by {} differ from those seen by {}, for facets {}", other.point.method,
+                           one.point.method, facets_text(one.point));
       }
     }
   }
@@ -69,19 +69,23 @@ class Display : public StudyOf<DisplayStudyRow> {
  public:
   void add_options(session::OptionList& command) override {
     add_model_without_machine(options_, command);
-    command.option("--methods", methods_, "List of methods, as csgsim manual methods tells of them")
+    command.option("--methods", methods_, "Methods, separated by commas; see csgsim manual methods")
         .words(software::names_in(software::display_methods()), session::is_read_by(display_methods_in));
-    command.option("--tolerances", tolerances_, "List of tolerances, model units, that curved solids are faceted with")
+    command
+        .option("--tolerances", tolerances_,
+                "Tolerances in model units for faceting curved solids, separated by commas")
         .check(session::is_read_by(tolerances_in))
         .excludes("--tolerance");
-    command.option("--fragments", fragments_, "Numbers of $fn that curved solids are faceted with, whatever they say")
+    command
+        .option("--fragments", fragments_,
+                "Numbers: values of $fn for faceting curved solids, in place of the model's own")
         .check(session::is_read_by(display_fragments_in))
         .excludes("--tolerances");
-    command.option("--bucket-sizes", bucket_sizes_, "Numbers of polygons that a bucket takes, of list priority")
+    command.option("--bucket-sizes", bucket_sizes_, "Numbers: maximum polygons per bucket of list priority")
         .check(session::is_read_by(bucket_sizes_in));
     command
         .option("--directories", directories_,
-                "List of directories, of list priority, as csgsim manual methods tells of them")
+                "Directories of list priority, separated by commas; see csgsim manual methods")
         .words(software::halving_directories(), session::is_read_by(display_directories_in));
     add_processors(command, processors_);
   }
@@ -118,10 +122,10 @@ class Display : public StudyOf<DisplayStudyRow> {
   }
 
   void print() const override {
-    fmt::print("{}: what displaying it facet by facet takes, as in table 5.1 of the thesis\n",
+    fmt::print("{}: cost of displaying it facet by facet, as in table 5.1 of the thesis\n",
                printable(session::shown_name(options_.model)));
     print_display(rows(), processors_in(processors_));
-    if (display_difference(rows()).empty()) fmt::print("\nExact methods see the same surfaces, at every pixel.\n");
+    if (display_difference(rows()).empty()) fmt::print("\nExact methods see the same surfaces at every pixel.\n");
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
@@ -134,10 +138,10 @@ class Display : public StudyOf<DisplayStudyRow> {
       for (const software::Priced& processor : processors) {
         if (!processor.processor) continue;
         const DisplaySeconds seconds = display_seconds(row, processor);
-        nlohmann::ordered_json& told = json["seconds"][processor.name];
+        nlohmann::ordered_json& phase_seconds = json["seconds"][processor.name];
         for (std::size_t phase = 0; phase < software::phases; ++phase)
-          told[software::phase_rows[phase].name] = seconds.of[phase].value_or(0);
-        told["total"] = seconds.total;
+          phase_seconds[software::phase_rows[phase].name] = seconds.of[phase].value_or(0);
+        phase_seconds["total"] = seconds.total;
       }
     });
   }
@@ -146,7 +150,7 @@ class Display : public StudyOf<DisplayStudyRow> {
     return plots_of_display(rows(), processors_in(processors_), plot_stem(options_.model));
   }
 
-  [[nodiscard]] std::string page_title() const override { return "What displaying facets takes"; }
+  [[nodiscard]] std::string page_title() const override { return "Cost of displaying facets"; }
   [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   void refuse() const override {
@@ -168,7 +172,7 @@ class Display : public StudyOf<DisplayStudyRow> {
   }
 
  private:
-  /// With facets of each kind.
+  /// Adds the point for every requested faceting.
   void add(DisplayPoint point) {
     if (tolerances_.empty() && fragments_.empty()) points_.push_back(point);
     if (!tolerances_.empty()) {
@@ -193,7 +197,7 @@ class Display : public StudyOf<DisplayStudyRow> {
   std::string processors_ = "mc68000,i486dx2,this-computer";
   machines::Machine machine_;
   model::Tree tree_;
-  facet::Faceting faceting_;  ///< of points without facets of their own
+  facet::Faceting faceting_;  ///< for points that specify no faceting
   Inputs inputs_;
   std::vector<DisplayPoint> points_;
 };
@@ -202,14 +206,15 @@ class Display : public StudyOf<DisplayStudyRow> {
 
 extern const StudyRow display_row{
     .name = "display",
-    .does = "Count and price what software takes to draw a model facet by facet, by every method",
+    .does = "Count and price the operations of software that draws a model facet by facet, for every method",
     .example =
         "  csgsim display crossing_cylinders.csg --size 256x256 --fragments 12,18,24,32\n"
         "  csgsim display carburettor.csg --methods scan-line,depth-peeling --tolerances 1,0.5 -o out\n"
-        "Methods are those of section 5.2 of the thesis and its rivals, on the integers that machines draw by. Their\n"
-        "operations are counted by kind; a processor's file prices them. Pixels of list priority that are not as\n"
-        "machines draw them are counted by why.",
-    .plots = "a plot (.png, .svg) of seconds by polygons",
+        "The methods are those of section 5.2 of the thesis and alternatives, on the integers of the machines. Their\n"
+        "operations are counted by kind; a processor's file gives the price of each kind. Pixels of list priority "
+        "that\n"
+        "differ from the machines' are counted by cause.",
+    .plots = "a plot (.png, .svg) of seconds against polygons",
     .folder = Folder::optional,
     .is_parallel = false,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Display>()); }};

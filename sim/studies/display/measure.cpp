@@ -41,7 +41,7 @@ void tell(const software::DisplayCounts& counts, DisplayStudyRow& row) {
   for (std::size_t phase = 0; phase < software::phases; ++phase) row.operations[phase] = {counts.operations[phase]};
 }
 
-/// The least of several times, five at most, until a fifth of a second has passed.
+/// Measures the minimum time of up to five runs, or fewer after 0.2 seconds.
 void take_time(const software::DisplayRow& method, const software::DisplaySubject& subject, DisplayStudyRow& row) {
   constexpr unsigned most_times = 5;
   constexpr double enough = 0.2;

@@ -32,7 +32,7 @@ namespace csgsim::studies {
 
 namespace {
 
-/// A hash of the machine and of every figure of the process.
+/// Combined hash of the machine and of all parameters of the process.
 std::string with_process(const std::string& machine_hash, const process::Process& process) {
   Hash hash;
   hash.add(machine_hash);
@@ -40,12 +40,12 @@ std::string with_process(const std::string& machine_hash, const process::Process
   return hash.text();
 }
 
-/// A table of a group's front.
+/// Table of a group's front.
 report::Table front_table(const report::Json& data, std::size_t number) {
   const report::Json& group = data["fronts"][number];
   const std::string at = "/fronts/" + std::to_string(number);
   const std::string model = group["model"].is_null() ? "All models" : group["model"].get<std::string>();
-  report::Table table{model + ": designs that no other beats", {"knee"}, {}};
+  report::Table table{model + ": Pareto-optimal designs", {"knee"}, {}};
   std::vector<std::string> keys;
   for (const report::Json& one : group["front"]) {
     for (const auto& [key, value] : one["design"].items()) {
@@ -98,7 +98,7 @@ class Explore : public StudyOf<ExploreRow> {
 
   [[nodiscard]] bool looks_further() const override { return options_.search > 0; }
 
-  /// Neighbours of the front of all models, or of the only one.
+  /// Neighbours of designs on the front of all models (or of the only model).
   std::vector<Asked> more() override {
     const std::size_t before = grid_->designs().size();
     const std::size_t found = before - asked_first_;
@@ -119,7 +119,7 @@ class Explore : public StudyOf<ExploreRow> {
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override { return plots_of_explore(groups_); }
 
-  [[nodiscard]] std::string page_title() const override { return "The design space"; }
+  [[nodiscard]] std::string page_title() const override { return "Design space"; }
 
   [[nodiscard]] PageSubject page_subject() const override {
     return subject_of(different(options_.models), options_.model, options_.model.machine);
@@ -148,7 +148,7 @@ class Explore : public StudyOf<ExploreRow> {
     if (std::ranges::none_of(all, &ExploreRow::compiled) && by_model(all).size() == 1)
       throw InputError(all.front().reason);
     if (std::ranges::any_of(all, [](const ExploreRow& row) { return row.unexplained > 0; }))
-      throw InputError("a picture is wrong beyond the bounds of docs/numbers.md; " + whose_fault(are_read()));
+      throw InputError("the errors of a picture exceed the bounds of docs/numbers.md; " + whose_fault(are_read()));
     refuse_models(all, "explore.csv");
   }
 
@@ -170,7 +170,7 @@ class Explore : public StudyOf<ExploreRow> {
   }
 
  private:
-  /// The designs from that number on.
+  /// Requests the designs from index `first` on.
   std::vector<Asked> ask_from(std::size_t first) {
     std::vector<Asked> asked;
     for (const std::string& model : different(options_.models)) {
@@ -192,7 +192,7 @@ class Explore : public StudyOf<ExploreRow> {
       throw InputError(jobs_.front().reason);
   }
 
-  /// A design whose figures do not fit each other is one that says so.
+  /// Adds a design. If its parameters are inconsistent, its row holds the reason.
   void add(const session::ModelRequest& design) {
     try {
       Job job = maker_.job_of(design);
@@ -225,7 +225,7 @@ class Explore : public StudyOf<ExploreRow> {
     jobs_.push_back(std::move(job));
   }
 
-  /// What is seen through is not held against an exact picture.
+  /// Rejects designs with transparent solids, which cannot be compared with an exact picture.
   void refuse_unseen(const session::ModelRequest& design, Job& job) {
     if (!job.reason.empty()) return;
     const auto [known, is_new] = see_through_.try_emplace(job.subject.get());
@@ -239,7 +239,7 @@ class Explore : public StudyOf<ExploreRow> {
     job.reason = known->second;
   }
 
-  /// Of the design that is a group's knee, for each model that it draws; with memory for all of them.
+  /// Commands that draw a group's knee, one per model of the group, with enough memory for all of them.
   [[nodiscard]] std::vector<std::string> commands_of(const ExploreGroup& group) const {
     if (!group.knee) return {};
     const DesignPoint& knee = rows()[group.rows[*group.knee]].point;
@@ -265,12 +265,13 @@ class Explore : public StudyOf<ExploreRow> {
   const session::OptionList* asked_ = nullptr;
   std::optional<process::Process> process_;
   std::optional<DesignGrid> grid_;
-  std::size_t asked_first_ = 0;  ///< designs, before any was searched for
+  std::size_t asked_first_ = 0;  ///< number of designs before the search
   JobMaker maker_;
   std::vector<DesignPoint> points_;
-  std::vector<std::size_t> design_of_point_;  ///< the grid's number
+  std::vector<std::size_t> design_of_point_;  ///< index in the grid
   std::vector<Job> jobs_;
-  std::map<const Subject*, std::string> see_through_;  ///< why a model cannot be judged; empty where it can
+  std::map<const Subject*, std::string>
+      see_through_;  ///< why a model cannot be compared with an exact picture; empty if it can
   std::unique_ptr<DesignMeter> meter_;
   std::vector<ShownGroup> groups_;
 };
@@ -279,22 +280,22 @@ class Explore : public StudyOf<ExploreRow> {
 
 extern const StudyRow explore_row{
     .name = "explore",
-    .does = "Open the design space of a machine: vary any figures, show what no other design beats, name the knee",
+    .does = "Explore the design space of a machine: vary parameters, show the Pareto front and its knee",
     .example =
         "  csgsim explore carburettor.csg --size 128x128 --vary alu.bits=1,2,4 --vary memory.reads=1,2 \\\n"
         "    --vary z-bits=12..20 -o carburettor-explore\n"
         "  csgsim explore *.csg --vary link.width=8,16,32 --vary z-bits=10..24 --vary fraction-bits=2..12 \\\n"
         "    --points 500 --seed 2 --axes time,memory -o out\n"
         "  csgsim explore *.csg --vary z-bits=8..30 --vary fraction-bits=0..16 --points 20 --search 200 -o out\n"
-        "A design is on the front if no other is as good on every axis and better on one. The knee is the design of "
+        "A design is on the front if no other is as good on every axis and better on one. The knee is the design on "
         "the\n"
-        "front that is nearest to the best of each axis at once: on each the logarithm is stretched from 0, the least "
-        "of\n"
-        "the front, to 1, its greatest, and the sum of squares is least. Unless somebody says how many memory bits a\n"
-        "pixel has, each design has as many as its Program takes. What has been measured is in explore.csv soon; "
-        "the\n"
-        "same command goes on after an interruption, and with other values measures what is new.",
-    .plots = "plots (.png, .svg) of each model's front and of that of all",
+        "front that is closest to the best values of all axes: logarithms are scaled from 0, the minimum on the front, "
+        "to\n"
+        "1, the maximum, and the sum of squares is minimized. Unless the memory bits per pixel are specified, each\n"
+        "design has as many as its Program uses. Results are written to explore.csv in small groups; after an "
+        "interruption,\n"
+        "the same command resumes, and with other values it measures only the new designs.",
+    .plots = "plots (.png, .svg) of the front of each model and of all models",
     .is_quick = true,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Explore>()); }};
 

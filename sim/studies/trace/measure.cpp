@@ -24,7 +24,7 @@ std::vector<software::TraceLight> lights_of(const software::TraceScene& scene, c
   return lights;
 }
 
-/// Of each primitive whether an odd number of operators takes it away.
+/// Whether each primitive is subtracted by an odd number of operators.
 std::vector<bool> taken_away(const software::Tree& tree) {
   std::vector<bool> nodes(tree.nodes.size());
   std::vector<bool> primitives(tree.leaf_of.size());

@@ -281,7 +281,7 @@ TEST_CASE(
                                                            "curves", "pruning"});
   CHECK_FALSE(explored.study().looks_further());
   CHECK(Explored({"a.csg", "--vary", "z-bits=12", "--search", "1"}).study().looks_further());
-  CHECK(explored.study().page_title() == "The design space");
+  CHECK(explored.study().page_title() == "Design space");
   CHECK(explored.study().page_subject().name == "2 models");
   CHECK(explored.study().page_subject().model.model == "a.csg");
   CHECK(Explored({"a.csg", "a.csg", "--vary", "z-bits=12"}).study().page_subject().name.empty());
