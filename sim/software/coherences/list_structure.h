@@ -1,3 +1,5 @@
+// List structure coherence.
+// One of the rows of coherences(), also used by csg_buffer.h and sequences.h.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +12,9 @@
 
 namespace csgsim::software {
 
-/// All sequences of surfaces that rays have met, as a tree of elements: `son` comes next along a ray, `brother` in its
-/// place on other rays, `father` before it (thesis 4.5.3 and algorithm 4.1). An element's depth in the tree is its
-/// place along the ray, and how often a primitive is among its fathers tells whether a ray is in it.
+/// All sequences of surfaces along rays, as a tree of elements: `son` follows along a ray, `brother` is an alternative
+/// on other rays, `father` precedes (thesis 4.5.3 and algorithm 4.1). The depth of an element is its position along the
+/// ray; a ray is inside a primitive if it occurs an odd number of times from the element up to the root.
 template <class Count>
 class ListElements {
  public:
@@ -20,7 +22,7 @@ class ListElements {
 
   ListElements(const Tree& tree, Count& count) : alone_(tree, count), roots_(tree.leaf_of.size(), none) {}
 
-  /// The element of a surface that comes after `father`, or first where there is none; made if it is new.
+  /// The element of a surface after `father`, or of a first surface if `father` is none; created if it is new.
   std::uint32_t after(std::uint32_t father, std::uint32_t primitive, Count& count) {
     count(Operation::compare_long);
     count(Operation::branch);
@@ -50,8 +52,8 @@ class ListElements {
     return son;
   }
 
-  /// Whether the points behind an element are in; where it is not known, `evaluate()` finds it out. `is_first`: behind
-  /// one surface alone.
+  /// Whether the points after an element are inside; if unknown, `evaluate()` computes it. `is_first`: after one
+  /// surface only.
   template <class Evaluate>
   bool is_in(std::uint32_t element, bool is_first, const Evaluate& evaluate, Count& count) {
     count(Operation::load);
@@ -61,10 +63,10 @@ class ListElements {
     return is_in_kept(one.kept, is_first, one.primitive, alone_, evaluate, count);
   }
 
-  /// The surface before it along a ray; none of a first one.
+  /// The preceding surface along a ray; none for the first.
   [[nodiscard]] std::uint32_t father_of(std::uint32_t element) const { return elements_[element].father; }
   [[nodiscard]] std::uint32_t primitive_of(std::uint32_t element) const { return elements_[element].primitive; }
-  /// Elements that are followed back to the first one.
+  /// Counts following pointers back to the first element.
   void count_back(std::size_t elements, Count& count) const {
     count(Operation::load_long, elements);
     count(Operation::load, elements);
@@ -97,11 +99,11 @@ class ListElements {
   }
 
   Alone<Count> alone_;
-  std::vector<std::uint32_t> roots_;  ///< of each primitive, the element of the sequences that it begins
+  std::vector<std::uint32_t> roots_;  ///< per primitive, the element of sequences that begin with it
   std::vector<Element> elements_;
 };
 
-/// Every sequence is evaluated once, ray by ray.
+/// Evaluates every sequence once, ray by ray.
 template <class Count>
 class ListStructure {
  public:
