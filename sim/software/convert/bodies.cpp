@@ -19,7 +19,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// In single precision, outwards.
+/// Converts to single precision, rounding outwards.
 csg::BoxIndex::Box index_box(const UnitBox& box) {
   csg::BoxIndex::Box result;
   constexpr float far = std::numeric_limits<float>::infinity();
@@ -31,15 +31,15 @@ csg::BoxIndex::Box index_box(const UnitBox& box) {
   return result;
 }
 
-/// Greatest distance of points that are merged, as a fraction of the model's diagonal.
+/// Maximum distance of merged points, relative to the model's diagonal.
 constexpr double coarsest = convex::relative_tolerance;
-/// The same as a fraction of the least width of a node of the file.
+/// The same, relative to the minimum width of a node of the file.
 constexpr double part_of_width = 1e-5;
-/// How far a face may move to share a plane, as a fraction of the tolerance.
+/// Maximum displacement of a face to share a plane, relative to the tolerance.
 constexpr double part_of_tolerance = 0.3;
-/// The same as a fraction of the solid's thickness.
+/// The same, relative to the solid's thickness.
 constexpr double part_of_thickness = 1e-3;
-/// Least tolerance, as a fraction of the diagonal: it keeps quotients finite.
+/// Minimum tolerance, relative to the diagonal; keeps quotients finite.
 constexpr double finest = 1e-24;
 /// Error of a chain of transforms in doubles, relative to the coordinates.
 constexpr double rounding = 0x1p-50;
@@ -50,20 +50,20 @@ glm::dvec3 middle_of(const facet::Solid& solid) {
   return sum / static_cast<double>(solid.vertices.size());
 }
 
-/// Half of how thick a solid is, at least: the distance of the middle of its vertices from the nearest face.
+/// Lower bound of half a solid's thickness: the distance from the mean of its vertices to the nearest face.
 double inner_radius(const facet::Solid& solid, const glm::dvec3& middle) {
   double inner = std::numeric_limits<double>::infinity();
   for (const facet::Face& face : solid.faces) inner = std::min(inner, -face.plane.height(middle));
   return std::max(0.0, inner);
 }
 
-/// What is known of a model before its planes are.
+/// Size of a model, needed before its planes are created.
 struct Size {
   facet::Box box;
-  double least_width = std::numeric_limits<double>::infinity();  ///< of a node of the file
+  double least_width = std::numeric_limits<double>::infinity();  ///< minimum over nodes of the file
 };
 
-/// A node of the file: its pieces are one solid, of which some may be slivers.
+/// Size of a node of the file: its pieces form one solid, and some of them may be slivers.
 struct NodeSize {
   facet::Box box;
   double thickness = 0;  ///< of the thickest piece
@@ -99,7 +99,7 @@ Size size_of(const model::Tree& tree, const facet::Faceting& faceting) {
   return size;
 }
 
-/// The place of the box that is nearest to the origin: doubles are finest there.
+/// The point of the box nearest to the origin, where doubles are finest.
 glm::dvec3 reference_of(const facet::Box& box) { return glm::clamp(glm::dvec3(0), box.low, box.high); }
 
 class BodyMaker {
@@ -107,7 +107,7 @@ class BodyMaker {
   BodyMaker(const glm::dvec3& reference, double diagonal, double unit, double tolerance)
       : reference_(reference), tolerance_(tolerance), planes_(reference, diagonal, unit) {}
 
-  /// The half-spaces of a solid. Appends the face's number to `face_of` for each face of the solid.
+  /// Creates the half-spaces of a solid. Appends the body's face index to `face_of` for each face of the solid.
   Body make(const facet::Solid& solid, std::vector<std::uint32_t>& face_of) {
     Body body;
     planes_.begin(footprint_of(solid));
