@@ -72,7 +72,7 @@ TEST_CASE("shapes and reduced trees see the same surfaces, and what a traversal 
       succeeded(run("classify " + (folder / "deep.csg") +
                     " --size 32x32 --view-all --shapes written --methods standard,bit-parallel --coherences "
                     "one-list --processors mc68000"));
-  CHECK(refused.out.find("take --shapes balanced") != std::string::npos);
+  CHECK(refused.out.find("use --shapes balanced") != std::string::npos);
   const Outcome alone = run("classify " + (folder / "deep.csg") +
                             " --size 32x32 --view-all --shapes written --methods bit-parallel --coherences one-list");
   CHECK(alone.code == 1);

@@ -46,14 +46,14 @@ class ExactOutlines {
   /// lie on them; then splits sides without a matching opposite at the ends of such sides of all outlines.
   void close();
 
-  /// Must be called after close(). Adds the polygons of bodies that are `whole` (side_by_side.h), each of which is
+  /// Must be called after close(). Adds the polygons of bodies that are `whole` (side_by_side.h); each is
   /// closed. In planes with faces on both sides the sum of the sides remains: touching faces cancel.
   void add_whole(const std::vector<bool>& whole);
 
   [[nodiscard]] const std::vector<Plane>& outlines() const { return outlines_; }
   [[nodiscard]] std::size_t points() const { return vertices_.size(); }
 
-  /// In model space; the vertex of a body if the point represents one.
+  /// Position in model space; the vertex of a body if the point represents one.
   [[nodiscard]] glm::dvec3 place(std::uint32_t point) const;
   [[nodiscard]] bool is_vertex(std::uint32_t point) const { return vertices_[point] != nullptr; }
 

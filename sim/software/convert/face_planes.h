@@ -22,7 +22,7 @@ struct Footprint {
 
 /// The planes of faces without duplicates. As in facet::PlaneTable, coincident faces share an entry, but coincidence is
 /// decided at the location of the two solids: moving a face to the plane of the other must not move any point of its
-/// solid by more than that solid's tolerance. Small solids therefore keep their faces separate next to solids of any
+/// solid by more than the solid's tolerance. Small solids therefore keep their faces separate next to solids of any
 /// size.
 class FacePlanes {
  public:

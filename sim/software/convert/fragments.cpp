@@ -54,7 +54,7 @@ class Evaluation {
     if (!faces.empty()) add_group({faces.data(), faces.size()}, LocalTree(tree_, paths_, near), std::move(operands));
   }
 
-  /// Returns and removes the fragments found so far.
+  /// Returns and removes all fragments.
   std::vector<Fragment> taken() { return std::exchange(found_, {}); }
 
  private:
@@ -221,7 +221,7 @@ class Evaluation {
   std::uint32_t own_ = 0;  ///< the current body
 };
 
-/// Evaluates bodies on several threads, each of which takes one body after another.
+/// Evaluates bodies on several threads; each thread takes one body after another.
 class Sharing {
  public:
   Sharing(const Bodies& bodies, const csg::PositiveTree& tree, std::vector<std::uint32_t> numbers, const Work& work,

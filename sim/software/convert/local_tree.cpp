@@ -131,7 +131,7 @@ LocalTree LocalTree::reduced(std::span<const Known> operands, const std::vector<
       ++sums[node.parent].open;
     }
   }
-  // From the root down: determine the remaining nodes; nodes with a single open operand and no other effect are
+  // Proceeding from the root, determine the remaining nodes; nodes with a single open operand and no other effect are
   // replaced by that operand.
   std::vector<std::uint32_t> stands_for(count, none);  // the node that becomes the parent of this one's operands
   std::vector<bool> is_left(count, false);

@@ -44,7 +44,7 @@ class Pairs {
       if (out < -tolerance_) return false;
       if (out <= tolerance_) ++on;
     }
-    // With fewer than three vertices on the plane, the body touches it in a line or point.
+    // A body with fewer than three vertices on the plane touches it in a line or point.
     return on < 3 || std::ranges::find(body.faces, facet::Halfspace{face.plane, !face.positive},
                                        &BodyFace::halfspace) != body.faces.end();
   }

@@ -19,7 +19,7 @@ std::vector<std::size_t> end_at_points(std::span<const std::size_t> which, const
 /// Joins sides at points with only two neighbours that are collinear with the point.
 void join_straight(Outlines& outlines, double tolerance);
 
-/// A side without a matching opposite side in any outline, if there is one.
+/// A side without a matching opposite side in any outline, if any.
 std::optional<Side> open_side(const Outlines& outlines);
 
 }  // namespace csgsim::software::convert

@@ -40,7 +40,7 @@ void require_volume(const Surface& surface) {
 }
 
 /// Rounds points to single precision and drops triangles that collapse. If two points become one, the remaining
-/// triangles still have as many sides along each edge in one direction as in the other.
+/// triangles still have equal numbers of sides in both directions along each edge.
 std::vector<Facet> rounded(const Surface& surface) {
   std::vector<Facet> facets;
   for (const Triangle& triangle : surface.triangles) {

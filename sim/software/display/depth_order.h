@@ -54,7 +54,7 @@ class DepthOrder {
   [[nodiscard]] std::uint64_t conflicts() const { return conflicts_; }
 
  private:
-  /// Which of two pieces must be drawn first.
+  /// Drawing order of two pieces.
   enum class First : std::uint8_t { any, one, other };
 
   void find_hidden() {

@@ -10,7 +10,7 @@ namespace csgsim::software {
 
 namespace {
 
-/// In steps; exceeds the rounding errors of doubles in depths.
+/// Maximum depth difference of coincident surfaces in steps; exceeds the rounding errors of doubles.
 constexpr double coincidence = 0x1p-10;
 
 struct Surface {

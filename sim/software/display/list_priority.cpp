@@ -191,7 +191,7 @@ class ListPriority {
     if constexpr (Count::counts) drawn_[static_cast<std::size_t>(&pixel - pixels_.data())].push_back(event);
   }
 
-  /// Sets or resets a pixel according to the point behind the last surfaces, `at` of which are at its depth.
+  /// Sets or resets a pixel according to the point behind the last surfaces, `at` of them at its depth.
   void classify(PriorityPixel& pixel, Seen& seen, std::uint32_t primitive, std::size_t at) {
     Count& count = ledger_[Phase::scan_conversion];
     count.point();

@@ -26,7 +26,7 @@ struct PhaseRow {
   const char* meaning;
 };
 
-/// In the order of the enumerators.
+/// Rows in the order of the enumerators.
 inline constexpr std::array phase_rows{
     PhaseRow{"preprocessing", "preprocessing"}, PhaseRow{"transformation", "transformation"},
     PhaseRow{"sorting", "retrieval and sort"},  PhaseRow{"scan_conversion", "scan conversion and CSG test"},

@@ -20,7 +20,7 @@ struct Depths {
 Depths within(Depths depths, const view::View& view, facet::QuadricSide side, std::int32_t x, std::int32_t y);
 
 /// Counts the operations of a quadric at a pixel, with values of two longs: discriminant and middle by forward
-/// differences, then a 31-bit root, bit by bit, if there is one.
+/// differences, then a 31-bit root, bit by bit, if it exists.
 template <class Count>
 void count_quadric(const view::ScreenQuadric& quadric, Count& count) {
   count(Operation::load_long, 8);

@@ -118,7 +118,7 @@ class ExcellCells {
   /// Interleaved bits of the coordinates, x first.
   [[nodiscard]] std::uint32_t address_of(const glm::uvec3& at) const;
   static glm::uvec3 depths_of(unsigned level) { return {(level + 2) / 3, (level + 1) / 3, level / 3}; }
-  /// Index of the first entry with that address, of which `level` bits are given.
+  /// Index of the first entry with that address; `level` bits of the address are given.
   static std::size_t index_in(const Part& part, std::uint32_t address, unsigned level) {
     const unsigned deepest = part.base + part.level;
     const std::uint32_t at = level >= deepest ? address >> (level - deepest) : address << (deepest - level);

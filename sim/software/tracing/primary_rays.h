@@ -201,7 +201,7 @@ class PrimaryRays final : public CellVisitor {
     meters_.intersection(Operation::come_back);
     count_test(facet);
     const std::optional<Event> event = facets.event_at(facet, column_, row_);
-    // Without mailboxes, a facet may be tested again after its event has been processed.
+    // A facet without a mailbox may be tested again after its event has been processed.
     if (!event || static_cast<std::int64_t>(event->depth) <= settled_depth_) return;
     const Met met{*event, screen};
     const auto place = std::lower_bound(pending_.begin(), pending_.end(), met);

@@ -51,7 +51,7 @@ class BitParallelStatus {
     return held_[levels_above() * tree_.words()] != 0;
   }
 
-  /// Stored results take half as many words at each higher level.
+  /// The number of stored words halves from level to level.
   [[nodiscard]] std::uint64_t words() const {
     return tree_.words_of_memory() + states_.words() + 2 * std::uint64_t{tree_.words()};
   }
