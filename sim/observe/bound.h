@@ -14,7 +14,8 @@ struct Bound {
   std::string part;
   double share = 0;      ///< of these clocks
   bool by_host = false;  ///< the host takes longer than these to compile the next frame
-  std::string sentence;  ///< for people: the host, if it does; the part, its share, frames a second, the part after it
+  std::string
+      sentence;  ///< for people: frames per second, the part and its share, the next part, the host if it limits
 };
 
 /// From the account of a run; nothing where the machine's kind does not tell of its parts, or a frame takes no time.

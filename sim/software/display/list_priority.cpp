@@ -30,7 +30,7 @@ struct PriorityPixel {
 };
 
 /// Draws polygons from front to back and sets a pixel once, when a polygon enters the solid (thesis, algorithm 5.2).
-/// With a depth buffer, a surface at the depth of the last one is processed together with it, and a surface before the
+/// If has_depth_buffer, a surface at the depth of the last one is processed together with it, and a surface before the
 /// last one is swapped with it.
 template <class Count, bool has_depth_buffer>
 class ListPriority {

@@ -19,6 +19,7 @@ namespace {
 using view::FixedLinear;
 using view::PixelRect;
 
+/// Width of a tile in pixels. A tile omits the half-spaces that bound no primitive in it.
 constexpr std::int32_t tile_columns = 64;
 
 /// Unshifted depths of a row of a tile: the maximum of the front planes and the minimum of the back planes.

@@ -14,8 +14,7 @@
 
 namespace csgsim::software {
 
-/// Number of rows in a band. Tiles, over which half-spaces that never bound a primitive are omitted, have as many
-/// columns.
+/// Number of rows in a band.
 inline constexpr std::uint32_t band_rows = 16;
 
 /// Counts of ray casting.
