@@ -28,12 +28,12 @@ void add_grid(Drawing& drawing, const std::vector<Tick>& x_ticks, const Extent& 
               const Extent& y, const Box& area);
 
 /// Ticks of a y axis that is `pixels` high: those of `axis`, or those derived from `extent` if `axis` has none.
-std::vector<Tick> ticks_of(const Axis& axis, const Extent& extent, double pixels);
+std::vector<Tick> make_y_ticks(const Axis& axis, const Extent& extent, double pixels);
 
 /// Ticks of an x axis: those of `axis`, or those derived from `extent` if `axis` has none.
-std::vector<Tick> x_ticks_of(const Axis& axis, const Extent& extent);
+std::vector<Tick> make_x_ticks(const Axis& axis, const Extent& extent);
 
 /// Width in pixels that a y axis with these ticks takes to the left of an area that is `pixels` high.
-double room_for_y_axis(const Axis& axis, const std::vector<Tick>& ticks, double pixels);
+double y_axis_width(const Axis& axis, const std::vector<Tick>& ticks, double pixels);
 
 }  // namespace csgsim::plots

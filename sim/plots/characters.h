@@ -8,7 +8,7 @@
 namespace csgsim::plots {
 
 /// Splits a printable text into characters; each view holds the bytes of one.
-std::vector<std::string_view> characters_of(std::string_view text);
+std::vector<std::string_view> split_characters(std::string_view text);
 
 /// The Unicode code point of one character.
 char32_t code_point(std::string_view character);

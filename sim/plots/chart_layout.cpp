@@ -47,7 +47,7 @@ Extent x_extent(const Chart& chart) {
       if (is_finite(point)) values.push_back(point.x);
     }
   }
-  return extent_of(values, chart.x.scale, Begin::at_values);
+  return make_extent(values, chart.x.scale, Begin::at_values);
 }
 
 Extent y_extent(const Chart& chart, std::size_t panel) {
@@ -59,7 +59,7 @@ Extent y_extent(const Chart& chart, std::size_t panel) {
     }
   }
   // Bars and marks above names are compared by height, so the axis starts at 0.
-  return extent_of(values, chart.panels[panel].scale, chart.x.is_names ? Begin::at_zero : Begin::near_zero);
+  return make_extent(values, chart.panels[panel].scale, chart.x.is_names ? Begin::at_zero : Begin::near_zero);
 }
 
 std::vector<Panel> panels_of(const Chart& chart) {
@@ -69,8 +69,8 @@ std::vector<Panel> panels_of(const Chart& chart) {
   for (std::size_t i = 0; i < chart.panels.size(); ++i) {
     const double top = title_height + static_cast<double>(i) * (height + between_panels);
     panels.push_back({{0, top, plot_width - right_margin, top + height}, x_extent(chart), y_extent(chart, i)});
-    const std::vector<Tick> ticks = ticks_of(chart.panels[i], panels.back().y, height);
-    left = std::max(left, room_for_y_axis(chart.panels[i], ticks, height));
+    const std::vector<Tick> ticks = make_y_ticks(chart.panels[i], panels.back().y, height);
+    left = std::max(left, y_axis_width(chart.panels[i], ticks, height));
   }
   for (Panel& panel : panels) panel.area.left = left;
   return panels;
@@ -91,7 +91,7 @@ class PanelContent {
     if (series.trace == Trace::line) add_line(drawing, pixels, look);
     for (const Point& point : series.points) {
       if (!is_finite(point)) continue;
-      const std::string tip = tip_of(chart_, series, point);
+      const std::string tip = tip_text(chart_, series, point);
       if (series.trace == Trace::level || series.trace == Trace::upright) return add_line(drawing, pixels, look, tip);
       const Pixel at = panel_.at(point);
       drawing.marks.push_back({at, look.mark, look.colour, size, tip});
@@ -101,21 +101,21 @@ class PanelContent {
 
   /// Adds the labels. The key holds the texts of labels that were replaced by a number.
   void add_labels(Drawing& drawing, std::vector<KeyEntry>& key, const std::string& table) const {
-    std::vector<LabelWish> wishes;
-    wishes.reserve(labels_.size());
-    for (const Label& label : labels_) wishes.push_back({label.at, text_width(label.text), label.mark / 2});
-    const std::vector<PlacedLabel> placed = place_labels(wishes, surroundings_);
+    std::vector<LabelRequest> requests;
+    requests.reserve(labels_.size());
+    for (const Label& label : labels_) requests.push_back({label.at, text_width(label.text), label.mark / 2});
+    const std::vector<PlacedLabel> placed = place_labels(requests, surroundings_);
     for (const PlacedLabel& label : placed) {
-      const std::string& text = labels_[label.wish].text;
+      const std::string& text = labels_[label.request].text;
       if (label.leader) drawing.lines.push_back({{label.leader->from, label.leader->to}, palette::leader});
       drawing.texts.push_back({label.number ? std::to_string(*label.number) : text,
                                {(label.box.left + label.box.right) / 2, (label.box.top + label.box.bottom) / 2},
                                Anchor::centre});
       if (label.number && *label.number <= numbers_in_key) key.push_back({fmt::format("{}: {}", *label.number, text)});
     }
-    const auto told = static_cast<std::size_t>(std::ranges::count_if(
+    const auto shown = static_cast<std::size_t>(std::ranges::count_if(
         placed, [](const PlacedLabel& label) { return !label.number || *label.number <= numbers_in_key; }));
-    if (told < labels_.size()) key.push_back({fmt::format("{} more labels in {}", labels_.size() - told, table)});
+    if (shown < labels_.size()) key.push_back({fmt::format("{} more labels in {}", labels_.size() - shown, table)});
   }
 
  private:
@@ -204,15 +204,15 @@ std::vector<std::size_t> drawing_order(const Chart& chart, const SeriesLooks& lo
 
 }  // namespace
 
-Drawing laid_out(const Chart& chart) {
+Drawing lay_out(const Chart& chart) {
   Drawing drawing{plot_width, 0, {}, {}, {}, {}};
-  SeriesLooks looks = looks_of(chart);
+  SeriesLooks looks = series_looks(chart);
   const std::vector<Panel> panels = panels_of(chart);
   add_title(drawing, chart.title);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Panel& panel = panels[i];
-    add_grid(drawing, x_ticks_of(chart.x, panel.x), panel.x,
-             ticks_of(chart.panels[i], panel.y, panel.area.bottom - panel.area.top), panel.y, panel.area);
+    add_grid(drawing, make_x_ticks(chart.x, panel.x), panel.x,
+             make_y_ticks(chart.panels[i], panel.y, panel.area.bottom - panel.area.top), panel.y, panel.area);
     add_y_axis(drawing, chart.panels[i], panel.y, panel.area);
     PanelContent content(chart, panel);
     for (const std::size_t s : drawing_order(chart, looks)) {

@@ -18,8 +18,8 @@ struct SeriesLooks {
 
 /// Names of the foreground series: first those that get colours if the chart is drawn alone, in the chart's order, then
 /// the others.
-std::vector<std::string> names_by_choice(const Chart& chart);
+std::vector<std::string> names_by_priority(const Chart& chart);
 
-SeriesLooks looks_of(const Chart& chart);
+SeriesLooks series_looks(const Chart& chart);
 
 }  // namespace csgsim::plots

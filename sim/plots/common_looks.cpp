@@ -61,9 +61,9 @@ Looks common_looks(std::span<const Names> plots, std::size_t apart, std::size_t 
 void give_common_looks(std::vector<Plot>& plots) {
   std::vector<Names> names;
   for (const Plot& plot : plots) {
-    if (const auto* const chart = std::get_if<Chart>(&plot.content)) names.push_back(names_by_choice(*chart));
+    if (const auto* const chart = std::get_if<Chart>(&plot.content)) names.push_back(names_by_priority(*chart));
   }
-  const Looks looks = common_looks(names, palette::most_series, palette::most_series);
+  const Looks looks = common_looks(names, palette::max_series, palette::max_series);
   for (Plot& plot : plots) {
     if (auto* const chart = std::get_if<Chart>(&plot.content)) chart->looks = looks;
   }

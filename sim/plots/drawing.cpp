@@ -51,7 +51,7 @@ bool cross(const Segment& one, const Segment& other) {
          side(other.from, other.to, one.from) * side(other.from, other.to, one.to) < 0;
 }
 
-Box box_of(const Text& text) {
+Box bounding_box(const Text& text) {
   const double width = text_width(text.text);
   const double before = text.anchor == Anchor::left ? 0 : text.anchor == Anchor::centre ? width / 2 : width;
   const double half = line_height / 2;

@@ -77,7 +77,7 @@ struct Text {
 };
 
 /// Upper bound of the area that the text covers.
-[[nodiscard]] Box box_of(const Text& text);
+[[nodiscard]] Box bounding_box(const Text& text);
 
 /// A picture ready to be drawn: fills below lines below marks below texts. File formats with tooltips show the tips.
 struct Drawing {

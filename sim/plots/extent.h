@@ -20,8 +20,8 @@ struct Extent {
   /// Position of a value: 0 at the start of the axis, 1 at its end.
   [[nodiscard]] double along(double value) const;
 
-  /// Up to `most` ticks, plus one for 0 on a logarithmic axis; only whole numbers if `is_whole`.
-  [[nodiscard]] std::vector<Tick> ticks(unsigned most, bool is_whole = false) const;
+  /// Up to `max_count` ticks, plus one for 0 on a logarithmic axis; only whole numbers if `is_whole`.
+  [[nodiscard]] std::vector<Tick> ticks(unsigned max_count, bool is_whole = false) const;
 };
 
 /// Start of a linear axis whose values are all non-negative.
@@ -32,6 +32,6 @@ enum class Begin : std::uint8_t {
 };
 
 /// Range that holds all finite values, with a margin.
-Extent extent_of(std::span<const double> values, Scale scale, Begin begin);
+Extent make_extent(std::span<const double> values, Scale scale, Begin begin);
 
 }  // namespace csgsim::plots

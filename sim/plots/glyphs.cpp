@@ -85,7 +85,7 @@ bool is_ascii(std::string_view character) { return character.size() == 1; }
 std::string with_glyphs(std::string_view text) {
   const std::string shown = printable(text);
   std::string result;
-  for (const std::string_view character : characters_of(shown))
+  for (const std::string_view character : split_characters(shown))
     result += is_ascii(character) || has_glyph(code_point(character)) ? character : "?";
   return result;
 }

@@ -22,7 +22,7 @@ namespace csgsim::plots {
 
 namespace {
 
-constexpr double points_a_pixel = 72.0 / 96.0;  ///< font size in points per pixel, as cairo defines it
+constexpr double points_per_pixel = 72.0 / 96.0;  ///< font size in points per pixel, as cairo defines it
 constexpr double mark_units = 10.5;             ///< diameter in pixels of gnuplot's marks of size 1
 
 /// Whether the picture has the end marker of a PNG file.
@@ -70,12 +70,12 @@ std::vector<Curve> curves_of(const Drawing& drawing) {
 }
 
 /// Extracts gnuplot's error message: the first line with a line number. The lines before it repeat the script.
-std::string message_of(const std::string& said) {
+std::string message_of(const std::string& messages) {
   constexpr std::string_view before = "line ";
   constexpr std::size_t longest = 200;
-  for (std::size_t begin = 0; begin < said.size();) {
-    const std::size_t end = std::min(said.find('\n', begin), said.size());
-    const std::string line = said.substr(begin, end - begin);
+  for (std::size_t begin = 0; begin < messages.size();) {
+    const std::size_t end = std::min(messages.find('\n', begin), messages.size());
+    const std::string line = messages.substr(begin, end - begin);
     const std::size_t colon = line.find(": ");
     if (line.starts_with(before) && colon != std::string::npos) return printable(line.substr(colon + 2, longest));
     begin = end + 1;
@@ -83,7 +83,7 @@ std::string message_of(const std::string& said) {
   return "";
 }
 
-std::string why(const system::ChildEnd& end) {
+std::string failure_reason(const system::ChildEnd& end) {
   if (end.exceeded != system::Exceeded::nothing || WIFSIGNALED(end.status))
     return system::why_failed(end, program_limits);
   const std::string message = message_of(end.errors);
@@ -107,7 +107,7 @@ std::string gnuplot_text(std::string_view bytes) {
   return result + "\"";
 }
 
-std::string script_of(const Drawing& drawing) {
+std::string gnuplot_script(const Drawing& drawing) {
   std::string script = fmt::format(
       "set lmargin at screen 0\nset rmargin at screen 1\nset tmargin at screen 1\nset bmargin at screen 0\n"
       "unset border\nunset tics\nunset key\nset xrange [0:{}]\nset yrange [{}:0]\n",
@@ -131,10 +131,11 @@ std::string script_of(const Drawing& drawing) {
   return script + "\n";
 }
 
-Drawn drawn_for(const std::filesystem::path& file, const Drawing& drawing) {
+Drawn draw_png(const std::filesystem::path& file, const Drawing& drawing) {
   system::MemoryFile input(file);
   input.write(fmt::format("set encoding utf8\nset terminal pngcairo size {:.0f},{:.0f} font 'sans,{}'\nset output\n{}",
-                          drawing.width, drawing.height, font_size * points_a_pixel, script_of(with_letters(drawing))));
+                          drawing.width, drawing.height, font_size * points_per_pixel,
+                          gnuplot_script(with_letters(drawing))));
   const std::array<std::string, 2> words{"gnuplot", "-d"};  // -d ignores the user's gnuplot settings
   std::optional<system::ChildEnd> ended = system::run_child(words, input, program_limits);
   if (!ended)
@@ -143,7 +144,7 @@ Drawn drawn_for(const std::filesystem::path& file, const Drawing& drawing) {
   if (!system::is_done(*ended) || !is_whole(ended->output)) {
     throw InputError(
         fmt::format("{}: gnuplot drew no picture; {} (package gnuplot-nox can draw it; --no-plots omits plots)",
-                    file.native(), why(*ended)));
+                    file.native(), failure_reason(*ended)));
   }
   return {std::move(ended->output), std::move(ended->errors)};
 }

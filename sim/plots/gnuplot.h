@@ -15,17 +15,17 @@ namespace csgsim::plots {
 std::string gnuplot_text(std::string_view bytes);
 
 /// The gnuplot script of a picture. All positions, numbers and texts are fixed; gnuplot chooses none.
-std::string script_of(const Drawing& drawing);
+std::string gnuplot_script(const Drawing& drawing);
 
 /// A PNG picture in memory, and gnuplot's messages.
 struct Drawn {
   std::string picture;
-  std::string said;
+  std::string messages;
 };
 
 /// Draws a PNG picture. gnuplot reads no file name and its messages are not printed: with a complete picture they
 /// concern only the computer's fonts. Throws InputError with the file's name if gnuplot cannot be run or the picture is
 /// incomplete.
-Drawn drawn_for(const std::filesystem::path& file, const Drawing& drawing);
+Drawn draw_png(const std::filesystem::path& file, const Drawing& drawing);
 
 }  // namespace csgsim::plots

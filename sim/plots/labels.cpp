@@ -38,12 +38,12 @@ class Placer {
   explicit Placer(const Surroundings& surroundings) : around_(surroundings) {}
 
   /// Tries to place a text of the given width; returns whether it succeeded.
-  bool place(std::size_t wish, const LabelWish& what, double width, std::optional<unsigned> number) {
+  bool place(std::size_t request, const LabelRequest& what, double width, std::optional<unsigned> number) {
     const Pixel& at = what.at;
     for (const double distance : {away_from_others, 0.0}) {
       for (const Pixel& direction : beside) {
         const Box box = box_towards(at, direction, what.clearance + gap, width);
-        if (!is_near_another(box, at, distance) && take(wish, box, std::nullopt, number)) return true;
+        if (!is_near_another(box, at, distance) && take(request, box, std::nullopt, number)) return true;
       }
     }
     for (unsigned ring = 0; ring < rings; ++ring) {
@@ -51,7 +51,7 @@ class Placer {
         const double turn = std::numbers::pi * (2.0 * i / directions - 0.25);
         const Box box =
             box_towards(at, {std::cos(turn), std::sin(turn)}, what.clearance + first_ring + ring_step * ring, width);
-        if (take(wish, box, leader_to(at, box), number)) return true;
+        if (take(request, box, leader_to(at, box), number)) return true;
       }
     }
     return false;
@@ -60,9 +60,9 @@ class Placer {
   [[nodiscard]] const std::vector<PlacedLabel>& placed() const { return placed_; }
 
  private:
-  bool take(std::size_t wish, const Box& box, const std::optional<Segment>& leader, std::optional<unsigned> number) {
+  bool take(std::size_t request, const Box& box, const std::optional<Segment>& leader, std::optional<unsigned> number) {
     if (!is_clear(box) || (leader && !is_clear(*leader))) return false;
-    placed_.push_back({wish, box, leader, number});
+    placed_.push_back({request, box, leader, number});
     return true;
   }
 
@@ -97,12 +97,12 @@ class Placer {
 
 }  // namespace
 
-std::vector<PlacedLabel> place_labels(std::span<const LabelWish> wishes, const Surroundings& surroundings) {
+std::vector<PlacedLabel> place_labels(std::span<const LabelRequest> requests, const Surroundings& surroundings) {
   Placer placer(surroundings);
   unsigned numbers = 0;
-  for (std::size_t i = 0; i < wishes.size(); ++i) {
-    if (placer.place(i, wishes[i], wishes[i].width, std::nullopt)) continue;
-    if (placer.place(i, wishes[i], text_width(std::to_string(numbers + 1)), numbers + 1)) ++numbers;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    if (placer.place(i, requests[i], requests[i].width, std::nullopt)) continue;
+    if (placer.place(i, requests[i], text_width(std::to_string(numbers + 1)), numbers + 1)) ++numbers;
   }
   return placer.placed();
 }

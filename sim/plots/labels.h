@@ -12,7 +12,7 @@
 namespace csgsim::plots {
 
 /// A label to be placed next to a point.
-struct LabelWish {
+struct LabelRequest {
   Pixel at;
   double width = 0;
   double clearance = 4;  ///< maximum distance in pixels from the point to the edge of its mark
@@ -27,16 +27,16 @@ struct Surroundings {
 
 /// Position of a label.
 struct PlacedLabel {
-  std::size_t wish = 0;  ///< index of the label's wish
+  std::size_t request = 0;  ///< index of the label's request
   Box box;
   std::optional<Segment> leader;   ///< line from the point to the label, if they are not adjacent
   std::optional<unsigned> number;  ///< replaces the text if the text does not fit: 1, 2, ...
 };
 
 /// Places labels one after the other: next to their point, or else at the end of a short leader line, or else as a
-/// number in place of the text. Wishes that do not fit even as a number are missing from the result. Boxes do not
+/// number in place of the text. Requests that do not fit even as a number are missing from the result. Boxes do not
 /// overlap one another, stay in the area and avoid the obstacles; a leader crosses no label, no other leader, and no
 /// box except its point's.
-std::vector<PlacedLabel> place_labels(std::span<const LabelWish> wishes, const Surroundings& surroundings);
+std::vector<PlacedLabel> place_labels(std::span<const LabelRequest> requests, const Surroundings& surroundings);
 
 }  // namespace csgsim::plots

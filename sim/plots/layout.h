@@ -13,10 +13,10 @@ namespace csgsim::plots {
 inline constexpr double plot_width = 800;
 
 /// Places all parts of the plot. Texts neither overlap nor leave the picture.
-Drawing laid_out(const Chart& chart);
-Drawing laid_out(const Bars& bars);
-inline Drawing laid_out(const Plot& plot) {
-  return std::visit([](const auto& content) { return laid_out(content); }, plot.content);
+Drawing lay_out(const Chart& chart);
+Drawing lay_out(const Bars& bars);
+inline Drawing lay_out(const Plot& plot) {
+  return std::visit([](const auto& content) { return lay_out(content); }, plot.content);
 }
 
 }  // namespace csgsim::plots

@@ -68,10 +68,10 @@ std::string power_text(int factor, int exponent, bool as_power) {
 }
 
 std::string number_text(double value) {
-  constexpr double most_whole = 9007199254740992.0;  // doubles represent all whole numbers up to 2^53
-  constexpr double least_in_groups = 999.5;
+  constexpr double max_whole = 9007199254740992.0;  // doubles represent all whole numbers up to 2^53
+  constexpr double min_grouped = 999.5;
   const double size = std::abs(value);
-  const bool is_whole = size <= most_whole && (size >= least_in_groups || size == std::floor(size));
+  const bool is_whole = size <= max_whole && (size >= min_grouped || size == std::floor(size));
   return is_whole ? grouped(fmt::format("{:.0f}", std::round(value) + 0.0)) : fmt::format("{:.4g}", value);
 }
 

@@ -35,7 +35,7 @@ inline constexpr std::array looks{
     Look{"#008a60", "18,4,3,4", Mark::down}, Look{"#000000", "12,4,3,4,3,4", Mark::ring},
     Look{"#cb679e", "30,8", Mark::pentagon}, Look{"#7e3e73", "3,10", Mark::box},
 };
-inline constexpr std::size_t most_series = looks.size();
+inline constexpr std::size_t max_series = looks.size();
 
 /// Colours on a dark page: each close to the hue of its look, with white in place of black.
 inline constexpr auto colours_on_dark = std::to_array<std::string_view>(

@@ -62,7 +62,7 @@ struct Series {
 /// Indices into `palette::looks` by series name.
 using Looks = std::map<std::string, std::size_t>;
 
-/// Panels stacked over one x axis. At most `palette::most_series` names have colours and an entry in the key: those
+/// Panels stacked over one x axis. At most `palette::max_series` names have colours and an entry in the key: those
 /// with the largest values in the first panel that has them. The others are grey; the key gives their number and the
 /// file with their values. For charts that belong together (common_looks.h), `looks` gives the colours.
 struct Chart {
@@ -87,7 +87,7 @@ struct Bar {
   std::vector<Part> parts{};
 };
 
-/// Horizontal bars that start at 0. The first `most_bars` are drawn; the key gives the number of the others.
+/// Horizontal bars that start at 0. The first `max_bars` are drawn; the key gives the number of the others.
 struct Bars {
   std::string title;
   Axis x;
@@ -95,7 +95,7 @@ struct Bars {
   std::vector<std::string> names;  ///< names of parts in the order of the key; names missing here come last
   std::string table;               ///< name of the file with all values
 };
-inline constexpr std::size_t most_bars = 40;
+inline constexpr std::size_t max_bars = 40;
 
 /// A plot and the base name of its files, without extension.
 struct Plot {

@@ -59,7 +59,7 @@ double width_of(char32_t character) {
 
 /// Replaces the middle by `between` and keeps the characters at both ends that fit.
 std::string without_middle(std::string_view text, double width, std::string_view between) {
-  const std::vector<std::string_view> characters = characters_of(text);
+  const std::vector<std::string_view> characters = split_characters(text);
   std::string head;
   std::string tail;
   double left = width - text_width(between);
@@ -78,7 +78,7 @@ std::string without_middle(std::string_view text, double width, std::string_view
 double text_width(std::string_view text) {
   double width = 0;
   // Hinted fonts advance by whole pixels.
-  for (const std::string_view character : characters_of(text))
+  for (const std::string_view character : split_characters(text))
     width += std::ceil(font_size * width_of(code_point(character)));
   return width;
 }
@@ -88,7 +88,7 @@ std::string shortened(std::string_view text, double width) {
   return text_width(shown) <= width ? shown : without_middle(shown, width, ellipsis);
 }
 
-std::vector<std::string> in_two_lines(std::string_view text, double width) {
+std::vector<std::string> split_lines(std::string_view text, double width) {
   const std::string shown = printable(text);
   if (text_width(shown) <= width) return {shown};
   std::size_t cut = shown.rfind(' ');

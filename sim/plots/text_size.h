@@ -21,7 +21,7 @@ std::string shortened(std::string_view text, double width);
 
 /// The text in one line, or in two split at a space if it is wider than `width` pixels; lines that are still too wide
 /// are shortened.
-std::vector<std::string> in_two_lines(std::string_view text, double width);
+std::vector<std::string> split_lines(std::string_view text, double width);
 
 /// Shortens all texts so that different texts stay different: texts with equal ends get a number.
 std::vector<std::string> shortened(const std::vector<std::string>& texts, double width);

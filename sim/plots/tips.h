@@ -9,9 +9,9 @@
 namespace csgsim::plots {
 
 /// Tooltip of a point.
-std::string tip_of(const Chart& chart, const Series& series, const Point& point);
+std::string tip_text(const Chart& chart, const Series& series, const Point& point);
 
 /// Tooltip of a part of a bar.
-std::string tip_of(const Bars& plot, const Bar& bar, const Part& part);
+std::string tip_text(const Bars& plot, const Bar& bar, const Part& part);
 
 }  // namespace csgsim::plots

@@ -31,7 +31,7 @@ namespace {
 
 void lay_out(const std::vector<plots::Plot>& all) {
   for (const plots::Plot& plot : all)
-    std::visit([](const auto& content) { static_cast<void>(plots::laid_out(content)); }, plot.content);
+    std::visit([](const auto& content) { static_cast<void>(plots::lay_out(content)); }, plot.content);
 }
 
 void show(const std::vector<studies::ExploreRow>& rows) {

@@ -18,7 +18,7 @@ plots::Plot chart_of(const std::string& plot, const plots::Names& names) {
 /// How a series is drawn in a plot.
 plots::palette::Look look_in(const plots::Plot& plot, const std::string& name) {
   const auto& chart = std::get<plots::Chart>(plot.content);
-  const plots::SeriesLooks looks = plots::looks_of(chart);
+  const plots::SeriesLooks looks = plots::series_looks(chart);
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     if (chart.series[i].name == name) return looks.looks[i];
   }
@@ -73,7 +73,7 @@ TEST_CASE("the key of a plot whose coloured series were chosen by another one do
   std::vector<plots::Plot> plots{chart_of("one", names), chart_of("other", {names.rbegin(), names.rend()})};
   plots::give_common_looks(plots);
   const auto last_of_key = [](const plots::Plot& plot) {
-    return plots::looks_of(std::get<plots::Chart>(plot.content)).key.back().text;
+    return plots::series_looks(std::get<plots::Chart>(plot.content)).key.back().text;
   };
   CHECK(last_of_key(plots[0]) == "1 more, with smaller values (see table.csv)");
   CHECK(last_of_key(plots[1]) == "1 more (see table.csv)");

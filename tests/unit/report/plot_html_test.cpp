@@ -35,7 +35,7 @@ const plots::Plot bars{
 
 /// What a drawing's file holds but its root's attributes.
 std::string content_of_file(const plots::Plot& plot) {
-  const std::string file = plots::svg_file(plots::laid_out(plot));
+  const std::string file = plots::svg_file(plots::lay_out(plot));
   return file.substr(file.find('\n'));
 }
 
