@@ -15,7 +15,7 @@ bool has_stack_bits(std::string_view name) {
   });
 }
 
-std::vector<double> tolerances_in(const std::string& text) {
+std::vector<double> parse_tolerances(const std::string& text) {
   std::vector<double> tolerances;
   for (const std::string& word : session::parse_words(text)) {
     tolerances.push_back(session::numbers<double>(word, ',', 1, "--tolerances", "0.1,0.05")[0]);
@@ -25,7 +25,7 @@ std::vector<double> tolerances_in(const std::string& text) {
   return tolerances;
 }
 
-std::vector<std::string> different(const std::vector<std::string>& names) {
+std::vector<std::string> without_duplicates(const std::vector<std::string>& names) {
   std::vector<std::string> once;
   for (const std::string& name : names) {
     if (std::ranges::find(once, name) == once.end()) once.push_back(name);

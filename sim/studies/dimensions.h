@@ -32,10 +32,10 @@ std::vector<std::string> fixed_names_of(const Choices& choices) {
 }
 
 /// Removes duplicates and keeps the order.
-std::vector<std::string> different(const std::vector<std::string>& names);
+std::vector<std::string> without_duplicates(const std::vector<std::string>& names);
 
 /// Parses faceting tolerances in model units, separated by commas. Throws InputError or UsageError.
-std::vector<double> tolerances_in(const std::string& text);
+std::vector<double> parse_tolerances(const std::string& text);
 
 /// Whether --stack-bits affects the strategy with this name.
 bool has_stack_bits(std::string_view name);

@@ -48,14 +48,14 @@ Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, co
     return emit::compile(tree, scene, view, machine, options);
   };
   std::optional<isa::Program> program;
-  if (guess.likely > 0 && guess.likely <= guess.most) {
+  if (guess.likely > 0 && guess.likely <= guess.upper_bound) {
     try {
       program = compile(guess.likely);
     } catch (const InputError&) {
       program.reset();  // too few bits, or no number of bits suffices
     }
   }
-  if (!program) program = compile(guess.most);
+  if (!program) program = compile(guess.upper_bound);
   // The positions of fields may depend on the number of available bits, but the number of used bits does not.
   const std::uint32_t used = observe::used_memory_bits(*program);
   if (used != machine.array.memory_bits) program = compile(used);
@@ -63,10 +63,10 @@ Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, co
 }
 
 machines::FrameTiming RunTimer::time(const isa::Program& program, const machines::Machine& machine) {
-  return host::time_frame(program, machine, told(program, machine));
+  return host::time_frame(program, machine, outcome(program, machine));
 }
 
-machines::Told RunTimer::told(const isa::Program& program, const machines::Machine& machine) {
+machines::Told RunTimer::outcome(const isa::Program& program, const machines::Machine& machine) {
   if (!functional::asks_for_run(program, machine)) return {};
   std::vector<std::uint64_t> key;
   key.reserve(program.segments.size() + 1);

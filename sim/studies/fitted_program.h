@@ -24,13 +24,13 @@ struct Fitted {
 
 /// Memory bits per pixel to compile with.
 struct MemoryGuess {
-  std::uint32_t likely = 0;  ///< expected number of bits used; 0 if unknown
-  std::uint32_t most = 0;    ///< upper bound
+  std::uint32_t likely = 0;       ///< expected number of bits used; 0 if unknown
+  std::uint32_t upper_bound = 0;  ///< upper bound
 };
 
 /// Compiles for the machine with exactly the memory bits that the Program uses. A correct guess saves time and does not
 /// change the result. Neither strategy nor colouring may be automatic, because automatic choices depend on the
-/// available memory. Throws InputError if the model does not fit into guess.most bits.
+/// available memory. Throws InputError if the model does not fit into guess.upper_bound bits.
 Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, const view::View& view,
                        machines::Machine machine, const emit::Options& options, const MemoryGuess& guess);
 
@@ -43,7 +43,7 @@ class RunTimer {
   machines::FrameTiming time(const isa::Program& program, const machines::Machine& machine);
 
   /// The run-time outcome that exact timing needs; empty if the timing needs no run.
-  machines::Told told(const isa::Program& program, const machines::Machine& machine);
+  machines::Told outcome(const isa::Program& program, const machines::Machine& machine);
 
  private:
   Memo<std::vector<std::uint64_t>, machines::RunRecord> runs_;  ///< keyed by hashes of the segments

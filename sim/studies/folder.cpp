@@ -80,24 +80,24 @@ std::string study_title(const session::OptionList& command, const std::set<std::
   return title;
 }
 
-std::string told_of(const std::string& model, const std::string& reason) {
+std::string with_model_name(const std::string& model, const std::string& reason) {
   return reason.starts_with(model) ? reason : model + ": " + reason;
 }
 
 std::string failed_models(std::span<const std::string> failed, std::size_t models, const std::string& table) {
-  constexpr std::size_t most_named = 5;
-  const std::span<const std::string> named = failed.first(std::min(failed.size(), most_named));
+  constexpr std::size_t max_named = 5;
+  const std::span<const std::string> named = failed.first(std::min(failed.size(), max_named));
   return fmt::format("{} of {} models could not be drawn: {}{}; see {} for the reasons", failed.size(), models,
                      fmt::join(named, ", "), named.size() < failed.size() ? " and others" : "", table);
 }
 
-std::string whose_fault(bool has_read_rows) {
+std::string fault_hint(bool has_read_rows) {
   if (!has_read_rows) return "this is an error in csgsim, please report it";
   return "rows read from the table may have been changed: measure everything again in another folder (-o), and if the "
          "error remains, report it";
 }
 
-void tell_stale(const std::filesystem::path& table, const std::set<std::string>& changed) {
+void warn_stale(const std::filesystem::path& table, const std::set<std::string>& changed) {
   if (changed.empty()) return;
   tell_line(fmt::format("{}: {} {} changed since some points were measured; they are measured again", table.native(),
                         fmt::join(changed, " and "), changed.size() == 1 ? "has" : "have"));

@@ -39,16 +39,16 @@ inline constexpr auto options_without_effect = std::to_array<std::string_view>(
     {"output", "threads", "progress", "no-plots", "report", "quiet", "shard", "openscad-time", "json"});
 
 /// The reason, prefixed by the model's name unless it already begins with it.
-std::string told_of(const std::string& model, const std::string& reason);
+std::string with_model_name(const std::string& model, const std::string& reason);
 
 /// The last line printed by a study that skipped some of its `models` models; `table` holds the reasons.
 std::string failed_models(std::span<const std::string> failed, std::size_t models, const std::string& table);
 
 /// Error text for inconsistent results: the likely cause and a fix. If all rows were measured by this process, the
 /// fault is in csgsim; rows that were read may have been changed.
-std::string whose_fault(bool has_read_rows);
+std::string fault_hint(bool has_read_rows);
 
 /// Warns on standard error about the inputs that changed since some rows of the table were measured.
-void tell_stale(const std::filesystem::path& table, const std::set<std::string>& changed);
+void warn_stale(const std::filesystem::path& table, const std::set<std::string>& changed);
 
 }  // namespace csgsim::studies

@@ -19,8 +19,8 @@ std::string place(const ShardFile& file) {
 
 /// Throws InputError if the file's header differs from that of the first file.
 void refuse_other_study(const ShardFile& first, const ShardFile& file) {
-  const auto refuse = [&](const std::string& why, const std::string& mend) {
-    throw InputError(fmt::format("{} and {} are {}; {}", place(file), place(first), why, mend));
+  const auto refuse = [&](const std::string& why, const std::string& fix) {
+    throw InputError(fmt::format("{} and {} are {}; {}", place(file), place(first), why, fix));
   };
   const ShardHeader& a = first.header;
   const ShardHeader& b = file.header;

@@ -99,7 +99,7 @@ std::vector<std::string> output_words(const std::string& output, const GatherReq
   return words;
 }
 
-void tell_other_csgsim(const Gathered& gathered, const std::string& output) {
+void warn_other_version(const Gathered& gathered, const std::string& output) {
   const std::string here = session::version_and_build();
   if (gathered.inputs.csgsim == here) return;
   tell_line(fmt::format("{}: measured by csgsim {}; this is {}", output, gathered.inputs.csgsim, here));
@@ -124,7 +124,7 @@ void run_gather(std::span<const StudyRow* const> studies, const GatherRequest& o
   refuse_other_words(studies, gathered);
   if (options.missing) return print_missing(gathered, options.folders.front());
   refuse_missing(gathered, options.folders.front());
-  tell_other_csgsim(gathered, output);
+  warn_other_version(gathered, output);
   const GatheredStudy study(studies, with_words(gathered.words, output_words(output, options)));
   show_gathered(study.command(), gathered);
 }

@@ -19,7 +19,7 @@ class JsonExport {
   /// `what` describes the content of the file.
   void add_to(session::OptionList& command, const std::string& what);
 
-  [[nodiscard]] bool is_asked() const { return !file_.empty(); }
+  [[nodiscard]] bool is_requested() const { return !file_.empty(); }
 
   /// Called with each item of the list.
   using Put = std::function<void(const nlohmann::ordered_json& item)>;

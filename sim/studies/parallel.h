@@ -20,7 +20,7 @@ namespace csgsim::studies {
 /// calls f() for one thread at a time and returns whether to continue. The first exception ends the loop and is
 /// rethrown; no f is called after it. The threads are interruptible like the calling thread.
 template <class Work>
-void share_out(std::size_t count, unsigned threads, const Work& work) {
+void parallel_for(std::size_t count, unsigned threads, const Work& work) {
   std::atomic<std::size_t> next = 0;
   std::mutex lock;
   std::exception_ptr failure;
@@ -58,7 +58,7 @@ void share_out(std::size_t count, unsigned threads, const Work& work) {
 /// order of completion. Exceptions as in share_out.
 template <class Measure, class Finished>
 void measure_each(std::size_t count, unsigned threads, const Measure& measure, const Finished& finished) {
-  share_out(count, threads, [&](std::size_t i, const auto& finish) {
+  parallel_for(count, threads, [&](std::size_t i, const auto& finish) {
     auto result = measure(i);
     static_cast<void>(finish([&] { finished(std::move(result)); }));
   });

@@ -13,7 +13,7 @@
 namespace csgsim::studies {
 
 /// Parses names and files separated by commas. Throws as software::priced does.
-std::vector<software::Priced> processors_in(const std::string& list);
+std::vector<software::Priced> parse_processors(const std::string& list);
 
 /// Adds the option --processors.
 void add_processors(session::OptionList& command, std::string& list);

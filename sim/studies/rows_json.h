@@ -36,10 +36,10 @@ template <class Row>
 void set_columns(nlohmann::ordered_json& json, const Row& row) {
   bool is_refused = false;
   if constexpr (requires { row.reason.empty(); }) is_refused = !row.reason.empty();
-  const std::size_t told = is_refused ? Row::point_columns + input_columns : static_cast<std::size_t>(-1);
+  const std::size_t shown_columns = is_refused ? Row::point_columns + input_columns : static_cast<std::size_t>(-1);
   std::size_t column = 0;
   Row::columns(row, [&](const char* name, const auto& member) {
-    if (column++ < told || std::string_view(name) == "reason") set_json(json, name, member);
+    if (column++ < shown_columns || std::string_view(name) == "reason") set_json(json, name, member);
   });
 }
 

@@ -44,13 +44,13 @@ std::shared_ptr<StudyCommand> describe_for_caller(session::OptionList& list, con
 /// Measures the points that are missing from the study's table, writes the results if there is a folder or a page, and
 /// returns the text of the study's JSON file. An interrupted study throws Interrupted; its table keeps the measured
 /// points.
-std::string conduct(StudyCommand& asked);
+std::string conduct(StudyCommand& request);
 
 /// Measures the points that are missing from the study's table and shows all results.
-void run_study(StudyCommand& asked);
+void run_study(StudyCommand& request);
 
 /// Shows the results of shards. The study's options must have been read.
-void show_gathered(StudyCommand& asked, const Gathered& gathered);
+void show_gathered(StudyCommand& request, const Gathered& gathered);
 
 /// Inserts these words after the command's name, before its other words.
 std::vector<std::string> with_words(const std::vector<std::string>& command, const std::vector<std::string>& more);

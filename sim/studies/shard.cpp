@@ -40,8 +40,8 @@ Shard parse_shard(std::string_view text) {
   if (!number || !count)
     throw InputError(
         fmt::format("'{}' is not a shard; use k/n, such as 3/16 for the third of sixteen", printable(text)));
-  if (*count < 1 || *count > most_shards)
-    throw InputError(fmt::format("the number of shards, {}, is not in 1 to {}", *count, most_shards));
+  if (*count < 1 || *count > max_shards)
+    throw InputError(fmt::format("the number of shards, {}, is not in 1 to {}", *count, max_shards));
   if (*number < 1 || *number > *count)
     throw InputError(fmt::format("shard {} of {} does not exist; choose one of 1/{} to {}/{}", *number, *count, *count,
                                  *count, *count));

@@ -17,7 +17,7 @@ struct Shard {
   bool operator==(const Shard&) const = default;
 };
 
-inline constexpr unsigned most_shards = 1'000'000;
+inline constexpr unsigned max_shards = 1'000'000;
 
 /// Parses `3/16`. Throws InputError that suggests a fix.
 Shard parse_shard(std::string_view text);

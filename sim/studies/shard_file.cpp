@@ -46,8 +46,8 @@ ShardHeader header_from(std::string_view title) {
   from_cell(cells[2], header.shard.count);
   header.shard = parse_shard(to_text(header.shard));
   from_cell(cells[3], header.points);
-  if (header.points < 1 || header.points > most_points)
-    throw InputError(fmt::format("the number of points, {}, is not in 1 to {}", header.points, most_points));
+  if (header.points < 1 || header.points > max_points)
+    throw InputError(fmt::format("the number of points, {}, is not in 1 to {}", header.points, max_points));
   header.inputs = {cells[4], cells[5], cells[6]};
   header.words.assign(cells.begin() + cells_before_words, cells.end());
   return header;

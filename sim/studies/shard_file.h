@@ -15,7 +15,7 @@
 namespace csgsim::studies {
 
 /// Maximum number of points of a sharded study; the joined table is read as a whole and cannot hold more.
-inline constexpr std::size_t most_points = 1'000'000;
+inline constexpr std::size_t max_points = 1'000'000;
 
 /// Identifies the study and the shard of a file.
 struct ShardHeader {

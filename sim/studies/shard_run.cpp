@@ -45,7 +45,7 @@ ShardRun::ShardRun(fs::path folder, ShardHeader header, std::string columns)
     if (error)
       throw InputError(fmt::format("{} is out of date and cannot be deleted ({})", path.native(), error.message()));
   }
-  tell_stale(shards_folder(folder_), changed);
+  warn_stale(shards_folder(folder_), changed);
   const std::vector<unsigned> shard_of = shard_of_each(header_.points, header_.shard.count);
   for (std::size_t i = 0; i < shard_of.size(); ++i) {
     if (shard_of[i] != header_.shard.number) continue;

@@ -65,10 +65,10 @@ class Study {
   /// Whether the whole table belongs to that model on one machine, which its points also depend on.
   [[nodiscard]] virtual bool is_of_one_machine() const { return false; }
   /// The output folder if -o is not given.
-  [[nodiscard]] virtual std::string usual_folder() const { return {}; }
+  [[nodiscard]] virtual std::string default_folder() const { return {}; }
 
   /// Reads the inputs and returns the requested points. Called once, before anything is measured; not called by gather.
-  virtual std::vector<Asked> ask() = 0;
+  virtual std::vector<PointRequest> request_points() = 0;
   /// Receives the number of a point and its row.
   using Finished = std::function<void(std::size_t point, std::string row)>;
   /// Measures the points with these numbers on `threads` threads; rows are passed on one at a time, in any order.
@@ -82,9 +82,9 @@ class Study {
   /// some rows were not measured by this process.
   virtual void take(std::span<const std::string> rows, bool are_read) = 0;
   /// Further points to measure, given all rows taken until now; their numbers follow those of the earlier points.
-  virtual std::vector<Asked> more() { return {}; }
+  virtual std::vector<PointRequest> more() { return {}; }
   /// Whether more() may return points, so that the study cannot be sharded.
-  [[nodiscard]] virtual bool looks_further() const { return false; }
+  [[nodiscard]] virtual bool is_adaptive() const { return false; }
   virtual void print() const = 0;
   [[nodiscard]] virtual std::string json(const std::string& title) const = 0;
   [[nodiscard]] virtual std::vector<plots::Plot> plots() const { return {}; }
@@ -102,7 +102,7 @@ class Study {
 /// How a study's output folder is chosen.
 enum class Folder : std::uint8_t {
   named,     ///< -o is required
-  usual,     ///< Study::usual_folder() if -o is not given
+  usual,     ///< Study::default_folder() if -o is not given
   optional,  ///< without -o, results are not kept
 };
 
@@ -156,19 +156,19 @@ template <class Row>
 class StudyOf : public RowsOf<Row> {
  public:
   void measure(std::span<const std::size_t> points, unsigned threads, const Study::Finished& finished) final {
-    const std::vector<std::size_t> order = in_turn(points, threads);
+    const std::vector<std::size_t> order = measuring_order(points, threads);
     measure_each(
-        order.size(), threads, [&](std::size_t i) { return std::pair(order[i], to_line(measured(order[i]))); },
+        order.size(), threads, [&](std::size_t i) { return std::pair(order[i], to_line(measure_point(order[i]))); },
         [&](std::pair<std::size_t, std::string> row) { finished(row.first, std::move(row.second)); });
   }
 
  protected:
   /// Measures the point with this number; called by several threads concurrently if the study is parallel.
-  [[nodiscard]] virtual Row measured(std::size_t point) = 0;
+  [[nodiscard]] virtual Row measure_point(std::size_t point) = 0;
 
   /// The points in the order in which `threads` threads measure them.
-  [[nodiscard]] virtual std::vector<std::size_t> in_turn(std::span<const std::size_t> points,
-                                                         unsigned /*threads*/) const {
+  [[nodiscard]] virtual std::vector<std::size_t> measuring_order(std::span<const std::size_t> points,
+                                                                 unsigned /*threads*/) const {
     return {points.begin(), points.end()};
   }
 };

@@ -21,7 +21,7 @@
 namespace csgsim::studies {
 
 /// A requested point: the first cells of its row as in the table, and its inputs.
-struct Asked {
+struct PointRequest {
   std::string cells;
   Inputs inputs;
 };
@@ -45,17 +45,17 @@ class Table {
 
   /// Deletes rows of these points that were measured from outdated inputs; if the table holds points of one model on
   /// one machine, all such rows. Returns the names of the inputs that changed.
-  std::set<std::string> drop_stale(std::span<const Asked> asked, bool is_of_one_machine);
+  std::set<std::string> drop_stale(std::span<const PointRequest> requested, bool is_of_one_machine);
 
   /// Numbers of the points without a row.
-  [[nodiscard]] std::vector<std::size_t> missing(std::span<const Asked> asked) const;
+  [[nodiscard]] std::vector<std::size_t> missing(std::span<const PointRequest> requested) const;
 
   /// Appends rows and syncs the file.
   void add(std::span<const std::string> rows);
 
   /// Returns the rows of these points in their order; none may be missing. Reorders the table in the same
   /// way, with the rows of other points at the end.
-  std::vector<std::string> in_order(std::span<const Asked> asked);
+  std::vector<std::string> in_order(std::span<const PointRequest> requested);
 
   /// Takes the rows measured by shards; none may be missing. Throws InputError if a row cannot be read, or if
   /// the table has rows that the shards lack.
@@ -63,9 +63,9 @@ class Table {
 
  private:
   [[nodiscard]] std::string point_of(const std::string& row) const;
-  [[nodiscard]] bool has_inputs(const std::string& row, const Asked& asked) const;
+  [[nodiscard]] bool has_inputs(const std::string& row, const PointRequest& requested) const;
   /// The row that serves a point.
-  [[nodiscard]] const std::string* find(std::span<const Asked> asked, std::size_t point) const;
+  [[nodiscard]] const std::string* find(std::span<const PointRequest> requested, std::size_t point) const;
   void take(std::vector<std::string> rows);
 
   RowFormat format_;

@@ -100,8 +100,8 @@ TEST_CASE("where no choice meets all wishes, advise says what is in the way and 
   const Folder folder;
   const std::string ask = "advise " + model("old_example011") + narrow + " --no-plots --max-wrong-pixels 1000 ";
   const Outcome fast = run(ask + "--min-fps 1e6 -o " + (folder / "a"));
-  fails(fast, 1, {"no choice meets all wishes", "frames/s too few"});
-  CHECK(fast.out.find("conflicting wish: at least 1e+06 frames/s") != std::string::npos);
+  fails(fast, 1, {"no choice meets all requirements", "frames/s too few"});
+  CHECK(fast.out.find("conflicting requirement: at least 1e+06 frames/s") != std::string::npos);
   CHECK(fast.out.find("rebroadcast") != std::string::npos);
   const nlohmann::json recommended = json(folder / "a/advise.json")["recommendations"];
   REQUIRE(recommended.size() == 1);
@@ -119,9 +119,10 @@ TEST_CASE("where no choice meets all wishes, advise says what is in the way and 
   // 12 bits of each depth, 24 of colour and the mask.
   const Outcome tight = run(ask + "--max-bits 47");
   fails(tight, 1, {"2 bits too many"});
-  CHECK(tight.out.find(
-            "conflicting wish: at least 24 bits of colour; with the others met, the best is 21 bits of colour") !=
-        std::string::npos);
+  CHECK(
+      tight.out.find(
+          "conflicting requirement: at least 24 bits of colour; with the others met, the best is 21 bits of colour") !=
+      std::string::npos);
   succeeded(run(ask + "--max-bits 49"));
 }
 

@@ -33,7 +33,7 @@ constexpr std::array pruning_rows{
 /// The row with that name; throws InputError if there is none.
 template <class Rows>
 const auto& found(const Rows& rows, const char* kind, const std::string& name) {
-  const std::vector<std::string> names = names_in(rows);
+  const std::vector<std::string> names = row_names(rows);
   const auto place = std::ranges::find(names, name);
   if (place == names.end()) throw InputError(no_such(kind, name, names));
   return rows[static_cast<std::size_t>(place - names.begin())];

@@ -50,7 +50,7 @@ std::span<const CoherenceRow> coherences();
 
 /// The names of a table of rows, or of pointers to rows.
 template <class Rows>
-std::vector<std::string> names_in(const Rows& rows) {
+std::vector<std::string> row_names(const Rows& rows) {
   std::vector<std::string> names;
   names.reserve(rows.size());
   for (const auto& row : rows) {

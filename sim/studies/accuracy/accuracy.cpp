@@ -69,7 +69,7 @@ Knobs knobs_of(const Options& options, const machines::Machine& machine, const m
   Knobs knobs;
   if (!options.knobs.empty()) knobs.names = session::parse_words(options.knobs);
   knobs.tolerances =
-      options.tolerances.empty() ? usual_tolerances(scene.box.diagonal()) : tolerances_in(options.tolerances);
+      options.tolerances.empty() ? default_tolerances(scene.box.diagonal()) : parse_tolerances(options.tolerances);
   if (std::ranges::find(knobs.names, "curves") != knobs.names.end())
     knobs.curves = curves_of(options, machine, tree, camera);
   return knobs;
@@ -87,14 +87,14 @@ class Accuracy : public StudyOf<Measurement> {
         .option("--tolerances", options_.tolerances,
                 "Faceting tolerances in model units, separated by commas; default: fractions of the model's "
                 "diagonal")
-        .check(session::is_read_by(tolerances_in));
+        .check(session::is_read_by(parse_tolerances));
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return options_.model.inputs(); }
   [[nodiscard]] std::string table_model() const override { return options_.model.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     machine_ = session::machine_of(options_.model);
     session::ModelFile file = session::read_model_file(options_.model);
     const Inputs inputs{file.hash, machines::hash_of(machine_), session::version_and_build()};
@@ -112,10 +112,10 @@ class Accuracy : public StudyOf<Measurement> {
     std::erase_if(points_, [&](const Settings& point) { return !known.insert(cells_of(point)).second; });
     meter_ = std::make_unique<Meter>(tree_, turned_views(camera, options_.views), machine_,
                                      session::emit_options_of(options_.model));
-    std::vector<Asked> asked;
-    for (const Settings& point : points_) asked.push_back({cells_of(point), inputs});
+    std::vector<PointRequest> requested;
+    for (const Settings& point : points_) requested.push_back({cells_of(point), inputs});
     inputs_ = inputs;
-    return asked;
+    return requested;
   }
 
   void print() const override { print_accuracy(rows(), options_.views); }
@@ -130,7 +130,7 @@ class Accuracy : public StudyOf<Measurement> {
   }
 
  protected:
-  [[nodiscard]] Measurement measured(std::size_t point) override {
+  [[nodiscard]] Measurement measure_point(std::size_t point) override {
     const view::Sampling& sampling = points_[point].sampling;
     Measurement row = session::with_memory_for_picture({sampling.width, sampling.height, machine_.array.memory_bits},
                                                        [&] { return meter_->measure(points_[point]); });

@@ -125,7 +125,7 @@ std::vector<std::string> knob_names() {
   return names;
 }
 
-std::vector<double> usual_tolerances(double diagonal) {
+std::vector<double> default_tolerances(double diagonal) {
   return {1e-2 * diagonal, 3e-3 * diagonal, 1e-3 * diagonal, 3e-4 * diagonal, 1e-4 * diagonal};
 }
 

@@ -57,7 +57,7 @@ struct Knobs {
 };
 
 /// The default tolerances in model units: fractions of the diagonal.
-std::vector<double> usual_tolerances(double diagonal);
+std::vector<double> default_tolerances(double diagonal);
 
 /// The points of a study around `base`.
 std::vector<Settings> points(const view::Sampling& base, const facet::Faceting& faceting, const Knobs& knobs);

@@ -52,13 +52,13 @@ void print_front(std::span<const Measurement> rows) {
 }
 
 void print_equal(std::span<const Measurement> rows) {
-  for (const EqualFacets& one : facets_as_right(rows)) {
+  for (const EqualFacets& one : equally_accurate_facets(rows)) {
     fmt::print("\n{} curves: {} clocks, {} wrong for the curved surfaces\n", one.curved.value,
                grouped(one.curved.clocks), session::counted(one.curved.facet_wrong, "pixel"));
     fmt::print(
         "{}: {} {}, {} clocks (factor {:.3g}), {} wrong\n",
-        one.as_right ? "Facets of equal accuracy" : "No measured facets are as accurate; closest", one.facets.knob,
-        one.facets.value, grouped(one.facets.clocks),
+        one.is_as_accurate ? "Facets of equal accuracy" : "No measured facets are as accurate; closest",
+        one.facets.knob, one.facets.value, grouped(one.facets.clocks),
         static_cast<double>(one.facets.clocks) / static_cast<double>(std::max<std::uint64_t>(one.curved.clocks, 1)),
         session::counted(one.facets.facet_wrong, "pixel"));
   }
@@ -194,7 +194,7 @@ std::vector<Halving> halvings(std::span<const Measurement> front) {
   return steps;
 }
 
-std::vector<EqualFacets> facets_as_right(std::span<const Measurement> rows) {
+std::vector<EqualFacets> equally_accurate_facets(std::span<const Measurement> rows) {
   std::vector<EqualFacets> all;
   for (const Measurement& curved : rows) {
     if (curved.knob != "curves" || is_faceted(curved)) continue;

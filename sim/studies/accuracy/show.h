@@ -33,13 +33,13 @@ std::vector<Halving> halvings(std::span<const Measurement> front);
 struct EqualFacets {
   Measurement curved;
   Measurement facets;  ///< cheapest facets that are at least as accurate; if there are none, the most accurate
-  bool as_right =
+  bool is_as_accurate =
       false;  ///< whether the facets have no more wrong pixels, compared with the curved surfaces, than `curved`
 };
 
 /// One entry for each way to draw curved surfaces without facets, if facets were measured too: those of the knobs fn
 /// and tolerance, and those of the model.
-std::vector<EqualFacets> facets_as_right(std::span<const Measurement> rows);
+std::vector<EqualFacets> equally_accurate_facets(std::span<const Measurement> rows);
 
 /// Prints the points, the front, and the cost of facets that are as accurate as curved surfaces.
 void print_accuracy(std::span<const Measurement> rows, unsigned views);

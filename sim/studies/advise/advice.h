@@ -14,36 +14,37 @@
 namespace csgsim::studies {
 
 /// Requirements of a choice. Limits are inclusive.
-struct Wishes {
+struct Requirements {
   std::uint32_t max_bits = 0;          ///< memory bits per pixel
   std::uint64_t max_wrong_pixels = 0;  ///< wrong pixels of the picture
   double min_fps = 0;                  ///< frames per second
   unsigned min_colour_bits = 0;
 };
 
-enum class Wish : std::uint8_t { bits, wrong_pixels, speed, colour };
+enum class Requirement : std::uint8_t { bits, wrong_pixels, speed, colour };
 
-inline constexpr Wish all_wishes[] = {Wish::bits, Wish::wrong_pixels, Wish::speed, Wish::colour};
+inline constexpr Requirement all_requirements[] = {Requirement::bits, Requirement::wrong_pixels, Requirement::speed,
+                                                   Requirement::colour};
 
 /// Description of a requirement.
-struct WishKind {
+struct RequirementKind {
   const char* best;   ///< name of the choice that is best by it
   const char* key;    ///< key of the limit in JSON
   const char* title;  ///< title of the limit on a page
-  bool is_least;      ///< whether the limit is a minimum
-  double (*limit)(const Wishes& wishes);
+  bool is_minimum;    ///< whether the limit is a minimum
+  double (*limit)(const Requirements& requirements);
   double (*value)(const DesignRow& row);
-  std::string (*limit_text)(const Wishes& wishes);
+  std::string (*limit_text)(const Requirements& requirements);
   std::string (*value_text)(const DesignRow& row);
   std::string (*miss_text)(double by);
 };
 
-const WishKind& kind_of(Wish wish);
+const RequirementKind& kind_of(Requirement requirement);
 
 /// How far a choice misses a requirement, in the requirement's unit (bits, pixels, frames/s); 0 if it is met.
-double miss(const AdviceRow& row, Wish wish, const Wishes& wishes);
+double miss(const AdviceRow& row, Requirement requirement, const Requirements& requirements);
 
-bool meets_all(const AdviceRow& row, const Wishes& wishes);
+bool meets_all(const AdviceRow& row, const Requirements& requirements);
 
 /// The Pareto front in memory bits, ALU width, time between frames (then clocks), wrong pixels and colour bits. Fewest
 /// memory bits first; choices that are equal in all of these are listed once.
@@ -51,20 +52,21 @@ std::vector<AdviceRow> advice_front(std::span<const AdviceRow> rows);
 
 /// The best choice by one requirement.
 struct Recommendation {
-  Wish wish{};
+  Requirement requirement{};
   AdviceRow row;
-  double miss = 0;  ///< by how much `wish` itself is missed, as returned by miss()
+  double miss = 0;  ///< by how much `requirement` itself is missed, as returned by miss()
 };
 
 /// The best choice for each requirement among those that meet all others: fewest bits, fewest wrong pixels, highest
 /// frame rate, most colour bits. Ties are broken by memory bits, ALU width, time, and wrong pixels. A requirement is
 /// omitted if no choice meets all others. A recommendation misses nothing if and only if all requirements can be met
 /// together.
-std::vector<Recommendation> recommend(std::span<const AdviceRow> rows, const Wishes& wishes);
+std::vector<Recommendation> recommend(std::span<const AdviceRow> rows, const Requirements& requirements);
 
-/// Up to `most` choices that have a Program, closest to the requirements first: those that miss the fewest
+/// Up to `max_count` choices that have a Program, closest to the requirements first: those that miss the fewest
 /// requirements, and among these those with the smallest relative misses.
-std::vector<AdviceRow> nearest_choices(std::span<const AdviceRow> rows, const Wishes& wishes, std::size_t most);
+std::vector<AdviceRow> nearest_choices(std::span<const AdviceRow> rows, const Requirements& requirements,
+                                       std::size_t max_count);
 
 /// Result of a search.
 struct Advice {

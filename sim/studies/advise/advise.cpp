@@ -31,8 +31,7 @@ void check_by_drawing(const AdviseOptions& options, const AdviceQuestion& questi
   measured.colour_bits = {row.point.colour_bits};
   const Job job = question.job_of(options, row.point);
   if (to_line(AdviceRow(DesignMeter(measured).measure(row.point, job))) == to_line(row)) return;
-  if (are_read)
-    throw InputError("drawing a recommended choice gives another result than its row; " + whose_fault(true));
+  if (are_read) throw InputError("drawing a recommended choice gives another result than its row; " + fault_hint(true));
   throw std::logic_error("drawing a recommended choice gave another result than before");
 }
 
@@ -44,13 +43,14 @@ std::string picture_name(const AdviseOptions& options, const std::string& what) 
 
 Advice advice_of(const AdviseOptions& options, const session::OptionList& command, const AdviceQuestion& question,
                  Rows rows, bool are_read) {
-  Advice advice{recommend(rows, question.wishes), {}};
+  Advice advice{recommend(rows, question.requirements), {}};
   for (const Recommendation& one : advice.recommendations) {
     check_by_drawing(options, question, one.row, are_read);
-    advice.commands.push_back(render_command(options, command, one.row, picture_name(options, kind_of(one.wish).best)));
+    advice.commands.push_back(
+        render_command(options, command, one.row, picture_name(options, kind_of(one.requirement).best)));
   }
-  const AdviceRow nearest = nearest_choices(rows, question.wishes, 1).front();
-  if (meets_all(nearest, question.wishes)) return advice;
+  const AdviceRow nearest = nearest_choices(rows, question.requirements, 1).front();
+  if (meets_all(nearest, question.requirements)) return advice;
   check_by_drawing(options, question, nearest, are_read);
   advice.nearest = nearest;
   advice.nearest_command = render_command(options, command, nearest, picture_name(options, "nearest"));
@@ -68,8 +68,8 @@ std::vector<report::Picture> pictures_of(const AdviseOptions& options, const Adv
       known->second += ", " + name;
     }
   };
-  for (const Recommendation& one : advice.recommendations) add(one.row, kind_of(one.wish).best);
-  if (advice.nearest) add(*advice.nearest, "closest to all wishes");
+  for (const Recommendation& one : advice.recommendations) add(one.row, kind_of(one.requirement).best);
+  if (advice.nearest) add(*advice.nearest, "closest to all requirements");
   std::vector<report::Picture> pictures;
   pictures.reserve(choices.size());
   for (const auto& [row, name] : choices) pictures.push_back(picture_of(options, row, name));
@@ -82,10 +82,11 @@ std::vector<report::PointColumn> advised_columns() {
       "frames_per_second,wrong");
 }
 
-report::Table wishes_table(const report::Json& data) {
-  report::Table table{"Wishes", {"wish", "value"}, {}};
-  for (const Wish wish : all_wishes)
-    table.rows.push_back({{kind_of(wish).title}, report::cell(data, std::string("/wishes/") + kind_of(wish).key)});
+report::Table requirements_table(const report::Json& data) {
+  report::Table table{"Requirements", {"requirement", "value"}, {}};
+  for (const Requirement requirement : all_requirements)
+    table.rows.push_back(
+        {{kind_of(requirement).title}, report::cell(data, std::string("/wishes/") + kind_of(requirement).key)});
   return table;
 }
 
@@ -100,11 +101,12 @@ std::vector<std::string> recommended(const report::Json& data) {
 
 report::Cell name_of(const report::Json& data, const std::string& at) {
   const report::Cell what = report::cell(data, at + "/what");
-  return what.at.empty() ? report::Cell{"closest to all wishes"} : what;
+  return what.at.empty() ? report::Cell{"closest to all requirements"} : what;
 }
 
 report::Table recommendations_table(const report::Json& data) {
-  report::Table table{"Best choice by each wish", {"best by", "meets all wishes", "misses its own by"}, {}};
+  report::Table table{
+      "Best choice by each requirement", {"best by", "meets all requirements", "misses its own by"}, {}};
   const std::vector<report::PointColumn> columns = advised_columns();
   for (const report::PointColumn& column : columns) table.columns.emplace_back(column.title);
   for (const std::string& at : recommended(data)) {
@@ -130,9 +132,10 @@ report::Section recommendations(const report::Json& data, std::uint64_t searched
                                 std::vector<report::Picture> pictures) {
   const char* const outcome =
       data["meets_all"].get<bool>()
-          ? "Each of these is the best by one wish among the choices that meet the others."
-          : "No choice meets all wishes. Each of these is the best by one wish among the choices that meet the others; "
-            "the last column of the wish shows how far it is missed.";
+          ? "Each of these is the best by one requirement among the choices that meet the others."
+          : "No choice meets all requirements. Each of these is the best by one requirement among the choices that "
+            "meet the others; "
+            "the last column of the requirement shows how far it is missed.";
   report::Section section{"Recommendations",
                           {report::Paragraph{fmt::format("{} choices were searched; {} of them cannot be drawn.",
                                                          grouped(searched), grouped(refused))},
@@ -140,7 +143,7 @@ report::Section recommendations(const report::Json& data, std::uint64_t searched
   if (!pictures.empty()) section.parts.emplace_back(report::Gallery{std::move(pictures)});
   section.parts.emplace_back(recommendations_table(data));
   section.parts.emplace_back(commands_table(data));
-  section.parts.emplace_back(wishes_table(data));
+  section.parts.emplace_back(requirements_table(data));
   return section;
 }
 
@@ -148,11 +151,11 @@ class Advise : public StudyOf<AdviceRow> {
  public:
   void add_options(session::OptionList& command) override {
     options_.add_to(command);
-    asked_ = &command;
+    command_ = &command;
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return options_.model.inputs(); }
-  /// One table serves all wishes and all ranges.
+  /// One table serves all requirements and all ranges.
   [[nodiscard]] std::set<std::string> varied() const override {
     const std::vector<std::string> own = own_options();
     std::set<std::string> names(own.begin(), own.end());
@@ -163,30 +166,30 @@ class Advise : public StudyOf<AdviceRow> {
   [[nodiscard]] std::string table_model() const override { return options_.model.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     question_ = question_of(options_);
     meter_ = std::make_unique<DesignMeter>(question_.measured);
-    std::vector<Asked> asked;
+    std::vector<PointRequest> requested;
     for (const DesignPoint& point : question_.points)
-      asked.push_back({point_cells<AdviceRow>(point), question_.jobs.begin()->second.inputs});
-    return asked;
+      requested.push_back({point_cells<AdviceRow>(point), question_.jobs.begin()->second.inputs});
+    return requested;
   }
 
   void print() const override {
     const machines::Size size = question_.jobs.begin()->second.machine.picture;
     print_question(
         fmt::format("{}, {} x {} pixels, on {}", options_.model.model, size.width, size.height, options_.model.machine),
-        rows(), question_.wishes);
-    studies::print_front(rows(), question_.wishes);
-    print_advice(advice_, question_.wishes);
+        rows(), question_.requirements);
+    studies::print_front(rows(), question_.requirements);
+    print_advice(advice_, question_.requirements);
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    return advice_json(title, question_.wishes, rows(), advice_);
+    return advice_json(title, question_.requirements, rows(), advice_);
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
-    return {plot_of_advice(rows(), question_.wishes, advice_.recommendations, plot_stem(options_.model.model))};
+    return {plot_of_advice(rows(), question_.requirements, advice_.recommendations, plot_stem(options_.model.model))};
   }
 
   [[nodiscard]] std::string page_title() const override { return "Cheapest memory"; }
@@ -210,21 +213,22 @@ class Advise : public StudyOf<AdviceRow> {
 
   void refuse() const override {
     if (std::ranges::any_of(rows(), [](const AdviceRow& row) { return row.unexplained > 0; }))
-      throw InputError("the errors of a picture exceed the bounds of docs/numbers.md; " + whose_fault(are_read()));
+      throw InputError("the errors of a picture exceed the bounds of docs/numbers.md; " + fault_hint(are_read()));
     if (advice_.nearest)
-      throw InputError("no choice meets all wishes; the closest one has " +
-                       misses_text(*advice_.nearest, question_.wishes));
+      throw InputError("no choice meets all requirements; the closest one has " +
+                       misses_text(*advice_.nearest, question_.requirements));
   }
 
  protected:
-  [[nodiscard]] AdviceRow measured(std::size_t point) override {
+  [[nodiscard]] AdviceRow measure_point(std::size_t point) override {
     const DesignPoint& design = question_.points[point];
     return AdviceRow(meter_->measure(design, question_.job_of(options_, design)));
   }
 
   /// Adjacent points with the same z bits and fraction bits share one exact picture, which would block threads that
   /// need it at the same time. Each thread therefore works on another picture.
-  [[nodiscard]] std::vector<std::size_t> in_turn(std::span<const std::size_t> points, unsigned threads) const override {
+  [[nodiscard]] std::vector<std::size_t> measuring_order(std::span<const std::size_t> points,
+                                                         unsigned threads) const override {
     std::map<std::pair<unsigned, unsigned>, std::size_t> pictures;
     std::vector<std::size_t> counts;  // number of points per picture
     std::vector<std::tuple<std::size_t, std::size_t, std::size_t>> turns;
@@ -244,12 +248,12 @@ class Advise : public StudyOf<AdviceRow> {
 
   void conclude() override {
     if (std::ranges::none_of(rows(), &AdviceRow::compiled)) throw InputError(rows().front().reason);
-    advice_ = advice_of(options_, *asked_, question_, rows(), are_read());
+    advice_ = advice_of(options_, *command_, question_, rows(), are_read());
   }
 
  private:
   AdviseOptions options_;
-  const session::OptionList* asked_ = nullptr;
+  const session::OptionList* command_ = nullptr;
   AdviceQuestion question_;
   std::unique_ptr<DesignMeter> meter_;
   studies::Advice advice_;
@@ -265,7 +269,7 @@ extern const StudyRow advise_row{
         "  csgsim advise carburettor.csg --alu-bits 1,2,4,8 --min-colour-bits 12 -o carburettor-advice\n"
         "Lists are separated by commas, ranges are written 3..8; every combination is measured. Results are "
         "kept in\n"
-        "advise.csv; after an interruption, the same command resumes, and changed wishes need no new =>"
+        "advise.csv; after an interruption, the same command resumes, and changed requirements need no new =>"
         "measurements.",
     .plots = "a plot (.png, .svg) of frame rate against memory",
     .folder = Folder::optional,

@@ -46,14 +46,14 @@ constexpr Searched searched[] = {
     {"colour-bits", &AdviseOptions::colour_bits}, {"colouring", &AdviseOptions::colourings},
     {"strategy", &AdviseOptions::strategies},     {"stack-bits", &AdviseOptions::stack_bits}};
 
-Texts texts_of_numbers(const std::string& list, unsigned least, unsigned most) {
+Texts texts_of_numbers(const std::string& list, unsigned minimum, unsigned maximum) {
   Texts texts;
-  for (const unsigned number : session::parse_numbers(list, least, most)) texts.push_back(std::to_string(number));
+  for (const unsigned number : session::parse_numbers(list, minimum, maximum)) texts.push_back(std::to_string(number));
   return texts;
 }
 
 /// The values of a list; empty for an empty list of strategies or ALU widths.
-Texts values_in(std::string_view key, const std::string& list) {
+Texts parse_values(std::string_view key, const std::string& list) {
   if (key == "alu-bits") return list.empty() ? Texts{} : texts_of_numbers(list, 1, isa::max_field_width);
   if (key == "fraction-bits") return texts_of_numbers(list, 0, most_fraction_bits);
   if (key == "strategy" && list.empty()) return {};
@@ -74,12 +74,12 @@ std::string machine_name(const AdviseOptions& options, unsigned alu_bits) {
 
 /// {0} if the machine's kind has no ALU width.
 std::vector<unsigned> alu_widths(const AdviseOptions& options, const machines::Machine& machine) {
-  std::vector<unsigned> asked;
-  for (const std::string& bits : values_in("alu-bits", options.alu_bits))
-    asked.push_back(static_cast<unsigned>(std::stoul(bits)));
+  std::vector<unsigned> requested;
+  for (const std::string& bits : parse_values("alu-bits", options.alu_bits))
+    requested.push_back(static_cast<unsigned>(std::stoul(bits)));
   if (std::ranges::find(machine.figures, alu_figure, &machines::Figure::key) != machine.figures.end())
-    return asked.empty() ? std::vector<unsigned>{machine.alu_bits} : asked;
-  if (!asked.empty())
+    return requested.empty() ? std::vector<unsigned>{machine.alu_bits} : requested;
+  if (!requested.empty())
     throw session::UsageError("--alu-bits", "machine " + machine.name + " has no parameter alu.bits; omit the option");
   return {0};
 }
@@ -93,7 +93,7 @@ Texts usual_strategies(const machines::Machine& machine) {
 std::vector<Dimension> dimensions_of(const AdviseOptions& options, const machines::Machine& machine) {
   std::vector<Dimension> dimensions;
   for (const Searched& one : searched) {
-    Texts values = values_in(one.key, options.*one.list);
+    Texts values = parse_values(one.key, options.*one.list);
     dimensions.push_back({one.key, values.empty() ? usual_strategies(machine) : std::move(values)});
   }
   return dimensions;
@@ -161,12 +161,12 @@ AdviceQuestion question_of(const AdviseOptions& options) {
       question.points.push_back(point);
     }
   }
-  for (const std::string& bits : values_in("colour-bits", options.colour_bits))
+  for (const std::string& bits : parse_values("colour-bits", options.colour_bits))
     question.measured.colour_bits.push_back(static_cast<unsigned>(std::stoul(bits)));
-  question.measured.most_bits = std::max(machine.array.memory_bits, most_fitted_bits);
-  question.wishes = {options.max_bits.value_or(machine.array.memory_bits),
-                     options.max_wrong_pixels.value_or(default_wrong_pixels), options.min_fps.value_or(0.0),
-                     options.min_colour_bits.value_or(std::ranges::max(question.measured.colour_bits))};
+  question.measured.max_bits = std::max(machine.array.memory_bits, max_fitted_bits);
+  question.requirements = {options.max_bits.value_or(machine.array.memory_bits),
+                           options.max_wrong_pixels.value_or(default_wrong_pixels), options.min_fps.value_or(0.0),
+                           options.min_colour_bits.value_or(std::ranges::max(question.measured.colour_bits))};
   return question;
 }
 
@@ -191,18 +191,20 @@ void AdviseOptions::add_to(session::OptionList& command) {
   model.add_to(command);
   command.remove("--memory-bits");
   for (const Searched& one : searched) command.remove(std::string("--") + one.key);
-  command.option("--max-bits", max_bits, "Wish: maximum memory bits per pixel; default: those of the machine")
+  command.option("--max-bits", max_bits, "Requirement: maximum memory bits per pixel; default: those of the machine")
       .between(1U, isa::max_memory_bits);
   command.option("--max-wrong-pixels", max_wrong_pixels,
-                 fmt::format("Wish: maximum number of pixels that differ from the exact picture; default: {}",
+                 fmt::format("Requirement: maximum number of pixels that differ from the exact picture; default: {}",
                              default_wrong_pixels));
-  command.option("--min-fps", min_fps, "Wish: minimum frames per second; default: no minimum").check(not_negative);
+  command.option("--min-fps", min_fps, "Requirement: minimum frames per second; default: no minimum")
+      .check(not_negative);
   command
-      .option("--min-colour-bits", min_colour_bits, "Wish: minimum colour bits; default: the maximum of --colour-bits")
+      .option("--min-colour-bits", min_colour_bits,
+              "Requirement: minimum colour bits; default: the maximum of --colour-bits")
       .between(isa::fewest_colour_bits, isa::most_colour_bits);
   const auto add = [&](const char* key, std::string& list, const std::string& help) {
     command.option(std::string("--") + key, list, help).check(session::is_read_by([key](const std::string& text) {
-      return values_in(key, text);
+      return parse_values(key, text);
     }));
   };
   add("strategy", strategies,

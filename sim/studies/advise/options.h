@@ -37,7 +37,7 @@ struct AdviseOptions {
   [[nodiscard]] session::ModelRequest design(const DesignPoint& point) const;
 };
 
-/// Names of the options for wishes and lists. All others are those of `csgsim render`, except the options without
+/// Names of the options for requirements and lists. All others are those of `csgsim render`, except the options without
 /// effect on results.
 std::vector<std::string> own_options();
 
@@ -46,7 +46,7 @@ struct AdviceQuestion {
   std::vector<DesignPoint> points;  ///< z bits and fraction bits vary slowest, ALU widths fastest
   std::map<unsigned, Job> jobs;     ///< by ALU width; the point supplies the other settings
   DesignQuestion measured;
-  Wishes wishes;
+  Requirements requirements;
 
   [[nodiscard]] Job job_of(const AdviseOptions& options, const DesignPoint& point) const;
 };

@@ -29,22 +29,22 @@ namespace {
 
 constexpr const char* no_coherence = "none";
 
-std::vector<std::string> methods_in(const std::string& text) {
-  return session::parse_names(text, "method", software::names_in(software::methods()));
+std::vector<std::string> parse_methods(const std::string& text) {
+  return session::parse_names(text, "method", software::row_names(software::methods()));
 }
-std::vector<std::string> coherences_in(const std::string& text) {
-  return session::parse_names(text, "coherence", software::names_in(software::coherences()));
+std::vector<std::string> parse_coherences(const std::string& text) {
+  return session::parse_names(text, "coherence", software::row_names(software::coherences()));
 }
-std::vector<std::string> shapes_in(const std::string& text) {
-  return session::parse_names(text, "shape", software::names_in(software::shapes()));
+std::vector<std::string> parse_shapes(const std::string& text) {
+  return session::parse_names(text, "shape", software::row_names(software::shapes()));
 }
 std::vector<std::string> reductions_in(const std::string& text) {
-  return session::parse_names(text, "reduction", software::names_in(software::prunings()));
+  return session::parse_names(text, "reduction", software::row_names(software::prunings()));
 }
 
 template <class Rows>
 std::string all_of(const Rows& rows) {
-  return fmt::format("{}", fmt::join(software::names_in(rows), ","));
+  return fmt::format("{}", fmt::join(software::row_names(rows), ","));
 }
 
 /// The rays of a picture do not depend on the classification method, so all methods must see the same surfaces.
@@ -65,17 +65,17 @@ class Classify : public StudyOf<ClassifyRow> {
   void add_options(session::OptionList& command) override {
     add_model_without_machine(options_, command);
     command.option("--methods", methods_, "Methods, separated by commas; see csgsim manual methods")
-        .words(software::names_in(software::methods()), session::is_read_by(methods_in));
+        .words(software::row_names(software::methods()), session::is_read_by(parse_methods));
     command
         .option("--coherences", coherences_,
                 "Coherences, separated by commas: the data that methods keep between points")
-        .words(software::names_in(software::coherences()), session::is_read_by(coherences_in));
+        .words(software::row_names(software::coherences()), session::is_read_by(parse_coherences));
     command.option("--shapes", shapes_, "Shapes of the tree, separated by commas")
-        .words(software::names_in(software::shapes()), session::is_read_by(shapes_in));
+        .words(software::row_names(software::shapes()), session::is_read_by(parse_shapes));
     command
         .option("--reduced", reduced_,
                 "Ways to prune trees in advance, separated by commas: for cells of the picture, inside a primitive")
-        .words(software::names_in(software::prunings()), session::is_read_by(reductions_in));
+        .words(software::row_names(software::prunings()), session::is_read_by(reductions_in));
     add_processors(command, processors_);
     json_.add_to(command, "Write the surfaces that each ray intersects, in order, and the visible one");
   }
@@ -89,7 +89,7 @@ class Classify : public StudyOf<ClassifyRow> {
   [[nodiscard]] std::string table_model() const override { return options_.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     const machines::Machine machine = session::machine_of(options_);
     session::ModelFile file = session::read_model_file(options_);
     tree_ = std::move(file.tree);
@@ -97,24 +97,24 @@ class Classify : public StudyOf<ClassifyRow> {
     view_ = view::make_view(*geometry_, tree_, session::camera_of(options_, machine, tree_, *geometry_),
                             session::sampling_of(options_, machine));
     inputs_ = {file.hash, machines::hash_of(machine), session::version_and_build()};
-    std::vector<Asked> asked;
-    for (const std::string& shape : shapes_in(shapes_)) {
+    std::vector<PointRequest> requested;
+    for (const std::string& shape : parse_shapes(shapes_)) {
       for (const std::string& reduced : reductions_in(reduced_)) add_points(shape, reduced);
     }
-    for (const ClassifyPoint& point : points_) asked.push_back({to_line(point), inputs_});
+    for (const ClassifyPoint& point : points_) requested.push_back({to_line(point), inputs_});
     write_events(json_, inputs(), {tree_, *geometry_, view_, survey_});
-    return asked;
+    return requested;
   }
 
   void print() const override {
     fmt::print("{}: cost of classifying its rays, as in tables 4.9 and 4.10 of the thesis\n",
                printable(session::shown_name(options_.model)));
-    print_classification(rows(), processors_in(processors_));
+    print_classification(rows(), parse_processors(processors_));
     if (difference_of(rows()).empty()) fmt::print("\nAll methods see the same surfaces at every pixel.\n");
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    const std::vector<software::Priced> processors = processors_in(processors_);
+    const std::vector<software::Priced> processors = parse_processors(processors_);
     const SetPoint columns = setter_of(std::span<const ClassifyRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
@@ -129,7 +129,7 @@ class Classify : public StudyOf<ClassifyRow> {
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
-    return plots_of_classification(rows(), processors_in(processors_), plot_stem(options_.model));
+    return plots_of_classification(rows(), parse_processors(processors_), plot_stem(options_.model));
   }
 
   [[nodiscard]] std::string page_title() const override { return "Cost of classifying rays"; }
@@ -138,24 +138,24 @@ class Classify : public StudyOf<ClassifyRow> {
   void refuse() const override {
     if (std::ranges::none_of(rows(), &ClassifyRow::drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
-      throw InputError(difference + "; " + whose_fault(are_read()));
+      throw InputError(difference + "; " + fault_hint(are_read()));
   }
 
  protected:
-  [[nodiscard]] ClassifyRow measured(std::size_t point) override {
+  [[nodiscard]] ClassifyRow measure_point(std::size_t point) override {
     return studies::measure(points_[point], inputs_, {tree_, *geometry_, view_, survey_});
   }
 
  private:
   /// Adds all methods, each with all coherences. Methods that take whole rays have no coherence and no reduced trees.
   void add_points(const std::string& shape, const std::string& reduced) {
-    for (const std::string& method : methods_in(methods_)) {
+    for (const std::string& method : parse_methods(methods_)) {
       const software::Choice choice = software::choice_of(method);
       if (choice.coherence == nullptr) {
         if (reduced == reductions_in("none").front()) points_.push_back({method, no_coherence, shape, reduced});
         continue;
       }
-      for (const std::string& coherence : coherences_in(coherences_))
+      for (const std::string& coherence : parse_coherences(coherences_))
         points_.push_back({method, coherence, shape, reduced});
     }
   }

@@ -48,7 +48,7 @@ struct ClassifyRow {
   std::uint64_t sequences = 0;
   std::uint64_t different_sequences = 0;
   std::uint64_t combinations = 0;
-  std::uint64_t most_points = 0;
+  std::uint64_t max_points = 0;
   std::uint64_t points = 0;
   std::uint64_t evaluations = 0;
   std::uint64_t looked_up = 0;
@@ -84,7 +84,7 @@ struct ClassifyRow {
     visit("sequences", row.sequences);
     visit("different_sequences", row.different_sequences);
     visit("combinations", row.combinations);
-    visit("most_points", row.most_points);
+    visit("most_points", row.max_points);
     visit("points", row.points);
     visit("evaluations", row.evaluations);
     visit("looked_up", row.looked_up);

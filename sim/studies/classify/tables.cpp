@@ -47,7 +47,7 @@ void print_rays(Rows rows) {
   add("sequences", drawn->sequences);
   add("different sequences", drawn->different_sequences);
   add("combinations of primitives", drawn->combinations);
-  lines.push_back({"maximum points of a ray", grouped(drawn->most_points), ""});
+  lines.push_back({"maximum points of a ray", grouped(drawn->max_points), ""});
   for (const std::string& coherence : coherences_of(rows)) {
     const auto row = std::ranges::find_if(
         rows, [&](const ClassifyRow& one) { return one.drawn() && one.point.coherence == coherence; });
@@ -102,7 +102,7 @@ void print_best(Rows rows, std::span<const software::Priced> processors) {
 }
 
 template <class Member>
-std::vector<std::string> different(Rows rows, Member member) {
+std::vector<std::string> distinct_values(Rows rows, Member member) {
   std::vector<std::string> names;
   for (const ClassifyRow& row : rows) {
     const std::string& name = row.point.*member;
@@ -113,8 +113,8 @@ std::vector<std::string> different(Rows rows, Member member) {
 
 }  // namespace
 
-std::vector<std::string> methods_of(Rows rows) { return different(rows, &ClassifyPoint::method); }
-std::vector<std::string> coherences_of(Rows rows) { return different(rows, &ClassifyPoint::coherence); }
+std::vector<std::string> methods_of(Rows rows) { return distinct_values(rows, &ClassifyPoint::method); }
+std::vector<std::string> coherences_of(Rows rows) { return distinct_values(rows, &ClassifyPoint::coherence); }
 
 const ClassifyRow* row_of(Rows rows, const std::string& method, const std::string& coherence) {
   const auto row = std::ranges::find_if(

@@ -133,9 +133,9 @@ void print_row(const ComparisonRow& row, std::size_t width) {
 void print_ideal_rows(Rows rows) {
   const std::size_t width = name_width(rows);
   fmt::print("{:<{}}{:<28}{:>13}{:>11}{:>9}{:>9}\n", "machine", width, "ideal", "clocks", "ms", "with host", "gain %");
-  const ComparisonRow* as_it_is = nullptr;
+  const ComparisonRow* as_described = nullptr;
   for (const ComparisonRow& row : rows) {
-    if (row.point.ideal.empty()) as_it_is = &row;
+    if (row.point.ideal.empty()) as_described = &row;
     fmt::print("{:<{}}{:<28}", row.point.machine, width, row.point.ideal.empty() ? "as described" : row.point.ideal);
     if (!row.drawn()) {
       fmt::print("  {}\n", row.reason);
@@ -143,8 +143,8 @@ void print_ideal_rows(Rows rows) {
     }
     fmt::print("{:>13}{:>11.2f}{:>9.4g}", grouped(row.clocks), row.simulated_seconds * 1e3,
                row.hosted_frames_per_second);
-    if (as_it_is != nullptr && as_it_is->drawn())
-      fmt::print("{:>9.2f}", 100.0 * (1.0 - row.simulated_seconds / as_it_is->simulated_seconds));
+    if (as_described != nullptr && as_described->drawn())
+      fmt::print("{:>9.2f}", 100.0 * (1.0 - row.simulated_seconds / as_described->simulated_seconds));
     fmt::print("\n");
   }
 }
@@ -162,19 +162,19 @@ void print_rows(Rows rows) {
 /// The gain of each idealisation of a machine relative to the machine as described, whose row precedes them.
 report::Table worth_table(const report::Json& data) {
   report::Table table{"Gain of each idealisation", {"machine", "ideal", "clocks", "seconds", "gain"}, {}};
-  double as_it_is = 0;
+  double as_described = 0;
   for (std::size_t i = 0; i < data["points"].size(); ++i) {
     const report::Json& point = data["points"][i];
     if (!report::is_measured(point)) continue;
     const std::string at = "/points/" + std::to_string(i);
     const bool is_plain = point["ideal"].get<std::string>().empty();
-    if (is_plain) as_it_is = point["simulated_seconds"].get<double>();
+    if (is_plain) as_described = point["simulated_seconds"].get<double>();
     table.rows.push_back({report::cell(data, at + "/machine"),
                           is_plain ? report::Cell{"as described"} : report::cell(data, at + "/ideal"),
                           report::cell(data, at + "/clocks"), report::cell(data, at + "/simulated_seconds"),
-                          is_plain || as_it_is == 0
+                          is_plain || as_described == 0
                               ? report::Cell{}
-                              : report::share(as_it_is - point["simulated_seconds"].get<double>(), as_it_is)});
+                              : report::share(as_described - point["simulated_seconds"].get<double>(), as_described)});
   }
   return table;
 }
@@ -235,9 +235,9 @@ class Compare : public StudyOf<ComparisonRow> {
   }
   [[nodiscard]] std::set<std::string> varied() const override { return {"machines", "sides", "fragments", "with"}; }
   [[nodiscard]] std::string table_model() const override { return options_.model.model; }
-  [[nodiscard]] std::string usual_folder() const override { return plot_stem(options_.model.model) + "-compare"; }
+  [[nodiscard]] std::string default_folder() const override { return plot_stem(options_.model.model) + "-compare"; }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     session::ModelFile file = session::read_model_file(options_.model);
     tree_ = std::move(file.tree);
     const facet::Geometry scene = facet::make_geometry(tree_);
@@ -249,9 +249,9 @@ class Compare : public StudyOf<ComparisonRow> {
                                   session::camera_of(options_.model, machines.front().machine, tree_, scene));
       add_jobs({software.name, machines.front().machine}, software, file.hash, scene);
     }
-    std::vector<Asked> asked;
-    for (const ComparisonJob& job : jobs_) asked.push_back({to_line(job.point), job.inputs});
-    return asked;
+    std::vector<PointRequest> requested;
+    for (const ComparisonJob& job : jobs_) requested.push_back({to_line(job.point), job.inputs});
+    return requested;
   }
 
   void print() const override {
@@ -284,11 +284,11 @@ class Compare : public StudyOf<ComparisonRow> {
   void refuse() const override {
     if (std::ranges::none_of(rows(), &ComparisonRow::drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
-      throw InputError(difference + "; " + whose_fault(are_read()));
+      throw InputError(difference + "; " + fault_hint(are_read()));
   }
 
  protected:
-  [[nodiscard]] ComparisonRow measured(std::size_t point) override {
+  [[nodiscard]] ComparisonRow measure_point(std::size_t point) override {
     const ComparisonJob& job = jobs_[point];
     return session::with_memory_for_picture({job.point.width, job.point.height, job.machine.array.memory_bits},
                                             [&] { return studies::measure(job, tree_); });

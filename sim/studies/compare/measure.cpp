@@ -75,7 +75,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   }
   const observe::ClockShares shares = observe::clock_shares(program, result, stats.stats());
   row.instruction_clocks = shares.whole;
-  row.dearest = dear_primitives(shares);
+  row.dearest = costly_primitives(shares);
   const observe::FrameHashes hashes = observe::hashes_of(frame.frame());
   row.picture = hashes.picture;
   row.surfaces = hashes.surfaces;

@@ -17,7 +17,7 @@
 #include "hw/machines/machine.h"
 #include "sim/plots/plot.h"
 #include "sim/software/work.h"
-#include "sim/studies/compare/dear_cell.h"
+#include "sim/studies/compare/costly_cell.h"
 #include "sim/studies/inputs.h"
 
 namespace csgsim::studies {
@@ -73,7 +73,7 @@ struct ComparisonRow {
                            ///< not report it
   double bound_share = 0;  ///< fraction of the clocks between frames in which this unit works
   std::uint64_t instruction_clocks = 0;  ///< clocks of all instructions in all segments, plus the final latency
-  DearPrimitives dearest;                ///< most expensive primitives, with their part of these clocks
+  CostlyPrimitives dearest;              ///< most expensive primitives, with their part of these clocks
   std::string picture;                   ///< hash of depth, owner and colour of every pixel; empty for software
   std::string surfaces;                  ///< hash of depth and owner of every pixel
   std::string reason;

@@ -50,10 +50,10 @@ void print_dearest(OwnRows own) {
   fmt::print("\n");
   std::vector<std::uint64_t> rest;
   for (const ComparisonRow* row : own) rest.push_back(row->instruction_clocks);
-  for (const DearPrimitive& one : own.front()->dearest) {
+  for (const CostlyPrimitive& one : own.front()->dearest) {
     fmt::print("  {:<26}", one.name);
     for (std::size_t i = 0; i < own.size(); ++i) {
-      const auto found = std::ranges::find(own[i]->dearest, one.name, &DearPrimitive::name);
+      const auto found = std::ranges::find(own[i]->dearest, one.name, &CostlyPrimitive::name);
       if (found == own[i]->dearest.end()) {
         fmt::print("{:>{}}", "less", column_width(*own[i]));
         continue;

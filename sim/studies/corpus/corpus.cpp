@@ -48,7 +48,7 @@ std::vector<std::string> row_line(const CorpusRow& row) {
 void add_model(std::span<const CorpusRow> rows, Lines& lines) {
   const auto drawn = std::ranges::find_if(rows, &CorpusRow::drawn);
   if (drawn == rows.end()) {
-    lines.push_back({told_of(rows.front().point.model, rows.front().reason)});
+    lines.push_back({with_model_name(rows.front().point.model, rows.front().reason)});
     return;
   }
   lines.push_back(
@@ -136,9 +136,9 @@ class Corpus : public StudyOf<CorpusRow> {
   [[nodiscard]] std::set<std::string> varied() const override { return {"machines"}; }
 
   /// Requests all machines of a model before the next model.
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     JobMaker maker;
-    std::vector<Asked> asked;
+    std::vector<PointRequest> requested;
     for (const std::string& model : corpus_files(models_)) {
       for (const std::string& machine : session::parse_words(machines_)) {
         session::ModelRequest one = view_;
@@ -146,10 +146,10 @@ class Corpus : public StudyOf<CorpusRow> {
         one.machine = machine;
         points_.push_back({escaped(model), escaped(machine)});
         jobs_.push_back(maker.job_of(one));
-        asked.push_back({to_line(points_.back()), jobs_.back().inputs});
+        requested.push_back({to_line(points_.back()), jobs_.back().inputs});
       }
     }
-    return asked;
+    return requested;
   }
 
   void print() const override {
@@ -191,7 +191,7 @@ class Corpus : public StudyOf<CorpusRow> {
   void refuse() const override { refuse_models(Rows(rows()), "corpus.csv"); }
 
  protected:
-  [[nodiscard]] CorpusRow measured(std::size_t point) override {
+  [[nodiscard]] CorpusRow measure_point(std::size_t point) override {
     return studies::measure(points_[point], jobs_[point]);
   }
 

@@ -22,7 +22,7 @@ bool is_source_of(const fs::path& file, const std::vector<fs::path>& files) {
          std::ranges::find(files, fs::path(file).replace_extension(".csg")) != files.end();
 }
 
-std::vector<fs::path> models_in(const fs::path& folder) {
+std::vector<fs::path> find_models(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (auto entry = fs::recursive_directory_iterator(folder, error);
@@ -53,7 +53,7 @@ std::vector<std::string> corpus_files(const std::vector<std::string>& names) {
       add(name);
       continue;
     }
-    for (const fs::path& file : models_in(name)) add(file.native());
+    for (const fs::path& file : find_models(name)) add(file.native());
   }
   return models;
 }

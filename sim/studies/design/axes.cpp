@@ -32,7 +32,7 @@ struct Words {
   std::string_view key;
   const char* title;
   const char* prefix;
-  std::string_view unsaid{};
+  std::string_view default_value{};
 };
 
 /// An axis that copies a member of the request to a member of the point.
@@ -43,17 +43,17 @@ constexpr Axis axis(const Words& words, Texts (*values)(const std::string& list)
           words.title,
           words.prefix,
           !std::is_same_v<Value, std::string>,
-          words.unsaid,
+          words.default_value,
           values,
           [](ModelRequest& options, const std::string& value) { from_cell(value, options.*option); },
           [](const ModelRequest& options, DesignPoint& point) { point.*of_point = options.*option; },
           [](const DesignPoint& point) { return text_of(point.*of_point); }};
 }
 
-template <unsigned least, unsigned most>
+template <unsigned minimum, unsigned maximum>
 Texts numbers(const std::string& list) {
   Texts texts;
-  for (const unsigned number : session::parse_numbers(list, least, most)) texts.push_back(std::to_string(number));
+  for (const unsigned number : session::parse_numbers(list, minimum, maximum)) texts.push_back(std::to_string(number));
   return texts;
 }
 
@@ -176,7 +176,7 @@ std::string axis_words(const DesignPoint& point, std::span<const std::string_vie
   std::size_t strategy = std::string::npos;
   for (const Axis& axis : all_axes) {
     const std::string value = axis.text(point);
-    if (value.empty() || value == axis.unsaid || std::ranges::find(but, axis.key) != but.end()) continue;
+    if (value.empty() || value == axis.default_value || std::ranges::find(but, axis.key) != but.end()) continue;
     if (axis.key == "strategy") strategy = words.size();
     // The strategy precedes the colouring in a point's list, but follows it in a command.
     words.insert(axis.key == "colouring" ? std::min(strategy, words.size()) : words.size(),

@@ -22,7 +22,7 @@ struct Axis {
   const char* title;     ///< title of a plot's axis
   const char* prefix;    ///< precedes the value in the name of a series
   bool is_number;
-  std::string_view unsaid;  ///< default value, omitted from commands
+  std::string_view default_value;  ///< default value, omitted from commands
   /// Parses a list separated by commas. Throws InputError, or UsageError, for an invalid value.
   std::vector<std::string> (*values)(const std::string& list);
   void (*put)(session::ModelRequest& options, const std::string& value);  ///< sets a value returned by `values`

@@ -88,7 +88,7 @@ std::vector<std::string> explore_axis_names() {
   return names;
 }
 
-std::vector<ExploreAxis> axes_in(const std::string& text) {
+std::vector<ExploreAxis> parse_axes(const std::string& text) {
   std::vector<ExploreAxis> axes;
   for (const std::string& name : session::parse_names(text, "axis", explore_axis_names()))
     axes.push_back(*std::ranges::find(front_axes, name, &ExploreAxis::name));
@@ -105,9 +105,9 @@ std::vector<bool> pareto_of(std::span<const Values> candidates) {
   std::vector<std::size_t> front;
   for (const std::size_t one : order) {
     const Values& values = candidates[one];
-    const bool is_beaten = std::ranges::any_of(
+    const bool is_dominated = std::ranges::any_of(
         front, [&](std::size_t other) { return candidates[other] != values && is_at_most(candidates[other], values); });
-    if (is_beaten) continue;
+    if (is_dominated) continue;
     is_best[one] = true;
     front.push_back(one);
   }
@@ -137,7 +137,7 @@ std::optional<std::size_t> knee_of(std::span<const Values> candidates, const std
     }
   }
   std::optional<std::size_t> knee;
-  double least = 0;
+  double min_distance = 0;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (!front[i]) continue;
     double distance = 0;
@@ -146,9 +146,9 @@ std::optional<std::size_t> knee_of(std::span<const Values> candidates, const std
       const double part = high > low ? (stretched(candidates[i][axis], axes[axis]) - low) / (high - low) : 0;
       distance += part * part;
     }
-    if (knee && distance >= least) continue;
+    if (knee && distance >= min_distance) continue;
     knee = i;
-    least = distance;
+    min_distance = distance;
   }
   return knee;
 }

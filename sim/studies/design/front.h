@@ -29,7 +29,7 @@ std::span<const ExploreAxis> explore_axes();
 std::vector<std::string> explore_axis_names();
 
 /// Parses a list separated by commas and keeps its order. Throws InputError.
-std::vector<ExploreAxis> axes_in(const std::string& text);
+std::vector<ExploreAxis> parse_axes(const std::string& text);
 
 /// Values of a candidate, one per axis; all candidates have the same number.
 using Values = std::vector<double>;

@@ -26,25 +26,24 @@ namespace {
 using session::ModelRequest;
 using session::UsageError;
 
-constexpr std::size_t most_values = 1000;  ///< per dimension
-constexpr unsigned most_number = 2'000'000'000;
+constexpr std::size_t max_values = 1000;  ///< per dimension
+constexpr unsigned max_number = 2'000'000'000;
 
-unsigned number_of(const std::string& text, unsigned least, unsigned most) {
-  const std::vector<unsigned> numbers = session::parse_numbers(text, least, most);
+unsigned number_of(const std::string& text, unsigned minimum, unsigned maximum) {
+  const std::vector<unsigned> numbers = session::parse_numbers(text, minimum, maximum);
   if (numbers.size() != 1) throw InputError("'" + printable(text) + "' is not a number");
   return numbers.front();
 }
 
 /// Expands a range of numbers; returns any other word unchanged.
-std::vector<std::string> values_in(const std::string& word) {
+std::vector<std::string> parse_values(const std::string& word) {
   const std::size_t dots = word.find("..");
   const bool is_range = dots != word.npos && dots > 0 && word.find_first_not_of("0123456789.") == word.npos;
   if (!is_range) return {word};
-  const unsigned first = number_of(word.substr(0, dots), 0, most_number);
-  const unsigned last = number_of(word.substr(dots + 2), 0, most_number);
+  const unsigned first = number_of(word.substr(0, dots), 0, max_number);
+  const unsigned last = number_of(word.substr(dots + 2), 0, max_number);
   if (last < first) throw InputError(fmt::format("range '{}' is reversed; use {}..{}", word, last, first));
-  if (last - first >= most_values)
-    throw InputError(fmt::format("range '{}' has more than {} values", word, most_values));
+  if (last - first >= max_values) throw InputError(fmt::format("range '{}' has more than {} values", word, max_values));
   std::vector<std::string> values;
   for (unsigned number = first; number <= last; ++number) values.push_back(std::to_string(number));
   return values;
@@ -129,7 +128,7 @@ void check(const ModelRequest& base, std::span<const Dimension> dimensions) {
 }
 
 /// Number of consecutive repeated cells after which the remaining cells are enumerated in grid order.
-constexpr unsigned most_repeats = 64;
+constexpr unsigned max_repeats = 64;
 
 /// The root above 1 of x^(axes + 1) = x + 1.
 double root_of(std::size_t axes) {
@@ -184,28 +183,28 @@ std::uint64_t GridSequence::drawn_cell() {
 }
 
 std::optional<std::vector<std::size_t>> GridSequence::next() {
-  if (told_.size() == cells_) return std::nullopt;
-  for (unsigned i = 0; first_untried_ == 0 && i < most_repeats; ++i) {
+  if (visited_.size() == cells_) return std::nullopt;
+  for (unsigned i = 0; first_untried_ == 0 && i < max_repeats; ++i) {
     const std::uint64_t cell = drawn_cell();
-    if (told_.insert(cell).second) return grid_cell(sizes_, cell);
+    if (visited_.insert(cell).second) return grid_cell(sizes_, cell);
   }
-  while (!told_.insert(first_untried_).second) ++first_untried_;
+  while (!visited_.insert(first_untried_).second) ++first_untried_;
   return grid_cell(sizes_, first_untried_++);
 }
 
-Dimension dimension_in(const std::string& text) {
+Dimension parse_dimension(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == text.npos || equals == 0)
     throw InputError("'" + printable(text) + "' has no values; use KEY=a,b,c, as in alu.bits=1,2,4");
   Dimension dimension{text.substr(0, equals), {}};
   for (const std::string& word : session::parse_words(text.substr(equals + 1))) {
-    for (std::string& value : values_in(word)) {
+    for (std::string& value : parse_values(word)) {
       if (std::ranges::find(dimension.values, value) == dimension.values.end())
         dimension.values.push_back(std::move(value));
     }
   }
-  if (dimension.values.size() > most_values)
-    throw InputError(fmt::format("{} has more than {} values", printable(dimension.key), most_values));
+  if (dimension.values.size() > max_values)
+    throw InputError(fmt::format("{} has more than {} values", printable(dimension.key), max_values));
   return dimension;
 }
 
@@ -231,11 +230,11 @@ DesignGrid::DesignGrid(ModelRequest base, std::vector<Dimension> dimensions, con
     sizes_.push_back(dimension.values.size());
     cells *= static_cast<double>(sizes_.back());
   }
-  const auto most = static_cast<double>(most_designs);
-  if (choice.points == 0 && cells > most)
+  const auto limit = static_cast<double>(max_designs);
+  if (choice.points == 0 && cells > limit)
     throw UsageError("--vary",
                      fmt::format("the grid has {:.0f} designs, the maximum is {}; use --points N to sample them", cells,
-                                 grouped(most_designs)));
+                                 grouped(max_designs)));
   if (cells > 1e18) throw UsageError("--vary", "the grid has more than 10^18 designs; vary fewer parameters");
   if (choice.points == 0) {
     add_all();
@@ -272,8 +271,8 @@ void DesignGrid::add(Cell cell) {
   cells_.push_back(std::move(cell));
 }
 
-void DesignGrid::add_neighbours(std::span<const std::size_t> designs, std::size_t most) {
-  const std::size_t end = designs_.size() + most;
+void DesignGrid::add_neighbours(std::span<const std::size_t> designs, std::size_t max_count) {
+  const std::size_t end = designs_.size() + max_count;
   for (const std::size_t design : designs) {
     const Cell here = cells_[design];
     for (std::size_t axis = 0; axis < here.size(); ++axis) {

@@ -18,7 +18,7 @@
 namespace csgsim::studies {
 
 /// Maximum number of designs of one command.
-inline constexpr std::uint32_t most_designs = 10'000;
+inline constexpr std::uint32_t max_designs = 10'000;
 
 /// A machine parameter, or an option of render, with several values.
 struct Dimension {
@@ -29,7 +29,7 @@ struct Dimension {
 };
 
 /// Parses KEY=a,b,c, where a value may be a range of numbers such as 3..8. Throws InputError.
-Dimension dimension_in(const std::string& text);
+Dimension parse_dimension(const std::string& text);
 
 /// Whether the parameter sets the memory bits per pixel.
 bool is_memory_figure(std::string_view key);
@@ -60,7 +60,7 @@ class GridSequence {
   std::vector<std::uint64_t> places_;  ///< position on each axis, in units of 2^-64
   std::uint64_t cells_ = 1;
   std::uint64_t first_untried_ = 0;  ///< in grid order; used once drawing rarely finds new cells
-  std::set<std::uint64_t> told_;
+  std::set<std::uint64_t> visited_;
 };
 
 /// The cell with that number in grid order, where the last axis varies fastest.
@@ -81,9 +81,9 @@ class DesignGrid {
   /// The designs in the order in which they were added.
   [[nodiscard]] const std::vector<session::ModelRequest>& designs() const { return designs_; }
 
-  /// Adds at most `most` designs that differ from one of these (given by index) in one dimension, by the previous or
-  /// next value in its list.
-  void add_neighbours(std::span<const std::size_t> designs, std::size_t most);
+  /// Adds at most `max_count` designs that differ from one of these (given by index) in one dimension, by the previous
+  /// or next value in its list.
+  void add_neighbours(std::span<const std::size_t> designs, std::size_t max_count);
 
  private:
   using Cell = std::vector<std::size_t>;  ///< index into the values of each dimension

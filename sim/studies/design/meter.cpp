@@ -71,7 +71,7 @@ void price(const process::Process& process, const Fitted& fitted, RunTimer& time
   const machines::Machine& machine = fitted.machine;
   const machines::Resources resources = resources_of(fitted);
   const std::uint64_t pixel_clocks =
-      process::pixel_clocks(fitted.program, machine, timer.told(fitted.program, machine).skips);
+      process::pixel_clocks(fitted.program, machine, timer.outcome(fitted.program, machine).skips);
   row.machine_mm2 = process::machine_mm2(machine, resources, process);
   row.frame_joules = process::frame_joules(machine, resources, {pixel_clocks, 1 / row.frames_per_second}, process);
 }
@@ -91,14 +91,14 @@ std::uint32_t bits_of_colours(unsigned colour_bits, const Job& job) {
 
 /// Maximum difference of a channel.
 unsigned colour_error(const observe::Frame& exact, const observe::Frame& frame, unsigned bits) {
-  int most = 0;
+  int max_difference = 0;
   for (std::size_t i = 0; i < frame.colour.size(); ++i) {
     const auto of_exact = isa::unpack_colour(exact.colour[i], isa::most_colour_bits);
     const auto of_frame = isa::unpack_colour(frame.colour[i], bits);
     for (std::size_t channel = 0; channel < of_exact.size(); ++channel)
-      most = std::max(most, std::abs(int{of_exact[channel]} - int{of_frame[channel]}));
+      max_difference = std::max(max_difference, std::abs(int{of_exact[channel]} - int{of_frame[channel]}));
   }
-  return static_cast<unsigned>(most);
+  return static_cast<unsigned>(max_difference);
 }
 
 DrawnProgram draw_exactly(Fitted fitted) {
@@ -150,7 +150,7 @@ Fitted DesignMeter::fitted(const DesignPoint& point, const Job& job) {
   const view::View view = view::make_view(subject.scene, subject.tree, job.camera, job.sampling);
   const DesignPoint alike = without_colours(point);
   const unsigned colour_bits = job.options.colour_bits;
-  MemoryGuess guess{0, question_.most_bits};
+  MemoryGuess guess{0, question_.max_bits};
   {
     const std::lock_guard guard(lock_);
     if (const auto known = bits_.find(alike); known != bits_.end())

@@ -23,7 +23,7 @@
 namespace csgsim::studies {
 
 /// Maximum memory bits per pixel of a Program whose machine gets exactly the bits that it uses.
-inline constexpr std::uint32_t most_fitted_bits = 512;
+inline constexpr std::uint32_t max_fitted_bits = 512;
 
 /// Replaces the hash of a picture if a linear expression exceeded its width, which is an error of the Program.
 inline constexpr std::string_view overflow = "overflow";
@@ -43,8 +43,8 @@ DesignRow measure_picture(const DesignPoint& point, const Job& job, bool is_draw
 
 /// Settings of a measurement of designs.
 struct DesignQuestion {
-  std::uint32_t most_bits = most_fitted_bits;  ///< maximum memory bits per pixel of a Program
-  std::optional<process::Process> process{};   ///< sets the clock rate and the prices of machines
+  std::uint32_t max_bits = max_fitted_bits;   ///< maximum memory bits per pixel of a Program
+  std::optional<process::Process> process{};  ///< sets the clock rate and the prices of machines
   std::vector<unsigned> colour_bits{};  ///< all numbers of colour bits of the designs, if colour errors are requested
 };
 

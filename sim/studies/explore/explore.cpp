@@ -72,7 +72,7 @@ class Explore : public StudyOf<ExploreRow> {
  public:
   void add_options(session::OptionList& command) override {
     options_.add_to(command);
-    asked_ = &command;
+    command_ = &command;
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
@@ -87,19 +87,19 @@ class Explore : public StudyOf<ExploreRow> {
     return names;
   }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     grid_.emplace(options_.designs());
     process_ = options_.loaded_process();
-    meter_ = std::make_unique<DesignMeter>(DesignQuestion{most_fitted_bits, process_});
-    std::vector<Asked> asked = ask_from(0);
+    meter_ = std::make_unique<DesignMeter>(DesignQuestion{max_fitted_bits, process_});
+    std::vector<PointRequest> requested = ask_from(0);
     refuse_unread();
-    return asked;
+    return requested;
   }
 
-  [[nodiscard]] bool looks_further() const override { return options_.search > 0; }
+  [[nodiscard]] bool is_adaptive() const override { return options_.search > 0; }
 
   /// Neighbours of designs on the front of all models (or of the only model).
-  std::vector<Asked> more() override {
+  std::vector<PointRequest> more() override {
     const std::size_t before = grid_->designs().size();
     const std::size_t found = before - asked_first_;
     if (found >= options_.search || groups_.empty()) return {};
@@ -122,7 +122,7 @@ class Explore : public StudyOf<ExploreRow> {
   [[nodiscard]] std::string page_title() const override { return "Design space"; }
 
   [[nodiscard]] PageSubject page_subject() const override {
-    return subject_of(different(options_.models), options_.model, options_.model.machine);
+    return subject_of(without_duplicates(options_.models), options_.model, options_.model.machine);
   }
 
   [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {
@@ -148,12 +148,12 @@ class Explore : public StudyOf<ExploreRow> {
     if (std::ranges::none_of(all, &ExploreRow::compiled) && by_model(all).size() == 1)
       throw InputError(all.front().reason);
     if (std::ranges::any_of(all, [](const ExploreRow& row) { return row.unexplained > 0; }))
-      throw InputError("the errors of a picture exceed the bounds of docs/numbers.md; " + whose_fault(are_read()));
+      throw InputError("the errors of a picture exceed the bounds of docs/numbers.md; " + fault_hint(are_read()));
     refuse_models(all, "explore.csv");
   }
 
  protected:
-  [[nodiscard]] ExploreRow measured(std::size_t point) override {
+  [[nodiscard]] ExploreRow measure_point(std::size_t point) override {
     const Job& job = jobs_[point];
     return session::with_memory_for_picture(
         {job.machine.picture.width, job.machine.picture.height, session::ample_memory_bits},
@@ -161,7 +161,7 @@ class Explore : public StudyOf<ExploreRow> {
   }
 
   void conclude() override {
-    const std::vector<ExploreAxis> axes = axes_in(options_.asked_axes());
+    const std::vector<ExploreAxis> axes = parse_axes(options_.requested_axes());
     groups_.clear();
     for (ExploreGroup& group : groups_of(rows(), axes)) {
       std::vector<std::string> commands = commands_of(group);
@@ -171,19 +171,19 @@ class Explore : public StudyOf<ExploreRow> {
 
  private:
   /// Requests the designs from index `first` on.
-  std::vector<Asked> ask_from(std::size_t first) {
-    std::vector<Asked> asked;
-    for (const std::string& model : different(options_.models)) {
+  std::vector<PointRequest> ask_from(std::size_t first) {
+    std::vector<PointRequest> requested;
+    for (const std::string& model : without_duplicates(options_.models)) {
       for (std::size_t i = first; i < grid_->designs().size(); ++i) {
         session::ModelRequest design = grid_->designs()[i];
         design.model = model;
         add(design);
         design_of_point_.push_back(i);
-        asked.push_back({point_cells<ExploreRow>(points_.back()), jobs_.back().inputs});
+        requested.push_back({point_cells<ExploreRow>(points_.back()), jobs_.back().inputs});
       }
     }
     if (first == 0) asked_first_ = grid_->designs().size();
-    return asked;
+    return requested;
   }
 
   /// Throws InputError, before anything is written, if no model can be read.
@@ -256,13 +256,13 @@ class Explore : public StudyOf<ExploreRow> {
     std::vector<std::string> commands;
     for (const ExploreRow* const row : drawn) {
       const std::string picture = plot_stem(row->point.model) + "-knee.png";
-      commands.push_back(render_command(options_, *asked_, *row, memory_bits, picture));
+      commands.push_back(render_command(options_, *command_, *row, memory_bits, picture));
     }
     return commands;
   }
 
   ExploreOptions options_;
-  const session::OptionList* asked_ = nullptr;
+  const session::OptionList* command_ = nullptr;
   std::optional<process::Process> process_;
   std::optional<DesignGrid> grid_;
   std::size_t asked_first_ = 0;  ///< number of designs before the search

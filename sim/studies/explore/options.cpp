@@ -35,7 +35,7 @@ std::string key_of(const std::string& set) { return set.substr(0, set.find('='))
 std::vector<Dimension> dimensions_of(const ExploreOptions& options) {
   std::vector<Dimension> dimensions;
   for (const std::string& text : options.vary)
-    dimensions.push_back(session::for_option("--vary", [&] { return dimension_in(text); }));
+    dimensions.push_back(session::for_option("--vary", [&] { return parse_dimension(text); }));
   return dimensions;
 }
 
@@ -89,20 +89,20 @@ void ExploreOptions::add_to(session::OptionList& command) {
               fmt::format("KEY=LIST: a parameter of the machine, as in alu.bits=1,2,4, or one of {}; once per key. "
                           "Every combination of values is a design",
                           fmt::join(axis_keys(), ", ")))
-      .check(session::is_read_by(dimension_in))
+      .check(session::is_read_by(parse_dimension))
       .required();
   command
       .option("--points", points,
               "Sample N designs evenly from the grid; 0 = all combinations, "
               "at most 10,000")
-      .between(0U, most_designs);
+      .between(0U, max_designs);
   command.option("--seed", seed, "Seed of the sample");
   command
       .option("--search", search,
               "Search for at most N further designs: neighbours of designs on the front, with the previous or next "
               "value of "
               "one key, repeated until all neighbours of the front have been tried")
-      .between(0U, most_designs);
+      .between(0U, max_designs);
   command
       .option(
           "--axes", axes,
@@ -118,7 +118,7 @@ void ExploreOptions::add_to(session::OptionList& command) {
                   fmt::join(process::process_names(), ", ")));
 }
 
-std::string ExploreOptions::asked_axes() const {
+std::string ExploreOptions::requested_axes() const {
   if (!axes.empty()) return axes;
   return process.empty() ? "time,area,memory,wrong" : "time,silicon,energy,memory,wrong";
 }

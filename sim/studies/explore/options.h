@@ -32,7 +32,7 @@ struct ExploreOptions {
   [[nodiscard]] DesignGrid designs() const;
 
   /// The axes of --axes, or the default axes.
-  [[nodiscard]] std::string asked_axes() const;
+  [[nodiscard]] std::string requested_axes() const;
 
   /// Throws UsageError, or InputError if the file is invalid.
   [[nodiscard]] std::optional<process::Process> loaded_process() const;

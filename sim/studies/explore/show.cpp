@@ -24,15 +24,15 @@ namespace csgsim::studies {
 namespace {
 
 /// Maximum number of printed rows of a front; the files have all.
-constexpr std::size_t most_printed = 40;
+constexpr std::size_t max_printed = 40;
 
 /// Values from here on are printed without a fraction.
-constexpr double least_rounded = 10'000;
-constexpr double most_grouped = 1e15;
+constexpr double min_rounded = 10'000;
+constexpr double max_grouped = 1e15;
 
 std::string value_text(double value) {
-  const bool is_shown_whole = value >= least_rounded || value == std::floor(value);
-  if (value >= 0 && value < most_grouped && is_shown_whole)
+  const bool is_shown_whole = value >= min_rounded || value == std::floor(value);
+  if (value >= 0 && value < max_grouped && is_shown_whole)
     return grouped(static_cast<std::uint64_t>(std::llround(value)));
   return fmt::format("{:.4g}", value);
 }
@@ -55,7 +55,7 @@ void print_front(std::span<const ExploreRow> rows, const DesignNames& names, con
   for (const ExploreAxis& axis : group.axes) lines[0].emplace_back(axis.title);
   const std::vector<std::size_t> front = listed_front(group.values);
   for (const std::size_t one : front) {
-    if (lines.size() > most_printed) break;
+    if (lines.size() > max_printed) break;
     lines.push_back(names.values(rows[group.rows[one]].point));
     for (const double value : group.values[one]) lines.back().push_back(value_text(value));
     if (one == group.knee) lines.back().emplace_back("knee");
@@ -63,7 +63,7 @@ void print_front(std::span<const ExploreRow> rows, const DesignNames& names, con
   lines[0].emplace_back("");
   for (std::vector<std::string>& line : lines) line.resize(lines[0].size());
   print_cells(lines);
-  if (front.size() > most_printed) fmt::print("  and {} more, in explore.json\n", grouped(front.size() - most_printed));
+  if (front.size() > max_printed) fmt::print("  and {} more, in explore.json\n", grouped(front.size() - max_printed));
 }
 
 std::string group_text(const ExploreGroup& group) {
@@ -166,12 +166,13 @@ void add_panel(const Panel& panel, plots::Chart& chart) {
   const std::size_t number = chart.panels.size();
   const ExploreAxis& axis = group.axes[panel.axis];
   chart.panels.push_back({axis.title, plots::Scale::logarithmic});
-  plots::Series beaten{number == 0 ? "dominated" : "", number, plots::Trace::marks, {}, true};
+  plots::Series is_dominated{number == 0 ? "dominated" : "", number, plots::Trace::marks, {}, true};
   plots::Series best{"Pareto front", number, plots::Trace::marks};
-  for (std::size_t i = 0; i < group.values.size(); ++i) (group.front[i] ? best : beaten).points.push_back(panel.at(i));
+  for (std::size_t i = 0; i < group.values.size(); ++i)
+    (group.front[i] ? best : is_dominated).points.push_back(panel.at(i));
   plots::Series of_two{"front of the two axes", number, plots::Trace::steps, pair_front(panel)};
   plots::Series knee{"knee", number, plots::Trace::marks, {panel.at(*group.knee)}};
-  for (plots::Series* const series : {&beaten, &best, &of_two, &knee}) {
+  for (plots::Series* const series : {&is_dominated, &best, &of_two, &knee}) {
     if (!series->points.empty()) chart.series.push_back(std::move(*series));
   }
 }

@@ -34,13 +34,13 @@ namespace {
 const std::vector<std::string> flatnesses{of_plane, of_sides};
 const std::vector<std::string> repairs{by_filter, by_quadtree};
 
-std::vector<std::string> flatness_in(const std::string& text) {
+std::vector<std::string> parse_flatness(const std::string& text) {
   return session::parse_names(text, "flatness test", flatnesses);
 }
 std::vector<std::string> repairs_in(const std::string& text) { return session::parse_names(text, "repair", repairs); }
 
 std::vector<software::Priced> meshing_processors(const std::string& list) {
-  std::vector<software::Priced> processors = processors_in(list);
+  std::vector<software::Priced> processors = parse_processors(list);
   for (const software::Priced& one : processors)
     if (!one.processor) throw InputError(one.name + " has no prices; use a processor by name or .toml file");
   return processors;
@@ -51,11 +51,11 @@ class Mesh : public StudyOf<MeshRow> {
   void add_options(session::OptionList& command) override {
     command.option("MODEL", model_, "File of commands (.jan) with sweeps or patches").required();
     command.option("--tolerances", tolerances_, "Tolerances in model units, separated by commas")
-        .check(session::is_read_by(tolerances_in));
+        .check(session::is_read_by(parse_tolerances));
     command
         .option("--flatness", flatness_,
                 "Flatness tests, separated by commas: plane (the thesis's), or sides, which tests the sides too")
-        .words(flatnesses, session::is_read_by(flatness_in));
+        .words(flatnesses, session::is_read_by(parse_flatness));
     command
         .option("--repairs", repairs_,
                 "Methods that close cracks between elements, separated by commas: filter (the thesis's) or quadtree")
@@ -75,7 +75,7 @@ class Mesh : public StudyOf<MeshRow> {
   }
   [[nodiscard]] std::string table_model() const override { return model_; }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     const std::string text = read_file(model_, read::model_file);
     if (const std::string ending = std::filesystem::path(model_).extension().string();
         ending == ".csg" || ending == ".scad")
@@ -90,20 +90,20 @@ class Mesh : public StudyOf<MeshRow> {
     if (surfaces_.empty())
       throw InputError(
           fmt::format("{}: contains no sweep and no patch to mesh", printable(session::shown_name(model_))));
-    std::vector<Asked> asked;
+    std::vector<PointRequest> requested;
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-      for (const std::string& flatness : flatness_in(flatness_)) {
+      for (const std::string& flatness : parse_flatness(flatness_)) {
         for (const std::string& repair : repairs_in(repairs_)) {
-          for (const double tolerance : tolerances_in(tolerances_)) {
+          for (const double tolerance : parse_tolerances(tolerances_)) {
             points_.push_back({surfaces_[i].name, tolerance, flatness, repair});
             numbers_.push_back(i);
-            asked.push_back({to_line(points_.back()), inputs_});
+            requested.push_back({to_line(points_.back()), inputs_});
           }
         }
       }
     }
     write_meshes();
-    return asked;
+    return requested;
   }
 
   void print() const override {
@@ -135,7 +135,7 @@ class Mesh : public StudyOf<MeshRow> {
   }
 
  protected:
-  [[nodiscard]] MeshRow measured(std::size_t point) override {
+  [[nodiscard]] MeshRow measure_point(std::size_t point) override {
     return studies::measure(points_[point], inputs_, surfaces_[numbers_[point]]);
   }
 

@@ -72,7 +72,7 @@ PixelClocks pixel_clocks(const isa::Program& program, const machines::Machine& m
   return sums;
 }
 
-bool tells_stages(const machines::Account& account) {
+bool reports_stages(const machines::Account& account) {
   return std::ranges::find(account.counts, "transformation_clocks", &machines::Count::name) != account.counts.end();
 }
 
@@ -115,7 +115,7 @@ SubdivideRow measure_squares(const Subdivided& subdivided, unsigned levels) {
   row.segments = tally(in_segments, whole);
   row.subsegments = tally(in_subsegments, cut);
   row.subsegments.clocks = timing.clocks;
-  if (!tells_stages(timing.account)) {
+  if (!reports_stages(timing.account)) {
     row.segments.clocks = machines::clocks(in_segments, whole);
     return row;
   }

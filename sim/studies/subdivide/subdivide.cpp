@@ -27,8 +27,8 @@ namespace csgsim::studies {
 namespace {
 
 std::vector<unsigned> levels_of(const std::string& text) {
-  constexpr unsigned most_levels = 20;
-  return session::parse_numbers(text, 0, most_levels);
+  constexpr unsigned max_levels = 20;
+  return session::parse_numbers(text, 0, max_levels);
 }
 
 bool subdivides(const machines::Kind& kind) {
@@ -86,7 +86,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
     command
         .option("--tolerances", tolerances_,
                 "Tolerances in model units for faceting curved solids, separated by commas")
-        .check(session::is_read_by(tolerances_in))
+        .check(session::is_read_by(parse_tolerances))
         .excludes("--tolerance");
   }
 
@@ -96,7 +96,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
   /// Requests all tolerances of a level before the next level.
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     machine_ = subdividing_machine(options_);
     session::ModelFile file = session::read_model_file(options_);
     tree_ = std::move(file.tree);
@@ -104,21 +104,21 @@ class Subdivide : public StudyOf<SubdivideRow> {
     if (tolerances_.empty()) {
       faceting_ = session::faceting_of(options_, machine_, tree_);
     } else {
-      const std::vector<double> asked = tolerances_in(tolerances_);
-      tolerances.assign(asked.begin(), asked.end());
+      const std::vector<double> requested = parse_tolerances(tolerances_);
+      tolerances.assign(requested.begin(), requested.end());
     }
-    std::vector<Asked> asked;
+    std::vector<PointRequest> requested;
     for (const unsigned levels : levels_of(levels_)) {
       for (const std::optional<double>& tolerance : tolerances) {
         SubdivideRow point;
         point.subdivisions = levels;
         point.tolerance = tolerance;
         point.inputs = {file.hash, machines::hash_of(machine_), session::version_and_build()};
-        asked.push_back({to_cell(levels) + "," + to_cell(tolerance), point.inputs});
+        requested.push_back({to_cell(levels) + "," + to_cell(tolerance), point.inputs});
         points_.push_back(std::move(point));
       }
     }
-    return asked;
+    return requested;
   }
 
   void print() const override {
@@ -145,7 +145,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
   }
 
  protected:
-  [[nodiscard]] SubdivideRow measured(std::size_t number) override {
+  [[nodiscard]] SubdivideRow measure_point(std::size_t number) override {
     const SubdivideRow& point = points_[number];
     const facet::Geometry scene =
         facet::make_geometry(tree_, point.tolerance ? facet::Faceting{.tolerance = point.tolerance} : faceting_);

@@ -62,11 +62,11 @@ std::string PointNames::name(const DesignPoint& point) const {
 std::string PointNames::conditions(const DesignPoint& point) const { return with_values("", point, varied_); }
 
 SweepAxis::SweepAxis(std::span<const SweepRow> rows) : varied_(varied_in(rows, sweep_axes)) {
-  std::size_t most = 1;
+  std::size_t max_choices = 1;
   for (const Axis* const axis : varied_) {
     const std::size_t count = values_of(rows, *axis).size();
-    if (count <= most || axis->key == "strategy") continue;
-    most = count;
+    if (count <= max_choices || axis->key == "strategy") continue;
+    max_choices = count;
     shown_ = axis;
   }
   if (shown_ == nullptr) shown_ = &axis_of("strategy");

@@ -35,7 +35,7 @@ std::vector<session::ModelRequest> SweepOptions::designs() const {
   base.sets = session::sorted(view.sets).scene;
   const std::vector<std::string> with_sets = session::with_figures(session::parse_words(machines), view.sets);
   std::vector<session::ModelRequest> all;
-  for (const std::string& model : different(models)) {
+  for (const std::string& model : without_duplicates(models)) {
     base.model = model;
     for (const std::string& machine : with_sets) {
       base.machine = machine;  // includes its parameters as set

@@ -78,7 +78,7 @@ std::string stack_bits_label(std::span<const SweepRow* const> rows) {
 }
 
 /// Maximum number of labelled lines with stack bits; more labels could not be assigned to their lines.
-constexpr std::ptrdiff_t most_labelled = 3;
+constexpr std::ptrdiff_t max_labelled = 3;
 
 /// Chart of clocks against used bits, with a line per strategy and conditions.
 plots::Chart bits_chart(std::span<const SweepRow> rows, const std::string& model) {
@@ -103,7 +103,7 @@ plots::Chart bits_chart(std::span<const SweepRow> rows, const std::string& model
         ++end;
       series.points.push_back(
           {static_cast<double>(line[i]->classification_bits), static_cast<double>(line[i]->clocks),
-           lines_with_stack_bits <= most_labelled ? stack_bits_label(std::span(line).subspan(i, end - i)) : ""});
+           lines_with_stack_bits <= max_labelled ? stack_bits_label(std::span(line).subspan(i, end - i)) : ""});
       i = end;
     }
     if (line.size() == 1) series.trace = plots::Trace::marks;
@@ -125,12 +125,12 @@ std::string label_of(std::span<const SweepRow* const> alike, const PointNames& n
   return named == alike.size() ? label : fmt::format("{} (+ {} equal)", label, alike.size() - named);
 }
 
-std::vector<plots::Tick> bit_ticks(std::uint32_t most) {
-  constexpr std::uint32_t most_ticks = 16;
+std::vector<plots::Tick> bit_ticks(std::uint32_t max_bit) {
+  constexpr std::uint32_t max_ticks = 16;
   std::uint64_t step = 8;
-  while (most / step > most_ticks) step *= 2;
+  while (max_bit / step > max_ticks) step *= 2;
   std::vector<plots::Tick> ticks;
-  for (std::uint64_t bit = 0; bit <= most; bit += step)
+  for (std::uint64_t bit = 0; bit <= max_bit; bit += step)
     ticks.push_back({static_cast<double>(bit), std::to_string(bit)});
   return ticks;
 }
@@ -142,7 +142,7 @@ plots::Plot memory_plot(std::span<const SweepRow> rows, const std::string& model
                    {},
                    {"Z2", "Z1", "colour", "colour1", "mask", "product", "label", "stack", "stored", "shown"},
                    "sweep.csv"};
-  std::uint32_t most = 0;
+  std::uint32_t max_bits = 0;
   const PointNames names(rows);
   const auto layout_of = [](const SweepRow& row) {
     return std::pair(row.memory_map, row.point.memory_bits.value_or(0));
@@ -152,9 +152,9 @@ plots::Plot memory_plot(std::span<const SweepRow> rows, const std::string& model
     plots::Bar& bar = plot.bars.emplace_back(plots::Bar{label_of(alike, names), static_cast<double>(bits), {}});
     for (const MemoryPart& part : map)
       bar.parts.push_back({part.name, static_cast<double>(part.base), static_cast<double>(part.base) + part.width});
-    most = std::max(most, bits);
+    max_bits = std::max(max_bits, bits);
   }
-  plot.x.ticks = bit_ticks(most);
+  plot.x.ticks = bit_ticks(max_bits);
   return {model + "_memory", std::move(plot)};
 }
 

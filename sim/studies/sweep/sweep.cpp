@@ -39,7 +39,7 @@ bool draws_alike(Rows rows) {
                                            : "a linear expression does not fit its width";
     print_text(fmt::format("WRONG: {}, {}: {}\n", one.point.model, names.name(one.point), what));
   }
-  throw InputError(fmt::format("{} of {} pictures are wrong; {}", wrong.size(), rows.size(), whose_fault(are_read)));
+  throw InputError(fmt::format("{} of {} pictures are wrong; {}", wrong.size(), rows.size(), fault_hint(are_read)));
 }
 
 class Sweep : public StudyOf<SweepRow> {
@@ -52,16 +52,16 @@ class Sweep : public StudyOf<SweepRow> {
     return {"strategy", "stack-bits", "z-bits", "colouring", "curves", "pruning", "machines", "memory-bits", "no-draw"};
   }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     JobMaker maker;
-    std::vector<Asked> asked;
+    std::vector<PointRequest> requested;
     for (const session::ModelRequest& design : options_.designs()) {
       jobs_.push_back(maker.job_of(design));
       DesignPoint& point = points_.emplace_back(point_of(design, jobs_.back().machine.picture));
       point.memory_bits = design.memory_bits;
-      asked.push_back({point_cells<SweepRow>(point), jobs_.back().inputs});
+      requested.push_back({point_cells<SweepRow>(point), jobs_.back().inputs});
     }
-    return asked;
+    return requested;
   }
 
   /// A row without a picture is insufficient if pictures are requested.
@@ -103,7 +103,7 @@ class Sweep : public StudyOf<SweepRow> {
   }
 
  protected:
-  [[nodiscard]] SweepRow measured(std::size_t point) override {
+  [[nodiscard]] SweepRow measure_point(std::size_t point) override {
     return SweepRow(measure_picture(points_[point], jobs_[point], !options_.no_draw));
   }
 

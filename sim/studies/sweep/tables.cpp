@@ -180,7 +180,7 @@ void print_sweep(std::span<const SweepRow> rows) {
   // Rows without a Program have no data of the model.
   const auto compiled = std::find_if(rows.begin(), rows.end(), [](const SweepRow& row) { return row.compiled(); });
   if (compiled == rows.end() && is_one_reason(rows)) {
-    fmt::print("\n{}\n", told_of(rows.front().point.model, rows.front().reason));
+    fmt::print("\n{}\n", with_model_name(rows.front().point.model, rows.front().reason));
     return;
   }
   const SweepRow& facts = compiled == rows.end() ? rows.front() : *compiled;

@@ -42,7 +42,7 @@ bool has_several(const std::vector<const TraceRow*>& rows, const Value& value) {
   return values.size() > 1;
 }
 
-constexpr std::size_t most_cells = 20;
+constexpr std::size_t max_cells = 20;
 
 /// Percentage of rays by number of visited cells; the last entry includes all higher numbers.
 std::vector<double> shares_of(const TraceRow& row) {
@@ -50,7 +50,7 @@ std::vector<double> shares_of(const TraceRow& row) {
   std::istringstream counts(row.rays_by_cells);
   for (std::uint64_t count = 0; counts >> count;) {
     const double share = 100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::uint64_t>(1, row.rays));
-    if (shares.size() <= most_cells) {
+    if (shares.size() <= max_cells) {
       shares.push_back(share);
     } else {
       shares.back() += share;
@@ -62,7 +62,7 @@ std::vector<double> shares_of(const TraceRow& row) {
 /// Uses the first bucket size and the first tolerance.
 plots::Plot cells_plot(const std::vector<const TraceRow*>& rows, const std::string& model) {
   plots::Chart chart{model + ": cells visited per ray",
-                     {fmt::format("cells ({0}: {0} or more)", most_cells), plots::Scale::linear, {}, false, true},
+                     {fmt::format("cells ({0}: {0} or more)", max_cells), plots::Scale::linear, {}, false, true},
                      {{"rays, %", plots::Scale::linear}},
                      {},
                      "trace.csv"};

@@ -31,28 +31,28 @@ namespace csgsim::studies {
 
 namespace {
 
-constexpr unsigned most_mirror_depth = 4;
+constexpr unsigned max_mirror_depth = 4;
 
 const std::vector<std::string> cast_names{"primary", "shadow", "mirror"};
 const std::vector<std::string> switch_names{"without", "with"};
 const std::vector<std::string> facet_test_names{"space", "projected"};
 const std::vector<std::string> item_names{"without", "list-priority", "depth-lists"};
 
-std::vector<std::string> directories_in(const std::string& text) {
-  return session::parse_names(text, "directory", software::names_in(software::directories()));
+std::vector<std::string> parse_directories(const std::string& text) {
+  return session::parse_names(text, "directory", software::row_names(software::directories()));
 }
 std::vector<unsigned> bucket_sizes_in(const std::string& text) {
-  constexpr unsigned most = 1000;
-  return session::parse_numbers(text, 1, most);
+  constexpr unsigned max_size = 1000;
+  return session::parse_numbers(text, 1, max_size);
 }
-std::vector<std::string> cast_in(const std::string& text) { return session::parse_names(text, "ray", cast_names); }
+std::vector<std::string> parse_cast(const std::string& text) { return session::parse_names(text, "ray", cast_names); }
 std::vector<std::string> facet_tests_in(const std::string& text) {
   return session::parse_names(text, "test", facet_test_names);
 }
 std::vector<std::string> items_in(const std::string& text) {
   return session::parse_names(text, "item buffer", item_names);
 }
-std::vector<std::string> switches_in(const std::string& text) {
+std::vector<std::string> parse_switches(const std::string& text) {
   return session::parse_names(text, "choice", switch_names);
 }
 
@@ -77,11 +77,11 @@ class Trace : public StudyOf<TraceRow> {
     command
         .option("--directories", directories_,
                 "Directories by which rays find facets, separated by commas; see csgsim manual methods")
-        .words(software::names_in(software::directories()), session::is_read_by(directories_in));
+        .words(software::row_names(software::directories()), session::is_read_by(parse_directories));
     command.option("--bucket-sizes", bucket_sizes_, "Numbers: maximum facets per cell before it is divided, 1 to 1000")
         .check(session::is_read_by(bucket_sizes_in));
     command.option("--cast", cast_, "Rays to cast, separated by commas; each kind includes the preceding ones")
-        .words(cast_names, session::is_read_by(cast_in));
+        .words(cast_names, session::is_read_by(parse_cast));
     command
         .option("--facet-test", facet_test_,
                 "List: test primary rays against facets in space, or against projected facets in the picture")
@@ -94,13 +94,13 @@ class Trace : public StudyOf<TraceRow> {
         .words(item_names, session::is_read_by(items_in));
     command
         .option("--mailboxes", mailboxes_, "List: test a ray against a facet in several cells repeatedly, or only once")
-        .words(switch_names, session::is_read_by(switches_in));
+        .words(switch_names, session::is_read_by(parse_switches));
     command.option("--reflections", reflections_, "Maximum number of successive reflections, 1 to 4")
-        .between(1U, most_mirror_depth);
+        .between(1U, max_mirror_depth);
     command
         .option("--tolerances", tolerances_,
                 "Tolerances in model units for faceting curved solids, separated by commas")
-        .check(session::is_read_by(tolerances_in))
+        .check(session::is_read_by(parse_tolerances))
         .excludes("--tolerance");
     add_processors(command, processors_);
     json_.add_to(command, "Write the facets, and the cells of the first directory that halves space");
@@ -116,7 +116,7 @@ class Trace : public StudyOf<TraceRow> {
   [[nodiscard]] std::string table_model() const override { return options_.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     machine_ = session::machine_of(options_);
     session::ModelFile file = session::read_model_file(options_);
     tree_ = std::move(file.tree);
@@ -124,25 +124,25 @@ class Trace : public StudyOf<TraceRow> {
     inputs_ = {file.hash, machines::hash_of(machine_), session::version_and_build()};
     std::vector<std::optional<double>> tolerances{std::nullopt};
     if (!tolerances_.empty()) {
-      const std::vector<double> asked = tolerances_in(tolerances_);
-      tolerances.assign(asked.begin(), asked.end());
+      const std::vector<double> requested = parse_tolerances(tolerances_);
+      tolerances.assign(requested.begin(), requested.end());
     }
     for (const std::optional<double>& tolerance : tolerances) add_points(tolerance);
-    std::vector<Asked> asked;
-    for (const TracePoint& point : points_) asked.push_back({to_line(point), inputs_});
+    std::vector<PointRequest> requested;
+    for (const TracePoint& point : points_) requested.push_back({to_line(point), inputs_});
     write_cells();
-    return asked;
+    return requested;
   }
 
   void print() const override {
     fmt::print("{}: cost of tracing its rays, as in section 5.3 of the thesis\n",
                printable(session::shown_name(options_.model)));
-    print_tracing(rows(), processors_in(processors_));
+    print_tracing(rows(), parse_processors(processors_));
     if (difference_of(rows()).empty()) fmt::print("\nAll directories see the same surfaces at every pixel.\n");
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    const std::vector<software::Priced> processors = processors_in(processors_);
+    const std::vector<software::Priced> processors = parse_processors(processors_);
     const SetPoint columns = setter_of(std::span<const TraceRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
@@ -163,7 +163,7 @@ class Trace : public StudyOf<TraceRow> {
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
-    return plots_of_tracing(rows(), processors_in(processors_), plot_stem(options_.model));
+    return plots_of_tracing(rows(), parse_processors(processors_), plot_stem(options_.model));
   }
 
   [[nodiscard]] std::string page_title() const override { return "Cost of tracing rays"; }
@@ -172,11 +172,11 @@ class Trace : public StudyOf<TraceRow> {
   void refuse() const override {
     if (std::ranges::none_of(rows(), &TraceRow::drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
-      throw InputError(difference + "; " + whose_fault(are_read()));
+      throw InputError(difference + "; " + fault_hint(are_read()));
   }
 
  protected:
-  [[nodiscard]] TraceRow measured(std::size_t number) override {
+  [[nodiscard]] TraceRow measure_point(std::size_t number) override {
     const TracePoint& point = points_[number];
     if (!subject_ || subject_tolerance_ != point.tolerance) make_subject(point.tolerance);
     return measure_trace(point, inputs_, *subject_);
@@ -184,10 +184,10 @@ class Trace : public StudyOf<TraceRow> {
 
  private:
   void add_points(const std::optional<double>& tolerance) {
-    for (const std::string& directory : directories_in(directories_)) {
+    for (const std::string& directory : parse_directories(directories_)) {
       for (const unsigned bucket_size : bucket_sizes_in(bucket_sizes_)) {
-        for (const std::string& cast : cast_in(cast_)) {
-          for (const std::string& mailboxes : switches_in(mailboxes_)) {
+        for (const std::string& cast : parse_cast(cast_)) {
+          for (const std::string& mailboxes : parse_switches(mailboxes_)) {
             add_points({.directory = directory,
                         .bucket_size = bucket_size,
                         .cast = cast,
@@ -212,7 +212,7 @@ class Trace : public StudyOf<TraceRow> {
 
   /// Exports the first directory that halves space, for the first tolerance and bucket size.
   void write_cells() {
-    if (!json_.is_asked()) return;
+    if (!json_.is_requested()) return;
     const std::vector<std::string> halving = software::halving_directories();
     const auto found = std::ranges::find_if(
         points_, [&](const TracePoint& point) { return std::ranges::find(halving, point.directory) != halving.end(); });

@@ -43,7 +43,7 @@ std::string design_error(const session::ModelRequest& base, const std::vector<Di
 }
 
 std::string dimension_error(const std::string& text) {
-  return testing::error_of([&] { static_cast<void>(studies::dimension_in(text)); });
+  return testing::error_of([&] { static_cast<void>(studies::parse_dimension(text)); });
 }
 
 /// Of numbers from `first` on.
@@ -105,19 +105,19 @@ TEST_CASE("after 64 cells in a row that were told, the rest comes in the order o
 }
 
 TEST_CASE("a range has both its ends, from 0 to 2,000,000,000, and 1,000 values at most") {
-  CHECK(studies::dimension_in("a=0..2").values == Texts{"0", "1", "2"});
-  CHECK(studies::dimension_in("a=5..5").values == Texts{"5"});
-  CHECK(studies::dimension_in("a=2000000000..2000000000").values == Texts{"2000000000"});
+  CHECK(studies::parse_dimension("a=0..2").values == Texts{"0", "1", "2"});
+  CHECK(studies::parse_dimension("a=5..5").values == Texts{"5"});
+  CHECK(studies::parse_dimension("a=2000000000..2000000000").values == Texts{"2000000000"});
   CHECK_FALSE(dimension_error("a=2000000000..2000000001").empty());
   CHECK_FALSE(dimension_error("a=2000000001..2000000001").empty());
   CHECK(dimension_error("a=10..8") == "range '10..8' is reversed; use 8..10");
-  CHECK(studies::dimension_in("a=1..1000").values == numbers_from(1, 1000));
+  CHECK(studies::parse_dimension("a=1..1000").values == numbers_from(1, 1000));
   CHECK(dimension_error("a=1..1001") == "range '1..1001' has more than 1000 values");
-  CHECK(studies::dimension_in("a=1..600,601..1000").values.size() == 1000);
-  CHECK(studies::dimension_in("a=1..600,500..1000").values.size() == 1000);
+  CHECK(studies::parse_dimension("a=1..600,601..1000").values.size() == 1000);
+  CHECK(studies::parse_dimension("a=1..600,500..1000").values.size() == 1000);
   CHECK(dimension_error("a=1..600,601..1001") == "a has more than 1000 values");
   // What is no range of whole numbers is a value as it stands.
-  CHECK(studies::dimension_in("a=..5,1.5,a..b,7..x").values == Texts{"..5", "1.5", "a..b", "7..x"});
+  CHECK(studies::parse_dimension("a=..5,1.5,a..b,7..x").values == Texts{"..5", "1.5", "a..b", "7..x"});
   CHECK(dimension_error("a=1...3") != "");
   CHECK(dimension_error("a=1..") != "");
 }
@@ -127,8 +127,8 @@ TEST_CASE("what is varied needs a key and an equals sign, and the first of these
   for (const char* const text : {"", "alu.bits", "=1", "=a=1"})
     CHECK(dimension_error(text) == "'" + std::string(text) + "'" + words);
   for (const char* const text : {"alu.bits=", "alu.bits=1,,2"}) CHECK(dimension_error(text) != "");
-  CHECK(studies::dimension_in("a=b=c,d") == Dimension{"a", {"b=c", "d"}});
-  CHECK(studies::dimension_in("z-bits=8..10,9,16") == Dimension{"z-bits", {"8", "9", "10", "16"}});
+  CHECK(studies::parse_dimension("a=b=c,d") == Dimension{"a", {"b=c", "d"}});
+  CHECK(studies::parse_dimension("z-bits=8..10,9,16") == Dimension{"z-bits", {"8", "9", "10", "16"}});
 }
 
 TEST_CASE("each option of render takes its own values, up to its limits") {
@@ -202,7 +202,7 @@ TEST_CASE("whoever says nothing else has all designs, or the sample of seed 1") 
 }
 
 TEST_CASE("a grid may have 10,000 cells, and one more has to be sampled") {
-  CHECK(studies::most_designs == 10'000);
+  CHECK(studies::max_designs == 10'000);
   const Texts tens(10, "20");
   std::vector<Dimension> dimensions{
       {"z-bits", tens}, {"fraction-bits", tens}, {"colour-bits", tens}, {"stack-bits", tens}};

@@ -222,13 +222,13 @@ TEST_CASE("options that contradict each other are refused by name") {
 
 TEST_CASE("designs are held against each other by four axes, in a process by five, or by those asked for") {
   studies::ExploreOptions options;
-  CHECK(options.asked_axes() == "time,area,memory,wrong");
+  CHECK(options.requested_axes() == "time,area,memory,wrong");
   CHECK_FALSE(options.loaded_process());
   options.process = "nmos-3um";
-  CHECK(options.asked_axes() == "time,silicon,energy,memory,wrong");
+  CHECK(options.requested_axes() == "time,silicon,energy,memory,wrong");
   CHECK(options.loaded_process()->name == "nmos-3um");
   options.axes = "time,wrong";
-  CHECK(options.asked_axes() == "time,wrong");
+  CHECK(options.requested_axes() == "time,wrong");
   const Texts own = studies::own_explore_options();
   CHECK(std::set<std::string>(own.begin(), own.end()) ==
         std::set<std::string>{"size",     "memory-bits", "z-bits",    "fraction-bits", "colour-bits",

@@ -51,7 +51,7 @@ ExploreRow refused_row(const std::string& model, const char* alu_bits, unsigned 
 
 std::vector<ShownGroup> shown_groups(const std::vector<ExploreRow>& rows, const std::string& axes) {
   std::vector<ShownGroup> shown;
-  for (studies::ExploreGroup& group : studies::groups_of(rows, studies::axes_in(axes)))
+  for (studies::ExploreGroup& group : studies::groups_of(rows, studies::parse_axes(axes)))
     shown.push_back({std::move(group), {}});
   return shown;
 }
@@ -134,7 +134,7 @@ TEST_CASE("each axis has its value of a row, none where there is no price, and w
     CHECK(axis.value(unpriced).has_value() == has_price);
   }
   // As they are listed, not as they are known.
-  const std::vector<studies::ExploreAxis> axes = studies::axes_in("wrong,time");
+  const std::vector<studies::ExploreAxis> axes = studies::parse_axes("wrong,time");
   REQUIRE(axes.size() == 2);
   CHECK(std::string(axes[0].name) == "wrong");
   CHECK(std::string(axes[1].name) == "time");
@@ -146,13 +146,13 @@ TEST_CASE("over two models silicon is the larger, energy the sum") {
   rows[1].machine_mm2 = 2;
   rows[0].frame_joules = 5;
   rows[1].frame_joules = 7;
-  const std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::axes_in("silicon,energy"));
+  const std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::parse_axes("silicon,energy"));
   REQUIRE(groups.size() == 3);
   CHECK(groups[2].values == std::vector<Values>{{3, 12}});
 }
 
 TEST_CASE("the knee looks at the front alone, however good or bad others are") {
-  const std::vector<studies::ExploreAxis> axes = studies::axes_in("time,memory");
+  const std::vector<studies::ExploreAxis> axes = studies::parse_axes("time,memory");
   // Of those that count, logarithms (0, 2), (1, 1), (2, 0) are stretched to (0, 1), (1/2, 1/2), (1, 0).
   const std::vector<Values> candidates{{0.001, 0.001}, {1, 100}, {10, 10}, {100, 1}, {1e6, 1e6}};
   CHECK(studies::knee_of(candidates, {false, true, true, true, false}, axes) == 2);
@@ -340,7 +340,7 @@ TEST_CASE("values have four digits, but whole ones and those from 10,000 on all,
     ExploreRow row = shown_row("m", "1", 8, 1, 1);
     ShownGroup shown;
     shown.group.model = "m";
-    shown.group.axes = studies::axes_in("time");
+    shown.group.axes = studies::parse_axes("time");
     shown.group.rows = {0};
     shown.group.values = {{value}};
     shown.group.front = {true};

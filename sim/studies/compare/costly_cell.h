@@ -12,24 +12,24 @@
 namespace csgsim::studies {
 
 /// A primitive and its cost.
-struct DearPrimitive {
+struct CostlyPrimitive {
   std::string name;          ///< `cylinder@9:9`, escaped
   std::uint64_t clocks = 0;  ///< clocks of its instructions in all segments
 
-  bool operator==(const DearPrimitive&) const = default;
+  bool operator==(const CostlyPrimitive&) const = default;
 };
 
 /// Most expensive first.
-using DearPrimitives = std::vector<DearPrimitive>;
+using CostlyPrimitives = std::vector<CostlyPrimitive>;
 
-DearPrimitives dear_primitives(const observe::ClockShares& shares);
+CostlyPrimitives costly_primitives(const observe::ClockShares& shares);
 
 /// A cell of a table, such as `cylinder@9:9=1234 cube@4:4=56`.
-std::string to_cell(const DearPrimitives& dear);
+std::string to_cell(const CostlyPrimitives& primitives);
 
 /// Throws InputError if the cell has another form.
-void from_cell(const std::string& cell, DearPrimitives& dear);
+void from_cell(const std::string& cell, CostlyPrimitives& primitives);
 
-void set_json(nlohmann::ordered_json& row, const char* name, const DearPrimitives& dear);
+void set_json(nlohmann::ordered_json& row, const char* name, const CostlyPrimitives& primitives);
 
 }  // namespace csgsim::studies

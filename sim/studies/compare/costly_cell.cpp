@@ -1,4 +1,4 @@
-#include "sim/studies/compare/dear_cell.h"
+#include "sim/studies/compare/costly_cell.h"
 
 #include <fmt/format.h>
 
@@ -23,33 +23,35 @@ std::string as_word(std::string name) {
 
 }  // namespace
 
-DearPrimitives dear_primitives(const observe::ClockShares& shares) {
-  DearPrimitives dear;
-  for (const observe::PrimitiveCost& one : shares.dearest) dear.push_back({as_word(escaped(one.name)), one.clocks});
-  return dear;
+CostlyPrimitives costly_primitives(const observe::ClockShares& shares) {
+  CostlyPrimitives primitives;
+  for (const observe::PrimitiveCost& one : shares.dearest)
+    primitives.push_back({as_word(escaped(one.name)), one.clocks});
+  return primitives;
 }
 
-std::string to_cell(const DearPrimitives& dear) {
+std::string to_cell(const CostlyPrimitives& primitives) {
   std::string cell;
-  for (const DearPrimitive& one : dear) cell += fmt::format("{}{}={}", cell.empty() ? "" : " ", one.name, one.clocks);
+  for (const CostlyPrimitive& one : primitives)
+    cell += fmt::format("{}{}={}", cell.empty() ? "" : " ", one.name, one.clocks);
   return to_cell(cell);
 }
 
-void from_cell(const std::string& cell, DearPrimitives& dear) {
-  dear.clear();
+void from_cell(const std::string& cell, CostlyPrimitives& primitives) {
+  primitives.clear();
   std::istringstream words(cell);
   for (std::string word; words >> word;) {
     const std::size_t equals = word.rfind('=');
     if (equals == std::string::npos) throw InputError("'" + word + "' is not of the form name=clocks");
-    DearPrimitive one{word.substr(0, equals), 0};
+    CostlyPrimitive one{word.substr(0, equals), 0};
     from_cell(word.substr(equals + 1), one.clocks);
-    dear.push_back(std::move(one));
+    primitives.push_back(std::move(one));
   }
 }
 
-void set_json(nlohmann::ordered_json& row, const char* name, const DearPrimitives& dear) {
+void set_json(nlohmann::ordered_json& row, const char* name, const CostlyPrimitives& primitives) {
   row[name] = nlohmann::ordered_json::array();
-  for (const DearPrimitive& part : dear) row[name].push_back({{"name", part.name}, {"clocks", part.clocks}});
+  for (const CostlyPrimitive& part : primitives) row[name].push_back({{"name", part.name}, {"clocks", part.clocks}});
 }
 
 }  // namespace csgsim::studies
