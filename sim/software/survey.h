@@ -22,7 +22,7 @@ struct Survey {
   std::uint64_t sequences = 0;  ///< rays whose sequence differs from that of the previous ray with events
   std::uint64_t different_sequences = 0;
   std::uint64_t combinations = 0;  ///< distinct sets of primitives in sequences
-  std::uint64_t most_points = 0;   ///< maximum per ray
+  std::uint64_t max_points = 0;    ///< maximum per ray
 };
 
 /// Collects statistics of rays in the order of pixels.

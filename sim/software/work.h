@@ -30,7 +30,7 @@ struct Priced {
 };
 
 /// Loads a processor by name or file, or `this-computer`. Throws as load_processor does.
-Priced priced(const std::string& said);
+Priced priced(const std::string& name);
 
 /// Hash of all parameters, like that of a machine; of the name for this computer.
 std::string hash_of(const Priced& processor);

@@ -226,7 +226,7 @@ void add_convert(CommandLine& line) {
   command
       .option("--resolution", options->resolution,
               "Cells of a block model along each side, a power of two; 64 if not given")
-      .between(convert::fewest_cells, convert::most_cells);
+      .between(convert::min_cells, convert::max_cells);
   command.option("--threads", options->threads, "Threads that a mesh is made on; it is the same")
       .between(1U, most_threads);
   command.option("--stats", options->stats, "What was converted, .json").check(not_empty);

@@ -12,9 +12,10 @@
 
 namespace csgsim::software {
 
-/// All sequences of surfaces along rays, as a tree of elements: `son` follows along a ray, `brother` is an alternative
-/// on other rays, `father` precedes (thesis 4.5.3 and algorithm 4.1). The depth of an element is its position along the
-/// ray; a ray is inside a primitive if it occurs an odd number of times from the element up to the root.
+/// All sequences of surfaces along rays, as a tree of elements: `child` follows along a ray, `sibling` is an
+/// alternative on other rays, `parent` precedes (thesis 4.5.3 and algorithm 4.1). The depth of an element is its
+/// position along the ray; a ray is inside a primitive if it occurs an odd number of times from the element up to the
+/// root.
 template <class Count>
 class ListElements {
  public:
@@ -22,11 +23,11 @@ class ListElements {
 
   ListElements(const Tree& tree, Count& count) : alone_(tree, count), roots_(tree.leaf_of.size(), none) {}
 
-  /// The element of a surface after `father`, or of a first surface if `father` is none; created if it is new.
-  std::uint32_t after(std::uint32_t father, std::uint32_t primitive, Count& count) {
+  /// The element of a surface after `parent`, or of a first surface if `parent` is none; created if it is new.
+  std::uint32_t after(std::uint32_t parent, std::uint32_t primitive, Count& count) {
     count(Operation::compare_long);
     count(Operation::branch);
-    if (father == none) {
+    if (parent == none) {
       count(Operation::add);
       count(Operation::load_long);
       count(Operation::compare_long);
@@ -36,7 +37,7 @@ class ListElements {
       return roots_[primitive];
     }
     count(Operation::load_long);
-    for (std::uint32_t at = elements_[father].son; at != none; at = elements_[at].brother) {
+    for (std::uint32_t at = elements_[parent].child; at != none; at = elements_[at].sibling) {
       count.list_step();
       count(Operation::load);
       count(Operation::compare);
@@ -47,9 +48,9 @@ class ListElements {
       count(Operation::branch_taken);
     }
     // A new branch becomes the first.
-    const std::uint32_t son = made(primitive, father, elements_[father].son, count);
-    elements_[father].son = son;
-    return son;
+    const std::uint32_t child = made(primitive, parent, elements_[parent].child, count);
+    elements_[parent].child = child;
+    return child;
   }
 
   /// Whether the points after an element are inside; if unknown, `evaluate()` computes it. `is_first`: after one
@@ -64,7 +65,7 @@ class ListElements {
   }
 
   /// The preceding surface along a ray; none for the first.
-  [[nodiscard]] std::uint32_t father_of(std::uint32_t element) const { return elements_[element].father; }
+  [[nodiscard]] std::uint32_t parent_of(std::uint32_t element) const { return elements_[element].parent; }
   [[nodiscard]] std::uint32_t primitive_of(std::uint32_t element) const { return elements_[element].primitive; }
   /// Counts following pointers back to the first element.
   void count_back(std::size_t elements, Count& count) const {
@@ -81,14 +82,14 @@ class ListElements {
  private:
   struct Element {
     std::uint32_t primitive;
-    std::uint32_t father;
-    std::uint32_t brother;
-    std::uint32_t son;
+    std::uint32_t parent;
+    std::uint32_t sibling;
+    std::uint32_t child;
     Class kept;
   };
 
-  std::uint32_t made(std::uint32_t primitive, std::uint32_t father, std::uint32_t brother, Count& count) {
-    elements_.push_back({primitive, father, brother, none, Class::unknown});
+  std::uint32_t made(std::uint32_t primitive, std::uint32_t parent, std::uint32_t sibling, Count& count) {
+    elements_.push_back({primitive, parent, sibling, none, Class::unknown});
     count.list_element();
     count(Operation::call);
     count(Operation::store, 2);

@@ -57,7 +57,7 @@ class OneList {
   }
 
   /// An element has a pointer to the next, and a primitive with its class.
-  [[nodiscard]] std::uint64_t words() const { return alone_.words() + 2 * most_; }
+  [[nodiscard]] std::uint64_t words() const { return alone_.words() + 2 * max_length_; }
 
  private:
   struct Element {
@@ -77,7 +77,7 @@ class OneList {
     count(Operation::branch_taken);
     list_.resize(place);
     list_.push_back({primitive, Class::unknown});
-    most_ = std::max<std::uint64_t>(most_, list_.size());
+    max_length_ = std::max<std::uint64_t>(max_length_, list_.size());
     count.list_element();
     count(Operation::store, 2);
     count(Operation::store_long, 2);
@@ -85,7 +85,7 @@ class OneList {
 
   Alone<Count> alone_;
   std::vector<Element> list_;
-  std::uint64_t most_ = 0;
+  std::uint64_t max_length_ = 0;
 };
 
 }  // namespace csgsim::software

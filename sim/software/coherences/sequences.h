@@ -37,11 +37,11 @@ class Sequences {
   /// The last surface of a sequence.
   [[nodiscard]] std::uint32_t primitive(std::uint32_t element) const { return elements_.primitive_of(element); }
   /// The sequence without its last surface.
-  [[nodiscard]] std::uint32_t before(std::uint32_t element) const { return elements_.father_of(element); }
+  [[nodiscard]] std::uint32_t before(std::uint32_t element) const { return elements_.parent_of(element); }
 
   /// Whether the points after an element are inside, if the last `at` surfaces are at the same depth.
   bool is_in(std::uint32_t element, std::size_t at, Count& count) {
-    const bool is_first = at == 1 && elements_.father_of(element) == none;
+    const bool is_first = at == 1 && elements_.parent_of(element) == none;
     return elements_.is_in(
         element, is_first, [&] { return evaluated(element, count); }, count);
   }
@@ -63,7 +63,7 @@ class Sequences {
   /// The primitives that contain the point after an element: those that occur an odd number of times on the way back.
   std::vector<std::uint32_t> held_at(std::uint32_t element, Count& count) {
     std::vector<std::uint32_t> met;
-    for (std::uint32_t at = element; at != none; at = elements_.father_of(at))
+    for (std::uint32_t at = element; at != none; at = elements_.parent_of(at))
       met.push_back(elements_.primitive_of(at));
     elements_.count_back(met.size(), count);
     for (const std::uint32_t primitive : met) held_[primitive] ^= 1U;
@@ -102,7 +102,7 @@ class Sequences {
  private:
   void follow_back(std::uint32_t element) {
     primitives_.clear();
-    for (; element != none; element = elements_.father_of(element))
+    for (; element != none; element = elements_.parent_of(element))
       primitives_.push_back(elements_.primitive_of(element));
     events_.clear();
     for (std::size_t i = primitives_.size(); i-- > 0;) {
@@ -114,7 +114,7 @@ class Sequences {
 
   bool evaluated(std::uint32_t element, Count& count) {
     primitives_.clear();
-    for (; element != none; element = elements_.father_of(element))
+    for (; element != none; element = elements_.parent_of(element))
       primitives_.push_back(elements_.primitive_of(element));
     elements_.count_back(primitives_.size(), count);
     evaluator_.start(count);

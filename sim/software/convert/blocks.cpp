@@ -216,7 +216,7 @@ Bintree read_bintree(std::string_view text, std::string_view name) {
   words.expect("resolution");
   Bintree bintree;
   bintree.resolution = words.number<std::uint32_t>();
-  if (bintree.resolution < fewest_cells || bintree.resolution > most_cells || !std::has_single_bit(bintree.resolution))
+  if (bintree.resolution < min_cells || bintree.resolution > max_cells || !std::has_single_bit(bintree.resolution))
     words.fail("the resolution is not a power of two from 2 to 1024");
   words.expect("cube");
   for (int axis = 0; axis < 3; ++axis) bintree.low[axis] = words.number<double>();

@@ -15,15 +15,15 @@
 namespace csgsim::software::convert {
 
 /// Limits of the resolution of a block model, in cells per side.
-inline constexpr std::uint32_t fewest_cells = 2;
-inline constexpr std::uint32_t most_cells = 1024;
+inline constexpr std::uint32_t min_cells = 2;
+inline constexpr std::uint32_t max_cells = 1024;
 
 /// A block model as a bintree: a cube of resolution^3 cells, halved across x, y and z in turn until each block is
 /// entirely inside or outside. The code lists the tree in depth-first order (M. Tamminen and H. Samet, 1984): `(`
 /// precedes the two halves of a block, the lower first; `1` is an inside block, `0` an outside block.
 struct Bintree {
-  std::uint32_t resolution = fewest_cells;  ///< a power of two
-  glm::dvec3 low{0};                        ///< lowest corner of the cube, model space
+  std::uint32_t resolution = min_cells;  ///< a power of two
+  glm::dvec3 low{0};                     ///< lowest corner of the cube, model space
   double side = 1;
   std::string code;
 

@@ -60,7 +60,7 @@ double inner_radius(const facet::Solid& solid, const glm::dvec3& middle) {
 /// Size of a model, needed before its planes are created.
 struct Size {
   facet::Box box;
-  double least_width = std::numeric_limits<double>::infinity();  ///< minimum over nodes of the file
+  double min_body_width = std::numeric_limits<double>::infinity();  ///< minimum over nodes of the file
 };
 
 /// Size of a node of the file: its pieces form one solid, and some of them may be slivers.
@@ -75,11 +75,11 @@ struct NodeSize {
   }
 
   [[nodiscard]] double width() const {
-    double least = std::numeric_limits<double>::infinity();
-    if (thickness > 0) least = thickness;
+    double min_width = std::numeric_limits<double>::infinity();
+    if (thickness > 0) min_width = thickness;
     for (int axis = 0; axis < 3; ++axis)
-      if (box.high[axis] > box.low[axis]) least = std::min(least, box.high[axis] - box.low[axis]);
-    return least;
+      if (box.high[axis] > box.low[axis]) min_width = std::min(min_width, box.high[axis] - box.low[axis]);
+    return min_width;
   }
 };
 
@@ -93,7 +93,7 @@ Size size_of(const model::Tree& tree, const facet::Faceting& faceting) {
   }
   for (const auto& [place, node] : nodes) {
     size.box = facet::hull(size.box, node.box);
-    size.least_width = std::min(size.least_width, node.width());
+    size.min_body_width = std::min(size.min_body_width, node.width());
   }
   if (size.box.empty()) size.box = {glm::dvec3(0), glm::dvec3(0)};
   return size;
@@ -198,7 +198,8 @@ std::vector<std::uint32_t> Bodies::meeting(const UnitBox& box) const {
 Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting, const Work& work) {
   const Size size = size_of(tree, faceting);
   const double diagonal = size.box.diagonal() > 0 ? size.box.diagonal() : 1.0;
-  const double tolerance = std::max(finest * diagonal, std::min(coarsest * diagonal, part_of_width * size.least_width));
+  const double tolerance =
+      std::max(finest * diagonal, std::min(coarsest * diagonal, part_of_width * size.min_body_width));
   const glm::dvec3 reference = reference_of(size.box);
   const facet::Box box{size.box.low - reference, size.box.high - reference};
   BodyMaker maker(reference, diagonal, WholePlanes::unit_of(box), tolerance);

@@ -12,7 +12,7 @@ namespace {
 
 /// If at least this number of bodies cut a region, it is halved first, so that cuts do not extend into parts where they
 /// are irrelevant.
-constexpr std::size_t most_cutting = 6;
+constexpr std::size_t max_cutting = 6;
 
 std::vector<Known> knowns(const std::vector<Operand>& operands) {
   std::vector<Known> all;
@@ -123,7 +123,7 @@ Division::Fate Division::divide(const Region& region, const LocalTree& tree, std
   if (!left.value().is_known && !left.may_differ()) return Fate::none;
   drop_unused(left, operands);
   Fate fate = Fate::none;
-  if (cutting > most_cutting && halve(region, bounds, left, operands, fate)) return fate;
+  if (cutting > max_cutting && halve(region, bounds, left, operands, fate)) return fate;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     if (!operands[i].owns || operands[i].known.is_known) continue;
     const Region within = section(region, operands[i]);

@@ -58,8 +58,8 @@ std::vector<ExactFaces::Outline> ExactFaces::outlines_of(const facet::Solid& sol
 
 /// The nearest vertex of the face that a corner of the sheet may be rounded to.
 std::uint32_t ExactFaces::vertex_at(std::uint32_t corner, const Outline& outline, const Body& body) const {
-  constexpr double most_deviation = 0.1;  // relative to the tolerance
-  const glm::dvec3 place = sheet_.place(corner, most_deviation * tolerance_ / planes_.unit()) * planes_.unit();
+  constexpr double max_deviation = 0.1;  // relative to the tolerance
+  const glm::dvec3 place = sheet_.place(corner, max_deviation * tolerance_ / planes_.unit()) * planes_.unit();
   std::uint32_t found = no_vertex;
   double nearest = tolerance_;
   for (const std::uint32_t vertex : outline.corners) {

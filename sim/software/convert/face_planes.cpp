@@ -13,7 +13,7 @@ namespace csgsim::software::convert {
 namespace {
 
 /// Maximum distance between two planes within a ball.
-double most_between(const facet::Plane& one, const facet::Plane& other, const Footprint& ball) {
+double max_distance(const facet::Plane& one, const facet::Plane& other, const Footprint& ball) {
   const glm::dvec3 turn = one.normal - other.normal;
   return std::abs(glm::dot(turn, ball.middle) + one.offset - other.offset) + glm::length(turn) * ball.radius;
 }
@@ -47,7 +47,7 @@ bool FacePlanes::may_share(const facet::Plane& canonical, bool positive, std::ui
   const Use& use = uses_[known];
   if (use.last + 1 == solids_.size() && use.positive != positive) return false;
   const auto is_within = [&](const Footprint& solid) {
-    return most_between(canonical, other, solid) <= solid.tolerance;
+    return max_distance(canonical, other, solid) <= solid.tolerance;
   };
   return is_within(solids_.back()) && is_within(solids_[use.first]);
 }

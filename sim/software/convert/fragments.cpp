@@ -115,7 +115,7 @@ class Evaluation {
 
   /// Adds faces of the body. The tree holds the undecided operands, including the body itself.
   void add_group(std::span<std::uint32_t> faces, const LocalTree& tree, std::vector<Operand> operands) {
-    constexpr std::size_t most_at_once = 4;
+    constexpr std::size_t max_at_once = 4;
     const Ball ball = ball_about(faces);
     std::vector<Known> known(operands.size());
     std::vector<bool> is_left(operands.size(), true);
@@ -134,7 +134,7 @@ class Evaluation {
     const LocalTree& here = left ? *left : tree;
     if (faces.size() == 1) {
       add_face(own().faces[faces.front()], here, std::move(operands));
-    } else if (faces.size() <= most_at_once) {
+    } else if (faces.size() <= max_at_once) {
       for (std::size_t i = 0; i < faces.size(); ++i) add_group(faces.subspan(i, 1), here, operands);
     } else {
       const std::size_t half = faces.size() / 2;

@@ -27,8 +27,8 @@ struct Range {
   std::uint32_t last = 0;
 };
 
-std::uint32_t clamped(double number, std::uint32_t most) {
-  return static_cast<std::uint32_t>(std::clamp(number, 0.0, static_cast<double>(most)));
+std::uint32_t clamped(double number, std::uint32_t maximum) {
+  return static_cast<std::uint32_t>(std::clamp(number, 0.0, static_cast<double>(maximum)));
 }
 
 /// Cells whose centres lie between two coordinates.

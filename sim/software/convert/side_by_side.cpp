@@ -52,10 +52,10 @@ class Pairs {
   /// Whether a plane along an edge of each separates them. Bodies with many edges are not tested, because it would take
   /// too long.
   [[nodiscard]] bool have_edges_between(std::uint32_t one, std::uint32_t other) const {
-    constexpr std::size_t most_pairs = 1000;
+    constexpr std::size_t max_pairs = 1000;
     const Body& a = bodies_.bodies[one];
     const Body& b = bodies_.bodies[other];
-    if (a.edges.empty() || b.edges.empty() || a.edges.size() * b.edges.size() > most_pairs) return false;
+    if (a.edges.empty() || b.edges.empty() || a.edges.size() * b.edges.size() > max_pairs) return false;
     work_.charge(a.edges.size() * b.edges.size(), converting);
     const auto way = [](const Body& solid, const std::array<std::uint32_t, 2>& edge) {
       return solid.vertices[edge[1]] - solid.vertices[edge[0]];

@@ -20,7 +20,7 @@ namespace {
 using Facet = std::array<glm::vec3, 3>;
 
 /// Maximum relative change of the volume in single precision.
-constexpr double most_loss = 1e-3;
+constexpr double max_loss = 1e-3;
 
 /// Throws InputError if the coordinates are too large for single precision to preserve the volume.
 void require_volume(const Surface& surface) {
@@ -32,7 +32,7 @@ void require_volume(const Surface& surface) {
   for (const glm::dvec3& point : surface.points)
     for (int axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(point[axis]));
   const double volume = measure(surface).volume;
-  if (std::abs(measure(single).volume - volume) <= most_loss * std::abs(volume)) return;
+  if (std::abs(measure(single).volume - volume) <= max_loss * std::abs(volume)) return;
   throw InputError(
       fmt::format("binary STL has single precision, which would change the volume of this model by more than a "
                   "thousandth, because its coordinates reach {:.3g}; write .off or .3mf, or a text STL with --ascii",

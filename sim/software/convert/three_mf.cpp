@@ -138,8 +138,8 @@ std::string model_part(const Surface& surface) {
 
 std::string write(const Surface& surface, const Writing&) {
   const std::string model = model_part(surface);
-  constexpr std::size_t most_bytes = 0xffffffffU;
-  if (model.size() >= most_bytes) throw InputError("the 3MF file would exceed 4 GiB; make the facets coarser");
+  constexpr std::size_t max_bytes = 0xffffffffU;
+  if (model.size() >= max_bytes) throw InputError("the 3MF file would exceed 4 GiB; make the facets coarser");
   Archive archive;
   archive.add("[Content_Types].xml", content_types);
   archive.add("_rels/.rels", relationships);

@@ -37,10 +37,10 @@ void add_fan(const std::vector<std::uint32_t>& round, std::vector<Triangle>& tri
 /// Whether the turn is clearly to the left. If it is not, for instance at a corner that rounding has moved off a
 /// straight side, triangles from another corner may be slivers along that side.
 bool turns_left(const Point& before, const Point& here, const Point& after) {
-  constexpr double least_sine = 1e-3;
+  constexpr double min_sine = 1e-3;
   const Kernel::Vector_2 in = here - before;
   const Kernel::Vector_2 out = after - here;
-  return CGAL::determinant(in, out) > least_sine * std::sqrt(in.squared_length() * out.squared_length());
+  return CGAL::determinant(in, out) > min_sine * std::sqrt(in.squared_length() * out.squared_length());
 }
 
 bool is_convex(const std::vector<std::uint32_t>& round, const Seen& seen) {

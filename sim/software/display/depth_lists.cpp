@@ -75,7 +75,7 @@ void draw_by_lists(const DisplaySubject& subject, const ScreenFacets& seen, Ledg
   for (std::size_t pixel = 0; pixel < subject.pixels(); ++pixel) {
     Count& sorting = ledger[Phase::sorting];
     lists.gather(pixel, events, sorting);
-    if (events.size() > most_inserted) {
+    if (events.size() > max_inserted) {
       sort_by_halves(std::span(events), sorting);
     } else {
       insert_in_order(std::span(events), sorting);

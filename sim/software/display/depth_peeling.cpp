@@ -37,10 +37,10 @@ class Peeling {
   }
 
  private:
-  /// Depths below `least` are already processed; `nearest` is the minimum found for the current layer.
+  /// Depths below `min_depth` are already processed; `nearest` is the minimum found for the current layer.
   struct Pixel {
     std::uint32_t nearest;
-    std::uint32_t least = 0;
+    std::uint32_t min_depth = 0;
     std::uint32_t element = Sequences<Count>::none;
     std::uint32_t taken = 0;
   };
@@ -63,7 +63,7 @@ class Peeling {
     count(Operation::load_long, 2);
     count(Operation::compare_long, 2);
     count(Operation::branch_taken);
-    if (event.depth < pixel.least || event.depth >= pixel.nearest) return;
+    if (event.depth < pixel.min_depth || event.depth >= pixel.nearest) return;
     pixel.nearest = event.depth;
     count(Operation::branch);
     count(Operation::store_long);
@@ -101,7 +101,7 @@ class Peeling {
         count(Operation::store_long, 2);
       }
       is_more = is_more || !is_in;
-      pixel.least = is_in ? subject_.farthest() : pixel.nearest + 1;
+      pixel.min_depth = is_in ? subject_.farthest() : pixel.nearest + 1;
       pixel.nearest = subject_.farthest();
       pixel.taken = 0;
       count(Operation::store_long, 2);

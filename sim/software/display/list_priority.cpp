@@ -65,7 +65,7 @@ class ListPriority {
       for (const std::uint32_t piece : sorted.of(screen_.begins[cell], screen_.begins[cell + 1]))
         draw_piece(screen_.pieces, screen_.pieces.facets[piece]);
     }
-    tell(polygons, order, screen_);
+    add_counts(polygons, order, screen_);
     result_.counts.conflicts = sorted.conflicts();
   }
 
@@ -133,7 +133,7 @@ class ListPriority {
     count_transformation(corners, seen.facets.size(), screen.pieces.linears.size(), ledger_[Phase::transformation]);
   }
 
-  void tell(const Polygons& polygons, const CellOrder& order, const ScreenPieces& screen) {
+  void add_counts(const Polygons& polygons, const CellOrder& order, const ScreenPieces& screen) {
     DisplayCounts& counts = result_.counts;
     counts.pieces = polygons.clipped;
     counts.shared = polygons.shared;

@@ -78,7 +78,7 @@ class Ledger {
   Count& operator[](Phase phase) { return counts_[static_cast<std::size_t>(phase)]; }
 
   /// Sums up the counts of all phases.
-  void tell(DisplayCounts& counts) const {
+  void add_counts(DisplayCounts& counts) const {
     counts.csg = {};
     for (std::size_t phase = 0; phase < phases; ++phase) {
       const Counts one = counts_[phase].counts_so_far();

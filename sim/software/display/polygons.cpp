@@ -19,7 +19,7 @@ namespace {
 
 /// Minimum overhang beyond a wall for a cut, as a multiple of the tolerance of directories. The tolerance also moves
 /// walls off faces that would lie on them.
-constexpr double least_overhang = 10;
+constexpr double min_overhang = 10;
 
 /// The sides of a plane on which points lie.
 struct WallSides {
@@ -76,7 +76,7 @@ class CellFiller {
              Count& count)
       : space_(space),
         numbers_(space, clipped.facets.size()),
-        tolerance_(least_overhang * convex::tolerance(geometry.planes)),
+        tolerance_(min_overhang * convex::tolerance(geometry.planes)),
         count_(count) {
     made_.canonical_planes = geometry.planes.planes().size();
     made_.clipped = clipped.polygons.polygons();

@@ -62,15 +62,15 @@ class ScanLines {
   void draw() {
     const std::vector<std::vector<const ScreenFacet*>> buckets = bucketed();
     std::vector<const ScreenFacet*> active;
-    std::size_t most_active = 0;
+    std::size_t max_active = 0;
     for (std::uint32_t row = 0; row < subject_.view.sampling.height; ++row) {
       active.insert(active.end(), buckets[row].begin(), buckets[row].end());
       std::erase_if(active, [&](const ScreenFacet* one) { return one->pixels.y1 < static_cast<std::int32_t>(row); });
-      most_active = std::max(most_active, active.size());
+      max_active = std::max(max_active, active.size());
       row_ = static_cast<std::int32_t>(row);
       draw_row(active);
     }
-    result_.counts.words.buckets = buckets.size() + facets_.facets.size() + 12 * most_active;
+    result_.counts.words.buckets = buckets.size() + facets_.facets.size() + 12 * max_active;
     result_.counts.words.sequences = sequences_.words();
   }
 

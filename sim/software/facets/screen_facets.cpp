@@ -89,7 +89,7 @@ class Maker {
     }
     leave_out_slack(facet.bounds);
     facet.opposites = made_.linears.size();
-    if (!covers_a_pixel(facet)) {
+    if (!covers_pixel(facet)) {
       made_.linears.resize(facet.bounds);
       return;
     }
@@ -102,7 +102,7 @@ class Maker {
   }
 
   /// Rivals bound the facet at pixels only; between pixels it may extend far beyond its position.
-  [[nodiscard]] bool covers_a_pixel(const ScreenFacet& facet) const {
+  [[nodiscard]] bool covers_pixel(const ScreenFacet& facet) const {
     for (std::int32_t row = facet.pixels.y0; row <= facet.pixels.y1; ++row) {
       if (!made_.span_of(facet, row).empty()) return true;
     }

@@ -28,7 +28,7 @@ class Evaluator {
  public:
   explicit Evaluator(Tree tree) : tree_(std::make_unique<Tree>(std::move(tree))) {
     if (tree_->is_constant()) return;
-    refuse_deep(*tree_, Traversal::most_levels);
+    refuse_deep(*tree_, Traversal::max_levels);
     traversal_.emplace(*tree_);
   }
 
@@ -87,14 +87,14 @@ class Evaluator {
 };
 
 /// Maximum number of primitives for Pruning::inside, where each has a separate tree over all primitives.
-inline constexpr std::size_t most_inside = 4'096;
+inline constexpr std::size_t max_inside = 4'096;
 
 /// Number of primitives of a picture with Pruning::inside. Throws InputError if it exceeds most_inside.
 inline std::size_t primitives_inside(const Subject& subject) {
   const std::size_t primitives = subject.model.primitives.size();
-  if (primitives > most_inside) {
+  if (primitives > max_inside) {
     throw InputError("the model has " + std::to_string(primitives) +
-                     " primitives, but --reduced inside supports at most " + std::to_string(most_inside) +
+                     " primitives, but --reduced inside supports at most " + std::to_string(max_inside) +
                      "; use --reduced cells or none");
   }
   return primitives;

@@ -54,14 +54,14 @@ class IntervalArithmetic : public Method {
 
   [[nodiscard]] Counts counts() const override {
     Counts counts = count_.counts_so_far();
-    counts.words = most_words_;
+    counts.words = max_words_;
     return counts;
   }
 
  private:
   /// Boxes with at most this number of pixels per side, or of open primitives, are drawn ray by ray.
-  static constexpr std::int32_t least_side = 4;
-  static constexpr std::size_t least_open = 2;
+  static constexpr std::int32_t min_side = 4;
+  static constexpr std::size_t max_open = 2;
 
   using Open = std::vector<BoxPrimitive>;
 
@@ -98,14 +98,14 @@ class IntervalArithmetic : public Method {
     const Tree rest = pruned(tree, known_, count_);
     std::uint64_t words = words_of(rest);
     for (const BoxPrimitive& one : left) words += 1 + one.planes.fronts.size() + one.planes.backs.size();
-    most_words_ = std::max(most_words_, words);
+    max_words_ = std::max(max_words_, words);
     if (rest.is_constant()) {
       // The solid fills the box, and no nearer surface was found, so the surface is the box's front.
       if (rest.complemented) set_all(box);
       return;
     }
-    const bool is_small = box.pixels.x1 - box.pixels.x0 < least_side && box.pixels.y1 - box.pixels.y0 < least_side;
-    if (is_small || left.size() <= least_open) return draw(box, left, rest);
+    const bool is_small = box.pixels.x1 - box.pixels.x0 < min_side && box.pixels.y1 - box.pixels.y0 < min_side;
+    if (is_small || left.size() <= max_open) return draw(box, left, rest);
     for (const bool is_far : {false, true}) {
       for (const Box& part : quarters(box, is_far)) halve(part, left, rest);
     }
@@ -198,7 +198,7 @@ class IntervalArithmetic : public Method {
   std::vector<Interval> intervals_;
   std::vector<std::uint32_t> active_;
   std::vector<std::uint32_t> depths_;
-  std::uint64_t most_words_ = 0;  ///< maximum over boxes
+  std::uint64_t max_words_ = 0;  ///< maximum over boxes
 };
 
 }  // namespace csgsim::software

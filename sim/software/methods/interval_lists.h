@@ -30,7 +30,7 @@ class IntervalLists : public Method {
 
   [[nodiscard]] Counts counts() const override {
     Counts counts = count_.counts_so_far();
-    counts.words = words_of(subject_.tree) + interval_of_.size() + most_ends_;
+    counts.words = words_of(subject_.tree) + interval_of_.size() + max_ends_;
     return counts;
   }
 
@@ -85,7 +85,7 @@ class IntervalLists : public Method {
     count_right(count_);
     visit(node.right);
     count_(Operation::load_long);
-    most_ends_ = std::max<std::uint64_t>(most_ends_, 2 * ends_.size());
+    max_ends_ = std::max<std::uint64_t>(max_ends_, 2 * ends_.size());
     count_(Operation::compare_long);
     count_(Operation::branch);
     // An empty right operand leaves a union or difference unchanged, and makes an intersection empty.
@@ -151,7 +151,7 @@ class IntervalLists : public Method {
   std::vector<std::uint32_t> ends_;           ///< stack of lists to be merged
   std::vector<std::uint32_t> merged_;
   std::vector<std::uint32_t> active_;
-  std::uint64_t most_ends_ = 0;  ///< maximum size in words
+  std::uint64_t max_ends_ = 0;  ///< maximum size in words
 };
 
 }  // namespace csgsim::software

@@ -33,7 +33,7 @@ class Weave : public Method {
 
   [[nodiscard]] Counts counts() const override {
     Counts counts = count_.counts_so_far();
-    counts.words = most_words_ + (traversal_ ? traversal_->words() : 0);
+    counts.words = max_words_ + (traversal_ ? traversal_->words() : 0);
     return counts;
   }
 
@@ -54,7 +54,7 @@ class Weave : public Method {
     for (const Interval& interval : intervals) weave(interval);
     std::uint64_t words = 0;
     for (std::size_t i = 0; i < used_; ++i) words += 4 + pool_[i].held_by.size() / 2;
-    most_words_ = std::max(most_words_, words);
+    max_words_ = std::max(max_words_, words);
     for (std::uint32_t at = first_; at != none; at = pool_[at].next) {
       count_.point();
       count_(Operation::load_long);
@@ -157,7 +157,7 @@ class Weave : public Method {
   std::vector<Partition> pool_;
   std::size_t used_ = 0;
   std::uint32_t first_ = none;
-  std::uint64_t most_words_ = 0;
+  std::uint64_t max_words_ = 0;
 };
 
 }  // namespace csgsim::software

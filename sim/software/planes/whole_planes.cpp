@@ -24,7 +24,7 @@ constexpr double error_of_determinant = 0x1p-49;
 constexpr double error_of_sum = 0x1p-49;
 
 /// Points with a larger coordinate error, in units, are rounded from exact ones.
-constexpr double most_error = 0x1p-34;
+constexpr double max_error = 0x1p-34;
 
 /// The smallest power of two that is at least `length`.
 double power_above(double length) {
@@ -217,7 +217,7 @@ Meeting WholePlanes::meet(std::uint32_t one, std::uint32_t other, std::uint32_t 
     (k < 3 ? point.place_error : point.weight_error) += error_of_determinant * found.size;
   }
   const double weight = std::abs(point.near[3]);
-  if (!(point.place_error <= most_error * weight && point.weight_error <= most_error * weight))
+  if (!(point.place_error <= max_error * weight && point.weight_error <= max_error * weight))
     return exactly_rounded(point.planes);
   if (point.near[3] < 0)
     for (double& near : point.near) near = -near;

@@ -114,7 +114,7 @@ class BandCaster {
     }
   }
 
-  void tell(RayCounts& counts) const {
+  void add_counts(RayCounts& counts) const {
     counts.halfspace_tests += halfspace_tests_;
     counts.intersecting += count_.done();
   }
@@ -204,7 +204,7 @@ void cast_with(const facet::Geometry& geometry, const view::View& view, std::spa
   Count sorting;
   sort_events(band, (std::uint32_t{1} << view.sampling.z_bits) - 1, sorting);
   if (counts == nullptr) return;
-  caster.tell(*counts);
+  caster.add_counts(*counts);
   counts->intervals += band.intervals.size();
   counts->events += band.events.size();
   counts->sorting += sorting.done();

@@ -13,7 +13,7 @@
 namespace csgsim::software {
 
 /// Rays with more events are sorted with std::sort.
-inline constexpr std::size_t most_inserted = 32;
+inline constexpr std::size_t max_inserted = 32;
 
 /// Insertion sort: rays have few events, and primitives that are close in the tree are close in depth.
 template <class Count>
@@ -65,7 +65,7 @@ void sort_events(RayBand& band, std::uint32_t farthest, Count& count) {
       count(Operation::store, 2);
     }
     const std::span<Event> events = std::span(band.events).subspan(begin);
-    if (events.size() <= most_inserted) {
+    if (events.size() <= max_inserted) {
       insert_in_order(events, count);
     } else {
       sort_by_halves(events, count);

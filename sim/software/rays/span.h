@@ -23,11 +23,11 @@ inline void clip(Span& span, std::int64_t a, std::int64_t rest) {
   if (a == 0) {
     if (rest < 0) span.last = span.first - 1;
   } else if (a > 0) {
-    const std::int64_t least = -quotient_down(rest, a);
-    span.first = static_cast<std::int32_t>(std::clamp<std::int64_t>(least, span.first, std::int64_t{span.last} + 1));
+    const std::int64_t minimum = -quotient_down(rest, a);
+    span.first = static_cast<std::int32_t>(std::clamp<std::int64_t>(minimum, span.first, std::int64_t{span.last} + 1));
   } else {
-    const std::int64_t most = quotient_down(rest, -a);
-    span.last = static_cast<std::int32_t>(std::clamp<std::int64_t>(most, std::int64_t{span.first} - 1, span.last));
+    const std::int64_t maximum = quotient_down(rest, -a);
+    span.last = static_cast<std::int32_t>(std::clamp<std::int64_t>(maximum, std::int64_t{span.first} - 1, span.last));
   }
 }
 

@@ -60,7 +60,7 @@ void ExcellCells::insert(Range range, std::uint32_t facet) {
 void ExcellCells::put(const Range& range, std::uint32_t facet) {
   const Part& part = parts_[range.directory];
   const std::uint32_t number = part.entries[index_in(part, range.prefix, range.level)].number;
-  const unsigned last = part.base + part.most;
+  const unsigned last = part.base + part.max_level;
   Bucket& bucket = buckets_[number];
   count_(Operation::load, 2);
   count_(Operation::compare, 2);

@@ -106,7 +106,7 @@ class ExcellCells {
     std::uint32_t prefix = 0;  ///< prefix of the cell that it divides
     unsigned base = 0;         ///< level of that cell
     unsigned level = 0;        ///< levels below `base`
-    unsigned most = 0;
+    unsigned max_level = 0;
     std::vector<Entry> entries;
   };
   struct Bucket {

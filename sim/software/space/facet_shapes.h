@@ -15,7 +15,7 @@ namespace csgsim::software {
 
 /// Default reach of directories around a facet, relative to the model's diagonal: 1/40 pixel if the model fills a
 /// picture of 512 pixels. It exceeds the displacement of most facets of a picture by rounding (TraceScene).
-inline constexpr double usual_reach = 0x1p-14;
+inline constexpr double default_reach = 0x1p-14;
 
 /// Facets in the form that directories use: polygons, and edges and corners that remain of half-spaces without area.
 class FacetShapes {

@@ -12,7 +12,7 @@ namespace csgsim::software {
 
 namespace {
 
-constexpr double most_cells = 128;  ///< per axis
+constexpr double max_cells = 128;  ///< per axis
 
 /// Cells of equal size, as cubic as integer numbers of cells allow; about four times the number of facets divided by
 /// the bucket size. Rays step from cell to cell by additions (Fujimoto and others 1986, in the form of Amanatides and
@@ -27,7 +27,7 @@ class Grid final : public DirectoryOf<Grid> {
         std::max(1.0, density * static_cast<double>(shapes.placed().size()) / static_cast<double>(options.bucket_size));
     const double edge = std::cbrt(size.x * size.y * size.z / cells);
     for (int axis = 0; axis < 3; ++axis)
-      cells_[axis] = static_cast<std::int32_t>(std::clamp(std::round(size[axis] / edge), 1.0, most_cells));
+      cells_[axis] = static_cast<std::int32_t>(std::clamp(std::round(size[axis] / edge), 1.0, max_cells));
     facets_.resize(static_cast<std::size_t>(cells_.x) * static_cast<std::size_t>(cells_.y) *
                    static_cast<std::size_t>(cells_.z));
     for (const std::uint32_t facet : shapes.placed()) insert(facet);

@@ -139,7 +139,7 @@ class PrimaryRays final : public CellVisitor {
       piercing_.emplace(ray);
       count_quotients(meters_.traversal, 2);
     }
-    ask_loose();
+    test_loose_facets();
     directory_.walk(ray, *this, meters_.traversal);
     if (!is_done_) settle(pending_.size());
     met_.hits += points_.hit().seen.owner != Seen::nothing_seen ? 1U : 0U;
@@ -150,12 +150,12 @@ class PrimaryRays final : public CellVisitor {
   bool visit(const Cell& cell) override {
     ++cells_;
     for (const std::uint32_t facet : cell.facets) {
-      if (has_mailboxes_ && has_been_asked(facet)) continue;
+      if (has_mailboxes_ && was_tested(facet)) continue;
       const std::uint32_t screen = scene_.screen_of(facet);
       ++met_.tested;
       meters_.intersection(Operation::load_long, 2);
       meters_.intersection(Operation::branch, 2);
-      if (screen != TraceScene::none) ask(screen);
+      if (screen != TraceScene::none) test_facet(screen);
     }
     const double known = scene_.depth_at(cell.settled);
     std::size_t due = 0;
@@ -167,7 +167,7 @@ class PrimaryRays final : public CellVisitor {
   }
 
  private:
-  void ask_loose() {
+  void test_loose_facets() {
     const std::span<const std::uint32_t> loose = scene_.loose_in(static_cast<std::uint32_t>(row_));
     meters_.intersection(Operation::load_long, loose.size());
     for (const std::uint32_t screen : loose) {
@@ -177,11 +177,11 @@ class PrimaryRays final : public CellVisitor {
       if (column_ < pixels.x0 || column_ > pixels.x1) continue;
       ++met_.tested;
       ++met_.loose;
-      ask(screen);
+      test_facet(screen);
     }
   }
 
-  bool has_been_asked(std::uint32_t facet) {
+  bool was_tested(std::uint32_t facet) {
     meters_.intersection(Operation::load_long, 2);
     meters_.intersection(Operation::compare_long);
     meters_.intersection(Operation::branch);
@@ -194,7 +194,7 @@ class PrimaryRays final : public CellVisitor {
     return false;
   }
 
-  void ask(std::uint32_t screen) {
+  void test_facet(std::uint32_t screen) {
     const ScreenFacets& facets = scene_.screen();
     const ScreenFacet& facet = facets.facets[screen];
     meters_.intersection(Operation::call);

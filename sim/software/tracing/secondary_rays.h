@@ -72,8 +72,8 @@ class SecondaryRays final : public CellVisitor {
   bool visit(const Cell& cell) override {
     ++cells_;
     for (const std::uint32_t facet : cell.facets) {
-      if (has_mailboxes_ && has_been_asked(facet)) continue;
-      ask(facet);
+      if (has_mailboxes_ && was_tested(facet)) continue;
+      test_facet(facet);
     }
     settle(cell.settled);
     return !is_done_;
@@ -107,7 +107,7 @@ class SecondaryRays final : public CellVisitor {
     count_quotients(meters_.traversal, 2);
   }
 
-  bool has_been_asked(std::uint32_t facet) {
+  bool was_tested(std::uint32_t facet) {
     meters_.intersection(Operation::load_long, 2);
     meters_.intersection(Operation::compare_long);
     meters_.intersection(Operation::branch);
@@ -120,7 +120,7 @@ class SecondaryRays final : public CellVisitor {
     return false;
   }
 
-  void ask(std::uint32_t number) {
+  void test_facet(std::uint32_t number) {
     ++met_->tested;
     const Facet& facet = scene_.facets().facets[number];
     const std::span<const glm::dvec3> corners = scene_.facets().corners_of(number);

@@ -20,7 +20,7 @@ namespace csgsim::software {
 
 namespace {
 
-constexpr std::size_t most_lights = 32;
+constexpr std::size_t max_lights = 32;
 
 /// Traces a picture pixel by pixel.
 template <class Count>
@@ -38,7 +38,7 @@ class Tracer {
     }
     const bool is_of_lists = options.item_pass == ItemPass::depth_lists;
     if (options.item_pass != ItemPass::none)
-      items_.emplace(scene, sequences_, is_of_lists ? meters_ : unbilled_, counts_.items);
+      items_.emplace(scene, sequences_, is_of_lists ? meters_ : uncharged_, counts_.items);
   }
 
   void trace(std::vector<TracedPixel>& pixels) {
@@ -189,7 +189,7 @@ class Tracer {
   const TraceScene& scene_;
   const TraceOptions& options_;
   TraceMeters<Count> meters_;
-  TraceMeters<Count> unbilled_;  ///< counters of an item buffer that is charged at another pass's price
+  TraceMeters<Count> uncharged_;  ///< counters of an item buffer that is charged at another pass's price
   TraceCounts counts_;
   Sequences<Count> sequences_;
   PrimaryRays<Count> primary_;
@@ -212,7 +212,7 @@ std::vector<TracedPixel> blank(const TraceScene& scene) {
 }
 
 void refuse(const TraceOptions& options) {
-  if (options.lights.size() > most_lights)
+  if (options.lights.size() > max_lights)
     throw InputError("the scene has " + std::to_string(options.lights.size()) +
                      " lights, but at most 32 are supported; remove some lights");
 }
@@ -230,20 +230,20 @@ Traced trace(const TraceScene& scene, const Directory& directory, const TraceOpt
 
 double traced_seconds(const TraceScene& scene, const Directory& directory, const TraceOptions& options) {
   refuse(options);
-  constexpr unsigned most_times = 3;
+  constexpr unsigned max_runs = 3;
   constexpr double enough = 0.2;
   std::vector<TracedPixel> pixels = blank(scene);
-  double least = std::numeric_limits<double>::infinity();
+  double min_seconds = std::numeric_limits<double>::infinity();
   double spent = 0;
   if (scene.tree().is_constant()) return 0;
-  for (unsigned i = 0; i < most_times && spent < enough; ++i) {
+  for (unsigned i = 0; i < max_runs && spent < enough; ++i) {
     const auto begin = std::chrono::steady_clock::now();
     trace_with<UncountedMethod>(scene, directory, options, pixels);
     const double seconds = seconds_since(begin);
-    least = std::min(least, seconds);
+    min_seconds = std::min(min_seconds, seconds);
     spent += seconds;
   }
-  return least;
+  return min_seconds;
 }
 
 Picture picture_of(const Traced& traced) {

@@ -29,14 +29,14 @@ double distance_to(const glm::dvec3& point, std::span<const glm::dvec3> corners)
     normal += glm::cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
   const double area = glm::length(normal);
   bool is_within = area > 0;
-  double least = endless;
+  double min_distance = endless;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::dvec3& from = corners[i];
     const glm::dvec3& to = corners[(i + 1) % corners.size()];
-    least = std::min(least, distance_to_edge(point, from, to));
+    min_distance = std::min(min_distance, distance_to_edge(point, from, to));
     is_within = is_within && glm::dot(glm::cross(normal, to - from), point - from) >= 0;
   }
-  return is_within ? std::abs(glm::dot(normal, point - corners[0])) / area : least;
+  return is_within ? std::abs(glm::dot(normal, point - corners[0])) / area : min_distance;
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace csgsim::software {
 template <class Count>
 class BitParallel {
  public:
-  static constexpr std::uint32_t most_levels = most_developed_levels;
+  static constexpr std::uint32_t max_levels = max_developed_levels;
 
   explicit BitParallel(const Tree& tree)
       : tree_(tree), states_(std::size_t{1} << tree.depth(), Kept::in_memory), work_(tree_.words()) {}

@@ -17,7 +17,7 @@ namespace csgsim::software {
 template <class Count>
 class BitParallelStatus {
  public:
-  static constexpr std::uint32_t most_levels = most_developed_levels;
+  static constexpr std::uint32_t max_levels = max_developed_levels;
 
   explicit BitParallelStatus(const Tree& tree)
       : tree_(tree),

@@ -18,7 +18,7 @@ namespace csgsim::software {
 template <class Count>
 class BitSequential {
  public:
-  static constexpr std::uint32_t most_levels = any_levels;
+  static constexpr std::uint32_t max_levels = any_levels;
 
   explicit BitSequential(const Tree& tree)
       : states_(tree.leaf_of.size(), Kept::in_memory), stack_(tree.depth() + std::size_t{1}, Kept::in_register) {

@@ -16,7 +16,7 @@ namespace csgsim::software {
 inline constexpr std::uint32_t levels_in_word = 5;
 
 /// Maximum depth of a developed tree: 2^20 bits are 32,768 words to process per point.
-inline constexpr std::uint32_t most_developed_levels = 20;
+inline constexpr std::uint32_t max_developed_levels = 20;
 
 /// A complete binary tree with 2^n places for n levels. A leaf is at the leftmost place of its subtree; bit 0 is the
 /// leftmost. Every operator becomes an AND by inverting bits before and after it (thesis 4.4.2, table 4.7): both

@@ -19,7 +19,7 @@ template <class Count>
 class EarlyOut : public States<Count> {
  public:
   /// Visits are recursive calls.
-  static constexpr std::uint32_t most_levels = most_calls;
+  static constexpr std::uint32_t max_levels = max_calls;
 
   /// Keeps a reference to the tree, which must not be constant.
   explicit EarlyOut(const Tree& tree) : States<Count>(tree), tree_(tree) {}

@@ -23,7 +23,7 @@ template <class Count>
 class Positional {
  public:
   /// Visits are recursive calls.
-  static constexpr std::uint32_t most_levels = most_calls;
+  static constexpr std::uint32_t max_levels = max_calls;
 
   /// Keeps a reference to the tree, which must not be constant.
   explicit Positional(const Tree& tree) : tree_(tree), middle_(tree.nodes.size()), end_(tree.nodes.size()) {

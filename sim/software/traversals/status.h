@@ -16,7 +16,7 @@ namespace csgsim::software {
 template <class Count>
 class StatusTree {
  public:
-  static constexpr std::uint32_t most_levels = any_levels;
+  static constexpr std::uint32_t max_levels = any_levels;
 
   /// Keeps a reference to the tree, which must not be constant.
   explicit StatusTree(const Tree& tree) : tree_(tree), status_(tree.nodes.size()) {}

@@ -28,8 +28,8 @@ std::size_t middle_of(const Builder& builder, std::span<const std::uint32_t> par
   std::vector<double> weights;
   double all = 0;
   for (const std::uint32_t part : parts) {
-    constexpr std::uint32_t most_exponent = 500;  // so that the sum fits in a double
-    all += std::ldexp(1.0, static_cast<int>(std::min(builder.height(part), most_exponent)));
+    constexpr std::uint32_t max_exponent = 500;  // so that the sum fits in a double
+    all += std::ldexp(1.0, static_cast<int>(std::min(builder.height(part), max_exponent)));
     weights.push_back(all);
   }
   const auto half = std::ranges::lower_bound(weights, all / 2);
