@@ -23,7 +23,7 @@ namespace csgsim::plots {
 namespace {
 
 constexpr double points_per_pixel = 72.0 / 96.0;  ///< font size in points per pixel, as cairo defines it
-constexpr double mark_units = 10.5;             ///< diameter in pixels of gnuplot's marks of size 1
+constexpr double mark_units = 10.5;               ///< diameter in pixels of gnuplot's marks of size 1
 
 /// Whether the picture has the end marker of a PNG file.
 bool is_whole(std::string_view picture) { return picture.ends_with(std::string_view("IEND\xae\x42\x60\x82", 8)); }

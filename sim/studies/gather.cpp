@@ -61,8 +61,7 @@ void add_lines(const ShardFile& file, const std::vector<unsigned>& shard_of, Gat
     if (!row.empty() && row != line.row)
       throw InputError(
           fmt::format("{} and {} have different results for point {}, because of a faulty computer, an error in "
-                      "csgsim, or a changed file: "
-                      "delete both and run the shard again",
+                      "csgsim, or a changed file: delete both and run the shard again",
                       gathered.measured[line.point].native(), file.path.native(), line.point));
     row = line.row;
     gathered.measured[line.point] = file.path;

@@ -55,7 +55,7 @@ void parallel_for(std::size_t count, unsigned threads, const Work& work) {
 }
 
 /// Calls measure(i) for each i below `count` on `threads` threads, and finished(result) for one result at a time, in
-/// order of completion. Exceptions as in share_out.
+/// order of completion. Exceptions as in parallel_for.
 template <class Measure, class Finished>
 void measure_each(std::size_t count, unsigned threads, const Measure& measure, const Finished& finished) {
   parallel_for(count, threads, [&](std::size_t i, const auto& finish) {

@@ -89,7 +89,7 @@ class Evaluator {
 /// Maximum number of primitives for Pruning::inside, where each has a separate tree over all primitives.
 inline constexpr std::size_t max_inside = 4'096;
 
-/// Number of primitives of a picture with Pruning::inside. Throws InputError if it exceeds most_inside.
+/// Number of primitives of a picture with Pruning::inside. Throws InputError if it exceeds max_inside.
 inline std::size_t primitives_inside(const Subject& subject) {
   const std::size_t primitives = subject.model.primitives.size();
   if (primitives > max_inside) {

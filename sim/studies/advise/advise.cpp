@@ -134,8 +134,7 @@ report::Section recommendations(const report::Json& data, std::uint64_t searched
       data["meets_all"].get<bool>()
           ? "Each of these is the best by one requirement among the choices that meet the others."
           : "No choice meets all requirements. Each of these is the best by one requirement among the choices that "
-            "meet the others; "
-            "the last column of the requirement shows how far it is missed.";
+            "meet the others; the column 'misses its own by' shows how far that requirement is missed.";
   report::Section section{"Recommendations",
                           {report::Paragraph{fmt::format("{} choices were searched; {} of them cannot be drawn.",
                                                          grouped(searched), grouped(refused))},

@@ -212,8 +212,7 @@ class Compare : public StudyOf<ComparisonRow> {
     command
         .option("--fragments", options_.fragments,
                 "Numbers: values of $fn for all curved solids, to vary half-spaces at the machine's own size or that "
-                "of --size; "
-                "none for the model's own only")
+                "of --size; none for the model's own only")
         .check(session::is_read_by(fragments_of));
     command.option("--sides", options_.sides, "Numbers: sides of square pictures in pixels; none for one size only")
         .check(session::is_read_by(sides_of));
@@ -224,8 +223,7 @@ class Compare : public StudyOf<ComparisonRow> {
     command
         .option("--with", options_.with,
                 "Software to compare with, as PROCESSOR:METHOD separated by commas, such as mc68000:status/one-list "
-                "(csgsim manual "
-                "methods, processors; this-computer is measured); none for machines only")
+                "(csgsim manual methods, processors; this-computer is measured); none for machines only")
         .check(session::is_read_by(software_of))
         .excludes("--ideal");
   }

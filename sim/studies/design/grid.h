@@ -74,7 +74,7 @@ class DesignGrid {
   /// of stack bits.
   DesignGrid(session::ModelRequest base, std::vector<Dimension> dimensions);
 
-  /// All combinations, or a sample. Throws UsageError if the grid has more than most_designs cells and no sample is
+  /// All combinations, or a sample. Throws UsageError if the grid has more than max_designs cells and no sample is
   /// requested, and for a value that is invalid in every combination.
   DesignGrid(session::ModelRequest base, std::vector<Dimension> dimensions, const GridChoice& choice);
 

@@ -73,8 +73,7 @@ void ExploreOptions::add_to(session::OptionList& command) {
   command
       .option("--strategy", model.strategy,
               "Classification strategy, unless it is varied; auto is excluded because it depends on memory, which is a "
-              "result "
-              "here")
+              "result here")
       .one_of(fixed_names_of(emit::strategies));
   command.remove("--colouring");
   command.option("--colouring", model.colouring, "Colouring method, unless it is varied")
@@ -100,8 +99,7 @@ void ExploreOptions::add_to(session::OptionList& command) {
   command
       .option("--search", search,
               "Search for at most N further designs: neighbours of designs on the front, with the previous or next "
-              "value of "
-              "one key, repeated until all neighbours of the front have been tried")
+              "value of one key, repeated until all neighbours of the front have been tried")
       .between(0U, max_designs);
   command
       .option(

@@ -89,8 +89,7 @@ class Trace : public StudyOf<TraceRow> {
     command
         .option("--item-buffer", item_buffer_,
                 "List: cast primary rays, or replace them by a projective pass: list priority with a depth buffer, or "
-                "lists "
-                "of all depths")
+                "lists of all depths")
         .words(item_names, session::is_read_by(items_in));
     command
         .option("--mailboxes", mailboxes_, "List: test a ray against a facet in several cells repeatedly, or only once")
