@@ -23,7 +23,7 @@ class Pairs {
   Pairs(const Bodies& bodies, const Work& work) : bodies_(bodies), work_(work), tolerance_(bodies.tolerance) {}
 
   [[nodiscard]] bool are_apart(std::uint32_t one, std::uint32_t other) const {
-    return is_before_a_face(one, other) || is_before_a_face(other, one) || have_edges_between(one, other);
+    return is_before_a_face(one, other) || is_before_a_face(other, one) || has_edges_between(one, other);
   }
 
  private:
@@ -51,7 +51,7 @@ class Pairs {
 
   /// Whether a plane along an edge of each separates them. Bodies with many edges are not tested, because it would take
   /// too long.
-  [[nodiscard]] bool have_edges_between(std::uint32_t one, std::uint32_t other) const {
+  [[nodiscard]] bool has_edges_between(std::uint32_t one, std::uint32_t other) const {
     constexpr std::size_t max_pairs = 1000;
     const Body& a = bodies_.bodies[one];
     const Body& b = bodies_.bodies[other];

@@ -80,10 +80,10 @@ class Wide {
     if (others + up < limb_count) limbs_[others + up] = static_cast<std::uint64_t>(carry);
   }
 
-  /// Subtracts the limbs, shifted left by `up` limbs, if `is_so`.
+  /// Subtracts the limbs, shifted left by `up` limbs, if `condition`.
   template <std::size_t others>
-  void subtract_if(bool is_so, const std::array<std::uint64_t, others>& by, std::size_t up) {
-    const std::uint64_t mask = is_so ? ~std::uint64_t{0} : 0;
+  void subtract_if(bool condition, const std::array<std::uint64_t, others>& by, std::size_t up) {
+    const std::uint64_t mask = condition ? ~std::uint64_t{0} : 0;
     UnsignedLong carry = 1;
     for (std::size_t i = up; i < limb_count; ++i) {
       carry += static_cast<UnsignedLong>(limbs_[i]) + ~(i - up < others ? by[i - up] & mask : 0);

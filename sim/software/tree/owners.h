@@ -45,7 +45,7 @@ class Owners {
     active_.clear();
     for (const Event& event : before) enter_or_leave(event);
     for (const Event& event : at) enter_or_leave(event);
-    return first_that_shows(count);
+    return first_visible(count);
   }
 
   /// The same for a ray's intervals and the depth at which it enters; `active` are the primitives that contain that
@@ -55,7 +55,7 @@ class Owners {
     collect(intervals, depth, count);
     if (candidates_.size() == 1) return candidates_.front();
     active_.assign(active.begin(), active.end());
-    return first_that_shows(count);
+    return first_visible(count);
   }
 
   /// The only primitive whose surface can be visible at that depth; nothing_seen if there are several or none.
@@ -86,7 +86,7 @@ class Owners {
     }
   }
 
-  std::uint32_t first_that_shows(Count& count) {
+  std::uint32_t first_visible(Count& count) {
     count.tie();
     flip_all(status_, active_, count);
     const auto owner =

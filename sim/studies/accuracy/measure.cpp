@@ -97,7 +97,7 @@ view::Sampling finest(view::Sampling sampling) {
 
 /// Facets those curved solids whose quadrics, in camera space, exceed the machine's number range with the settings or
 /// with the finest arithmetic.
-facet::Faceting faceting_that_fits(const model::Tree& tree, const Settings& settings, const view::Camera& camera) {
+facet::Faceting fitting_faceting(const model::Tree& tree, const Settings& settings, const view::Camera& camera) {
   facet::Faceting faceting = settings.faceting;
   if (!faceting.exact_curves) return faceting;
   const facet::Geometry scene = facet::make_geometry(tree, faceting);
@@ -117,7 +117,7 @@ facet::Faceting faceting_that_fits(const model::Tree& tree, const Settings& sett
 
 Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
   const view::Sampling& sampling = settings.sampling;
-  const facet::Faceting faceting = faceting_that_fits(tree_, settings, cameras_[camera]);
+  const facet::Faceting faceting = fitting_faceting(tree_, settings, cameras_[camera]);
   const std::string key = fmt::format("{} {}x{} {}", name_of(faceting), sampling.width, sampling.height, camera);
   const auto known = subjects_.find(key);
   if (known != subjects_.end()) return *known->second;

@@ -31,14 +31,14 @@ namespace csgsim::studies {
 
 namespace {
 
-constexpr unsigned most_display_fragments = 4096;
+constexpr unsigned max_display_fragments = 4096;
 constexpr unsigned max_bucket_size = 10'000;
 
 std::vector<std::string> parse_display_methods(const std::string& text) {
   return session::parse_names(text, "method", software::row_names(software::display_methods()));
 }
 std::vector<unsigned> parse_display_fragments(const std::string& text) {
-  return session::parse_numbers(text, 3, most_display_fragments);
+  return session::parse_numbers(text, 3, max_display_fragments);
 }
 std::vector<std::string> parse_display_directories(const std::string& text) {
   return session::parse_names(text, "directory", software::halving_directories());
