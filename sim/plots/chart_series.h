@@ -1,5 +1,5 @@
 // Colours, dashes and marks of the series of a chart, and its key.
-// Used by the layout of charts and by common_looks.h.
+// Used by the layout of charts and by common_looks.cpp.
 #pragma once
 
 #include <string>

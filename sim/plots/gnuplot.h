@@ -1,5 +1,5 @@
 // Draws a picture with gnuplot.
-// Used by files.h.
+// Used by files.cpp.
 #pragma once
 
 #include <filesystem>

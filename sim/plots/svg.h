@@ -1,5 +1,5 @@
 // Writes a drawing as SVG.
-// Used by files.h and by the HTML pages.
+// Used by files.cpp and by the HTML pages.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // Triangulation of outlines.
-// Used by surface.cpp, outlines.cpp and polygons.cpp.
+// Used by surface.cpp and outlines.cpp.
 #pragma once
 
 #include <array>

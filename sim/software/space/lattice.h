@@ -1,5 +1,5 @@
 // Regular lattices of cells, and traversal from query point to query point.
-// Used by excell.cpp and octree.cpp.
+// Used by excell.h and octree.cpp.
 #pragma once
 
 #include <algorithm>

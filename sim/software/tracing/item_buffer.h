@@ -1,5 +1,5 @@
 // Item buffer of a picture.
-// Used by trace.h in place of primary rays.
+// Used by trace.cpp in place of primary rays.
 #pragma once
 
 #include <algorithm>

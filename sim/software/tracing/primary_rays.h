@@ -1,5 +1,5 @@
 // Tracing of primary rays through a directory.
-// Used by trace.h.
+// Used by trace.cpp.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Tracing of shadow and mirror rays.
-// Used by trace.h.
+// Used by trace.cpp.
 #pragma once
 
 #include <algorithm>

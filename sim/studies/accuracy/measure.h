@@ -1,5 +1,5 @@
 // Measures clocks and errors of one model with different settings.
-// Used by accuracy and by choose_bits.h.
+// Used by accuracy and by choose_bits.cpp.
 #pragma once
 
 #include <cstddef>
