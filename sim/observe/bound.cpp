@@ -35,23 +35,19 @@ std::optional<Bound> bound_of(const engine::RunResult& result, const machines::M
   std::vector<machines::Load> loads = machine.kind->loads(timing_of(result));
   if (loads.empty()) return std::nullopt;
   std::ranges::stable_sort(loads, std::ranges::greater{}, &machines::Load::clocks);
-  const machines::Load& most = loads.front();
-  const auto rate = [&](std::uint64_t clocks) {
-    return static_cast<double>(machine.clock_hz) / static_cast<double>(clocks);
-  };
-  std::string sentence = fmt::format(
-      "{} limits the frame rate: it {} in {:.1f} % of the {} clocks from one frame to the next, {:.4g} frames per "
-      "second",
-      with_article(most.part), most.does, 100.0 * share_of(most, next), grouped(next), rate(next));
+  const machines::Load& busiest = loads.front();
+  const auto clock_hz = static_cast<double>(machine.clock_hz);
+  std::string sentence =
+      fmt::format("The hardware could show {:.4g} frames/s, limited by {} ({:.0f} % of each frame",
+                  clock_hz / static_cast<double>(next), with_article(busiest.part), 100.0 * share_of(busiest, next));
   if (loads.size() > 1 && loads[1].clocks > 0)
-    sentence += fmt::format("; next is {}, {:.1f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], next));
-  Bound bound{most.part, share_of(most, next), result.host_clocks > next, sentence};
-  if (!bound.by_host) return bound;
-  bound.sentence = fmt::format(
-      "the host limits the frame rate: it compiles a frame in {} clocks, {:.4g} frames per second; with a faster host, "
-      "{}",
-      grouped(result.host_clocks), rate(result.host_clocks), sentence);
-  return bound;
+    sentence += fmt::format("; {} takes {:.0f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], next));
+  sentence += ").";
+  const bool by_host = result.host_clocks > next;
+  if (by_host) {
+    sentence += fmt::format(" The host needs {:.3g} s per frame.", static_cast<double>(result.host_clocks) / clock_hz);
+  }
+  return Bound{busiest.part, share_of(busiest, next), by_host, sentence};
 }
 
 }  // namespace csgsim::observe

@@ -66,7 +66,7 @@ TEST_CASE("display tells how many pixels list priority draws wrong where faces c
   CHECK(points[0]["wrong"] == points[0]["wrong_coincident"]);
   CHECK(points[1]["wrong"] == 0);
   CHECK(points[2]["wrong"] == 0);
-  CHECK(outcome.out.find("faces coincide") != std::string::npos);
+  CHECK(outcome.out.find("coincident faces") != std::string::npos);
 }
 
 TEST_CASE("shards of display are gathered to the table of one run, and what it does not know is refused") {

@@ -73,7 +73,7 @@ TEST_CASE("what is set wrongly is told in one line, with the nearest figure or k
   misused(render + "--set ambient.intensty=1", "ambient.intensity");
   misused(render + "--set alu.bits=99", "alu.bits is 99; it takes");
   misused(render + "--set alu.bits=wide", "alu.bits is a string; make it an integer");
-  misused(render + "--set alu.bits", "changes no figure; say KEY=VALUE");
+  misused(render + "--set alu.bits", "changes no parameter; write KEY=VALUE");
   misused(render + "--set divider.kind=host",
           "pixel-planes-4 has no such parameter, but machines of the kind pixel-square");
   misused("run x.csgt --set ambient.intensity=1", "'ambient.intensity=1' is for models");

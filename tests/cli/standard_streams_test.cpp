@@ -109,7 +109,7 @@ TEST_CASE("standard output takes one output, and no folder, sequence or checkpoi
   misused("render " + part + draw + "-o - --stats -", "two outputs cannot both go to standard output");
   misused("render " + part + draw + "-o - --stats /dev/stdout", "two outputs cannot both go to standard output");
   misused("render " + part + draw + "-o - --frames 2", "several pictures");
-  misused("sweep " + part + draw + "-o -", "a folder is needed");
+  misused("sweep " + part + draw + "-o -", "several files; specify a folder");
   misused("run " + std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt --checkpoint -", "name a file");
 }
 

@@ -221,15 +221,15 @@ TEST_CASE("a shard's command is a study with options that change its results, or
                                   "--dump-config", "--no-such-option", "++,--describe=x.html"}) {
     CAPTURE(words);
     REQUIRE(shards.replace(",--size,", "," + words + ",--size,") == 2);
-    shards.refuses("its command is none that shards are of");
+    shards.refuses("the command is not one of a shard");
   }
   for (const std::string words : {"--describe=x.html", "--version", "--help", "render", "rerun", ""}) {
     CAPTURE(words);
     REQUIRE(shards.replace(",sweep,m.csg,", "," + words + ",m.csg,") == 2);
-    shards.refuses("its command is none that shards are of");
+    shards.refuses("the command is not one of a shard");
   }
   REQUIRE(shards.replace(",sweep,m.csg,", std::string(",sweep,m.csg\0,", 14)) == 2);
-  shards.refuses("its command is none that shards are of");
+  shards.refuses("the command is not one of a shard");
   REQUIRE(shards.replace(",--size,", ",--size,") == 2);
   CHECK(run_words({"gather", "out", "--no-plots"}, shards.folder.path()).code == 0);
 }
@@ -259,7 +259,7 @@ TEST_CASE("a byte in a shard that no text has is refused with its file") {
       CHECK(outcome.code == 1);
       CHECK(one_line(outcome.err));
       CHECK(outcome.err.starts_with("out/shards/" + study.front() + "-"));
-      CHECK(outcome.err.find("no text of a table") != std::string::npos);
+      CHECK(outcome.err.find("contains unprintable characters") != std::string::npos);
       CHECK(!fs::exists(shards.folder / ("out/" + study.front() + ".json")));
     }
   }
@@ -273,11 +273,11 @@ TEST_CASE("a number in a table that nobody measures is refused, and so are numbe
     CAPTURE(outcome.err);
     CHECK(outcome.code == 1);
     CHECK(outcome.err.starts_with("out/shards/compare-"));
-    CHECK(outcome.err.find("'" + number + "' is no number") != std::string::npos);
+    CHECK(outcome.err.find("'" + number + "' is not a number") != std::string::npos);
   }
   for (const std::string points : {"0", "1000001", "18446744073709551615"}) {
     REQUIRE(shards.replace(",2,2,", ",2," + points + ",") >= 2);
-    shards.refuses(":1:1: " + points + " points are not within 1 to 1000000");
+    shards.refuses(":1:1: the number of points, " + points + ", is not in 1 to 1000000");
   }
 }
 
@@ -306,9 +306,9 @@ TEST_CASE("pictures that differ in rows that were read are not laid on csgsim be
     CAPTURE(gathered.err);
     CHECK(gathered.code == 1);
     CHECK(one_line(gathered.err));
-    CHECK(gathered.err.find("may not be as it was measured: measure all anew, in another folder (-o)") !=
+    CHECK(gathered.err.find("may have been changed: measure everything again in another folder (-o)") !=
           std::string::npos);
-    CHECK(gathered.err.find("fault of csgsim") == std::string::npos);
+    CHECK(gathered.err.find("error in csgsim") == std::string::npos);
     // The same study, going on from that table.
     const Outcome resumed = run_words(study + Words{"-o", "out", "--no-plots"}, shards.folder.path());
     CHECK(resumed.code == 1);

@@ -14,7 +14,7 @@ std::string trace(const std::string& more) {
 TEST_CASE("trace counts by every directory, rays and item buffer, prices the parts, and nothing is done twice") {
   const Folder folder;
   const Outcome first = succeeded(run(trace(" -o " + (folder / "t"))));
-  CHECK(first.out.find("All ways see the same surfaces") != std::string::npos);
+  CHECK(first.out.find("All directories see the same surfaces") != std::string::npos);
   const nlohmann::json points = json(folder / "t/trace.json")["points"];
   REQUIRE(points.size() == 7 * 3 * 2);
   std::set<std::string> surfaces;

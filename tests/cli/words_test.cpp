@@ -93,7 +93,7 @@ TEST_CASE("compare ends with what bounds each machine and with what the dearest 
     CHECK(point["dearest"][0]["name"] == stats["dearest"][0]["name"]);
     CHECK(point["dearest"][0]["clocks"] == stats["dearest"][0]["clocks"]);
   }
-  CHECK(outcome.out.find("what bounds it") != std::string::npos);
+  CHECK(outcome.out.find("limited by") != std::string::npos);
   CHECK(outcome.out.find(stats["dearest"][0]["name"].get<std::string>()) != std::string::npos);
   CHECK(outcome.out.find("$fn = 8 gives") != std::string::npos);
   // The share of the dearest primitive of the first machine on each, as render tells it of that machine.

@@ -106,11 +106,11 @@ TEST_CASE("a host that takes longer than the machine bounds the frame, and else 
   };
   const observe::Bound bound = bound_on(slow);
   CHECK(bound.by_host);
-  CHECK(bound.sentence.starts_with("the host limits the frame rate: it compiles"));
+  CHECK(bound.sentence.find("The host needs ") != std::string::npos);
   const observe::Bound kept_up = bound_on(machine_named("pixel-planes-4+host.count=4096"));
   CHECK(!kept_up.by_host);
   CHECK(kept_up.part == bound.part);
-  CHECK(bound.sentence.ends_with(kept_up.sentence));
+  CHECK(bound.sentence.starts_with(kept_up.sentence));
 }
 
 TEST_CASE("a Program that says it took more than any clock can tell is refused") {

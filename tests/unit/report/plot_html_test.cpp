@@ -35,7 +35,7 @@ const plots::Plot bars{
 
 /// What a drawing's file holds but its root's attributes.
 std::string content_of_file(const plots::Plot& plot) {
-  const std::string file = plots::svg_file(plots::laid_out(plot));
+  const std::string file = plots::svg_file(plots::lay_out(plot));
   return file.substr(file.find('\n'));
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("a plot of more lines than can be told apart says so, and its values a
   names.reserve(15);
   for (int i = 0; i < 15; ++i) names.push_back("line " + std::to_string(i) + ";");
   const std::string html = report::plot_html(chart_of(names));
-  CHECK(html.find("7 more, with smaller values: t.csv") != std::string::npos);
+  CHECK(html.find("7 more, with smaller values (see t.csv)") != std::string::npos);
   CHECK(count(html, "<th scope=row>line 14;</th>") == 2);
   CHECK(count(html, "<g class=\"pt\">") == 2 * 15);
 }
