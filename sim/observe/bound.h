@@ -14,10 +14,9 @@ namespace csgsim::observe {
 /// any other unit.
 struct Bound {
   std::string part;
-  double share = 0;      ///< of these clocks
-  bool by_host = false;  ///< the host takes longer than these to compile the next frame
-  std::string
-      sentence;  ///< for people: frames per second, the part and its share, the next part, the host if it limits
+  double share = 0;      ///< fraction of these clocks
+  bool by_host = false;  ///< the host takes longer than these clocks to compile the next frame
+  std::string sentence;  ///< frames per second, the unit and its share, the next unit, and the host if it is the limit
 };
 
 /// Computed from the account of a run; nothing if the machine's kind reports no units, or if a frame takes no time.

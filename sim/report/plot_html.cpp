@@ -73,7 +73,7 @@ std::string plot_html(const plots::Plot& plot) {
       fmt::format("class=\"plot\" role=\"img\" aria-label=\"{}; the table below has its values\"", said);
   std::string html = fmt::format(
       "<figure class=plots>\n<div class=scroll tabindex=0 role=region aria-label=\"{}\">{}</div>\n"
-      "<details><summary>The values of this plot</summary>\n",
+      "<details><summary>Values of this plot</summary>\n",
       said, plots::svg_element(plots::lay_out(plot), attributes));
   for (const Table& table : std::visit([](const auto& content) { return tables_of(content); }, plot.content))
     html += table_html(table);

@@ -226,9 +226,9 @@ void add_convert(CommandLine& line) {
   command.flag("--ascii", options->ascii, "Write STL as text");
   command
       .option("--resolution", options->resolution,
-              "Cells of a block model along each side, a power of two; 64 if not given")
+              "Cells along each side of a block model, a power of two; 64 if not given")
       .between(convert::min_cells, convert::max_cells);
-  command.option("--threads", options->threads, "Threads that a mesh is made on; it is the same")
+  command.option("--threads", options->threads, "Threads that build a mesh; the mesh does not depend on their number")
       .between(1U, most_threads);
   command.option("--stats", options->stats, "Counts and measures of the result, .json").check(not_empty);
   command.prints_summary();

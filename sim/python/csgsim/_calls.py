@@ -97,7 +97,7 @@ def study(name, /, *operands, **options):
 def sweep(*models, **options):
     """Measures the benefit of memory bits, like `csgsim sweep`: a dictionary per point.
 
-    docs/developing.md#words explains the keys.
+    docs/settings.md#columns-of-studies explains the keys.
 
     >>> rows = csgsim.sweep("part.csg", strategy=["stack", "list"], z_bits=[16, 20])
     >>> min(rows, key=lambda row: row["clocks"])["strategy"]

@@ -91,7 +91,7 @@ class Drawing:
     `picture`  rows x columns x 3, 8 bits each of red, green and blue
     `depth`    rows x columns, distance from the eye along the view axis in model units, inf where nothing is visible
     `owner`    rows x columns, index of the visible primitive, -1 where nothing is visible
-    `stats`    all counts, with the keys of `csgsim render --stats`, docs/stats.md
+    `stats`    all counts, with the keys of `csgsim render --stats`, docs/settings.md
     `program`  the Program that was sent to the machine
     """
 

@@ -185,7 +185,7 @@ TEST_CASE("what gnuplot says of its script becomes one line of ours, without the
 TEST_CASE("gnuplot that fails without a word, breaks off, or is ended is told") {
   CHECK(error_with("exit 3").find("exited with status 3") != std::string::npos);
   CHECK(error_with("printf '\\211PNG half'").find("the picture is incomplete") != std::string::npos);
-  CHECK(error_with("kill -9 $$").find("it was ended by a signal: Killed") != std::string::npos);
+  CHECK(error_with("kill -9 $$").find("it was killed by a signal: Killed") != std::string::npos);
 }
 
 TEST_CASE(
