@@ -54,7 +54,7 @@ std::string read_all(const Descriptor& file, const std::filesystem::path& path, 
 
 std::string read_file(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
   std::string bytes = read_all(file, path, kind);
-  if (!kind.is_continued) keep_input(path);
+  if (!kind.is_continued) record_input(path);
   return bytes;
 }
 
@@ -66,7 +66,7 @@ std::string read_file(const std::filesystem::path& path, const InputKind& kind) 
   if (kept) check_length("standard input", kept->size(), kind);
   if (!kept) {
     kept = read_all(Descriptor(::dup(STDIN_FILENO)), "standard input", kind);
-    keep_input(standard_input_file);
+    record_input(standard_input_file);
   }
   return *kept;
 }

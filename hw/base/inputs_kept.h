@@ -11,12 +11,12 @@ namespace csgsim {
 inline constexpr const char* standard_input_file = "/dev/stdin";
 
 /// Protects all inputs read from now on: OutputFile refuses to replace them.
-void keep_inputs();
+void protect_inputs();
 
 /// Records a file as read. read_file() records its files automatically.
-void keep_input(const std::filesystem::path& file);
+void record_input(const std::filesystem::path& file);
 
 /// The recorded input that is the same file as `output`, if any. See find_clash().
-std::optional<std::filesystem::path> kept_input(const std::filesystem::path& output);
+std::optional<std::filesystem::path> recorded_input(const std::filesystem::path& output);
 
 }  // namespace csgsim

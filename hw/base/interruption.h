@@ -23,7 +23,7 @@ class Interruptible {
 
  private:
   friend void end_if_interrupted();
-  friend std::stop_token stop_of_thread();
+  friend std::stop_token thread_stop_token();
 
   std::stop_token stop_;
   const Interruptible* before_;
@@ -34,6 +34,6 @@ class Interruptible {
 void end_if_interrupted();
 
 /// The current thread's stop_token, for threads that share its work; empty if the work is not interruptible.
-std::stop_token stop_of_thread();
+std::stop_token thread_stop_token();
 
 }  // namespace csgsim

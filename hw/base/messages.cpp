@@ -12,13 +12,13 @@ namespace csgsim {
 
 namespace {
 
-thread_local KeptLines* keeper = nullptr;
+thread_local CollectedLines* keeper = nullptr;
 
 }  // namespace
 
-KeptLines::KeptLines() noexcept : before_(std::exchange(keeper, this)) {}
+CollectedLines::CollectedLines() noexcept : before_(std::exchange(keeper, this)) {}
 
-KeptLines::~KeptLines() { keeper = before_; }
+CollectedLines::~CollectedLines() { keeper = before_; }
 
 void tell(std::string_view text) noexcept {
   std::fflush(stdout);  // keeps the order if both streams go to one file
@@ -26,7 +26,7 @@ void tell(std::string_view text) noexcept {
   std::fflush(stderr);
 }
 
-void tell_line(std::string_view line) noexcept {
+void report_line(std::string_view line) noexcept {
   try {
     if (keeper != nullptr) {
       keeper->lines_.emplace_back(line);

@@ -12,23 +12,23 @@ namespace csgsim {
 void tell(std::string_view text) noexcept;
 
 /// Writes one line to standard error, after printable().
-void tell_line(std::string_view line) noexcept;
+void report_line(std::string_view line) noexcept;
 
-/// Collects the lines that this thread passes to tell_line(), unchanged, instead of writing them.
-class KeptLines {
+/// Collects the lines that this thread passes to report_line(), unchanged, instead of writing them.
+class CollectedLines {
  public:
-  KeptLines() noexcept;
-  ~KeptLines();
-  KeptLines(const KeptLines&) = delete;
-  KeptLines& operator=(const KeptLines&) = delete;
+  CollectedLines() noexcept;
+  ~CollectedLines();
+  CollectedLines(const CollectedLines&) = delete;
+  CollectedLines& operator=(const CollectedLines&) = delete;
 
   [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
 
  private:
-  friend void tell_line(std::string_view line) noexcept;
+  friend void report_line(std::string_view line) noexcept;
 
   std::vector<std::string> lines_;
-  KeptLines* before_;
+  CollectedLines* before_;
 };
 
 /// Opens closed standard streams on an unusable file, so that a file opened later does not get their numbers.

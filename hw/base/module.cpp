@@ -48,22 +48,22 @@ std::filesystem::path find_module(const char* file) {
   return {};
 }
 
-std::string no_module(const ModuleRole& role) {
+std::string module_missing_text(const ModuleRole& role) {
   return std::string(role.file) + ", the part of csgsim that " + role.does +
          ", was not found in the library search path; install csgsim completely (cmake --install)" + role.instead +
          ", or add its folder to LD_LIBRARY_PATH";
 }
 
-std::string unusable_module(const ModuleRole& role, const std::filesystem::path& file, const std::string& error) {
+std::string module_unusable_text(const ModuleRole& role, const std::filesystem::path& file, const std::string& error) {
   return file.native() + ", the part of csgsim that " + role.does + ", cannot be opened: " + error +
          "; install csgsim completely (cmake --install)" + role.instead;
 }
 
-const void* module_symbol_of(const ModuleRole& role) {
+const void* load_module_symbol(const ModuleRole& role) {
   const std::filesystem::path file = find_module(role.file);
-  if (file.empty()) throw InputError(no_module(role));
+  if (file.empty()) throw InputError(module_missing_text(role));
   const OpenedModule opened = open_module(file, role.symbol);
-  if (opened.symbol == nullptr) throw InputError(unusable_module(role, file, opened.error));
+  if (opened.symbol == nullptr) throw InputError(module_unusable_text(role, file, opened.error));
   return opened.symbol;
 }
 

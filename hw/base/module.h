@@ -30,10 +30,10 @@ struct ModuleRole {
 };
 
 /// Error texts for a module that was not found or could not be opened: the cause and what to do.
-std::string no_module(const ModuleRole& role);
-std::string unusable_module(const ModuleRole& role, const std::filesystem::path& file, const std::string& error);
+std::string module_missing_text(const ModuleRole& role);
+std::string module_unusable_text(const ModuleRole& role, const std::filesystem::path& file, const std::string& error);
 
 /// The module's exported symbol. Throws InputError with one of these texts.
-const void* module_symbol_of(const ModuleRole& role);
+const void* load_module_symbol(const ModuleRole& role);
 
 }  // namespace csgsim

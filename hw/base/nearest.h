@@ -18,7 +18,7 @@ std::size_t edit_distance(std::string_view from, std::string_view to);
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 /// nearest(), but empty unless at least half of the word's characters, without leading dashes, remain unchanged.
-std::string_view nearest_alike(std::string_view word, std::span<const std::string_view> candidates);
+std::string_view nearest_similar(std::string_view word, std::span<const std::string_view> candidates);
 
 /// Error text for an unknown word, with a suggestion: `there is no strategy 'stak'; did you mean stack? The strategies
 /// are stack, list`. `kind` is the singular noun for the known words.

@@ -38,7 +38,7 @@ void check_place(const fs::path& requested, const fs::path& place) {
 
 /// Throws if this process has read the file at that place.
 void refuse_kept_input(const fs::path& requested, const fs::path& place) {
-  const std::optional<fs::path> input = kept_input(place);
+  const std::optional<fs::path> input = recorded_input(place);
   if (!input) return;
   throw InputError(
       fmt::format("{}: it is the same file as the input {}; name another output", requested.native(), input->native()));

@@ -39,7 +39,7 @@ void prefault_pages(void* /*memory*/, std::size_t /*bytes*/) {}
 
 #endif
 
-void give_back_memory() {
+void release_free_memory() {
 #ifdef __GLIBC__
   ::malloc_trim(0);
 #endif

@@ -12,7 +12,7 @@ namespace csgsim {
 void prefault_pages(void* memory, std::size_t bytes);
 
 /// Returns freed memory to the system, even between blocks in use. Called after work that leaves few allocations.
-void give_back_memory();
+void release_free_memory();
 
 /// A vector of `count` copies of `value`, with its pages requested in advance.
 template <class Element>

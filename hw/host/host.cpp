@@ -82,7 +82,7 @@ machines::FrameTiming with_host(machines::FrameTiming timing, const isa::Program
 }
 
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
-                                 const machines::Told& outcome) {
+                                 const machines::RunOutcome& outcome) {
   return with_host(machine.kind->time(program, machine, outcome), program, machine);
 }
 

@@ -26,6 +26,6 @@ machines::FrameTiming with_host(machines::FrameTiming timing, const isa::Program
 
 /// Same as machines::time_frame(), with the host.
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
-                                 const machines::Told& outcome = {});
+                                 const machines::RunOutcome& outcome = {});
 
 }  // namespace csgsim::host

@@ -167,7 +167,7 @@ bool is_binary(std::span<const std::byte> bytes) {
 
 std::vector<std::byte> encode(const Program& program) {
   ByteWriter out;
-  out.reserve(usual_bytes * instructions_in(program));
+  out.reserve(usual_bytes * total_instructions(program));
   out.block(magic);
   out.byte(version);
   const std::vector<std::uint8_t> metadata = encode_metadata(program);

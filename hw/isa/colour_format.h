@@ -9,8 +9,8 @@
 
 namespace csgsim::isa {
 
-inline constexpr unsigned fewest_colour_bits = 3;
-inline constexpr unsigned most_colour_bits = 24;
+inline constexpr unsigned minimum_colour_bits = 3;
+inline constexpr unsigned max_colour_bits = 24;
 
 /// Widths of red, green and blue in a colour field, red in the highest bits. If 3 does not divide the width, green gets
 /// the first extra bit and red the second.

@@ -47,8 +47,8 @@ struct Preparation {
 inline constexpr std::uint64_t max_prepared = std::uint64_t{1} << 48;
 
 /// The work of a machine that divides the model itself, for one surface in a region or for several surfaces where only
-/// the boxes are tested; docs/machines/pixel-square.md has the rules. Each count has 64 bits. The machine tests first, then
-/// writes.
+/// the boxes are tested; docs/machines/pixel-square.md has the rules. Each count has 64 bits. The machine tests first,
+/// then writes.
 struct DivisionStep {
   std::uint64_t boxes = 0;         ///< tests of a primitive's box against the region's
   std::uint64_t lists = 0;         ///< lists of half-spaces read, without empty lists

@@ -136,8 +136,8 @@ void read_pieces(const json& value, Facts& facts) {
   read(value, "pieces", counts);
   const std::uint64_t all = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
   const bool has_none = std::find(counts.begin(), counts.end(), 0U) != counts.end();
-  if (has_none || counts.size() != facts.primitives.size() || all > most_pieces)
-    malformed("pieces", fmt::format("a number above 0 for each primitive, at most {} in total", most_pieces));
+  if (has_none || counts.size() != facts.primitives.size() || all > max_pieces)
+    malformed("pieces", fmt::format("a number above 0 for each primitive, at most {} in total", max_pieces));
   set_piece_counts(counts, facts);
 }
 

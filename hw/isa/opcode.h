@@ -37,7 +37,7 @@ std::string_view name_of(Opcode opcode);
 const Operands& operands_of(Opcode opcode);
 
 /// Whether the instruction needs the machine's global OR.
-bool is_question(Opcode opcode);
+bool needs_global_or(Opcode opcode);
 
 /// Whether the value written to the target depends on its previous value.
 bool reads_target(Opcode opcode);

@@ -14,7 +14,7 @@ namespace csgsim::isa {
 // A primitive (a node of the model's file) is drawn as one or several convex pieces. Origins name pieces, which are
 // numbered consecutively through all primitives; messages for users name primitives.
 
-inline constexpr std::uint32_t most_pieces = 16'000'000;
+inline constexpr std::uint32_t max_pieces = 16'000'000;
 
 /// Number of pieces of all primitives.
 std::uint32_t piece_count(const Facts& facts);

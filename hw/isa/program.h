@@ -113,7 +113,7 @@ struct FrameHeader {
 FrameHeader frame_header(const Program& program);
 
 /// The number of instructions in all segments.
-std::size_t instructions_in(const Program& program);
+std::size_t total_instructions(const Program& program);
 
 /// Throws InputError unless the instruction can run on an array with that memory: the opcode is in the table; fields
 /// lie inside the memory, have widths that the opcode permits, and are disjoint (single bits may coincide); linear

@@ -182,7 +182,7 @@ void Reading::begin_preparation() {
 void Reading::set_pieces() {
   std::uint64_t all = 0;
   for (const std::uint32_t count : piece_counts_) all += count;
-  if (all > most_pieces) refuse("the primitives have {} pieces; at most {} are possible", all, most_pieces);
+  if (all > max_pieces) refuse("the primitives have {} pieces; at most {} are possible", all, max_pieces);
   set_piece_counts(piece_counts_, *program_.facts);
 }
 

@@ -256,8 +256,8 @@ void validate_header(const Program& program) {
   require(!depth.perspective || (depth.near > 0 && std::isfinite(1.0 / depth.near)),
           "near is {} in perspective; put it before the eye, far enough above 0 for a reciprocal", depth.near);
   if (program.colour != Field{}) at([&] { check_field(program.colour, shape.memory_bits); }, "the colour shown");
-  require(program.background < 1U << most_colour_bits, "background is {}; a colour has at most {} bits",
-          program.background, most_colour_bits);
+  require(program.background < 1U << max_colour_bits, "background is {}; a colour has at most {} bits",
+          program.background, max_colour_bits);
   require(std::isfinite(program.facts->compile.edge_on_fraction),
           "edge_on_fraction is {}; give a finite fraction of a pixel", program.facts->compile.edge_on_fraction);
 }

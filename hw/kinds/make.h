@@ -24,7 +24,7 @@ bool can_be_probed(const machines::Machine& machine);
 
 /// The SystemC model with only the foretold pixels; requires can_be_probed().
 std::unique_ptr<systemc::ClockedMachine> make_probed_machine(const machines::Machine& machine,
-                                                             const systemc::Foretold& foretold,
+                                                             const systemc::EarlierRun& foretold,
                                                              systemc::EvaluatorForm form);
 
 }  // namespace csgsim::kinds

@@ -33,7 +33,7 @@ std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine
 std::uint64_t clocks(std::span<const isa::Instruction> instructions, const Machine& machine);
 
 /// Clocks of a whole run without skipped instructions, including latency. For a kind whose clocks depend on the pixels
-/// (Kind::asks_for_pixels) this is an upper bound; the exact clocks are in the run's result (engine::RunResult).
+/// (Kind::depends_on_pixels) this is an upper bound; the exact clocks are in the run's result (engine::RunResult).
 std::uint64_t clocks(const isa::Program& program, const Machine& machine);
 
 }  // namespace csgsim::machines

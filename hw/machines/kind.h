@@ -34,7 +34,7 @@ class Kind {
  public:
   using Machine = machines::Machine;
   using Program = isa::Program;
-  using Told = machines::Told;
+  using RunOutcome = machines::RunOutcome;
   using Timeline = machines::Timeline;
   using Spans = std::vector<ClockSpan>;
 
@@ -78,24 +78,25 @@ class Kind {
   /// checked.
   virtual void check(const Program& /*program*/, const Machine& /*machine*/) const {}
 
-  /// Whether the clocks depend on which pixels are enabled (Told::met), which only a run determines.
-  [[nodiscard]] virtual bool asks_for_pixels(const Machine& /*machine*/) const { return false; }
+  /// Whether the clocks depend on which pixels are enabled (RunOutcome::met), which only a run determines.
+  [[nodiscard]] virtual bool depends_on_pixels(const Machine& /*machine*/) const { return false; }
   /// Clocks that a pixel's processor, or the entry of a chain, spends on an instruction if it executes all of it.
   [[nodiscard]] virtual std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const = 0;
   /// Clocks at the pixels for instruction `index` of a segment. `met` belongs to that segment; null without a run, in
   /// which case all pixels count as enabled.
   [[nodiscard]] virtual PixelClocks clocks_at_pixels(const isa::Segment& segment, std::size_t index,
-                                                     const Machine& machine, const MetPixels* /*met*/) const {
+                                                     const Machine& machine, const PixelActivity* /*met*/) const {
     const std::uint64_t pixels = std::uint64_t{segment.region.width} * segment.region.height;
     const std::uint64_t all = clocks(segment.instructions[index], machine) * pixels;
     return {all, all};
   }
   /// Timing of a frame, computed without stepping.
-  [[nodiscard]] virtual FrameTiming time(const Program& program, const Machine& machine, const Told& outcome) const = 0;
+  [[nodiscard]] virtual FrameTiming time(const Program& program, const Machine& machine,
+                                         const RunOutcome& outcome) const = 0;
   /// Clocks in which the instructions are executed, from the same computation; empty for a kind that does not support
   /// this.
   [[nodiscard]] virtual std::optional<Timeline> timeline(const Program& /*program*/, const Machine& /*machine*/,
-                                                         const Told& /*outcome*/) const {
+                                                         const RunOutcome& /*outcome*/) const {
     return std::nullopt;
   }
   /// Same as machines::at_pixel(), for a timeline of this kind.

@@ -89,10 +89,10 @@ void complete(Machine& machine);
 void adopt(Machine& machine, const isa::Program& program);
 
 /// Keys of the parameters that could be ideal and are not, in the order of the schema.
-std::vector<std::string> idealisable(const Machine& machine);
+std::vector<std::string> ideal_candidates(const Machine& machine);
 
 /// Makes the parameter ideal. Throws std::out_of_range for one that cannot be.
-void idealise(Machine& machine, std::string_view key);
+void make_ideal(Machine& machine, std::string_view key);
 
 /// Keys of the machine's ideal parameters.
 std::vector<std::string> idealisations(const Machine& machine);

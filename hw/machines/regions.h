@@ -14,8 +14,8 @@ namespace csgsim::machines {
 /// The regions of the machine's picture, in the order in which it draws them.
 std::vector<isa::Region> regions(const Machine& machine);
 
-/// How a machine divides the model itself, by the rules of docs/machines/pixel-square.md: the host sends it the model as seen by the
-/// camera, and the machine makes the instructions of each region.
+/// How a machine divides the model itself, by the rules of docs/machines/pixel-square.md: the host sends it the model
+/// as seen by the camera, and the machine makes the instructions of each region.
 struct Division {
   /// Side of a group in regions, for the first of two levels; 0 for a single level.
   std::uint32_t group_side = 0;

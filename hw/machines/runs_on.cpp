@@ -20,7 +20,7 @@ void check_questions(const isa::Program& program, const Machine& machine) {
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const std::vector<isa::Instruction>& instructions = program.segments[s].instructions;
     for (std::size_t i = 0; i < instructions.size(); ++i) {
-      if (!isa::is_question(instructions[i].opcode)) continue;
+      if (!isa::needs_global_or(instructions[i].opcode)) continue;
       throw InputError(
           fmt::format("segment {}, instruction {}: {} needs a global OR, which the machine {} does not have; compile "
                       "the model for this machine, or use one with global_or.present = 1",

@@ -40,7 +40,7 @@ constexpr FigureSchema named(FigureSchema figure, std::span<const std::string_vi
   return figure;
 }
 
-inline constexpr std::int64_t most_clocks = 1'000'000;  ///< maximum of parameters in clocks
+inline constexpr std::int64_t max_parameter_clocks = 1'000'000;  ///< maximum of parameters in clocks
 
 /// A parameter stored in a member of the machine, or in a member of one of its parts.
 template <auto... members>

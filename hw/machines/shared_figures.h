@@ -41,7 +41,7 @@ inline constexpr FigureSchema evaluator_degree = figure<&Machine::evaluator_degr
     "evaluator.degree", "", 1, 2, "degree of the expressions: 1 for A*x + B*y + C, 2 to add A*x*x + B*x*y + C*y*y");
 
 inline constexpr FigureSchema clear_clocks =
-    or_ideal(figure<&Machine::clear_clocks>("memory.clear_clocks", "clocks", 0, most_clocks,
+    or_ideal(figure<&Machine::clear_clocks>("memory.clear_clocks", "clocks", 0, max_parameter_clocks,
                                             "clocks to clear all memory of the pixel processors when a segment begins"),
              0);
 inline constexpr FigureSchema host_processor = or_ideal(
@@ -57,13 +57,13 @@ inline constexpr FigureSchema link_width =
                                                   "bits of a word of the link"),
              isa::LinkWord::most_bits);
 inline constexpr FigureSchema link_word_clocks = figure<&Machine::link, &Link::word_clocks>(
-    "link.word_clocks", "clocks", 1, most_clocks, "clocks from one word of the link to the next");
+    "link.word_clocks", "clocks", 1, max_parameter_clocks, "clocks from one word of the link to the next");
 inline constexpr FigureSchema link_fifo_depth =
     or_ideal(figure<&Machine::link, &Link::fifo_depth>("link.fifo_depth", "words", 1, 65536,
                                                        "words in the FIFO at the machine's end of the link"),
              65536);
 inline constexpr FigureSchema link_latency =
-    or_ideal(figure<&Machine::link, &Link::latency>("link.latency", "clocks", 0, most_clocks,
+    or_ideal(figure<&Machine::link, &Link::latency>("link.latency", "clocks", 0, max_parameter_clocks,
                                                     "clocks from a request (frame start or jump) to the first word"),
              0);
 

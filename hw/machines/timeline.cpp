@@ -10,7 +10,7 @@
 
 namespace csgsim::machines {
 
-Timeline timeline(const isa::Program& program, const Machine& machine, const Told& outcome) {
+Timeline timeline(const isa::Program& program, const Machine& machine, const RunOutcome& outcome) {
   std::optional<Timeline> found = machine.kind->timeline(program, machine, outcome);
   if (!found) {
     throw InputError(fmt::format("machines of the kind {} provide no instruction timeline; use another --machine",

@@ -32,11 +32,11 @@ struct Timeline {
   std::vector<ClockSpan> cleared;
 
   /// Pixel activity from which it was computed, for kinds that need it.
-  std::vector<MetPixels> met{};
+  std::vector<PixelActivity> met{};
 };
 
 /// Computed without stepping. `outcome`: as for time_frame(). Throws InputError for a kind that does not support it.
-Timeline timeline(const isa::Program& program, const Machine& machine, const Told& outcome = {});
+Timeline timeline(const isa::Program& program, const Machine& machine, const RunOutcome& outcome = {});
 
 /// Clocks, for each instruction of a segment, in which pixel (x, y) of the picture, which lies in the segment's
 /// region, executes it: its effects are visible from the span's `end` on. `timeline` belongs to that Program and

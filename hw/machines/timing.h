@@ -7,7 +7,7 @@
 #include "hw/isa/program.h"
 #include "hw/machines/accounts.h"
 #include "hw/machines/machine.h"
-#include "hw/machines/told.h"
+#include "hw/machines/run_outcome.h"
 
 namespace csgsim::machines {
 
@@ -34,7 +34,8 @@ constexpr std::uint64_t paced_clocks(std::uint64_t interval_clocks, std::uint64_
 FrameTiming with_pace(FrameTiming timing);
 
 /// Timing for a machine of any kind, completed by with_pace(). `outcome` comes from a run of the Program; without it no
-/// instruction is skipped, and for a kind that depends on pixels (Kind::asks_for_pixels) the clocks are an upper bound.
-FrameTiming time_frame(const isa::Program& program, const Machine& machine, const Told& outcome = {});
+/// instruction is skipped, and for a kind that depends on pixels (Kind::depends_on_pixels) the clocks are an upper
+/// bound.
+FrameTiming time_frame(const isa::Program& program, const Machine& machine, const RunOutcome& outcome = {});
 
 }  // namespace csgsim::machines

@@ -11,10 +11,10 @@
 namespace csgsim::pixel_planes {
 
 /// The picture that an earlier run left in a field of the pixels, in the format of the refresh port.
-class ForetoldPicture {
+class EarlierPicture {
  public:
   /// `colours` is in row order and must outlive this object.
-  ForetoldPicture(array::PlaneShape shape, std::span<const std::uint32_t> colours) : shape_(shape), colours_(colours) {}
+  EarlierPicture(array::PlaneShape shape, std::span<const std::uint32_t> colours) : shape_(shape), colours_(colours) {}
 
   void show(isa::Field field) { field_ = field; }
 

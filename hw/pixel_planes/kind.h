@@ -21,10 +21,11 @@ class Kind final : public machines::KindOf<Figures> {
   /// Same as bit_serial_clocks(), plus the levels of the global OR for a question.
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
   /// Counts from the clock in which the controller requests the frame, like the modules.
-  machines::FrameTiming time(const Program& program, const Machine& machine, const Told& outcome) const override;
+  machines::FrameTiming time(const Program& program, const Machine& machine, const RunOutcome& outcome) const override;
   /// Clocks in which the controller has the steps of an instruction on its wires or waits for an answer, and clocks in
   /// which the steps are at the pixels, at all of them at once.
-  std::optional<Timeline> timeline(const Program& program, const Machine& machine, const Told& outcome) const override;
+  std::optional<Timeline> timeline(const Program& program, const Machine& machine,
+                                   const RunOutcome& outcome) const override;
   Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
                  std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;

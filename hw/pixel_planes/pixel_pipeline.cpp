@@ -12,14 +12,14 @@ namespace {
 array::PlaneShape whole_array(const machines::Machine& machine) { return {machine.array.width, machine.array.height}; }
 
 std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, systemc::EvaluatorForm form,
-                                              const systemc::Foretold* foretold) {
+                                              const systemc::EarlierRun* foretold) {
   if (form == systemc::EvaluatorForm::worked_out) return std::nullopt;
   const std::span<const array::Place> pixels = foretold == nullptr ? std::span<const array::Place>() : foretold->pixels;
   const array::TreeForm trees{machine.evaluator_degree, machine.evaluator_bits, machine.register_levels};
   return array::SteppedEvaluator(whole_array(machine), trees, pixels);
 }
 
-array::PixelArray pixels_of(const machines::Machine& machine, const systemc::Foretold* foretold) {
+array::PixelArray pixels_of(const machines::Machine& machine, const systemc::EarlierRun* foretold) {
   if (foretold == nullptr) return {machine.array, machine.alu_bits};
   return {foretold->pixels, machine.array.memory_bits, machine.alu_bits};
 }
@@ -27,7 +27,7 @@ array::PixelArray pixels_of(const machines::Machine& machine, const systemc::For
 }  // namespace
 
 PixelPipeline::PixelPipeline(sc_core::sc_module_name name, const machines::Machine& machine,
-                             systemc::EvaluatorForm form, const systemc::Foretold* foretold)
+                             systemc::EvaluatorForm form, const systemc::EarlierRun* foretold)
     : sc_core::sc_module(name),
       period_(systemc::period_of(machine)),
       latency_(machines::evaluator_latency(machine)),

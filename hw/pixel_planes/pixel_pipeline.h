@@ -33,7 +33,7 @@ class PixelPipeline final : public sc_core::sc_module, public PixelWires, public
   /// If `foretold` is not null, only its pixels are built, side by side: pixel i is at (i, 0). The refresh port then
   /// delivers the foretold picture.
   PixelPipeline(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form,
-                const systemc::Foretold* foretold = nullptr);
+                const systemc::EarlierRun* foretold = nullptr);
 
   void put(std::uint64_t edge, const ControlWord& word, const array::RootBits& bits) override;
 
@@ -69,7 +69,7 @@ class PixelPipeline final : public sc_core::sc_module, public PixelWires, public
   const sc_core::sc_time period_;
   const unsigned latency_;
   bool requests_or_ = false;  ///< whether the last word put requests the global OR
-  std::optional<ForetoldPicture> foretold_;
+  std::optional<EarlierPicture> foretold_;
   std::vector<std::uint64_t> due_;  ///< edges at which to wake, the latest first
   sc_core::sc_event woken_{"woken"};
 

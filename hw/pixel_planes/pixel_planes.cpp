@@ -60,7 +60,7 @@ void check_fits(const isa::ArrayShape& program, const isa::ArrayShape& machine) 
 }  // namespace
 
 PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form,
-                         const systemc::Foretold* foretold)
+                         const systemc::EarlierRun* foretold)
     : sc_core::sc_module(name),
       machine_(machine),
       foretold_(foretold == nullptr ? std::nullopt : std::optional(*foretold)),
@@ -244,7 +244,7 @@ std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave
   add(scan_out_taps());
   for (std::size_t i = 0; i < request.pixels.size(); ++i) {
     const array::Place place = place_of(request.pixels[i], program);
-    const array::Place built = foretold_ ? array::Place{foretold_place(*foretold_, place), 0} : place;
+    const array::Place built = foretold_ ? array::Place{built_place(*foretold_, place), 0} : place;
     add(pixel_taps(request.pixels[i], {pipeline_, place, built, nullptr, trees}, program, request.tree_levels,
                    machine_.alu_bits));
   }
@@ -302,7 +302,7 @@ extern const Maker pixel_planes_maker{
     .make_stepped = [](const machines::Machine& machine) -> std::unique_ptr<ClockedMachine> {
       return std::make_unique<pixel_planes::PixelPlanes>("pixel_planes", machine, EvaluatorForm::stepped);
     },
-    .make_probed = [](const machines::Machine& machine, const Foretold& foretold,
+    .make_probed = [](const machines::Machine& machine, const EarlierRun& foretold,
                       EvaluatorForm form) -> std::unique_ptr<ClockedMachine> {
       return std::make_unique<pixel_planes::PixelPlanes>("pixel_planes", machine, form, &foretold);
     }};

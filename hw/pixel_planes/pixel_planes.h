@@ -34,7 +34,7 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
   /// is then meaningless.
   PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine,
               systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out,
-              const systemc::Foretold* foretold = nullptr);
+              const systemc::EarlierRun* foretold = nullptr);
 
   /// A frame begins with the clock in which the controller requests it and ends when its last step has been executed;
   /// then a Program with colours is scanned out.
@@ -78,7 +78,7 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
   void on_done();
 
   const machines::Machine machine_;
-  const std::optional<systemc::Foretold> foretold_;
+  const std::optional<systemc::EarlierRun> foretold_;
   const unsigned latency_;
 
   systemc::Clock clock_;

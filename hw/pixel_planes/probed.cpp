@@ -23,7 +23,7 @@ void for_each_carried_out(const isa::Program& program, const std::vector<bool>& 
     const std::vector<isa::Instruction>& all = program.segments[s].instructions;
     for (std::uint32_t i = 0; i < all.size(); ++i) {
       if (!visit(s, i, questions)) return;
-      if (!isa::is_question(all[i].opcode)) continue;
+      if (!isa::needs_global_or(all[i].opcode)) continue;
       i += static_cast<std::uint32_t>(isa::skipped_after(all[i], answers.at(questions++) ? 1 : 0));
     }
   }
@@ -32,7 +32,7 @@ void for_each_carried_out(const isa::Program& program, const std::vector<bool>& 
 }  // namespace
 
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
-                                  const systemc::Foretold& foretold, wave::Window window) {
+                                  const systemc::EarlierRun& foretold, wave::Window window) {
   // One clock more than the pipeline for the word that the pixels have executed last, which is also traced.
   const std::uint64_t lead = machines::evaluator_latency(machine) + 2;
   std::optional<Start> start;
@@ -87,7 +87,7 @@ array::Place place_of(wave::Pixel pixel, const isa::Program& program) {
   return {pixel.x - region.x, pixel.y - region.y};
 }
 
-std::uint32_t foretold_place(const systemc::Foretold& foretold, array::Place place) {
+std::uint32_t built_place(const systemc::EarlierRun& foretold, array::Place place) {
   const auto found = std::find(foretold.pixels.begin(), foretold.pixels.end(), place);
   if (found == foretold.pixels.end()) throw std::out_of_range("a probed pixel that is not built");
   return static_cast<std::uint32_t>(std::distance(foretold.pixels.begin(), found));

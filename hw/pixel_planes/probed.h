@@ -29,9 +29,9 @@ struct Start {
 /// The last instruction that begins at least a pipeline length before the window and does not depend on squares before
 /// it; empty if there is none.
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
-                                  const systemc::Foretold& foretold, wave::Window window);
+                                  const systemc::EarlierRun& foretold, wave::Window window);
 
-/// The pixels after all executed instructions before `start`. `answers`: as in Foretold.
+/// The pixels after all executed instructions before `start`. `answers`: as in EarlierRun.
 array::PixelReplay replay_until(const isa::Program& program, const std::vector<bool>& answers, const Start& start,
                                 const array::PixelReplay& fresh);
 
@@ -39,7 +39,7 @@ array::PixelReplay replay_until(const isa::Program& program, const std::vector<b
 array::Place place_of(wave::Pixel pixel, const isa::Program& program);
 
 /// Index of a place among the foretold pixels. Throws std::out_of_range if it is not among them.
-std::uint32_t foretold_place(const systemc::Foretold& foretold, array::Place place);
+std::uint32_t built_place(const systemc::EarlierRun& foretold, array::Place place);
 
 /// The field of pixel memory that the scan-out displays.
 isa::Field shown_field(const isa::Program& program, const machines::Machine& machine);

@@ -37,7 +37,7 @@ struct Task {
 std::vector<Task> make_tasks(const isa::Program& program, const machines::Machine& machine,
                              std::span<const machines::Skip> skips) {
   std::vector<Task> tasks;
-  tasks.reserve(program.segments.size() + isa::instructions_in(program) + 1);
+  tasks.reserve(program.segments.size() + isa::total_instructions(program) + 1);
   const auto words = [&](const isa::Command& command) { return isa::wire_words(command, machine.link.width); };
   for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
     const isa::Segment& segment = program.segments[s];
@@ -46,7 +46,7 @@ std::vector<Task> make_tasks(const isa::Program& program, const machines::Machin
     for (std::uint32_t i = 0; i < segment.instructions.size(); ++i) {
       const isa::Instruction& instruction = segment.instructions[i];
       Task& task = tasks.emplace_back();
-      task.kind = isa::is_question(instruction.opcode) ? Task::Kind::question : Task::Kind::instruction;
+      task.kind = isa::needs_global_or(instruction.opcode) ? Task::Kind::question : Task::Kind::instruction;
       task.words = words(instruction);
       task.clocks = machines::clocks(instruction, machine);
       if (skips.empty() || skips.front() != machines::Skip{s, i}) continue;
@@ -338,13 +338,13 @@ std::uint32_t or_levels(std::uint64_t lines, std::uint32_t fan_in) {
 
 std::uint64_t Kind::clocks(const isa::Instruction& instruction, const machines::Machine& machine) const {
   const std::uint64_t steps = machines::bit_serial_clocks(instruction, machine);
-  if (!isa::is_question(instruction.opcode)) return steps;
+  if (!isa::needs_global_or(instruction.opcode)) return steps;
   return steps + or_levels(std::uint64_t{machine.array.width} * machine.array.height,
                            machines::own<Figures>(machine).or_fan_in);
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const machines::Machine& machine,
-                                 const machines::Told& outcome) const {
+                                 const machines::RunOutcome& outcome) const {
   const std::vector<Task> tasks = make_tasks(program, machine, outcome.skips);
   const std::uint32_t colour_bits = program.colour.width;
   SequenceModel model(machine);
@@ -355,7 +355,7 @@ machines::FrameTiming Kind::time(const isa::Program& program, const machines::Ma
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const machines::Machine& machine,
-                                                 const machines::Told& outcome) const {
+                                                 const machines::RunOutcome& outcome) const {
   const std::vector<Task> tasks = make_tasks(program, machine, outcome.skips);
   std::vector<machines::ClockSpan> spans(tasks.size());
   FrameModel(machine, tasks, 0, nullptr, 0, &spans).time();
@@ -389,7 +389,7 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   const std::vector<isa::Instruction>& instructions = program.segments[segment].instructions;
   std::vector<machines::ClockSpan> steps = timeline.issued[segment];
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (!steps[i].empty() && isa::is_question(instructions[i].opcode)) steps[i].end = steps[i].begin + 1;
+    if (!steps[i].empty() && isa::needs_global_or(instructions[i].opcode)) steps[i].end = steps[i].begin + 1;
   }
   return machines::later(std::move(steps), machines::evaluator_latency(machine));
 }

@@ -14,7 +14,7 @@ namespace csgsim::systemc {
 
 /// Results of an earlier run of the same Program. With them a machine with only some pixels behaves at these like the
 /// whole machine. The referenced data must outlive that machine.
-struct Foretold {
+struct EarlierRun {
   std::vector<array::Place> pixels;       ///< pixels of the array that are built
   std::vector<bool> answers;              ///< whether any pixel is enabled, for each question in order
   std::span<const machines::Skip> skips;  ///< the questions followed by skipped instructions

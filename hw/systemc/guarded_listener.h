@@ -16,9 +16,9 @@ class GuardedListener final : public RunListener {
   /// Rethrows the listener's exception, if any.
   void rethrow() { guard_.rethrow(); }
 
-  [[nodiscard]] Keep keeps_after(std::uint32_t segment, std::uint32_t index) override {
+  [[nodiscard]] Keep required_after(std::uint32_t segment, std::uint32_t index) override {
     Keep keep = Keep::nothing;
-    guard_.run([&] { keep = listener_->keeps_after(segment, index); });
+    guard_.run([&] { keep = listener_->required_after(segment, index); });
     return keep;
   }
   void after_instruction(const Retired& retired, const PixelView& pixels) override {

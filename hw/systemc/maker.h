@@ -19,7 +19,7 @@ struct Maker {
   /// Makes a machine with stepped multiplier trees; null if the kind has none.
   std::unique_ptr<ClockedMachine> (*make_stepped)(const machines::Machine& machine) = nullptr;
   /// Makes a machine with only the foretold pixels; null if waves need the whole machine.
-  std::unique_ptr<ClockedMachine> (*make_probed)(const machines::Machine& machine, const Foretold& foretold,
+  std::unique_ptr<ClockedMachine> (*make_probed)(const machines::Machine& machine, const EarlierRun& foretold,
                                                  EvaluatorForm form) = nullptr;
 };
 

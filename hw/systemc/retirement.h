@@ -25,7 +25,7 @@ class Retirement final : public sc_core::sc_module, public RetirementPort {
   /// Rethrows the listener's exception, if any, after the machine has completed its run.
   void rethrow() { listener_->rethrow(); }
 
-  [[nodiscard]] Keep keeps_after(std::uint32_t segment, std::uint32_t index) override;
+  [[nodiscard]] Keep required_after(std::uint32_t segment, std::uint32_t index) override;
   void after_instruction(const Retired& retired, const PixelView& pixels) override;
   void after_segment(std::uint32_t segment, const PixelView& pixels) override;
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "hw/isa/instruction.h"
-#include "hw/machines/told.h"
+#include "hw/machines/run_outcome.h"
 
 // Interface through which a SystemC machine reports the progress of a run.
 namespace csgsim::systemc {
@@ -27,7 +27,7 @@ struct Retired {
 enum class Keep : std::uint8_t { nothing, enable, all };
 
 /// The pixels of a region after an instruction; (0, 0) is the array's corner. Valid only during the call that passes
-/// it. Reading state that RunListener::keeps_after did not request may throw std::logic_error.
+/// it. Reading state that RunListener::required_after did not request may throw std::logic_error.
 class PixelView {
  public:
   virtual ~PixelView() = default;
@@ -51,7 +51,9 @@ class RunListener {
 
   /// The state that the view after that instruction must provide, queried before the instruction is sent. Machines may
   /// provide more.
-  [[nodiscard]] virtual Keep keeps_after(std::uint32_t /*segment*/, std::uint32_t /*index*/) { return Keep::nothing; }
+  [[nodiscard]] virtual Keep required_after(std::uint32_t /*segment*/, std::uint32_t /*index*/) {
+    return Keep::nothing;
+  }
   virtual void after_instruction(const Retired& /*retired*/, const PixelView& /*pixels*/) {}
 
   /// Called once per segment, even without instructions. The view provides everything.

@@ -30,7 +30,7 @@ bool printed() {
 }
 
 int not_printed() {
-  csgsim::tell_line("csgsim: cannot write to standard output; check for free space");
+  csgsim::report_line("csgsim: cannot write to standard output; check for free space");
   return bad_input;
 }
 
@@ -38,17 +38,17 @@ int run(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
   try {
     line.run(arguments);
   } catch (const csgsim::session::UsageError& error) {
-    csgsim::tell_line("csgsim: " + std::string(error.what()));
+    csgsim::report_line("csgsim: " + std::string(error.what()));
     return bad_usage;
   } catch (const csgsim::InputError& error) {
-    csgsim::tell_line(error.what());
+    csgsim::report_line(error.what());
     return bad_input;
   } catch (const std::bad_alloc&) {
     csgsim::tell("csgsim: there is not enough memory\n");
     return bad_input;
   } catch (const std::exception& error) {
     if (!printed()) return not_printed();
-    csgsim::tell_line("csgsim: " + std::string(error.what()) + "; this is a bug in csgsim, please report it");
+    csgsim::report_line("csgsim: " + std::string(error.what()) + "; this is a bug in csgsim, please report it");
     return our_fault;
   }
   return 0;
@@ -87,7 +87,7 @@ void add_commands(csgsim::shell::CommandLine& line, std::span<char* const> argum
 int main(int argc, char** argv) {
   csgsim::keep_standard_numbers();
   csgsim::delete_partial_files_on_signals();
-  csgsim::keep_inputs();
+  csgsim::protect_inputs();
   csgsim::shell::CommandLine line(
       "csgsim: clock-accurate simulator of the logic-enhanced frame buffers of the 1980s that draw CSG models",
       "csgsim");

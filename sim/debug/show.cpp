@@ -51,7 +51,7 @@ FieldMeaning meaning_of(isa::Field field, const isa::Program& program) {
   const auto named = std::ranges::find(program.facts->fields, field, &isa::NamedField::field);
   if (named == program.facts->fields.end()) return {};
   const bool is_colour = named->role == colour || named->role == candidate_colour || named->role == shown;
-  return {is_colour && field.width >= isa::fewest_colour_bits && field.width <= isa::most_colour_bits,
+  return {is_colour && field.width >= isa::minimum_colour_bits && field.width <= isa::max_colour_bits,
           named->role == depth || named->role == candidate_depth || named->role == stored};
 }
 

@@ -79,7 +79,7 @@ struct RunResult {
   std::vector<machines::Skip> skips{};  ///< the skip_if_none instructions that skipped, in program order
   /// Pixels at which instructions took effect, per segment, for kinds that need it; empty at the cycle level, whose
   /// clocks are counted.
-  std::vector<machines::MetPixels> met{};
+  std::vector<machines::PixelActivity> met{};
   std::vector<bool> answers;  ///< results of global_or, in order
   /// Colour of every pixel of the picture, in row order, from the machine's scan-out; empty if the engine does not
   /// simulate it.
@@ -89,7 +89,7 @@ struct RunResult {
 };
 
 /// Run-time outcomes that exact timing needs. They refer to the result, which must outlive them.
-inline machines::Told told_of(const RunResult& result) { return {result.skips, result.met}; }
+inline machines::RunOutcome run_outcome(const RunResult& result) { return {result.skips, result.met}; }
 
 /// Stores the timing of a frame in the result of its run.
 inline void put(machines::FrameTiming timing, RunResult& result) {

@@ -103,7 +103,7 @@ std::string text_of(const Change& change, std::int64_t value) {
 
 /// The clocks from one frame to the next; nothing if the value does not fit the machine's other parameters.
 std::optional<std::uint64_t> interval_with(const Change& change, const isa::Program& program, machines::Machine machine,
-                                           const machines::Told& outcome) {
+                                           const machines::RunOutcome& outcome) {
   change.figure->store(machine, change.after);
   try {
     const machines::Size picture = machine.picture;
@@ -144,7 +144,7 @@ std::vector<Knob> parameter_knobs(const isa::Program& program, const machines::M
   for (const FigureStep& row : figure_steps) {
     const std::optional<Change> change = change_of(machine, row);
     if (!change) continue;
-    const std::optional<std::uint64_t> after = interval_with(*change, program, machine, engine::told_of(result));
+    const std::optional<std::uint64_t> after = interval_with(*change, program, machine, engine::run_outcome(result));
     if (!after) continue;
     Knob knob{"", option_of(word, *change), result.interval_clocks, *after};
     knob.sentence = fmt::format("{} {} instead of {}: {}", change->figure->key, text_of(*change, change->after),

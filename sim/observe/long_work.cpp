@@ -37,8 +37,8 @@ void LongWork::at(double done) {
   const double expected = elapsed() / done;
   if (expected < warning_threshold_) return;
   warned_ = expected;
-  tell_line(fmt::format("warning: {} will take about {}, judging by the first {:.2g} %; {}", what_,
-                        duration_text(expected), 100 * done, remedy_));
+  report_line(fmt::format("warning: {} will take about {}, judging by the first {:.2g} %; {}", what_,
+                          duration_text(expected), 100 * done, remedy_));
 }
 
 void LongWork::at_point(std::size_t done, std::size_t points) {

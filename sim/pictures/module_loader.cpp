@@ -49,14 +49,14 @@ constexpr ModuleRole role{
 }  // namespace
 
 void begin_to_open_module(const std::filesystem::path& picture) {
-  if (!loader().begin()) throw InputError(picture.native() + ": " + no_module(role));
+  if (!loader().begin()) throw InputError(picture.native() + ": " + module_missing_text(role));
 }
 
 const Module& opened_module(const std::filesystem::path& picture) {
   begin_to_open_module(picture);
   const OpenedModule& opened = loader().opened();
   if (opened.symbol == nullptr)
-    throw InputError(picture.native() + ": " + unusable_module(role, loader().file(), opened.error));
+    throw InputError(picture.native() + ": " + module_unusable_text(role, loader().file(), opened.error));
   return *static_cast<const Module*>(opened.symbol);
 }
 

@@ -38,7 +38,7 @@ auto interruptibly(Work work) {
   using Result = decltype(work());
   std::packaged_task<WithWarnings<Result>(std::stop_token)> task([&work](const std::stop_token& stop) {
     const Interruptible looks_for(stop);
-    const KeptLines kept;
+    const CollectedLines kept;
     const SilentPrints silent;
     Result result = work();
     return WithWarnings<Result>{std::move(result), kept.lines()};

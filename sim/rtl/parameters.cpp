@@ -61,7 +61,7 @@ std::vector<Parameter> parameters_of(const machines::Machine& machine, const isa
       {"SCAN_PIXELS", std::min(own.scan_out_pixels, machine.array.width), "scan_out.pixels"},
       {"SCAN_SHARED", is_shared ? 1U : 0U, "scan_out.port"},
       {"BUFFERS", own.scan_out_buffers, "scan_out.buffers"},
-      {"COLOUR_BITS", program != nullptr ? program->colour.width : isa::most_colour_bits, ""},
+      {"COLOUR_BITS", program != nullptr ? program->colour.width : isa::max_colour_bits, ""},
       {"CHIP", std::min(pixels, max_chip_pixels), ""},
   };
 }

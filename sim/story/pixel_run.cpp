@@ -161,7 +161,7 @@ isa::Field named_around(const isa::Program& program, isa::Field field) {
 
 machines::RunRecord record_of(const isa::Program& program, const machines::Machine& machine) {
   machines::check_runs_on(program, machine);
-  return functional::record_of_run(program, machine);
+  return functional::make_run_record(program, machine);
 }
 
 PixelRun run_pixel(const isa::Program& program, std::span<const machines::Skip> skips, std::uint32_t x,

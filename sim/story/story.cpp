@@ -40,7 +40,7 @@ Teller::Teller(const isa::Program& program, const machines::Machine& machine)
       machine_(machine),
       first_numbers_(isa::first_numbers(program)),
       record_(record_of(program, machine)),
-      timeline_(machine.kind->timeline(program, machine, record_.told())) {}
+      timeline_(machine.kind->timeline(program, machine, record_.outcome())) {}
 
 Story Teller::story_of(std::uint32_t x, std::uint32_t y) const {
   const PixelRun run = run_pixel(program_, record_.skips, x, y);

@@ -66,13 +66,13 @@ machines::FrameTiming RunTimer::time(const isa::Program& program, const machines
   return host::time_frame(program, machine, outcome(program, machine));
 }
 
-machines::Told RunTimer::outcome(const isa::Program& program, const machines::Machine& machine) {
-  if (!functional::asks_for_run(program, machine)) return {};
+machines::RunOutcome RunTimer::outcome(const isa::Program& program, const machines::Machine& machine) {
+  if (!functional::needs_run(program, machine)) return {};
   std::vector<std::uint64_t> key;
   key.reserve(program.segments.size() + 1);
-  key.push_back(machine.kind->asks_for_pixels(machine) ? 1 : 0);
+  key.push_back(machine.kind->depends_on_pixels(machine) ? 1 : 0);
   for (const isa::Segment& segment : program.segments) key.push_back(segment_hash(segment));
-  return runs_.get(std::move(key), [&] { return functional::record_of_run(program, machine); }).told();
+  return runs_.get(std::move(key), [&] { return functional::make_run_record(program, machine); }).outcome();
 }
 
 }  // namespace csgsim::studies

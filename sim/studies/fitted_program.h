@@ -43,7 +43,7 @@ class RunTimer {
   machines::FrameTiming time(const isa::Program& program, const machines::Machine& machine);
 
   /// The run-time outcome that exact timing needs; empty if the timing needs no run.
-  machines::Told outcome(const isa::Program& program, const machines::Machine& machine);
+  machines::RunOutcome outcome(const isa::Program& program, const machines::Machine& machine);
 
  private:
   Memo<std::vector<std::uint64_t>, machines::RunRecord> runs_;  ///< keyed by hashes of the segments

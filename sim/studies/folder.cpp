@@ -99,8 +99,8 @@ std::string fault_hint(bool has_read_rows) {
 
 void warn_stale(const std::filesystem::path& table, const std::set<std::string>& changed) {
   if (changed.empty()) return;
-  tell_line(fmt::format("{}: {} {} changed since some points were measured; they are measured again", table.native(),
-                        fmt::join(changed, " and "), changed.size() == 1 ? "has" : "have"));
+  report_line(fmt::format("{}: {} {} changed since some points were measured; they are measured again", table.native(),
+                          fmt::join(changed, " and "), changed.size() == 1 ? "has" : "have"));
 }
 
 }  // namespace csgsim::studies

@@ -102,7 +102,7 @@ std::vector<std::string> output_words(const std::string& output, const GatherReq
 void warn_other_version(const Gathered& gathered, const std::string& output) {
   const std::string here = session::version_and_build();
   if (gathered.inputs.csgsim == here) return;
-  tell_line(fmt::format("{}: measured by csgsim {}; this is {}", output, gathered.inputs.csgsim, here));
+  report_line(fmt::format("{}: measured by csgsim {}; this is {}", output, gathered.inputs.csgsim, here));
 }
 
 }  // namespace

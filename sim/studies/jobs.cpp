@@ -40,7 +40,7 @@ isa::Program compile(const Job& job) {
   const Subject& subject = *job.subject;
   const view::View view = view::make_view(subject.scene, subject.tree, job.camera, job.sampling);
   return emit::compile(subject.tree, subject.scene, view, job.machine, job.options,
-                       [&](const isa::Program& program) { return functional::clocks_of_run(program, job.machine); });
+                       [&](const isa::Program& program) { return functional::measure_clocks(program, job.machine); });
 }
 
 JobMaker::Key JobMaker::key(const session::ModelRequest& options, const machines::Machine& machine) {

@@ -36,7 +36,7 @@ void parallel_for(std::size_t count, unsigned threads, const Work& work) {
     }
     return !failure;
   };
-  const std::stop_token stop = stop_of_thread();
+  const std::stop_token stop = thread_stop_token();
   const auto take = [&] {
     const Interruptible looks_for(stop);
     for (std::size_t i = next++; i < count; i = next++) {

@@ -239,7 +239,7 @@ std::shared_ptr<StudyCommand> describe_kept(session::OptionList& list, const Stu
   add_folder(row, kept, list, options.folder);
   if (row.is_parallel)
     list.option("--threads", options.threads, "Number of points to measure in parallel")
-        .between(1U, session::most_threads);
+        .between(1U, session::max_threads);
   list.flag("--no-plots", options.no_plots, "Omit plots (drawn by gnuplot)");
   if (row.has_shards) add_shard(list, options.shard);
   options.report.add_to(list);

@@ -93,7 +93,7 @@ int milliseconds_until(Clock::time_point end) {
 Exceeded listen(const Descriptor& report, std::array<Stream, 2>& streams, Clock::time_point end) {
   // poll() is not woken by a stop request
   constexpr int look_after = 50;  // milliseconds
-  const bool is_interruptible = stop_of_thread().stop_possible();
+  const bool is_interruptible = thread_stop_token().stop_possible();
   for (;;) {
     end_if_interrupted();
     std::array<pollfd, 3> files{pollfd{report.number(), POLLIN, 0}, pollfd{streams[0].file.number(), POLLIN, 0},

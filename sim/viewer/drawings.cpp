@@ -95,7 +95,7 @@ session::ModelFile Drawings::model_of(const ParsedWish& parsed) const {
 }
 
 std::shared_ptr<Drawing> Drawings::evaluated(ParsedWish parsed) const {
-  const KeptLines messages;
+  const CollectedLines messages;
   const auto begin = std::chrono::steady_clock::now();
   machines::Machine machine = session::machine_of(parsed.options);
   session::CompiledModel model = session::compile_model(model_of(parsed), parsed.options, machine);

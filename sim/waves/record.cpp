@@ -20,12 +20,12 @@ namespace csgsim::waves {
 namespace {
 
 /// The pixels of a Program of one segment, by their places in the array.
-systemc::Foretold foretold_of(const isa::Program& program, const Foreknowledge& known, const wave::Request& request) {
-  systemc::Foretold foretold{.pixels = {},
-                             .answers = known.answers,
-                             .skips = known.result.skips,
-                             .timeline = &known.timeline,
-                             .picture = known.picture};
+systemc::EarlierRun foretold_of(const isa::Program& program, const Foreknowledge& known, const wave::Request& request) {
+  systemc::EarlierRun foretold{.pixels = {},
+                               .answers = known.answers,
+                               .skips = known.result.skips,
+                               .timeline = &known.timeline,
+                               .picture = known.picture};
   const isa::Region& region = program.segments.front().region;
   for (const wave::Pixel pixel : request.pixels) foretold.pixels.push_back({pixel.x - region.x, pixel.y - region.y});
   return foretold;

@@ -233,7 +233,7 @@ LastWrite last_write(std::string_view what, const isa::Program& program, const m
           last.index = i;
         }
       }
-      if (isa::is_question(instruction.opcode))
+      if (isa::needs_global_or(instruction.opcode))
         i += static_cast<std::uint32_t>(isa::skipped_after(instruction, known.answers.at(questions++) ? 1 : 0));
     }
   }

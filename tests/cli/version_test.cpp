@@ -13,7 +13,7 @@ std::string trimmed(const std::string& text) {
 }
 
 /// What cmake/commit.cmake says of a folder.
-std::string told_of(const Folder& folder, const std::string& source, const std::string& given) {
+std::string run_outcome(const Folder& folder, const std::string& source, const std::string& given) {
   const std::string output = folder / "commit.cpp";
   fs::remove(output);
   succeeded(run_program("cmake", {"-DSOURCE=" + source, "-DCOMMIT=" + given, "-DOUTPUT=" + output, "-P",
@@ -61,19 +61,19 @@ TEST_CASE("the commit is that of the sources, with a mark if they are changed, a
   const std::string source = folder / "source";
   fs::create_directory(source);
   write(source + "/CMakeLists.txt", "1");
-  CHECK(told_of(folder, source, "") == "unknown");
-  CHECK(told_of(folder, source, "0123abcd") == "0123abcd");
+  CHECK(run_outcome(folder, source, "") == "unknown");
+  CHECK(run_outcome(folder, source, "0123abcd") == "0123abcd");
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"init", "-q"},
         {"add", "."},
         {"-c", "user.name=a", "-c", "user.email=a@b", "-c", "commit.gpgsign=false", "commit", "-qm", "one"}})
     succeeded(run_program("git", words, source));
   const std::string head = trimmed(run_program("git", {"rev-parse", "HEAD"}, source).out);
-  CHECK(told_of(folder, source, "0123abcd") == head.substr(0, 12));
+  CHECK(run_outcome(folder, source, "0123abcd") == head.substr(0, 12));
   write(source + "/CMakeLists.txt", "2");
-  CHECK(told_of(folder, source, "") == head.substr(0, 12) + "+changes");
+  CHECK(run_outcome(folder, source, "") == head.substr(0, 12) + "+changes");
   // A source archive that was unpacked within somebody else's repository.
   fs::create_directory(source + "/inner");
   write(source + "/inner/CMakeLists.txt", "3");
-  CHECK(told_of(folder, source + "/inner", "") == "unknown");
+  CHECK(run_outcome(folder, source + "/inner", "") == "unknown");
 }

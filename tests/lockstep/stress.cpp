@@ -31,10 +31,10 @@ namespace csgsim::test {
 
 namespace {
 
-constexpr unsigned instructions = 8;              ///< of a segment at most
-constexpr std::size_t most_regions = 40;          ///< of a picture
-constexpr std::uint64_t most_clocks = 2'000'000;  ///< of a frame
-constexpr unsigned seconds = 100;                 ///< of a machine; then it stands still
+constexpr unsigned instructions = 8;                       ///< of a segment at most
+constexpr std::size_t most_regions = 40;                   ///< of a picture
+constexpr std::uint64_t max_parameter_clocks = 2'000'000;  ///< of a frame
+constexpr unsigned seconds = 100;                          ///< of a machine; then it stands still
 
 constexpr int refused = 77;
 
@@ -87,7 +87,7 @@ class Affordable {
     } catch (const InputError&) {
       return false;
     }
-    const bool is = machines::time_frame(program, machine_).clocks <= most_clocks;
+    const bool is = machines::time_frame(program, machine_).clocks <= max_parameter_clocks;
     any_ = any_ || is;
     return is;
   }

@@ -229,7 +229,7 @@ void add_convert(CommandLine& line) {
               "Cells along each side of a block model, a power of two; 64 if not given")
       .between(convert::min_cells, convert::max_cells);
   command.option("--threads", options->threads, "Threads that build a mesh; the mesh does not depend on their number")
-      .between(1U, most_threads);
+      .between(1U, max_threads);
   command.option("--stats", options->stats, "Counts and measures of the result, .json").check(not_empty);
   command.prints_summary();
   command.runs([options] { run(*options); });

@@ -71,7 +71,7 @@ void read_terminal(const isa::Program& program, debug::Session& session) {
       execute(*text, "debug", ++line, program, session);
     } catch (const InputError& error) {
       std::fflush(stdout);
-      tell_line(error.what());
+      report_line(error.what());
     }
     std::fflush(stdout);
   }
@@ -87,7 +87,7 @@ void run_debugger(const Options& options, const isa::Program& program, const mac
                counted(engine::Numbers(program).count(), "instruction"), machine.name);
     read_terminal(program, session);
   } else {
-    keep_input(standard_input_file);
+    record_input(standard_input_file);
     read_script(std::cin, "standard input", program, session);
   }
 }
@@ -102,7 +102,7 @@ void add_debug(CommandLine& line) {
   options->model.add_to(command, "The model (.csg, .scad or .jan) or a Program (.csgt)");
   command.option("-x,--commands", options->commands, "File with one command per line").check(not_empty);
   command.option("--threads", options->threads, "Worker threads; the states do not depend on their number")
-      .between(1U, most_threads);
+      .between(1U, max_threads);
   command.runs([options, &command] {
     if (options->model.model == standard_stream && options->commands.empty())
       throw UsageError(

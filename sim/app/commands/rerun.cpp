@@ -34,7 +34,7 @@ void refuse(const RecordedRun& run, const std::vector<std::string>& changes, boo
   if (changes.empty()) return;
   const std::string text = fmt::format("{}: {}", run.file, fmt::join(changes, "; "));
   if (!anyway) throw InputError(text + "; add --anyway to continue");
-  tell_line("warning: " + text);
+  report_line("warning: " + text);
 }
 
 /// The command line of the new run, with the outputs of this request instead of the recorded ones.

@@ -92,7 +92,7 @@ CompiledModel compile(ModelFile file, const ModelRequest& request, const machine
 /// Warns if the near plane is so close that few depth steps remain for distant surfaces.
 void warn_of_coarse_depth(const view::View& view) {
   if (view.depth_step <= (view.depth.far - view.depth.near) / 4.0) return;
-  tell_line(
+  report_line(
       fmt::format("warning: at the far end one step of depth is {:.3g} model units; move --near away from the eye",
                   view.depth_step));
 }
@@ -107,7 +107,7 @@ void warn_of_pattern(const emit::NoRoom& layers, const ModelRequest& request, co
       "effects.transparency.method=screen-door",
       shown_name(request.model), layers.needed, machine.array.memory_bits, layers.needed);
   const std::lock_guard lock(mutex);
-  if (reported.insert(line).second) tell_line(line);
+  if (reported.insert(line).second) report_line(line);
 }
 
 /// Uses screen-door transparency where only colours of the model are transparent and memory has no room for layers.
@@ -116,7 +116,7 @@ isa::Program compile_with_room(const CompiledModel& model, const view::Camera& c
   emit::Options emit = emit_options_of(request);
   const auto compiled = [&](view::View seen) {
     return emit::compile(model.tree, model.scene, std::move(seen), machine, emit,
-                         [&](const isa::Program& one) { return functional::clocks_of_run(one, machine); });
+                         [&](const isa::Program& one) { return functional::measure_clocks(one, machine); });
   };
   try {
     return compiled(std::move(view));

@@ -53,7 +53,7 @@ std::string others(std::uint64_t count) {
 void report_faceted(const LeftFaceted& left, const model::Tree& tree, bool is_perspective) {
   if (left.count == 0) return;
   const model::Primitive& first = tree.primitives[left.first];
-  tell_line(
+  report_line(
       fmt::format("{}: warning: --curves fast draws spheres in orthographic pictures; this solid is {} and is drawn as "
                   "facets{}",
                   model::place_of(tree, left.first), why_not(first, is_perspective), others(left.count - 1)));

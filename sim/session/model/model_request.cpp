@@ -100,7 +100,7 @@ void switch_off(const std::vector<std::string>& names, scene::Scene& scene) {
   for (const scene::Section& section : effects::sections()) {
     const auto is_named = [&](const std::string& name) { return section.name == "effects." + name; };
     if (std::none_of(names.begin(), names.end(), is_named)) continue;
-    std::erase_if(scene.effects, [&](const scene::CalledEffect& one) { return one.name == section.name; });
+    std::erase_if(scene.effects, [&](const scene::EffectRequest& one) { return one.name == section.name; });
     scene.effects.push_back({section.name, {}, false});
   }
 }
@@ -158,7 +158,7 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
   options.option("--memory-bits", memory_bits, "Memory bits per pixel; the machine's own if not given")
       .between(1U, isa::max_memory_bits);
   add_view_to(options);
-  options.option("--z-bits", z_bits, "Bits of depth").between(view::fewest_z_bits, view::most_z_bits);
+  options.option("--z-bits", z_bits, "Bits of depth").between(view::min_z_bits, view::max_z_bits);
   options
       .option("--strategy", strategy,
               "How pixels are classified; bits uses --stack-bits, auto takes the fewest clocks that fit")
@@ -167,7 +167,7 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
       .option("--stack-bits", stack_bits,
               "Bits of the traversal with --strategy bits, as the thesis counts them: 3 tests a primitive's depth for "
               "each product, 4 sums products, each further bit keeps the results of one more level")
-      .between(emit::fewest_stack_bits, most_stack_bits);
+      .between(emit::min_stack_bits, max_stack_bits);
   options
       .option("--colouring", colouring,
               "How colours get to the pixels: rebroadcast (facets again after the merge), field (a second colour field "
@@ -212,7 +212,7 @@ void ModelRequest::add_view_to(OptionList& options) {
   options.option("--near", near,
                  "Distance of the near plane of a perspective view, in model units; solids are capped there");
   options.option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients")
-      .between(0U, view::most_fraction_bits);
+      .between(0U, view::max_fraction_bits);
   options.option("--edge-on", edge_on,
                  "Fraction of a pixel within which a plane that crosses the whole depth range becomes an edge test");
   options.read_option(
@@ -226,7 +226,7 @@ void ModelRequest::add_view_to(OptionList& options) {
               "machine and the scene's effects allow it)")
       .one_of(by_name(emit::curve_choices), "curve drawing");
   options.option("--colour-bits", colour_bits, "Bits per colour")
-      .between(isa::fewest_colour_bits, isa::most_colour_bits);
+      .between(isa::minimum_colour_bits, isa::max_colour_bits);
 }
 
 machines::Machine machine_of(const ModelRequest& request) {

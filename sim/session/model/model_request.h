@@ -30,7 +30,7 @@ struct Tolerance {
 };
 
 /// Upper limit for strategy bits; no tree needs this many.
-inline constexpr unsigned most_stack_bits = 64;
+inline constexpr unsigned max_stack_bits = 64;
 
 /// Limit of the work for reading a model, and again for compiling it, in millions of steps (hw/base/work.h).
 inline constexpr std::uint32_t default_work_limit = 8'000;
@@ -62,9 +62,9 @@ struct ModelRequest {
   std::optional<Tolerance> tolerance;
   std::string curves = "auto";
   std::string strategy = "stack";
-  unsigned stack_bits = emit::fewest_stack_bits;
+  unsigned stack_bits = emit::min_stack_bits;
   std::string colouring = "rebroadcast";
-  unsigned colour_bits = isa::most_colour_bits;
+  unsigned colour_bits = isa::max_colour_bits;
   std::string pruning = "all";  ///< see pruning_of
 
   void add_to(OptionList& options,

@@ -47,7 +47,7 @@ machines::Machine assumed_machine(const isa::Program& program, const std::string
       bits > machine.array.memory_bits
           ? fmt::format(", with {} memory bits per pixel instead of {}", bits, machine.array.memory_bits)
           : "";
-  tell_line(
+  report_line(
       fmt::format("{}: warning: the Program does not name the machine it was compiled for; {} is assumed{}; name one "
                   "with --machine",
                   file, machine.name, memory));
@@ -68,7 +68,7 @@ std::optional<machines::Machine> machine_named(const isa::Program& program, cons
   try {
     return load_machine(program.machine, {});
   } catch (const InputError& error) {
-    tell_line(fmt::format("{}: warning: cannot check whether this machine fits: {}", file, error.what()));
+    report_line(fmt::format("{}: warning: cannot check whether this machine fits: {}", file, error.what()));
     return std::nullopt;
   }
 }
@@ -87,8 +87,8 @@ void check_fits(const isa::Program& program, const std::string& file, const mach
   const std::vector<std::string> others = machines::other_figures(machine, own);
   if (others.empty()) return;
   refuse_less_memory(program, file, machine);
-  tell_line(fmt::format("{}: warning: the Program was compiled for {}; {} has {}", file, own.name, machine.name,
-                        fmt::join(others, ", ")));
+  report_line(fmt::format("{}: warning: the Program was compiled for {}; {} has {}", file, own.name, machine.name,
+                          fmt::join(others, ", ")));
 }
 
 }  // namespace

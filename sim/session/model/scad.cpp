@@ -31,11 +31,11 @@ void print_warnings(const std::string& said, const std::string& file) {
   std::istringstream lines(said);
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with("WARNING") && !line.starts_with("DEPRECATED")) continue;
-    if (++count <= most) tell_line("openscad: " + line);
+    if (++count <= most) report_line("openscad: " + line);
   }
   if (count > most) {
-    tell_line("openscad: " + std::to_string(count - most) +
-              " more warnings; to see them all, run openscad -o model.csg " + shell_word(file));
+    report_line("openscad: " + std::to_string(count - most) +
+                " more warnings; to see them all, run openscad -o model.csg " + shell_word(file));
   }
 }
 
@@ -82,7 +82,7 @@ std::string evaluated(std::span<const std::string> words, const system::MemoryFi
 
 std::string csg_of_scad(const std::string& file, std::chrono::seconds longest) {
   const std::string path = file.starts_with('-') ? "./" + file : file;
-  keep_input(file);
+  record_input(file);
   return evaluated(std::array<std::string, 6>{"openscad", "-o", "-", "--export-format", "csg", path},
                    system::MemoryFile(file), file, longest);
 }

@@ -10,7 +10,7 @@ namespace csgsim::session {
 
 const emit::EffectRow* see_through(const emit::Options& emit, const model::Tree& tree, const view::Camera& camera) {
   const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
-  for (const emit::CalledEffect& one : emit::called_effects(emit, look))
+  for (const emit::EffectRequest& one : emit::called_effects(emit, look))
     if (one.row->sees_through) return one.row;
   return nullptr;
 }

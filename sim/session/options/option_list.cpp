@@ -403,7 +403,7 @@ std::string shell_command(std::span<const std::string> words) {
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> known) {
   const std::vector<std::string_view> candidates(known.begin(), known.end());
-  const std::string_view nearest = nearest_alike(word, candidates);
+  const std::string_view nearest = nearest_similar(word, candidates);
   return nearest.empty() ? "" : fmt::format(" did you mean {}?", nearest);
 }
 

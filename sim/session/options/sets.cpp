@@ -135,7 +135,7 @@ machines::Machine load_machine(const isa::MachineRecord& record, const std::vect
   return load_from(record, record.name, sets);
 }
 
-std::vector<std::string> with_figures(const std::vector<std::string>& names, const std::vector<std::string>& sets) {
+std::vector<std::string> with_parameters(const std::vector<std::string>& names, const std::vector<std::string>& sets) {
   const std::vector<std::string> figures = sorted(sets).figures;
   if (figures.empty()) return names;
   std::vector<std::string> edited;

@@ -34,7 +34,7 @@ machines::Machine load_machine(const isa::MachineRecord& record, const std::vect
 
 /// Appends to each machine name those parameters that machines of its kind have, as in `pixel-planes-4+alu.bits=4`.
 /// Throws InputError, or UsageError for a parameter that none of them has.
-std::vector<std::string> with_figures(const std::vector<std::string>& names, const std::vector<std::string>& sets);
+std::vector<std::string> with_parameters(const std::vector<std::string>& names, const std::vector<std::string>& sets);
 
 /// Adds --set to a command without a scene. `which` names the machine in the help text.
 void add_parameter_sets(OptionList& command, std::vector<std::string>& sets, const std::string& which);

@@ -46,7 +46,7 @@ constexpr const char* other_picture = "another picture; csgsim accuracy counts t
 constexpr auto tried_settings = std::to_array<TriedSetting>({
     {[](ModelRequest& request) { return turn("--strategy", request.strategy, std::string("auto")); }, same_picture},
     {[](ModelRequest& request) { return turn("--colouring", request.colouring, std::string("auto")); }, same_picture},
-    {[](ModelRequest& request) { return lower("--z-bits", request.z_bits, view::fewest_z_bits); }, other_picture},
+    {[](ModelRequest& request) { return lower("--z-bits", request.z_bits, view::min_z_bits); }, other_picture},
     {[](ModelRequest& request) { return lower("--fraction-bits", request.fraction_bits, 0); }, other_picture},
     {[](ModelRequest& request) {
        return turn("--colour-bits", request.colour_bits, std::min(request.colour_bits, few_colour_bits));
@@ -55,7 +55,7 @@ constexpr auto tried_settings = std::to_array<TriedSetting>({
 });
 
 std::uint64_t interval_of(const isa::Program& program, const machines::Machine& machine) {
-  if (!functional::asks_for_run(program, machine)) return host::time_frame(program, machine).interval_clocks;
+  if (!functional::needs_run(program, machine)) return host::time_frame(program, machine).interval_clocks;
   return engine::make_functional_engine(machine)->run(program, {}).interval_clocks;
 }
 
@@ -65,7 +65,7 @@ std::optional<std::uint64_t> interval_with(const ModelRequest& request, const Co
   try {
     const isa::Program program =
         emit::compile(model.tree, model.scene, view_of(model, request, machine), machine, emit_options_of(request),
-                      [&](const isa::Program& one) { return functional::clocks_of_run(one, machine); });
+                      [&](const isa::Program& one) { return functional::measure_clocks(one, machine); });
     return interval_of(program, machine);
   } catch (const InputError&) {
     return std::nullopt;
@@ -95,7 +95,7 @@ std::vector<observe::Knob> knobs_of(const Advice& advice, const isa::Program& pr
   if (!advice.is_asked || result.interval_clocks == 0) return {};
   engine::RunResult complete = result;
   // The cycle level counts clocks but does not record the run-time outcomes from which clocks are computed.
-  if (complete.met.empty()) complete.met = functional::record_of_run(program, machine).met;
+  if (complete.met.empty()) complete.met = functional::make_run_record(program, machine).met;
   std::vector<observe::Knob> knobs = observe::parameter_knobs(program, machine, complete, advice.machine);
   if (advice.settings) std::ranges::move(advice.settings(result), std::back_inserter(knobs));
   return observe::helpful_knobs(std::move(knobs));

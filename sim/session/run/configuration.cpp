@@ -105,7 +105,7 @@ Json scene_json(const std::vector<scene::SectionValues>& sections) {
     for (const auto& [key, value] : section.values)
       keys[std::string(key.name)] = value ? std::visit(SceneValue{key}, *value) : Json();
     Json& place = json[std::string(section.name)];
-    if (section.is_of_list) {
+    if (section.is_list_entry) {
       place.push_back(std::move(keys));
     } else {
       place = std::move(keys);

@@ -30,7 +30,7 @@ std::string short_of_memory(std::span<const isa::Program> programs, const isa::A
   std::uint64_t instructions = 0;
   std::uint64_t halfspaces = 0;
   for (const isa::Program& program : programs) {
-    instructions += isa::instructions_in(program);
+    instructions += isa::total_instructions(program);
     halfspaces = std::max(halfspaces, program.facts->model.halfspaces);
   }
   const std::uint64_t pixels = std::uint64_t{array.width} * array.height;
@@ -54,8 +54,8 @@ std::uint64_t memory_estimate(const machines::Machine& machine, const isa::Array
 void announce_memory(const machines::Machine& machine, const isa::ArrayShape& picture, std::string_view level) {
   const std::uint64_t bytes = memory_estimate(machine, picture, level);
   if (bytes < announced) return;
-  tell_line(fmt::format("{} x {} pixels at the {} level take about {:.1f} GB of memory", picture.width, picture.height,
-                        level, static_cast<double>(bytes) / 1e9));
+  report_line(fmt::format("{} x {} pixels at the {} level take about {:.1f} GB of memory", picture.width,
+                          picture.height, level, static_cast<double>(bytes) / 1e9));
 }
 
 }  // namespace csgsim::session

@@ -84,7 +84,7 @@ void RunRequest::add_to(OptionList& options) {
               "coefficients, or stepped adder by adder, which takes longer")
       .one_of(evaluator_names(), "evaluator");
   options.option("--threads", threads, "Threads of the functional level; the picture does not depend on their number")
-      .between(1U, most_threads);
+      .between(1U, max_threads);
   options.flag("--advice", advice,
                "Try each machine parameter and each setting changed by one step, and report what the change is worth");
   add_progress(options, progress);

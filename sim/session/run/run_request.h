@@ -20,7 +20,7 @@
 
 namespace csgsim::session {
 
-inline constexpr unsigned most_threads = 1024;
+inline constexpr unsigned max_threads = 1024;
 
 /// Options of every command that runs a Program and draws a picture.
 struct RunRequest {

@@ -52,7 +52,7 @@ class PieceMaker {
     }
     // A constraint that is positive throughout a convex region does not bound it.
     const auto first = linears.begin() + static_cast<std::ptrdiff_t>(made.bounds);
-    const auto is_slack = [&](const FixedLinear& bound) { return region.is_surely_at_least(bound, 1); };
+    const auto is_slack = [&](const FixedLinear& bound) { return region.is_certainly_at_least(bound, 1); };
     linears.erase(std::remove_if(first, linears.end(), is_slack), linears.end());
     made.opposites = linears.size();
     for (const FixedLinear& opposite : seen_.opposites_of(*facet)) linears.push_back(opposite);

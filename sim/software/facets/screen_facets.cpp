@@ -117,7 +117,7 @@ class Maker {
   /// does not bound it.
   void leave_out_slack(std::size_t begin) {
     const auto first = made_.linears.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto is_slack = [&](const FixedLinear& bound) { return region_.is_surely_at_least(bound, 1); };
+    const auto is_slack = [&](const FixedLinear& bound) { return region_.is_certainly_at_least(bound, 1); };
     made_.linears.erase(std::remove_if(first, made_.linears.end(), is_slack), made_.linears.end());
   }
 
@@ -125,8 +125,8 @@ class Maker {
   /// starts no nearer than depth 0.
   [[nodiscard]] bool is_surely_behind(const ScreenFacet& facet, const FixedLinear& other) const {
     const double step = static_cast<double>(std::int64_t{1} << made_.fraction_bits);
-    return region_.is_surely_at_least(thickness(facet, other), step) &&
-           (facet.leaves || region_.is_surely_at_least(other, step));
+    return region_.is_certainly_at_least(thickness(facet, other), step) &&
+           (facet.leaves || region_.is_certainly_at_least(other, step));
   }
 
   static FixedLinear thickness(const ScreenFacet& facet, const FixedLinear& other, std::int64_t more = 0) {

@@ -56,7 +56,7 @@ std::vector<CurvesChoice> curves_of(const Options& options, const machines::Mach
       possible.push_back(choice);
   }
   if (possible.size() > 1) {
-    for (const std::string& reason : left_out) tell_line("--knobs curves, " + reason);
+    for (const std::string& reason : left_out) report_line("--knobs curves, " + reason);
     return possible;
   }
   if (names_knob(options, "curves"))

@@ -49,7 +49,7 @@ isa::Program compile(const model::Tree& tree, const facet::Geometry& scene, cons
                      const view::Sampling& sampling, const machines::Machine& machine, const emit::Options& options) {
   const view::View view = view::make_view(scene, tree, camera, sampling);
   return emit::compile(tree, scene, view, machine, options,
-                       [&](const isa::Program& program) { return functional::clocks_of_run(program, machine); });
+                       [&](const isa::Program& program) { return functional::measure_clocks(program, machine); });
 }
 
 machines::Machine sized(machines::Machine machine, const view::Sampling& sampling) {
@@ -137,7 +137,7 @@ Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
 judges::AnalyticPictures& Meter::analytic(const facet::Faceting& faceting, const view::Sampling& sampling,
                                           std::size_t camera) {
   const std::string key =
-      fmt::format("{} {}x{} {}", judges::fewest_round_of(faceting), sampling.width, sampling.height, camera);
+      fmt::format("{} {}x{} {}", judges::min_round_fragments(faceting), sampling.width, sampling.height, camera);
   return analytic_.try_emplace(key, tree_, faceting, cameras_[camera], sampling.width, sampling.height).first->second;
 }
 
@@ -147,7 +147,7 @@ std::uint64_t Meter::clocks(const Settings& settings) {
   for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
     const isa::Program program =
         compile(tree_, subject(settings, camera).scene, cameras_[camera], settings.sampling, machine, options_);
-    clocks += functional::clocks_of_run(program, machine);
+    clocks += functional::measure_clocks(program, machine);
   }
   return clocks;
 }

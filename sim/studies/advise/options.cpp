@@ -33,7 +33,7 @@ using session::ModelRequest;
 using Texts = std::vector<std::string>;
 
 constexpr std::uint64_t default_wrong_pixels = 10;
-constexpr unsigned most_fraction_bits = 30;
+constexpr unsigned max_fraction_bits = 30;
 constexpr std::string_view alu_figure = "alu.bits";
 
 /// Searched axes, slowest first; they replace the options of render with the same names.
@@ -55,7 +55,7 @@ Texts texts_of_numbers(const std::string& list, unsigned minimum, unsigned maxim
 /// The values of a list; empty for an empty list of strategies or ALU widths.
 Texts parse_values(std::string_view key, const std::string& list) {
   if (key == "alu-bits") return list.empty() ? Texts{} : texts_of_numbers(list, 1, isa::max_field_width);
-  if (key == "fraction-bits") return texts_of_numbers(list, 0, most_fraction_bits);
+  if (key == "fraction-bits") return texts_of_numbers(list, 0, max_fraction_bits);
   if (key == "strategy" && list.empty()) return {};
   return find_axis(key)->values(list);
 }
@@ -85,16 +85,16 @@ std::vector<unsigned> alu_widths(const AdviseOptions& options, const machines::M
 }
 
 /// The strategies searched by default. Machines that divide the model themselves have one.
-Texts usual_strategies(const machines::Machine& machine) {
+Texts default_strategies(const machines::Machine& machine) {
   if (machines::division(machine)) return {std::string(emit::name_of(emit::Strategy::stack))};
-  return names_of(emit::usual_strategies());
+  return names_of(emit::default_strategies());
 }
 
 std::vector<Dimension> dimensions_of(const AdviseOptions& options, const machines::Machine& machine) {
   std::vector<Dimension> dimensions;
   for (const Searched& one : searched) {
     Texts values = parse_values(one.key, options.*one.list);
-    dimensions.push_back({one.key, values.empty() ? usual_strategies(machine) : std::move(values)});
+    dimensions.push_back({one.key, values.empty() ? default_strategies(machine) : std::move(values)});
   }
   return dimensions;
 }
@@ -201,7 +201,7 @@ void AdviseOptions::add_to(session::OptionList& command) {
   command
       .option("--min-colour-bits", min_colour_bits,
               "Requirement: minimum colour bits; default: the maximum of --colour-bits")
-      .between(isa::fewest_colour_bits, isa::most_colour_bits);
+      .between(isa::minimum_colour_bits, isa::max_colour_bits);
   const auto add = [&](const char* key, std::string& list, const std::string& help) {
     command.option(std::string("--") + key, list, help).check(session::is_read_by([key](const std::string& text) {
       return parse_values(key, text);

@@ -66,7 +66,7 @@ struct Named {
 
 std::vector<Named> named_machines(const Options& options) {
   std::vector<Named> machines;
-  for (const std::string& name : session::with_figures(session::parse_words(options.machines), options.model.sets)) {
+  for (const std::string& name : session::with_parameters(session::parse_words(options.machines), options.model.sets)) {
     session::ModelRequest one = options.model;
     one.machine = name;  // with its figures as set
     one.sets = session::sorted(one.sets).scene;

@@ -127,7 +127,7 @@ class Corpus : public StudyOf<CorpusRow> {
     command.option("--machines", machines_, "Machines, as names or .toml files separated by commas")
         .check(session::is_read_by(session::check_machines));
     view_.add_view_to(command);
-    command.option("--z-bits", view_.z_bits, "Depth bits").between(view::fewest_z_bits, view::most_z_bits);
+    command.option("--z-bits", view_.z_bits, "Depth bits").between(view::min_z_bits, view::max_z_bits);
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {

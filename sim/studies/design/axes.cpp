@@ -76,7 +76,7 @@ constexpr Axis stack_bits_axis{
     "m = ",
     true,
     "",
-    numbers<emit::fewest_stack_bits, session::most_stack_bits>,
+    numbers<emit::min_stack_bits, session::max_stack_bits>,
     [](ModelRequest& options, const std::string& value) { from_cell(value, options.stack_bits); },
     [](const ModelRequest& options, DesignPoint& point) {
       point.stack_bits = has_stack_bits(options.strategy) ? options.stack_bits : 0;
@@ -89,11 +89,11 @@ constexpr std::array all_axes{
     axis<&ModelRequest::memory_bits, &DesignPoint::memory_bits>({"memory-bits", "memory bits per pixel", "memory "},
                                                                 numbers<1, isa::max_memory_bits>),
     axis<&ModelRequest::z_bits, &DesignPoint::z_bits>({"z-bits", "depth bits", "z "},
-                                                      numbers<view::fewest_z_bits, view::most_z_bits>),
+                                                      numbers<view::min_z_bits, view::max_z_bits>),
     axis<&ModelRequest::fraction_bits, &DesignPoint::fraction_bits>(
-        {"fraction-bits", "fraction bits of the coefficients", "fraction "}, numbers<0, view::most_fraction_bits>),
+        {"fraction-bits", "fraction bits of the coefficients", "fraction "}, numbers<0, view::max_fraction_bits>),
     axis<&ModelRequest::colour_bits, &DesignPoint::colour_bits>(
-        {"colour-bits", "colour bits", "colour "}, numbers<isa::fewest_colour_bits, isa::most_colour_bits>),
+        {"colour-bits", "colour bits", "colour "}, numbers<isa::minimum_colour_bits, isa::max_colour_bits>),
     axis<&ModelRequest::strategy, &DesignPoint::strategy>({"strategy", "strategy", ""},
                                                           [](const std::string& list) {
                                                             return session::parse_names(

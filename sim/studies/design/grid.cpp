@@ -218,7 +218,7 @@ DesignGrid::DesignGrid(ModelRequest base, std::vector<Dimension> dimensions)
   for (const Dimension& dimension : dimensions_) sizes_.push_back(dimension.values.size());
   add_all();
   for (ModelRequest& design : designs_) {
-    if (!has_stack_bits(design.strategy)) design.stack_bits = emit::fewest_stack_bits;
+    if (!has_stack_bits(design.strategy)) design.stack_bits = emit::min_stack_bits;
   }
 }
 

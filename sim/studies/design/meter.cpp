@@ -29,7 +29,7 @@ void count_program(const isa::Program& program, DesignRow& row) {
   row.colouring_used = program.facts->compile.colouring;
   row.primitives = program.facts->model.primitives;
   row.halfspaces = program.facts->model.halfspaces;
-  row.instructions = isa::instructions_in(program);
+  row.instructions = isa::total_instructions(program);
   row.rendered = program.facts->compile.rendered;
   row.classified = program.facts->compile.classified;
   row.depth_tests = program.facts->compile.depth_tests;
@@ -93,7 +93,7 @@ std::uint32_t bits_of_colours(unsigned colour_bits, const Job& job) {
 unsigned colour_error(const observe::Frame& exact, const observe::Frame& frame, unsigned bits) {
   int max_difference = 0;
   for (std::size_t i = 0; i < frame.colour.size(); ++i) {
-    const auto of_exact = isa::unpack_colour(exact.colour[i], isa::most_colour_bits);
+    const auto of_exact = isa::unpack_colour(exact.colour[i], isa::max_colour_bits);
     const auto of_frame = isa::unpack_colour(frame.colour[i], bits);
     for (std::size_t channel = 0; channel < of_exact.size(); ++channel)
       max_difference = std::max(max_difference, std::abs(int{of_exact[channel]} - int{of_frame[channel]}));
@@ -138,7 +138,7 @@ DesignRow measure_picture(const DesignPoint& point, const Job& job, bool is_draw
     row.clocks = drawn.clocks;
     row.picture = drawn.has_overflow ? overflow : observe::hash_of(drawn.frame);
   } else {
-    row.clocks = functional::clocks_of_run(*program, job.machine);
+    row.clocks = functional::measure_clocks(*program, job.machine);
   }
   row.simulated_seconds = static_cast<double>(row.clocks) / static_cast<double>(job.machine.clock_hz);
   return row;
@@ -185,13 +185,13 @@ DesignMeter::ErrorsByColour DesignMeter::errors_by_colour(const DesignPoint& poi
     one.options.colour_bits = bits;
     return draw_exactly(fitted(point, one));
   };
-  const DrawnProgram finest = drawn_in(isa::most_colour_bits);
-  ErrorsByColour errors{{isa::most_colour_bits, errors_of(job, finest)}};
+  const DrawnProgram finest = drawn_in(isa::max_colour_bits);
+  ErrorsByColour errors{{isa::max_colour_bits, errors_of(job, finest)}};
   for (const unsigned bits : question_.colour_bits) {
-    if (bits == isa::most_colour_bits) continue;
+    if (bits == isa::max_colour_bits) continue;
     const DrawnProgram drawn = drawn_in(bits);
     const bool is_alike = drawn.frame.depth == finest.frame.depth && drawn.frame.owner == finest.frame.owner;
-    errors[bits] = is_alike ? errors[isa::most_colour_bits] : errors_of(job, drawn);
+    errors[bits] = is_alike ? errors[isa::max_colour_bits] : errors_of(job, drawn);
     errors[bits].colour_error = colour_error(finest.frame, drawn.frame, bits);
   }
   return errors;

@@ -43,7 +43,7 @@ std::vector<Dimension> dimensions_of(const ExploreOptions& options) {
 session::ModelRequest base_of(const ExploreOptions& options, const std::vector<Dimension>& dimensions) {
   session::ModelRequest base = options.model;
   base.sets = session::sorted(options.model.sets).scene;
-  base.machine = session::with_figures({options.model.machine}, options.model.sets).front();
+  base.machine = session::with_parameters({options.model.machine}, options.model.sets).front();
   for (const std::string& change : machines::changes_of(base.machine)) {
     if (std::ranges::find(dimensions, key_of(change), &Dimension::key) != dimensions.end())
       throw session::UsageError("--vary", "'" + printable(key_of(change)) + "' is both varied and fixed; remove one");

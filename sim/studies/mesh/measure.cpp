@@ -43,8 +43,8 @@ swept::Patchwork meshed(swept::Surface& surface, const MeshPoint& point) {
   swept::Accuracy accuracy;
   accuracy.tolerance = point.tolerance;
   accuracy.flatness = point.flatness == of_plane ? swept::Flatness::plane : swept::Flatness::sides;
-  return swept::patchwork_of(surface, accuracy,
-                             point.repair == by_filter ? swept::Repair::filter : swept::Repair::quadtree);
+  return swept::make_patchwork(surface, accuracy,
+                               point.repair == by_filter ? swept::Repair::filter : swept::Repair::quadtree);
 }
 
 void mesh(const commands::NamedSurface& named, MeshRow& row) {

@@ -48,7 +48,8 @@ struct PixelClocks {
   double all = 0;
 };
 
-PixelClocks pixel_clocks(const isa::Program& program, const machines::Machine& machine, const machines::Told& outcome) {
+PixelClocks pixel_clocks(const isa::Program& program, const machines::Machine& machine,
+                         const machines::RunOutcome& outcome) {
   PixelClocks sums;
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const isa::Segment& segment = program.segments[s];
@@ -109,8 +110,8 @@ SubdivideRow measure_squares(const Subdivided& subdivided, unsigned levels) {
   const machines::Machine cut = cut_into(machines::Parts::subsegments);
   const isa::Program in_segments = compiled(subdivided, whole);
   const isa::Program in_subsegments = compiled(subdivided, cut);
-  const machines::RunRecord record = functional::record_of_run(in_subsegments, cut);
-  const machines::FrameTiming timing = machines::time_frame(in_subsegments, cut, record.told());
+  const machines::RunRecord record = functional::make_run_record(in_subsegments, cut);
+  const machines::FrameTiming timing = machines::time_frame(in_subsegments, cut, record.outcome());
   SubdivideRow row;
   row.segments = tally(in_segments, whole);
   row.subsegments = tally(in_subsegments, cut);
@@ -121,7 +122,7 @@ SubdivideRow measure_squares(const Subdivided& subdivided, unsigned levels) {
   }
   row.segments.instruction_clocks.reset();
   row.subsegments.instruction_clocks.reset();
-  row.stages = stages_of(timing, pixel_clocks(in_subsegments, cut, record.told()), cut);
+  row.stages = stages_of(timing, pixel_clocks(in_subsegments, cut, record.outcome()), cut);
   row.stages.halfspaces_touching = 0;
   for (const isa::Segment& segment : in_segments.segments) *row.stages.halfspaces_touching += segment.facts->halfspaces;
   return row;

@@ -23,7 +23,7 @@ session::Check is_axis_list(const char* key) { return session::is_read_by(find_a
 
 }  // namespace
 
-std::string usual_strategies() { return fmt::format("{}", fmt::join(names_of(emit::usual_strategies()), ",")); }
+std::string default_strategies() { return fmt::format("{}", fmt::join(names_of(emit::default_strategies()), ",")); }
 
 std::vector<session::ModelRequest> SweepOptions::designs() const {
   const auto values = [](const char* key, const std::string& list) { return find_axis(key)->values(list); };
@@ -33,7 +33,7 @@ std::vector<session::ModelRequest> SweepOptions::designs() const {
       {"strategy", session::parse_words(strategies)}, {"stack-bits", values("stack-bits", stack_bits)}};
   session::ModelRequest base = view;
   base.sets = session::sorted(view.sets).scene;
-  const std::vector<std::string> with_sets = session::with_figures(session::parse_words(machines), view.sets);
+  const std::vector<std::string> with_sets = session::with_parameters(session::parse_words(machines), view.sets);
   std::vector<session::ModelRequest> all;
   for (const std::string& model : without_duplicates(models)) {
     base.model = model;

@@ -11,7 +11,7 @@
 namespace csgsim::studies {
 
 /// Names of the default strategies, separated by commas.
-std::string usual_strategies();
+std::string default_strategies();
 
 /// Options of csgsim sweep. Lists and ranges are checked when the command line is parsed.
 struct SweepOptions {
@@ -20,7 +20,7 @@ struct SweepOptions {
   std::string machines = "pixel-planes-4";
   std::string memory_bits;
   std::string z_bits = "20";
-  std::string strategies = usual_strategies();
+  std::string strategies = default_strategies();
   std::string stack_bits = "3..8";
   std::string colourings = "rebroadcast";
   std::string prunings = "all";

@@ -46,7 +46,7 @@ std::vector<std::uint8_t> mirrors_of(const model::Tree& model, const software::T
   std::vector<std::uint8_t> mirrors;
   for (const software::Facet& facet : scene.facets().facets) {
     const model::Primitive& primitive = model.primitives[facet.primitive];
-    const lighting::Finish finish = lighting::finish_of(look, primitive, is_cut[facet.primitive]);
+    const lighting::Finish finish = lighting::make_finish(look, primitive, is_cut[facet.primitive]);
     const glm::dvec3& normal = scene.geometry().planes.planes()[facet.halfspace.plane].normal;
     const bool mirrors_it = finish.material.mirror > 0 && finish.opacity >= 1 && emit::is_flat(primitive, normal);
     mirrors.push_back(mirrors_it ? 1 : 0);
@@ -121,7 +121,7 @@ TraceSubject::TraceSubject(const model::Tree& model, facet::Geometry geometry, v
       tree_(software::make_tree(model, software::Shape::balanced)),
       scene_(model, geometry_, view_, tree_),
       mirror_depth_(mirror_depth),
-      lights_(lights_of(scene_, lighting::lighting_of(look, view_.camera))),
+      lights_(lights_of(scene_, lighting::make_lighting(look, view_.camera))),
       mirrors_(mirrors_of(model, tree_, scene_, look)) {}
 
 const TraceSubject::DrawnFirst& TraceSubject::drawn_first() const {

@@ -11,7 +11,7 @@
 
 namespace csgsim {
 
-const void* module_symbol_of(const ModuleRole& role) {
+const void* load_module_symbol(const ModuleRole& role) {
   throw InputError(
       fmt::format("this page does not include the part of csgsim that {}; use csgsim view on your machine", role.does));
 }

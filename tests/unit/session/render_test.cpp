@@ -180,7 +180,7 @@ TEST_CASE("advice is of the machine that was asked for, tries settings, and is g
 
 TEST_CASE("faces nearly in one plane are warned of") {
   const auto warnings = [](const char* text) {
-    const KeptLines told;
+    const CollectedLines told;
     Parsed<RenderRequest> asked({"m.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
     static_cast<void>(session::compile(asked.options, studies::choose_bits, {.text = text}));
     return told.lines().size();

@@ -143,7 +143,7 @@ TEST_CASE("of two boxes the farther one that comes later loses the depth test, b
 
 TEST_CASE(
     "through a hole nothing is seen: the front is in what is taken away, whose back is outside what it is taken from") {
-  for (const emit::Strategy strategy : emit::usual_strategies()) {
+  for (const emit::Strategy strategy : emit::default_strategies()) {
     CAPTURE(emit::name_of(strategy));
     const story::Story story = tell(through_hole, 3, 2, strategy).story();
     CHECK(story.owner == observe::no_owner);
@@ -320,7 +320,7 @@ TEST_CASE("clocks are those in which the pixel carries the instructions out, one
   const story::Story story = told.story();
   const isa::Program& program = told.compiled.program;
   const machines::RunRecord record = story::record_of(program, told.machine);
-  const machines::Timeline timeline = machines::timeline(program, told.machine, record.told());
+  const machines::Timeline timeline = machines::timeline(program, told.machine, record.outcome());
   const auto clocks = machines::at_pixel(timeline, program, told.machine, 0, 3, 2);
   std::uint64_t last = 0;
   for (const story::Event& event : story.events) {

@@ -113,7 +113,7 @@ studies::Job AdviceJobs::at(const DesignPoint& point) const {
   job.sampling.z_bits = point.z_bits;
   job.sampling.fraction_bits = point.fraction_bits;
   job.options.strategy = named(emit::strategies, point.strategy);
-  job.options.stack_bits = std::max(point.stack_bits, emit::fewest_stack_bits);
+  job.options.stack_bits = std::max(point.stack_bits, emit::min_stack_bits);
   job.options.colouring = named(emit::colourings, point.colouring);
   job.options.colour_bits = point.colour_bits;
   return job;

@@ -20,7 +20,7 @@ struct Skip {
 
 /// The enabled pixels of a segment at each of its instructions. A plane has one bit per pixel: pixel x of a row is bit
 /// x % 64 of word x / 64; rows are padded to whole words with zeros.
-struct MetPixels {
+struct PixelActivity {
   /// Plane numbers for one instruction.
   struct Planes {
     std::uint32_t enabled = 0;  ///< pixels with E = 1 when the instruction began
@@ -33,7 +33,7 @@ struct MetPixels {
   std::vector<std::vector<std::uint64_t>> planes{{}};  ///< the first has no words and stands for 0 at every pixel
   std::vector<Planes> instructions;                    ///< one per instruction
 
-  bool operator==(const MetPixels&) const = default;
+  bool operator==(const PixelActivity&) const = default;
 };
 
 /// Clocks that the processors spend on an instruction at the pixels of a segment.
@@ -45,24 +45,24 @@ struct PixelClocks {
 };
 
 /// Run-time outcomes that exact timing needs.
-struct Told {
-  std::span<const Skip> skips;     ///< in program order
-  std::span<const MetPixels> met;  ///< one per segment; empty without a run, or if the kind does not need it
+struct RunOutcome {
+  std::span<const Skip> skips;         ///< in program order
+  std::span<const PixelActivity> met;  ///< one per segment; empty without a run, or if the kind does not need it
 
-  constexpr Told() = default;
-  constexpr Told(std::span<const Skip> all_skips, std::span<const MetPixels> all_met)
+  constexpr RunOutcome() = default;
+  constexpr RunOutcome(std::span<const Skip> all_skips, std::span<const PixelActivity> all_met)
       : skips(all_skips), met(all_met) {}
   template <class Skips>
   requires std::convertible_to<const Skips&, std::span<const Skip>>
-  constexpr Told(const Skips& all_skips) : skips(all_skips) {}
+  constexpr RunOutcome(const Skips& all_skips) : skips(all_skips) {}
 };
 
-/// An owning copy of Told.
+/// An owning copy of RunOutcome.
 struct RunRecord {
   std::vector<Skip> skips;
-  std::vector<MetPixels> met;
+  std::vector<PixelActivity> met;
 
-  [[nodiscard]] Told told() const { return {skips, met}; }
+  [[nodiscard]] RunOutcome outcome() const { return {skips, met}; }
 };
 
 }  // namespace csgsim::machines
