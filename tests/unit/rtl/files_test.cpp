@@ -148,8 +148,8 @@ TEST_CASE("a board needs a serial line only where a design has no Program") {
             "  output wire lamp_drawn,"));
   CHECK(has(text(drawn, "board.v"), "  input wire clk,\n  output wire lamp_drawn,"));
   CHECK(has(text(bare, "board.v"),
-            ".reset(reset), .from_computer(from_computer), .to_computer(to_computer), .outcome(), .told_any(),"));
-  CHECK(has(text(drawn, "board.v"), ".reset(reset), .request(), .request_from(), .outcome(), .told_any(),"));
+            ".reset(reset), .from_computer(from_computer), .to_computer(to_computer), .told(), .told_any(),"));
+  CHECK(has(text(drawn, "board.v"), ".reset(reset), .request(), .request_from(), .told(), .told_any(),"));
   CHECK(has(text(drawn, "board.v"), "  wire [48-1:0] colours;\n"));
   CHECK(has(text(drawn, "board.v"), "  assign video[11:0] = {colours[23:20], colours[15:12], colours[7:4]};\n"));
   CHECK(text(bare, "hx8k.pcf").ends_with("lamp_shown B4\nset_io from_computer B10\nset_io to_computer B12\n"));
