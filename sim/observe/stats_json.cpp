@@ -14,7 +14,7 @@
 #include "hw/machines/kind.h"
 #include "sim/observe/account_json.h"
 #include "sim/observe/bound.h"
-#include "sim/observe/dearest.h"
+#include "sim/observe/primitive_costs.h"
 #include "sim/observe/energy.h"
 
 namespace csgsim::observe {

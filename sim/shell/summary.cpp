@@ -12,7 +12,7 @@
 #include "hw/isa/facts.h"
 #include "hw/machines/kind.h"
 #include "sim/observe/bound.h"
-#include "sim/observe/dearest.h"
+#include "sim/observe/primitive_costs.h"
 #include "sim/session/options/numbers.h"
 
 namespace csgsim::shell {

@@ -101,7 +101,7 @@ TEST_CASE("compare ends with what bounds each machine and with what the dearest 
                 (folder / "p.json")));
   const nlohmann::json first = json(folder / "p.json")["dearest"];
   const std::string name = first[0]["name"];
-  const std::size_t line = outcome.out.find("\n  " + name + " ", outcome.out.find("dearest primitives"));
+  const std::size_t line = outcome.out.find("\n  " + name + " ", outcome.out.find("most expensive primitives"));
   REQUIRE(line != std::string::npos);
   const std::string shares = outcome.out.substr(line + 1, outcome.out.find('\n', line + 1) - line - 1);
   CAPTURE(shares);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/observe/dearest.h"
+#include "sim/observe/primitive_costs.h"
 
 namespace csgsim::studies {
 

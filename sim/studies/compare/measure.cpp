@@ -12,7 +12,7 @@
 #include "hw/process/process.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/bound.h"
-#include "sim/observe/dearest.h"
+#include "sim/observe/primitive_costs.h"
 #include "sim/observe/energy.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/frame_hash.h"

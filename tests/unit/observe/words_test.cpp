@@ -4,7 +4,7 @@
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
 #include "sim/observe/bound.h"
-#include "sim/observe/dearest.h"
+#include "sim/observe/primitive_costs.h"
 #include "sim/observe/knobs.h"
 #include "tests/support/drawing.h"
 #include "tests/support/test.h"

@@ -1,4 +1,4 @@
-#include "sim/observe/dearest.h"
+#include "sim/observe/primitive_costs.h"
 
 #include <algorithm>
 #include <array>
