@@ -45,7 +45,7 @@ void print_bounds(const OwnRows& own) {
 void print_dearest(OwnRows own) {
   std::erase_if(own, [](const ComparisonRow* row) { return row->instruction_clocks == 0; });
   if (own.empty()) return;
-  fmt::print("\n{:<28}", "most costly primitives");
+  fmt::print("\n{:<28}", "most expensive primitives");
   for (const ComparisonRow* row : own) fmt::print("{:>{}}", row->point.machine, column_width(*row));
   fmt::print("\n");
   std::vector<std::uint64_t> rest;
