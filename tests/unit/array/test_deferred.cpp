@@ -133,7 +133,7 @@ void execute(Pair& pair, const isa::Instruction& instruction, array::Sequencer& 
   while (sequencer.busy()) {
     const array::BitStep step = sequencer.issue();
     const array::Token token = step.root.token;
-    // As in the trees, a coefficient holds no more bits than have arrived.
+    // A coefficient, as in the trees, holds no more bits than have arrived.
     if (token.active())
       pair.tree = {token,
                    up_to(a, token),
@@ -219,7 +219,7 @@ TEST_CASE("long-deferred steps execute without a read and later reads see them")
   pair.step({.function = array::AluFunction::enable_all});
   pair.tree = {.token = {.bit = 5}, .a = 3, .b = 1};
   pair.step({.function = array::AluFunction::store_x, .write = 2});
-  // From here on no pixel is enabled outside the first row.
+  // No pixel outside the first row is enabled below.
   pair.tree = {.token = {.bit = 0}, .b = 1, .c = 1};
   pair.step({.function = array::AluFunction::enable_and});
   pair.tree = {.token = {.bit = 1}, .b = 1, .c = 2};
