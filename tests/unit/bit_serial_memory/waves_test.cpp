@@ -168,7 +168,7 @@ TEST_CASE("a wave shows the requested pixels and has one tap per bank") {
     const machines::Size size = memory.machine.picture;
     isa::Program program;
     program.shape = {size.width, size.height, memory.machine.array.memory_bits};
-    // There are fewer than 256 pixels, so F is the pixel number in eight bits, all of which fit the smallest memory.
+    // There are fewer than 256 pixels, so the eight bits of F hold the pixel number and fit in the smallest memory.
     const auto base = static_cast<std::uint16_t>(program.shape.memory_bits - 8);
     program.facts->fields = {{"number", {base, 8}}, {"third bit", {static_cast<std::uint16_t>(base + 2), 1}}};
     const isa::Linear number{.a = 1, .b = size.width, .c = 0, .width = 10, .shift = 0};
