@@ -43,7 +43,7 @@ glm::dvec3 normal_of(const JudgedMesh& mesh, const std::vector<std::uint32_t>& f
   return glm::normalize(sum);
 }
 
-/// A point on an edge between its ends, closer than that.
+/// A point closer than `near` to the interior of an edge.
 std::string point_on_edge(const JudgedMesh& mesh, double near) {
   std::map<Ends, glm::dvec3> normals;
   for (const auto& face : mesh.faces)
@@ -114,7 +114,7 @@ int winding(const JudgedMesh& mesh, const glm::dvec3& point) {
     for (std::size_t i = 1; i + 1 < face.size(); ++i) {
       const glm::dvec3 b = glm::normalize(mesh.points[face[i]] - point);
       const glm::dvec3 c = glm::normalize(mesh.points[face[i + 1]] - point);
-      // A. van Oosterom and J. Strackee, "The solid angle of a plane triangle", 1983.
+      // Source: A. van Oosterom and J. Strackee, "The solid angle of a plane triangle", 1983.
       sum += 2 * std::atan2(glm::dot(a, glm::cross(b, c)), 1 + glm::dot(a, b) + glm::dot(b, c) + glm::dot(c, a));
     }
   }
