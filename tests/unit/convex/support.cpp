@@ -27,7 +27,7 @@ TestModel demo_model(const std::string& name) {
 
 namespace {
 
-/// Far beyond the tolerance, of the diagonal.
+/// Far above the tolerance; relative to the diagonal.
 constexpr double doubtful = 1e-8;
 
 bool evaluate(const model::Tree& tree, const std::vector<bool>& held) {
@@ -47,7 +47,7 @@ bool evaluate(const model::Tree& tree, const std::vector<bool>& held) {
   return tree.root != model::no_index && value[tree.root];
 }
 
-/// And the distance from the nearest plane.
+/// Also returns the distance from the nearest plane.
 std::pair<bool, double> examine(const TestModel& model, const glm::dvec3& point) {
   std::vector<bool> held;
   double nearest = 1e300;
