@@ -22,7 +22,7 @@ std::string show(const division::Counts& counts) {
                      counts.lists, counts.halfspaces, counts.cells, counts.nodes, counts.instructions);
 }
 
-/// The host's counts are the Program's, of which the last may be nothing.
+/// Compares the host's counts with those of the divider; the last step may be empty.
 std::string difference(const division::Divided& divided, const isa::Segment& segment,
                        const emit::SquareCounts& square) {
   for (std::size_t i = 0; i < std::max(divided.instructions.size(), segment.instructions.size()); ++i) {
