@@ -201,7 +201,7 @@ TEST_CASE("exactly equal points are merged and points on a line are ordered") {
   CHECK(points.add({3, 5, 7}) == 3);
   CHECK(points.places()[3] * planes.unit() == glm::dvec3(3 / 16.0, 0, 0));
   CHECK(points.planes(3) == software::Triple{3, 5, 6});
-  // On the line y = 0, z = 0: the points strictly between two ends, from either end.
+  // The points strictly between two ends on the line y = 0, z = 0, from either end.
   const std::uint32_t off = points.add({2, 7, 9});
   CHECK(off == 6);
   const std::vector<std::uint32_t> all{4, 3, 2, 1, 0, 5, 6};

@@ -126,7 +126,7 @@ TEST_CASE("an unbounded body extends to the outermost wall") {
 
 TEST_CASE("faces share a plane within tolerance and rounding and thickness limits") {
   // Two plates of 0.1 with a gap between them. Six of their planes coincide, or more when the gap counts as closed:
-  // three or four remain across x, two across y and z. Within 1e8 the tolerance is 1e-5 of the thickness, of which 0.3
+  // three or four remain across x, two across y and z. Within 1e8 the tolerance is 1e-5 of the thickness, and 0.3
   // counts; at 5e11 rounding is 2^-50 of that, 4.4e-4, limited to a thousandth of the thickness.
   const auto planes = [](const std::string& far, const std::string& second) {
     return planes_of(at("0", far, "0", "cube([0.1,1e8,1e8]);") + at(second, far, "0", "cube([0.1,1e8,1e8]);"));

@@ -87,7 +87,7 @@ TEST_CASE("sides are split at their points in either direction") {
   sides = {{5, 1}, {1, 8}};
   CHECK(convert::end_at(ends, sides));
   CHECK(sides == std::vector<Side>{{5, 7}, {7, 8}});
-  // Without points nothing changes, including the order.
+  // Nothing changes without points, including the order.
   sides = {{4, 5}, {1, 2}, {2, 1}};
   CHECK(!convert::end_at(ends, sides));
   CHECK(sides == std::vector<Side>{{4, 5}, {1, 2}, {2, 1}});
@@ -298,7 +298,8 @@ TEST_CASE("crossing sides are split at a point midway for each direction of view
 
 TEST_CASE("sides are split at ends on them but not at common ends") {
   const glm::dvec3 z(0, 0, 1);
-  // From the middle of the first side in each of the four directions, where the bounding boxes only touch.
+  // The other side starts at the middle of the first one, in each of the four directions; the bounding boxes only
+  // touch.
   for (const glm::dvec3& far : {glm::dvec3(2, 3, 0), glm::dvec3(2, -3, 0)}) {
     const Ended down = ended({{0, 0, 0}, {4, 0, 0}, {2, 0, 0}, far}, {{0, 1}, {2, 3}}, z);
     CHECK(down.any);

@@ -227,7 +227,7 @@ TEST_CASE("is_flat() decides coplanarity exactly") {
       CHECK(!is_flat(bent));
     }
   }
-  // On x + y + z = 3, the first three points are collinear.
+  // Points on x + y + z = 3, the first three of them collinear.
   CHECK(is_flat({{3, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 3, 0}, {0, 0, 3}, {1, 0, 2}}));
   CHECK(!is_flat({{3, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 3, 0}, {0, 0, 3}, {1, 0, 2.5}}));
   CHECK(!is_flat({{3, 0, 0}, {2, 1, 0}, {0, 1, 2}, {0, 0, 3.5}}));
@@ -258,7 +258,7 @@ TEST_CASE("self-touching or bent polygons stay triangulated") {
   const std::vector<Triangle> around{{0, 1, 4}, {1, 2, 4}, {4, 2, 5}, {5, 2, 3}, {5, 3, 0}};
   convert::Surface surface{plate, around, std::vector<std::uint32_t>(5, 0)};
   CHECK(sizes_of(convert::polygons_of(surface)) == std::vector<std::size_t>(5, 3));
-  // Without its last triangle it no longer touches itself.
+  // The plate no longer touches itself without its last triangle.
   surface.triangles.pop_back();
   surface.outlines.pop_back();
   CHECK(sizes_of(convert::polygons_of(surface)) == std::vector<std::size_t>{6});

@@ -39,7 +39,7 @@ TEST_CASE("products list their primitive and the subtracted solids") {
 }
 
 TEST_CASE("intersected unions of disjoint solids are matched and not expanded") {
-  // Expansion would give 40^8 products, of which 40 are not empty.
+  // Expansion would give 40^8 products; only 40 are not empty.
   std::string text = "intersection(){\n";
   for (int i = 0; i < 8; ++i) text += many("union", 40, 2.0, 1.0 + 0.1 * i);
   const std::vector<convex::SolidProduct> found = products(TestModel(text + "}"));
@@ -48,7 +48,7 @@ TEST_CASE("intersected unions of disjoint solids are matched and not expanded") 
 }
 
 TEST_CASE("differences of disjoint intersections have no empty products") {
-  // Without spatial pruning 2^60 products; with it 121.
+  // There are 2^60 products without spatial pruning, and 121 with it.
   std::string text = "difference(){cube(size=[400,400,1],center=false);\n";
   for (int i = 0; i < 60; ++i) {
     text += "intersection(){" + box(6.0 * i, 3, 4) + box(6.0 * i + 1, 4, 4) + "}\n";

@@ -31,7 +31,7 @@ TEST_CASE("a plane beyond all widths decides only where rounding cannot matter")
     const std::array<double, 4> corners{at(pixels.x0, pixels.y0), at(pixels.x1, pixels.y0), at(pixels.x0, pixels.y1),
                                         at(pixels.x1, pixels.y1)};
     const auto [low, high] = std::minmax_element(corners.begin(), corners.end());
-    // For a surface, everything up to z_low is in front of the block and everything beyond z_high behind it.
+    // Depths up to z_low are in front of the block for a surface, and depths beyond z_high behind it.
     const bool edge = plane.kind == view::PlaneKind::edge;
     const double before = edge ? 0.0 : static_cast<double>(block.z_low);
     const double behind = edge ? 0.0 : static_cast<double>(block.z_high);

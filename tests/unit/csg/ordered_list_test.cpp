@@ -319,7 +319,7 @@ TEST_CASE("no order of operands needs fewer labels than the chosen one") {
     return csg::footprint(tree) == least.with_false && csg::make_ordered_list(tree).labels == least.without_false;
   };
   for_all_trees(6, [&](const ActiveTree& tree, std::uint32_t) { REQUIRE(check(tree)); });
-  // With fewer leaves the costliest operand can always be first; here it must be last.
+  // The costliest operand must be last here; with fewer leaves it can always be first.
   std::string_view text = "+(*(+(.*(..))+(*(..)*(..)))*(+(.*(+(..)+(.*(..)))).))";
   ActiveTree lopsided;
   lopsided.operands = {add_text(lopsided, text)};
