@@ -17,7 +17,7 @@ bool says(const std::string& text, const std::string& part) { return text.find(p
 
 }  // namespace
 
-TEST_CASE("fields of a layout lie beside each other without gaps, and take what was said that they take") {
+TEST_CASE("fields of a layout are contiguous and have the requested total width") {
   CHECK(rc::check([] {
     const unsigned z_bits = *rc::gen::inRange(4U, 31U);
     const emit::Needs needs{z_bits,
@@ -36,7 +36,7 @@ TEST_CASE("fields of a layout lie beside each other without gaps, and take what 
   }));
 }
 
-TEST_CASE("memory that is too small is told with what is missing and with each option that would do") {
+TEST_CASE("a refusal lists the missing memory and each option that would help") {
   const std::string second = refusal({20, 24, true, {2, 1, 0}}, 72);
   CHECK(says(second, "needs 92 memory bits a pixel (2 x 20 depth, 2 x 24 colour, 1 mask, 1 product, 2 stack)"));
   CHECK(says(second, "--colouring rebroadcast"));
@@ -56,7 +56,7 @@ TEST_CASE("memory that is too small is told with what is missing and with each o
   CHECK(says(tiny, "--memory-bits 65"));
 }
 
-TEST_CASE("what a refusal advises fits") {
+TEST_CASE("the options suggested by a refusal fit") {
   const std::uint32_t memory = 72;
   const std::string advice = refusal({25, 24, false, {1, 0, 0}}, memory);
   REQUIRE(says(advice, "--z-bits 23"));
@@ -65,7 +65,7 @@ TEST_CASE("what a refusal advises fits") {
   CHECK(refusal({25, 20, false, {1, 0, 0}}, memory).empty());
 }
 
-TEST_CASE("a machine's second buffer is told beside the rest, and what would make room for it") {
+TEST_CASE("a refusal includes a machine's second buffer and how to make room") {
   const emit::Needs fits{20, 15, false, {1, 0, 0}, {57, 15}};
   CHECK(emit::total_bits(fits) == 72);
   CHECK(emit::named_fields(emit::plan_layout(fits, 72)).back() ==
