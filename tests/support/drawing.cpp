@@ -114,7 +114,7 @@ observe::Frame draw_on(machines::Machine machine, const isa::Program& program, u
   observe::FrameObserver frame(program);
   const std::array<engine::Observer*, 1> observers{&frame};
   const engine::RunResult result = engine::make_functional_engine(machine, threads)->run(program, observers);
-  if (result.overflows != 0) throw std::runtime_error("the Program overflows");
+  if (result.overflows != 0) throw std::runtime_error("a linear expression overflows its width");
   return frame.frame();
 }
 

@@ -222,8 +222,7 @@ void PlainCells::act(std::uint32_t cell, const PlainBeat& beat) {
   const auto& [first, second] = beat.accesses.sources;
   if (words_fetched_[cell] < std::uint32_t{first.count} + second.count)
     throw std::logic_error("a cell acts before its ports have read the fields");
-  if (!alus_[cell].done(beat.work, shape_))
-    throw std::logic_error("a cell acts before its shifter and ALU are through");
+  if (!alus_[cell].done(beat.work, shape_)) throw std::logic_error("a cell acts before its shifter and ALU are done");
   if (beat.instruction.opcode == isa::Opcode::root && roots_[cell].bit != beat.accesses.target.field.width / 2U)
     throw std::logic_error("a cell acts before it has found all bits of a root");
   const Result result = result_of(cell, beat.instruction);

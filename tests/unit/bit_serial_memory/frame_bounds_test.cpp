@@ -66,7 +66,7 @@ Bounds of_gates(double fewest_rows, double fewest_gates, double most_rows, doubl
 Bounds majority(isa::Opcode opcode, double n, const Timing& timing) {
   if (opcode == isa::Opcode::field_lt) return of_rows(3 * n + 2, 3 * n + 2 + 4, timing);
   if (opcode == isa::Opcode::field_eq) return of_rows(4 * n + 3, 4 * n + 3 + 4, timing);
-  return of_rows(8 * n + 1, 8 * n + 1 + 4 * n + 4, timing);  // a sum in some columns
+  return of_rows(8 * n + 1, 8 * n + 1 + 4 * n + 4, timing);  // a masked sum
 }
 
 Bounds gates(isa::Opcode opcode, double n, const Timing& timing) {

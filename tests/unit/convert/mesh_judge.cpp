@@ -30,7 +30,7 @@ std::string unequal_side(const JudgedMesh& mesh, bool is_once) {
     const auto back = sides.find({ends.second, ends.first});
     const int backs = back == sides.end() ? 0 : back->second;
     if (times != backs || (is_once && times != 1))
-      return fmt::format("side {}-{}: {} times, and back {}", ends.first, ends.second, times, backs);
+      return fmt::format("side {}-{} occurs {} times and its reverse {} times", ends.first, ends.second, times, backs);
   }
   return "";
 }
@@ -57,7 +57,7 @@ std::string point_on_edge(const JudgedMesh& mesh, double near) {
       const double along = glm::dot(mesh.points[i] - from, way) / glm::dot(way, way);
       const bool is_between = along * glm::length(way) > near && (1 - along) * glm::length(way) > near;
       if (is_between && glm::distance(mesh.points[i], from + along * way) < near)
-        return fmt::format("point {} is on side {}-{}", i, ends.first, ends.second);
+        return fmt::format("point {} lies on side {}-{}", i, ends.first, ends.second);
     }
   }
   return "";
@@ -73,7 +73,8 @@ double size_of(const JudgedMesh& mesh) {
 
 std::string fault_of(const JudgedMesh& mesh) {
   for (const auto& face : mesh.faces)
-    if (face.size() < 3 || std::set(face.begin(), face.end()).size() != face.size()) return "a face meets itself";
+    if (face.size() < 3 || std::set(face.begin(), face.end()).size() != face.size())
+      return "a face has a repeated corner or fewer than three";
   const std::string unequal = unequal_side(mesh, true);
   return unequal.empty() ? point_on_edge(mesh, 1e-11 * size_of(mesh)) : unequal;
 }

@@ -293,7 +293,7 @@ TEST_CASE("a plane through edges adds no edges and one that touches changes noth
 TEST_CASE("a sheet thinner than the tolerance vanishes and a thicker one remains") {
   for (const double thickness : {0.3, 0.9, 1.1, 3.0}) {
     CAPTURE(thickness);
-    // The diagonal of the scene is 10 sqrt(3), far more than that of either box.
+    // The diagonal of the scene is 10 sqrt(3), much larger than the diagonal of either box.
     const double size = thickness * convex::relative_tolerance * 10.0 * std::sqrt(3.0);
     const TestModel model(fmt::format(
         "union(){{cube(size=[1,1,1],center=false);multmatrix([[1,0,0,{:.17g}],[0,1,0,0],[0,0,1,0],[0,0,0,1]])"

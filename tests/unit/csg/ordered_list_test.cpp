@@ -12,7 +12,7 @@ namespace {
 using namespace csgsim::testing;
 using csg::OrderedList;
 
-// ---- A pixel.
+// ---- Simulation of a pixel.
 
 /// Empty if the pixel ends with a label other than that of TRUE.
 std::optional<bool> execute(const OrderedList& list, const std::vector<bool>& in) {

@@ -177,7 +177,7 @@ TEST_CASE("back restores the state before the last executed instructions") {
       at = std::max<std::int64_t>(0, at - count);
       if (at == now || states.empty()) continue;
       const engine::RunState state = debug.session.run().save();
-      // Before a segment's first instruction the pixels still hold the state of the previous segment.
+      // The pixels hold the state of the previous segment until the first instruction of a segment.
       RC_ASSERT(debug.session.number() ==
                 engine::Numbers(debug.program).of(states[static_cast<std::size_t>(at)].place));
       if (state.place == states[static_cast<std::size_t>(at)].place)

@@ -35,7 +35,7 @@ std::string difference(const division::Divided& divided, const isa::Segment& seg
     division::Counts mine = i < divided.steps.size() ? divided.steps[i] : division::Counts{};
     written += std::exchange(mine.instructions, 0);
     const division::Counts host = i < square.size() ? square[i].counts : division::Counts{};
-    if (!(mine == host)) return fmt::format("the divider counts {} in step {}; the host {}", show(mine), i, show(host));
+    if (!(mine == host)) return fmt::format("divider: {} in step {}; host: {}", show(mine), i, show(host));
   }
   if (written != segment.instructions.size()) return fmt::format("the divider counts {} instructions", written);
   return {};

@@ -86,12 +86,12 @@ TEST_CASE("a surface without a front starts at depth 0 in its near colour") {
 TEST_CASE("a hole is drawn and compared only in squares that contain it") {
   testing::ModelDivider divider(testing::slab_with_hole());
   const division::Divided holed = divider.divide(top_left);
-  // The slab and the hole, each with two half-spaces of its own and two of the other; each tests the root and the
+  // The slab and the hole, each with its own two half-spaces and two of the other; each tests the root and the
   // other.
   CHECK(holed.counts().boxes == 2);
   CHECK(holed.counts().halfspaces == 8);
   CHECK(holed.counts().nodes == 4);
-  // In columns 6 and 7 the hole has no pixels: the slab tests the root and, without effect, the hole.
+  // The hole has no pixels in columns 6 and 7: the slab tests the root and, without effect, the hole.
   const division::Divided whole = divider.divide({6, 0, 2, 8});
   CHECK(whole.counts().boxes == 2);
   CHECK(whole.counts().halfspaces == 2);

@@ -171,7 +171,7 @@ TEST_CASE("light passes through a hole but not through seams between pieces") {
   const Tally tally = judge(csg, setup);
   check(tally);
   CHECK(tally.judged > 500);
-  // To the right of the plate the wall is dark up to 18 + 0.31 * 4, without a gap.
+  // The wall to the right of the plate is dark up to 18 + 0.31 * 4, without a gap.
   const observe::Frame frame = drawn(csg, setup);
   const std::uint32_t dark = colour_at(frame, 18, 10);
   CHECK(dark != colour_at(frame, 22, 10));
@@ -247,7 +247,7 @@ TEST_CASE("light along a shared face does not leak through with few depth bits")
       int wrong = 0;
       int in_shadow = 0;
       for (std::size_t i = 0; i < frames[0].colour.size(); ++i) {
-        // With few depths another facet may be visible at an edge in any light.
+        // Another facet may be visible at an edge with few depths, in any light.
         if (frames[2].colour[i] != frames[3].colour[i]) continue;
         wrong += frames[0].colour[i] != frames[1].colour[i];
         in_shadow += frames[0].colour[i] != frames[2].colour[i];

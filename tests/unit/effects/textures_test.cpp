@@ -230,7 +230,7 @@ TEST_CASE("a checker starts at u0 and v0 with its first colour") {
 }
 
 TEST_CASE("shows a texel that starts at the centres of a facet's last pixels") {
-  // In this frontal view a pixel is half a unit; the one in column x and row y has its centre at ((x - 31.5) / 2, (23.5
+  // A pixel of this frontal view is half a unit; the one in column x and row y has its centre at ((x - 31.5) / 2, (23.5
   // - y) / 2).
   const double distance = 0.5 * height / 2 / view::half_height_per_distance();
   const view::Camera camera{{0, 0, distance}, {0, 0, 0}, view::Projection::perspective};

@@ -87,7 +87,7 @@ observe::Frame run(engine::Engine& engine, const isa::Program& program) {
   return frame.frame();
 }
 
-/// A model in the picture.
+/// A model together with its geometry and view.
 struct Viewed {
   Viewed(const Model& model, const view::Sampling& sampling)
       : tree(read::read_csg_text(model.text(), "test")),

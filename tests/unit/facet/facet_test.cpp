@@ -88,7 +88,7 @@ TEST_CASE("solids have the half-spaces of their OpenSCAD facets") {
   CHECK(count(model::Sphere{1, {5, 12, 2}}) == 5 * 2 + 2);
 }
 
-TEST_CASE("every corner is inside all half-spaces and on the planes of its own faces") {
+TEST_CASE("every corner is inside all half-spaces and on the planes of its faces") {
   CHECK(rc::check([] {
     model::Primitive one = primitive(random_shape());
     const double mirror = *rc::gen::element(1.0, -1.0);

@@ -128,7 +128,7 @@ TEST_CASE("a cylinder from its end is a flat ellipse under a scale") {
   const std::string lying = placed(rotation(90, 0), scaled({2, 1, 3}, cylinder({0, 0, -1}, 2, 6.25, 6.25, 3)));
   check(lying, Projection::orthographic,
         [](double x, double z) { return square(x / 2) + z * z > square(6.25) ? none : to_origin - 3; });
-  // In perspective the front hides the side.
+  // The front hides the side in perspective.
   check(lying, Projection::perspective, [](double x, double z) {
     const double nearness = (to_origin - 3) / to_origin;
     return square(x * nearness / 2) + square(z * nearness) > square(6.25) ? none : to_origin - 3;
@@ -146,7 +146,7 @@ TEST_CASE("a cone from above slopes evenly and a frustum has a flat end") {
     const double aside = std::max(std::hypot(x, z), 4.25);
     return aside > 12.25 ? none : to_origin - 9 * (12.25 - aside) / 8;
   });
-  // At distance t the ray is slope t off the axis, where the cone is 9 slope t / 12.25 behind its apex.
+  // The ray at distance t is slope t off the axis, where the cone is 9 slope t / 12.25 behind its apex.
   check(towards(cylinder({0, 0, 0}, 9, 12.25, 0, 3)), Projection::perspective, [](double x, double z) {
     const double slope = std::hypot(x, z) / to_origin;
     const double t = (to_origin - 9) / (1 - slope * 9 / 12.25);

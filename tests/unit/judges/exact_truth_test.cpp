@@ -140,7 +140,7 @@ TEST_CASE("inside a subtracted solid its back is visible") {
 }
 
 TEST_CASE("a perspective picture of a box has the right distance and size") {
-  // At half the distance of the origin two pixels are one unit.
+  // Two pixels are one unit at half the distance of the origin.
   const double front = -straight_distance(6) / 2;
   const Truth truth = straight_on(box({-1, front, -0.5}, {1.5, 3, 1}), even, Projection::perspective);
   CHECK(owners(truth) ==

@@ -150,7 +150,7 @@ TEST_CASE("rays along a cone's generator meet it once") {
   const Truth truth = straight_on(leaning);
   for (int x = -3; x <= 3; ++x) {
     for (int z = -3; z <= 3; ++z) {
-      // At z <= 0 the ray passes the cone, lies in its surface, or meets the other nappe.
+      // The ray at z <= 0 passes the cone, lies in its surface, or meets the other nappe.
       const double front = z > 0 ? static_cast<double>(x * x) / z : NAN;
       CAPTURE(x);
       CAPTURE(z);
