@@ -198,8 +198,8 @@ isa::Program random_frame(const ClockedMemory& memory, std::uint64_t seed) {
         .value();
   };
   isa::Program program = draw(2 * seed);
-  const isa::Instruction question{.opcode = isa::Opcode::global_or};
-  if (seed % 3 == 0) program.segments.front().instructions.push_back(question);
+  const isa::Instruction query{.opcode = isa::Opcode::global_or};
+  if (seed % 3 == 0) program.segments.front().instructions.push_back(query);
   // The machine accepts any number of segments; each begins with memory and enable 0.
   if (seed % 4 == 0) program.segments.push_back(draw(2 * seed + 1).segments.front());
   return program;

@@ -107,15 +107,15 @@ TEST_CASE("a frame with a jump takes hand-calculated clocks and work at both lev
 TEST_CASE("the timeline of that frame and its loads match the hand calculation") {
   const machines::Machine& machine = testing::smallest_memory().machine;
   const isa::Program program = frame();
-  const machines::Told told{{&skip, 1}, {}};
-  const auto timeline = machine.kind->timeline(program, machine, told);
+  const machines::Told outcome{{&skip, 1}, {}};
+  const auto timeline = machine.kind->timeline(program, machine, outcome);
   REQUIRE(timeline.has_value());
   CHECK(timeline->cleared == std::vector<machines::ClockSpan>{{17, 502}});
   CHECK(timeline->issued ==
         std::vector<std::vector<machines::ClockSpan>>{{{502, 507}, {507, 512}, {512, 537}, {}, {}, {551, 576}}});
   CHECK(machine.kind->at_pixel(*timeline, program, machine, 0, 7, 7) == timeline->issued[0]);
   std::vector<std::string> loads;
-  for (const machines::Load& load : machine.kind->loads(machine.kind->time(program, machine, told)))
+  for (const machines::Load& load : machine.kind->loads(machine.kind->time(program, machine, outcome)))
     loads.push_back(fmt::format("{} {} {}", load.part, load.does, load.clocks));
   CHECK(loads == Lines{"rank of chips carries out row commands 10", "clearing of the rows runs 485",
                        "reads of all enable bits are waited for 50", "refresh closes the banks 0",

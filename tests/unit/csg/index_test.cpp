@@ -157,10 +157,10 @@ TEST_CASE("BoxIndex finds the boxes that meet or cover a box in order of their n
     std::vector<csg::BoxIndex::Entry> entries(static_cast<std::size_t>(*rc::gen::inRange(0, 120)));
     for (std::uint32_t i = 0; i < entries.size(); ++i) entries[i] = {random_box(), i};
     const csg::BoxIndex::Box box = random_box();
-    std::vector<std::uint32_t> are_met;
+    std::vector<std::uint32_t> expected_meeting;
     std::vector<std::uint32_t> cover;
     for (const csg::BoxIndex::Entry& entry : entries) {
-      if (meet(entry.box, box)) are_met.push_back(entry.number);
+      if (meet(entry.box, box)) expected_meeting.push_back(entry.number);
       if (covers(entry.box, box)) cover.push_back(entry.number);
     }
     const std::uint64_t seed = *rc::gen::arbitrary<std::uint64_t>();
@@ -168,8 +168,8 @@ TEST_CASE("BoxIndex finds the boxes that meet or cover a box in order of their n
     const csg::BoxIndex index(entries);
     std::vector<std::uint32_t> found{7};
     index.meeting(box, found);
-    are_met.insert(are_met.begin(), 7);
-    RC_ASSERT(found == are_met);
+    expected_meeting.insert(expected_meeting.begin(), 7);
+    RC_ASSERT(found == expected_meeting);
     RC_ASSERT(index.covering(box, entries.size()) == cover);
   }));
 }

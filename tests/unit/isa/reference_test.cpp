@@ -282,7 +282,7 @@ TEST_CASE("a bit instruction may write one of its sources") {
 }
 
 TEST_CASE("bit instructions act bitwise on fields and skip disabled pixels") {
-  const auto worked = [](Opcode opcode) {
+  const auto bitwise_result = [](Opcode opcode) {
     ReferenceArray array = row(2);
     set(array, t, {0b1001, 0b1001});
     set(array, s, {0b0011, 0b0011});
@@ -292,11 +292,11 @@ TEST_CASE("bit instructions act bitwise on fields and skip disabled pixels") {
     CHECK(values(array, s) == Values{0b0011, 0b0011});
     return values(array, t);
   };
-  CHECK(worked(Opcode::bit_and) == Values{0b0001, 0b1001});
-  CHECK(worked(Opcode::bit_or) == Values{0b0111, 0b1001});
-  CHECK(worked(Opcode::bit_xor) == Values{0b0110, 0b1001});
-  CHECK(worked(Opcode::bit_and_not) == Values{0b0010, 0b1001});
-  CHECK(worked(Opcode::bit_not) == Values{0b1100, 0b1001});
+  CHECK(bitwise_result(Opcode::bit_and) == Values{0b0001, 0b1001});
+  CHECK(bitwise_result(Opcode::bit_or) == Values{0b0111, 0b1001});
+  CHECK(bitwise_result(Opcode::bit_xor) == Values{0b0110, 0b1001});
+  CHECK(bitwise_result(Opcode::bit_and_not) == Values{0b0010, 0b1001});
+  CHECK(bitwise_result(Opcode::bit_not) == Values{0b1100, 0b1001});
 }
 
 TEST_CASE("xor_constant inverts the target where the constant is 1") {
