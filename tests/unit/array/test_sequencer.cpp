@@ -123,7 +123,7 @@ TEST_CASE("wide trees receive several bits per clock and the remainder in the la
   CHECK(second.last);
 }
 
-TEST_CASE("processes fraction and field and sign bits in the clock in which they arrive") {
+TEST_CASE("processes each bit of F in the clock in which it arrives") {
   // Bits 0 to 2 of F are its fraction, bits 3 to 6 align with the field, bits 7 to 10 are beyond it, and bit 11 is the
   // sign.
   const isa::Instruction instruction{

@@ -25,7 +25,7 @@ TEST_CASE("limited and unlimited work end at the next step after a stop request"
   CHECK_THROWS_AS(Work().charge(1, "nothing"), Interrupted);
 }
 
-TEST_CASE("the innermost stop token applies and then the outer one again") {
+TEST_CASE("the innermost stop token applies until it is destroyed") {
   std::stop_source outer;
   const Interruptible interruptible(outer.get_token());
   outer.request_stop();

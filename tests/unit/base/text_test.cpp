@@ -50,7 +50,7 @@ TEST_CASE("printable() keeps readable text unchanged") {
     CHECK(printable(text) == text);
 }
 
-TEST_CASE("printable() escapes control characters and bidi overrides and invalid UTF-8") {
+TEST_CASE("printable() escapes control characters including bidi and invalid UTF-8") {
   CHECK(printable("a\nb\tc\rd") == "a\\nb\\tc\\rd");
   CHECK(printable("\x1b[31mred") == "\\x1b[31mred");
   CHECK(printable(std::string("nul\0l", 5)) == "nul\\x00l");

@@ -73,7 +73,7 @@ TEST_CASE("finds the exponent of a power law for any factor") {
   }
 }
 
-TEST_CASE("tables and JSON and plots omit exponents from fewer than three sizes") {
+TEST_CASE("every report omits exponents from fewer than three sizes") {
   CHECK(!bench::exponent(std::array<bench::Point, 2>{{{1, 1}, {2, 3}}}));
   CHECK(!bench::exponent(std::array<bench::Point, 3>{{{1, 1}, {2, 3}, {2, 4}}}));
   bench::Results results;
@@ -113,7 +113,7 @@ TEST_CASE("generated models have the stated number of half-spaces") {
   CHECK(scene_of(bench::deep_tree(50)).solids.size() == 50);
 }
 
-TEST_CASE("reports a timed process or a missing program or a failed one") {
+TEST_CASE("distinguishes finished processes from missing and failed programs") {
   const std::array<std::string, 2> sleeps{"sleep", "0.1"};
   const std::optional<bench::Took> took = bench::run_process(sleeps);
   REQUIRE(took);

@@ -81,7 +81,7 @@ constexpr std::array<unsigned, 5> widths{1, 8, 16, 31, 32};
 
 }  // namespace
 
-TEST_CASE("AND and OR and NOT and XOR of rows take the command counts of Ambit") {
+TEST_CASE("logic operations on rows take the command counts of Ambit") {
   for (const Design design : {Design::and_or_not, Design::majority}) {
     for (const Two op : {Two::conjunction, Two::disjunction}) {
       const RowCommands commands =

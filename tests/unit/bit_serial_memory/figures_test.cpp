@@ -119,7 +119,7 @@ TEST_CASE("the energies of the memories follow from the currents of that file") 
   }
 }
 
-TEST_CASE("the remaining parameters match the designs and their files") {
+TEST_CASE("the remaining parameters of the memories match their designs") {
   for (const std::string& name : names) {
     CAPTURE(name);
     const machines::Machine machine = kinds::load(name);
@@ -147,7 +147,7 @@ TEST_CASE("the remaining parameters match the designs and their files") {
   CHECK(figures_of(kinds::load("digital-bit-serial-ddr4")).design == bit_serial_memory::Design::latches);
 }
 
-TEST_CASE("charges a command for activations and rows and gates and bits in each slot") {
+TEST_CASE("charges a command for its work in each slot") {
   const WordLine row{3, false};
   CHECK(work_of({.op = RowOp::copy, .from = WordLines(row), .to = WordLines(row)}) == Work{.activations = 8});
   CHECK(work_of({.op = RowOp::copy, .from = WordLines(row, row, row), .to = WordLines(row, row)}) ==
@@ -319,7 +319,7 @@ TEST_CASE("single instructions take the clocks calculated by hand") {
   CHECK(clocks_of("digital-bit-serial-ddr4+logic.enable=1", isa::Opcode::enable_invert) == 1 + 4);
 }
 
-TEST_CASE("a one-instruction frame takes link and clear and refresh and instruction") {
+TEST_CASE("a one-instruction frame takes hand-calculated clocks") {
   isa::Program program;
   program.shape = {512, 512, 256};
   program.segments.push_back({.region = {0, 0, 512, 512}, .instructions = {instruction(isa::Opcode::enable_all)}});

@@ -39,7 +39,7 @@ std::uint64_t clocks(const Figures& figures, std::uint64_t slots, const RowComma
 
 }  // namespace
 
-TEST_CASE("a row copy takes tRAS and tRP and the delay of its second activation") {
+TEST_CASE("a row copy takes tRAS + tRP + the delay of its second activation") {
   CHECK(clocks(ddr4(), 1, {}) == 0);
   CHECK(clocks(ddr4(), 1, {copy}) == 5 + 39 + 16);
   CHECK(clocks(ddr4(), 1, {activate}) == 39 + 16);

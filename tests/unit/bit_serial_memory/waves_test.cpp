@@ -123,7 +123,7 @@ TEST_CASE("the timeline of that frame and its loads match the hand calculation")
                        "scan-out holds the banks 292"});
 }
 
-TEST_CASE("a wave shows the states of host and controller and bank in each clock") {
+TEST_CASE("a wave shows the states of all units in each clock") {
   const Recording wave(testing::smallest_memory(), frame(), {{3, 2}}, {0, shown});
   CHECK(changes_of(wave.of("host.state")) == Lines{"0 waiting", "10 sending", "16 blocked", "17 sending", "20 blocked",
                                                    "502 sending", "505 blocked", "507 sending", "510 blocked",

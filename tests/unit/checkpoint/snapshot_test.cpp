@@ -238,7 +238,7 @@ TEST_CASE("a run resumed between squares and their instruction restores the squa
   }
 }
 
-TEST_CASE("rejects a checkpoint that is truncated or extended or changed in any byte") {
+TEST_CASE("rejects a checkpoint with a changed size or any changed byte") {
   const isa::Program program = small_program();
   const machines::Machine machine = planes(program.shape);
   const std::vector<std::byte> bytes = checkpoint::encode(snapshot_at(5, program, machine));

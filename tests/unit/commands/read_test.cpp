@@ -103,7 +103,7 @@ TEST_CASE("draws Object or otherwise the last solid") {
   CHECK(near(moved(moved_last, 0, {0, 0, 0, 1}), {7, 0, 0}));
 }
 
-TEST_CASE("accepts comments and blank lines and continuation lines and CRLF") {
+TEST_CASE("accepts comments and continuation lines and any line ending") {
   CHECK(shown(tree_of("# one\r\n\r\n  A = block 1 \\\r\n 2 3 # two\r\nB=A+A # \\\n")) == "(0+1)");
 }
 

@@ -163,7 +163,7 @@ TEST_CASE("codes a 4 x 4 x 2 block as calculated by hand") {
   CHECK(nothing.side == 1);
 }
 
-TEST_CASE("subdivides across x and y and z in turn") {
+TEST_CASE("subdivides across the three axes in turn") {
   // The cell at (x, y, z) of a cube of 2, with an empty half before or after it across x, then y, then z.
   for (int x = 0; x < 2; ++x) {
     for (int y = 0; y < 2; ++y) {

@@ -27,7 +27,7 @@ std::string moved(double x, double y, double z, const std::string& what) {
 
 }  // namespace
 
-TEST_CASE("a cube has eight points and twelve triangles and one shell") {
+TEST_CASE("a cube converts to eight points and twelve triangles") {
   const software::convert::Surface surface = converted("cube([1,2,3]);");
   CHECK(surface.points.size() == 8);
   CHECK(surface.triangles.size() == 12);

@@ -124,7 +124,7 @@ TEST_CASE("an unbounded body extends to the outermost wall") {
   CHECK(flat.box.empty());
 }
 
-TEST_CASE("faces share a plane within tolerance and rounding and thickness limits") {
+TEST_CASE("faces share a plane only within a limit") {
   // Two plates of 0.1 with a gap between them. Six of their planes coincide, or more when the gap counts as closed:
   // three or four remain across x, two across y and z. Within 1e8 the tolerance is 1e-5 of the thickness, and 0.3
   // counts; at 5e11 rounding is 2^-50 of that, 4.4e-4, limited to a thousandth of the thickness.

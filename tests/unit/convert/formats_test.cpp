@@ -160,7 +160,7 @@ TEST_CASE("lists the formats with their extensions and text variants") {
   CHECK(convert::format_of("") == nullptr);
 }
 
-TEST_CASE("binary STL has the expected header and count and normals and corners") {
+TEST_CASE("writes binary STL byte by byte as specified") {
   const std::string bytes = convert::format_of(".stl")->write(small_surface(), {});
   REQUIRE(bytes.size() == 84 + 4 * 50);
   CHECK(bytes.substr(0, 20) == "binary STL by csgsim");

@@ -54,7 +54,7 @@ Ended ended(const std::vector<glm::dvec3>& points, const std::vector<Side>& side
 
 }  // namespace
 
-TEST_CASE("opposite sides cancel and degenerate ones vanish and the rest is sorted") {
+TEST_CASE("removes opposite and degenerate sides and sorts the rest") {
   CHECK(convert::ordered({3, 1}) == Side{1, 3});
   CHECK(convert::ordered({1, 3}) == Side{1, 3});
   CHECK(convert::key_of({3, 1}) == 0x100000003U);

@@ -68,7 +68,7 @@ double polygon_area(double radius, double count) {
 
 }  // namespace
 
-TEST_CASE("a box has its faces and edges and volume when rotated or far away") {
+TEST_CASE("a box keeps its structure and volume when rotated or far away") {
   const std::string cube = "cube(size=[2,3,5],center=false);";
   const std::string far = "multmatrix([[1,0,0,1e6],[0,1,0,0],[0,0,1,2e6],[0,0,0,1]])";
   for (const std::string& text :

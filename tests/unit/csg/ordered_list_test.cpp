@@ -361,7 +361,7 @@ TEST_CASE("the bounds hold for random trees of up to 400 leaves") {
   }));
 }
 
-TEST_CASE("two label bits suffice for 21 leaves and three for 381 and four for 98301") {
+TEST_CASE("two to four label bits suffice for 21 to 98301 leaves") {
   CHECK(ceil_log2(list_bound(4)) == 1);
   std::uint32_t bits = 2;
   for (const std::size_t leaves : {21U, 381U, 98'301U}) {

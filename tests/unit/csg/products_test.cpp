@@ -94,7 +94,7 @@ std::string cube(double x, double y, double size) {
 
 }  // namespace
 
-TEST_CASE("thesis fig. 6.2: the active tree of P has the products QS and QT and RS and RT") {
+TEST_CASE("thesis fig. 6.2: the active tree of P has the products QS; QT; RS; RT") {
   enum : std::uint32_t { Q, R, S, T };
   const std::vector<ActiveNode> nodes{leaf(Q),
                                       leaf(R),

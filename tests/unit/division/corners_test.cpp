@@ -47,7 +47,7 @@ TEST_CASE("a corner test finds the four values and the floors of minimum and max
   CHECK(edge.side == division::Side::negative);
 }
 
-TEST_CASE("a front is in or out if beyond no depth or all depths of the block") {
+TEST_CASE("a front contains blocks behind it and excludes blocks before it") {
   const Plane rising{false, 1, 0, 3};  // values 3 to 13
   CHECK(known(rising, true, 13, 20) == Known::in);
   CHECK(known(rising, true, 12, 20) == Known::depends);
@@ -55,7 +55,7 @@ TEST_CASE("a front is in or out if beyond no depth or all depths of the block") 
   CHECK(known(rising, true, 0, 3) == Known::depends);
 }
 
-TEST_CASE("a back is in or out if beyond all depths or no depth of the block") {
+TEST_CASE("a back contains blocks before it and excludes blocks behind it") {
   const Plane rising{false, 1, 0, 3};
   CHECK(known(rising, false, 0, 2) == Known::in);
   CHECK(known(rising, false, 0, 3) == Known::depends);

@@ -181,7 +181,7 @@ TEST_CASE("light passes through a hole but not through seams between pieces") {
   }
 }
 
-TEST_CASE("light along the seams of pieces does not leak through") {
+TEST_CASE("light parallel to the seams of pieces does not leak through") {
   // The upper and lower sides of the hole, which cut the plate, are planes parallel to the light.
   const std::string csg = "union(){" + wall + "difference(){" + box_text({2, 0, -18}, {18, 1, -2}) +
                           box_text({7.5, -1, -12.5}, {12.5, 2, -7.5}) + "}}";

@@ -307,7 +307,7 @@ TEST_CASE("rejects too many texels in perspective and suggests a size") {
   CHECK(error_with("[[effects.textures]]\nsize = 0.1\npattern = 'stripes'\n", cube, camera).empty());
 }
 
-TEST_CASE("a table has 1 or 2 or 4 or 8 rows and columns") {
+TEST_CASE("a texture table has a power of two of at most 8 rows and columns") {
   const std::string cube = "cube(size = [30, 30, 30], center = true);";
   const auto error = [&](const std::string& keys) { return error_with("[[effects.textures]]\n" + keys, cube); };
   CHECK(error("pattern = 'table'").find("without its colours") != std::string::npos);

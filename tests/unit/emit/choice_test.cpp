@@ -169,7 +169,7 @@ TEST_CASE("surfaces with a single product each do not count towards the limit") 
   }
 }
 
-TEST_CASE("more stack bits never mean more renderings or comparisons or depth tests") {
+TEST_CASE("more stack bits never mean more work") {
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);

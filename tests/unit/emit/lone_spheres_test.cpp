@@ -95,7 +95,7 @@ const std::string squares = "pixel-square+divider.kind=host+array.width=16+array
 
 }  // namespace
 
-TEST_CASE("lone spheres match their formula on pictures and lines and squares") {
+TEST_CASE("lone spheres match their formula for every kind of region") {
   int seen = 0;
   int in_candidate = 0;
   int fewer_edges = 0;

@@ -41,7 +41,7 @@ model::Tree single(model::Primitive one) {
 
 }  // namespace
 
-TEST_CASE("sine and cosine in degrees are exact for 0 and 1/2 and 1") {
+TEST_CASE("sine and cosine in degrees are exact where they are rational") {
   for (const int turns : {-2, 0, 1, 3}) {
     const double base = 360.0 * turns;
     CHECK(model::sin_degrees(base) == 0.0);

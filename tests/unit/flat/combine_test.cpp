@@ -29,7 +29,7 @@ Area rectangle(double width, double height) { return flat::square({width, height
 
 }  // namespace
 
-TEST_CASE("unions and differences and intersections match OpenSCAD") {
+TEST_CASE("Boolean operations match OpenSCAD") {
   check_as_openscad(flat::unite(std::array{rectangle(3, 2), moved(flat::circle(1.5, {.fn = 32}), 2.3, 1.1),
                                            moved(rectangle(1, 1), -4, 0)}),
                     "union");
@@ -120,7 +120,7 @@ TEST_CASE("combines deeply nested areas") {
   CHECK(flat::area_of(flat::intersect(both)) == flat::area_of(nested));
 }
 
-TEST_CASE("matrices act by their x and y part and mirrored areas are reoriented") {
+TEST_CASE("matrices act by their 2-D part and mirrored areas are reoriented") {
   const Area hook = flat::polygon(std::array<glm::dvec2, 5>{{{1, 0}, {10, 0}, {10, 3}, {3, 3}, {3, 10}}}, {});
   check_as_openscad(flat::transformed(hook, glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1))), "mirrored");
   const Area frame = flat::subtract(std::array{rectangle(5, 5), moved(rectangle(2, 2), 1, 1)});

@@ -20,7 +20,7 @@ std::string message(const std::string& text, const flat::DxfOptions& options = {
 
 }  // namespace
 
-TEST_CASE("DXF lines and polylines and circles and arcs and ellipses match OpenSCAD") {
+TEST_CASE("DXF entities match OpenSCAD") {
   check_as_openscad(drawing("entities"), "dxf_entities");
   check_as_openscad(drawing("entities", {.facets = {.fn = 24}}), "dxf_fine");
   check_as_openscad(drawing("exported"), "dxf_exported");

@@ -97,7 +97,7 @@ TEST_CASE("simple shapes have the minimum number of parts") {
   CHECK(checked_parts(notched).size() == 3);
 }
 
-TEST_CASE("parts cover areas with holes and islands and touching outlines") {
+TEST_CASE("parts cover areas with holes and touching outlines") {
   const Area frame = flat::subtract(std::array{flat::square({8, 8}, true), flat::square({4, 4}, true)});
   CHECK(checked_parts(frame).size() == 4);
   const Area island = flat::unite(std::array{frame, flat::square({2, 2}, true)});

@@ -20,14 +20,14 @@ std::string message(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("SVG shapes and paths and strokes and transforms match OpenSCAD") {
+TEST_CASE("SVG elements match OpenSCAD") {
   for (const char* name : {"shapes", "paths", "transforms"}) {
     check_as_openscad(drawing(name), std::string("svg_") + name);
   }
   flat::check_area_as_openscad(drawing("strokes"), "svg_strokes");
 }
 
-TEST_CASE("SVG pages and units and alignments match OpenSCAD") {
+TEST_CASE("SVG page sizes and alignments match OpenSCAD") {
   for (const char* name : {"pixels", "stretched", "sliced", "met", "unsized", "percent"}) {
     check_as_openscad(drawing(name), std::string("svg_") + name);
   }

@@ -79,7 +79,7 @@ void check_pixels(const Quadratic& sum, LinearKind kind, unsigned field_width, c
 
 }  // namespace
 
-TEST_CASE("quadratic F is tested and loaded and added as in 128-bit arithmetic") {
+TEST_CASE("operations with quadratic F in lanes match 128-bit arithmetic") {
   CHECK(rc::check([] {
     const functional::TileShape shape = any_shape();
     Quadratic sum = test::any_quadratic({shape.width(), shape.height(), 0});
@@ -108,7 +108,7 @@ TEST_CASE("quadratic F is tested and loaded and added as in 128-bit arithmetic")
   }));
 }
 
-TEST_CASE("quadratic F is loaded and added and subtracted in planes of any width") {
+TEST_CASE("operations with quadratic F in planes match 128-bit arithmetic") {
   CHECK(rc::check([] {
     const functional::TileShape shape = any_shape();
     const Quadratic sum = test::any_quadratic({shape.width(), shape.height(), 0});

@@ -120,7 +120,7 @@ TEST_CASE("rejects a Program with an excessive amount of preparation") {
   CHECK_THROWS_WITH_AS(host::compile_clocks(program, machine), doctest::Contains("more than can be told"), InputError);
 }
 
-TEST_CASE("a host's operations sum preparation and segments and instructions") {
+TEST_CASE("a host's operations are the sum over its preparation and instructions") {
   const machines::Machine machine = machine_named("pixel-planes-4");
   isa::Program program;
   program.shape = machine.array;

@@ -154,7 +154,7 @@ TEST_CASE("an instruction without operands takes one number in one word") {
   CHECK(clocks_of(host::operations_of(instruction, 64)) == called + number + 2 * stored);
 }
 
-TEST_CASE("a linear expression is moved and tested and shortened and packed") {
+TEST_CASE("a linear expression takes the clocks of its four steps") {
   constexpr double moved = 3 * 16 + 2 * 12 + 4 * 70 + 4 * 8;
   constexpr double tested = 3 * 16 + 4 * 12 + 8 * 70 + 10 * 8 + 6 * 6 + 6 * 8 + 10;
   constexpr double fitted = 6 * 8 + 5 * 6 + 10 * 8 + 3 * 8 + 24 * 2;

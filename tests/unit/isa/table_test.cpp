@@ -109,7 +109,7 @@ TEST_CASE("instructions that read their target have one and stripes are linear")
   }
 }
 
-TEST_CASE("wide fields and lookahead belong to the expected instructions") {
+TEST_CASE("only the expected instructions take wide fields or look ahead") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     const bool loads_or_adds = row.meaning.starts_with("where E: t := the low bits of F");

@@ -95,7 +95,7 @@ TEST_CASE("names of arbitrary bytes round-trip") {
   CHECK(parse(printed(program), "t") == program);
 }
 
-TEST_CASE("whitespace and comments and line ends are free") {
+TEST_CASE("accepts any whitespace and line endings") {
   const std::string text =
       "# a program\r\n\r\n\t.array  height=4 width=4   memory_bits=32 # wide\r\n"
       ".field Z [ 0 +: 8 ] depth\r\n.segment width=4 height=4\r\n"

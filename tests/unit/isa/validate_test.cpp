@@ -87,7 +87,7 @@ TEST_CASE("fields of other instructions must not overlap") {
   CHECK(contains(refusal_of(on(Opcode::copy, {5, 1}, {5, 1})), "overlap"));
 }
 
-TEST_CASE("copied or compared or inverted fields must be equally wide") {
+TEST_CASE("operands of copy and comparisons must be equally wide") {
   for (const Opcode opcode : {Opcode::copy, Opcode::field_lt, Opcode::field_le, Opcode::field_eq, Opcode::bit_not}) {
     CHECK(refusal_of(on(opcode, {0, 7}, {8, 7})).empty());
     CHECK(contains(refusal_of(on(opcode, {0, 8}, {8, 7})), "equally wide"));

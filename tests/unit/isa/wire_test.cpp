@@ -114,7 +114,7 @@ TEST_CASE("a constant is as wide as its field") {
         "10100101");
 }
 
-TEST_CASE("a linear expression has width and shift and then A and B and C") {
+TEST_CASE("a linear expression is encoded as width; shift; A; B; C") {
   CHECK(bits_of(Instruction{Opcode::linear_ge, {{{0, 3}}}, {-1, 2, -5, 6, 1}, 0, {}}, 54) ==
         "010100"
         "000000000000"
@@ -126,7 +126,7 @@ TEST_CASE("a linear expression has width and shift and then A and B and C") {
         "110111");
 }
 
-TEST_CASE("squares have width and then A and B and C and no shift") {
+TEST_CASE("squares are encoded as width; A; B; C") {
   CHECK(bits_of(Instruction{Opcode::squares, {}, {-1, 2, -5, 6, 0}, 0, {}}, 30) ==
         "100001"
         "011000"
@@ -142,7 +142,7 @@ TEST_CASE("a skip has a count of 32 bits") {
         "0000000000000000");
 }
 
-TEST_CASE("encodes segment start and segment end and frame end") {
+TEST_CASE("encodes the start and end of segments and the end of a frame") {
   CHECK(bits_of(SegmentStart{{3, 0, 64, 16384}}, 70) ==
         "101111"
         "1100000000000000"

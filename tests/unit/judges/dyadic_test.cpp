@@ -64,7 +64,7 @@ bool in_range(const Rational& value) {
 
 }  // namespace
 
-TEST_CASE("sums and differences and products have the sign of rational arithmetic") {
+TEST_CASE("dyadic expressions have the sign of rational arithmetic") {
   CHECK(rc::check([] {
     const Both value = any_expression();
     RC_ASSERT(value.dyadic.sign() == sign(value.rational));

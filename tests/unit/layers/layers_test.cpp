@@ -38,7 +38,7 @@ TEST_CASE("hw/base includes nothing from other directories") { CHECK(foreign_inc
 
 TEST_CASE("hw includes neither host nor sim") { CHECK(foreign_includes("hw", {"hw/"}) == ""); }
 
-TEST_CASE("array and instruction set and machine descriptions do not use SystemC") {
+TEST_CASE("the plain C++ parts of hw include no SystemC modules") {
   CHECK(foreign_includes("hw/array", {"hw/array/", "hw/base/", "hw/isa/", "hw/machines/"}) == "");
   CHECK(foreign_includes("hw/isa", {"hw/base/", "hw/isa/"}) == "");
   CHECK(foreign_includes("hw/machines", {"hw/base/", "hw/isa/", "hw/machines/"}) == "");

@@ -84,7 +84,7 @@ TEST_CASE("each side's result equals a run of its Program alone") {
   }));
 }
 
-TEST_CASE("finds the first divergent instruction and pixel and its differences") {
+TEST_CASE("finds the first divergent instruction and its first differing pixel") {
   const isa::Program a = two_columns();
   isa::Program b = a;
   b.segments[0].instructions[2].linear.c = -2;  // also enables column 2
