@@ -227,7 +227,7 @@ TEST_CASE("a clocked memory matches the reference's pixels and the calculated cl
   }
 }
 
-TEST_CASE("a query jumps to any later instruction or to the end of the frame") {
+TEST_CASE("a skip without enabled pixels jumps to any later instruction or frame end") {
   using isa::Opcode;
   const isa::Instruction invert{.opcode = Opcode::enable_invert};
   const isa::Instruction all{.opcode = Opcode::enable_all};

@@ -144,7 +144,7 @@ TEST_CASE("coplanar faces share a number and bodies are found by their boxes") {
   CHECK(near(2) == std::vector<std::uint32_t>{2});
 }
 
-TEST_CASE("merges planes within the tolerance except opposite faces of one solid") {
+TEST_CASE("merges planes within tolerance except opposite faces of one solid") {
   // The diagonal is 8 and the unit 16: spheres of radius 2 and 1 around the origin, tolerances 4e-12 and 1e-12.
   convert::FacePlanes planes(glm::dvec3(0), 8, 16);
   planes.begin({{0, 0, 0}, 2, 4e-12});

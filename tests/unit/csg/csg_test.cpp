@@ -130,7 +130,7 @@ TEST_CASE("a tree ten thousand levels deep is pruned without recursion") {
   CHECK_NOTHROW(static_cast<void>(p.active_tree(0)));
 }
 
-TEST_CASE("the I-tree of a primitive has its operands and the active tree the near ones") {
+TEST_CASE("the I-tree has all operands of a primitive and the active tree the near ones") {
   // A tree like that of the thesis's figure 6.1: ((((P u A) n B) - (C - D)) u (E - F)), with D away from P.
   const Prepared p =
       prepare("union(){difference(){intersection(){union(){" + box(0, 2) + box(9, 2) + "}" + box(0.5, 2) +
