@@ -21,7 +21,7 @@ machines::Machine machine_of(isa::ArrayShape nodes, machines::Size picture, std:
 
 }  // namespace
 
-TEST_CASE("subsegments cover every pixel of the picture once, whatever the levels and the nodes") {
+TEST_CASE("subsegments cover every pixel once for any levels and nodes") {
   CHECK(rc::check([] {
     const auto side = [](std::uint32_t most) { return *rc::gen::inRange<std::uint32_t>(1, most); };
     const machines::Size picture{side(50), side(50)};
@@ -31,7 +31,7 @@ TEST_CASE("subsegments cover every pixel of the picture once, whatever the level
   }));
 }
 
-TEST_CASE("subsegments come segment by segment, as many as there are nodes") {
+TEST_CASE("subsegments are listed segment by segment with one per node") {
   const machines::Machine machine = machine_of({4, 3, 8}, {256, 256}, 5);
   const std::vector<isa::Region> all = machines::regions(machine);
   REQUIRE(multi_processor::picture_segments({256, 256}, 5).size() == 32);
@@ -42,7 +42,7 @@ TEST_CASE("subsegments come segment by segment, as many as there are nodes") {
   CHECK(all[12] == isa::Region{32, 0, 8, 22});
 }
 
-TEST_CASE("a node holds the pixels of its own remainder, and no other node has them") {
+TEST_CASE("a node holds exactly the pixels of its own remainder") {
   CHECK(rc::check([] {
     const auto below = [](std::uint32_t most) { return *rc::gen::inRange<std::uint32_t>(0, most); };
     const isa::ArrayShape nodes{1 + below(5), 1 + below(5), 8};
