@@ -33,7 +33,7 @@ plots::Plot chart_of(const std::vector<std::string>& names) {
 const plots::Plot bars{
     "bars", plots::Bars{"which bits", {"bit"}, {{"stack", 72, {{"Z2", 0, 20}, {"Z1", 20, 40}}}}, {}, "t.csv"}};
 
-/// What a drawing's file holds but its root's attributes.
+/// Returns the contents of a drawing's SVG file without the root's attributes.
 std::string content_of_file(const plots::Plot& plot) {
   const std::string file = plots::svg_file(plots::laid_out(plot));
   return file.substr(file.find('\n'));
@@ -41,7 +41,7 @@ std::string content_of_file(const plots::Plot& plot) {
 
 }  // namespace
 
-TEST_CASE("a page has the same drawing of a plot as its SVG file") {
+TEST_CASE("a page draws a plot identically to its SVG file") {
   for (const plots::Plot& plot : {chart_of({"one", "other"}), bars}) {
     const std::string html = report::plot_html(plot);
     CHECK(content_of_file(plot).size() > 1000);
@@ -51,8 +51,7 @@ TEST_CASE("a page has the same drawing of a plot as its SVG file") {
   }
 }
 
-TEST_CASE(
-    "a plot says what it shows to who does not see it, each mark what it stands for, and has its values in a table") {
+TEST_CASE("a plot has a text alternative; tips for its marks and a table of values") {
   const std::string html = report::plot_html(chart_of({"a < b"}));
   CHECK(html.find("role=\"img\" aria-label=\"title: y against x; the values are in the table below it\"") !=
         std::string::npos);
@@ -65,7 +64,7 @@ TEST_CASE(
   CHECK(of_bars.find("<th scope=row>stack</th><td>Z1</td><td class=n title=\"20.0\">20</td>") != std::string::npos);
 }
 
-TEST_CASE("each panel of a chart has a table of its own series, without what is not finite") {
+TEST_CASE("each panel of a chart has a table of its own series without non-finite values") {
   plots::Plot two = chart_of({"one"});
   auto& chart = std::get<plots::Chart>(two.content);
   chart.panels.push_back({"z", plots::Scale::logarithmic});
@@ -86,7 +85,7 @@ TEST_CASE("names on an axis are names in the table") {
   CHECK(html.find("machine second, y 2.5") != std::string::npos);
 }
 
-TEST_CASE("a plot of more lines than can be told apart says so, and its values are all there") {
+TEST_CASE("a plot of too many lines says so and lists all values") {
   std::vector<std::string> names;
   names.reserve(15);
   for (int i = 0; i < 15; ++i) names.push_back("line " + std::to_string(i) + ";");
@@ -96,7 +95,7 @@ TEST_CASE("a plot of more lines than can be told apart says so, and its values a
   CHECK(count(html, "<g class=\"pt\">") == 2 * 15);
 }
 
-TEST_CASE("a section has the plots that have something to show, charts and bars") {
+TEST_CASE("a section contains only the plots with contents") {
   const std::array all{chart_of({"one"}), chart_of({}), bars, plots::Plot{"none", plots::Bars{}}};
   const report::Section section = report::plots_section(all);
   REQUIRE(section.parts.size() == 2);
@@ -104,7 +103,7 @@ TEST_CASE("a section has the plots that have something to show, charts and bars"
   CHECK(std::get<plots::Plot>(section.parts[1]).name == "bars");
 }
 
-TEST_CASE("lines of one name look alike in all plots of a page, whatever else is in them") {
+TEST_CASE("lines of one name look alike in all plots of a page") {
   std::vector<plots::Plot> plots{chart_of({"a", "b", "c"}), chart_of({"c", "a"})};
   plots::give_common_looks(plots);
   const auto colour_of = [](const std::string& html, const std::string& name) {
@@ -120,7 +119,7 @@ TEST_CASE("lines of one name look alike in all plots of a page, whatever else is
   CHECK(colour_of(first, "b") != colour_of(first, "c"));
 }
 
-TEST_CASE("series have the colours of plots in files, and others on a dark page") {
+TEST_CASE("series have the colours of plot files and other colours on a dark page") {
   const std::string html = report::to_html({"t", "c", report::Json::object(), {}});
   const std::size_t dark = html.find("@media (prefers-color-scheme:dark){:root{--s0");
   REQUIRE(dark != std::string::npos);

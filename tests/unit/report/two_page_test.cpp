@@ -47,7 +47,7 @@ report::Page page_of(const Run& a, const Run& b) {
 
 }  // namespace
 
-TEST_CASE("two runs are shown with the counts of both, their ratio, and how many pixels differ") {
+TEST_CASE("two runs are shown with both counts; their ratio and the number of other pixels") {
   const Run a = run_of("cube(size = [8, 8, 8], center = true);");
   const Run b = run_of("cube(size = [4, 4, 4], center = true);");
   const report::Page page = page_of(a, b);
@@ -81,7 +81,7 @@ TEST_CASE("two runs are shown with the counts of both, their ratio, and how many
   }
 }
 
-TEST_CASE("of a run and itself no pixel differs") {
+TEST_CASE("a run does not differ from itself in any pixel") {
   const Run a = run_of("cube(size = [8, 8, 8], center = true);");
   const report::Page page = page_of(a, a);
   CHECK(page.data["difference"]["pixels"] == 0);
