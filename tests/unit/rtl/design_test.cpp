@@ -32,7 +32,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// A word of hexadecimal digits.
+/// Returns a word from hexadecimal digits.
 isa::LinkWord word_of(const std::string& digits) {
   isa::LinkWord word;
   for (std::size_t i = 0; i < digits.size(); ++i)
@@ -42,7 +42,7 @@ isa::LinkWord word_of(const std::string& digits) {
 
 }  // namespace
 
-TEST_CASE("figures of a machine's file are parameters of the Verilog") {
+TEST_CASE("figures of a machine file become parameters of the Verilog") {
   const auto parameters = rtl::parameters_of(
       kinds::load("pixel-planes-4", {"array.width=12", "array.memory_bits=90", "alu.bits=3", "scan_out.port=own",
                                      "scan_out.buffers=2", "global_or.fan_in=ideal", "memory.clear_clocks=ideal"}));
@@ -58,7 +58,7 @@ TEST_CASE("figures of a machine's file are parameters of the Verilog") {
   CHECK(value_of(rtl::parameters_of(kinds::load("pixel-powers")), "DEGREE") == 2);
 }
 
-TEST_CASE("what the Verilog does not have is refused with the mend") {
+TEST_CASE("rejects figures that the Verilog lacks and suggests a fix") {
   CHECK(refusal("pixel-planes-4") == "");
   CHECK(refusal("scan-line") ==
         "scan-line is of the kind scan-line, which is not there in Verilog; take one of the "
@@ -68,7 +68,7 @@ TEST_CASE("what the Verilog does not have is refused with the mend") {
   CHECK(refusal("pixel-planes-4+evaluator.register_levels=2").ends_with("add --set evaluator.register_levels=1"));
 }
 
-TEST_CASE("the memory files of a Program have its commands, and where each instruction begins") {
+TEST_CASE("a Program's memory files hold its commands and the start of each instruction") {
   const isa::ArrayShape shape{.width = 16, .height = 16, .memory_bits = 72};
   CHECK(rc::check([&] {
     const isa::Program program = *test::arbitrary_program(shape, 12);
@@ -80,7 +80,7 @@ TEST_CASE("the memory files of a Program have its commands, and where each instr
     RC_ASSERT(begins.size() == memory.begin_count);
     isa::WireDecoder decoder(width);
     std::vector<isa::Instruction> instructions;
-    std::vector<std::size_t> first_words{0};  // behind each instruction
+    std::vector<std::size_t> first_words{0};  // after each instruction
     for (const std::string& word : words) {
       RC_ASSERT(word.size() == (width + 3) / 4);
       const auto command = decoder.take(word_of(word));
@@ -97,14 +97,14 @@ TEST_CASE("the memory files of a Program have its commands, and where each instr
   }));
 }
 
-TEST_CASE("a template's names are filled in, and what only looks like one stays") {
+TEST_CASE("fills in a template's names and keeps text that only resembles one") {
   const std::vector<rtl::Filling> fillings{{"WIDTH", "8"}, {"NOTHING", ""}};
   CHECK(rtl::filled("always @(posedge clk) w <= @WIDTH@;@NOTHING@ always @* @", fillings) ==
         "always @(posedge clk) w <= 8; always @* @");
   CHECK_THROWS_AS(rtl::filled("@HEIGHT@", fillings), std::logic_error);
 }
 
-TEST_CASE("a board shows the upper bits of each channel, and zeros below a narrow one") {
+TEST_CASE("a board shows the upper bits of each channel and zeros below a narrow one") {
   std::vector<rtl::Filling> fillings;
   rtl::add_board(fillings, {.colour_bits = 24, .scan_pixels = 2, .has_line = false});
   rtl::add_board(fillings, {.colour_bits = 8, .scan_pixels = 1, .has_line = true});
@@ -117,7 +117,7 @@ TEST_CASE("a board shows the upper bits of each channel, and zeros below a narro
         "  assign video[8:0] = {colours[7:5], colours[4:2], colours[1:0], 1'd0};\n");
 }
 
-TEST_CASE("a design has its Program in memory, or a serial line in its place") {
+TEST_CASE("a design has its Program in memory or a serial line instead") {
   const machines::Machine machine = kinds::load("pixel-planes-4", {"array.width=8", "array.height=8"});
   const auto has = [](const std::vector<rtl::DesignFile>& files, const std::string& path) {
     return std::ranges::find(files, path, &rtl::DesignFile::path) != files.end();

@@ -15,7 +15,7 @@
 
 using namespace csgsim;
 
-// What is in each file of a design.
+// Tests of the contents of each file of a design.
 
 namespace {
 
@@ -23,7 +23,7 @@ using Files = std::vector<rtl::DesignFile>;
 
 machines::Machine small_machine() { return kinds::load("pixel-planes-4+array.width=8+array.height=8"); }
 
-/// Enables all pixels, and shows `colour_bits` bits of colour.
+/// A Program that enables all pixels and shows `colour_bits` bits of colour.
 isa::Program enabling(std::uint16_t colour_bits) {
   isa::Program program;
   program.shape = {8, 8, 72};
@@ -40,7 +40,7 @@ std::string file_of(const Files& files, std::string_view path) {
 
 bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
-/// Around the modules, in order.
+/// Paths of the files in addition to the modules, in order.
 std::vector<std::string> written_paths(const Files& files) {
   std::vector<std::string> paths;
   for (const rtl::DesignFile& file : files)
@@ -48,8 +48,8 @@ std::vector<std::string> written_paths(const Files& files) {
   return paths;
 }
 
-/// Of 8 x 8 pixels with 24 bits of colour: each figure of the machine in a line of its own, and the file's figure that
-/// it comes from behind it, from column 29 on.
+/// A machine of 8 x 8 pixels with 24 bits of colour: one line per parameter, followed from column 29 on by the figure
+/// that it comes from.
 constexpr std::string_view instance_parameters = R"(  pixel_planes #(
     .WIDTH(8),              // array.width
     .HEIGHT(8),             // array.height
@@ -73,7 +73,7 @@ constexpr std::string_view instance_parameters = R"(  pixel_planes #(
 
 }  // namespace
 
-TEST_CASE("a design is the modules of hw/rtl, and around them what it takes to draw, or to be fed over a line") {
+TEST_CASE("a design has the modules of hw/rtl and files to draw or to be fed over a line") {
   const isa::Program program = enabling(24);
   const Files drawn = rtl::design_files(small_machine(), &program);
   const Files bare = rtl::design_files(small_machine(), nullptr);
@@ -92,7 +92,7 @@ TEST_CASE("a design is the modules of hw/rtl, and around them what it takes to d
   }
 }
 
-TEST_CASE("the machine in a design has a line a parameter, with the figure that it comes from") {
+TEST_CASE("a design's machine has one line per parameter with its figure") {
   const isa::Program program = enabling(24);
   for (const isa::Program* const shown : std::initializer_list<const isa::Program*>{&program, nullptr}) {
     const std::string system = file_of(rtl::design_files(small_machine(), shown), "system.v");
@@ -101,18 +101,18 @@ TEST_CASE("the machine in a design has a line a parameter, with the figure that 
   }
 }
 
-TEST_CASE("a Program's memory in a design, by hand") {
-  // In words of 32 bits: SegmentStart, 61, with width 8 from bit 38 and height 8 from bit 54 on, 70 bits; enable_all,
-  // 0; FrameEnd, 63, with base 0 from bit 6 and width 24 from bit 18 on.
+TEST_CASE("a Program's memory in a design has the hand-calculated words") {
+  // Words of 32 bits: SegmentStart, 61, with width 8 from bit 38 and height 8 from bit 54 on, 70 bits; enable_all, 0;
+  // FrameEnd, 63, with base 0 from bit 6 and width 24 from bit 18 on.
   const isa::Program program = enabling(24);
   const Files files = rtl::design_files(small_machine(), &program);
   CHECK(file_of(files, "program.hex") == "0000003d\n02000200\n00000000\n00000000\n0060003f\n");
-  // The instruction goes out once the frame does, and what comes behind it when it has been taken.
+  // The first instruction starts after the frame command; its successor starts when it has been taken.
   CHECK(file_of(files, "begins.hex") == "0\n4\n");
   CHECK(has(file_of(files, "system.v"), ".LINK(32), .WORDS(5), .INSTRUCTIONS(1),"));
 }
 
-TEST_CASE("the begin of each instruction has the fewest digits that hold the number of words") {
+TEST_CASE("instruction starts have the fewest digits that hold the number of words") {
   const isa::ArrayShape shape{.width = 16, .height = 16, .memory_bits = 72};
   CHECK(rc::check([&] {
     const isa::Program program = *test::arbitrary_program(shape, 40);
@@ -121,7 +121,7 @@ TEST_CASE("the begin of each instruction has the fewest digits that hold the num
     for (std::size_t from = 0; from < memory.begins.size(); from += digits + 1)
       RC_ASSERT(memory.begins.find('\n', from) == from + digits);
   }));
-  // Words of 256 bits: SegmentStart, an instruction each, FrameEnd.
+  // Words of 256 bits: SegmentStart, one per instruction, FrameEnd.
   isa::Program program = enabling(24);
   const auto first_line = [&](std::size_t instructions) {
     program.segments[0].instructions.assign(instructions, {.opcode = isa::Opcode::enable_all});
@@ -136,7 +136,7 @@ TEST_CASE("the begin of each instruction has the fewest digits that hold the num
   CHECK(first_line(254) == "000");
 }
 
-TEST_CASE("a board needs a serial line only where a design has no Program") {
+TEST_CASE("a board needs a serial line only in a design without a Program") {
   const isa::Program program = enabling(24);
   const Files drawn = rtl::design_files(small_machine(), &program);
   const Files bare = rtl::design_files(small_machine(), nullptr);
@@ -158,7 +158,7 @@ TEST_CASE("a board needs a serial line only where a design has no Program") {
   CHECK(text(drawn, "up5k.pcf").ends_with("lamp_shown 37\n\n"));
 }
 
-TEST_CASE("a design's files say what it is, and make what it can") {
+TEST_CASE("a design's files describe it and build it") {
   const machines::Machine machine = small_machine();
   const isa::Program program = enabling(24);
   const Files drawn = rtl::design_files(machine, &program);
@@ -178,7 +178,7 @@ TEST_CASE("a design's files say what it is, and make what it can") {
   CHECK(has(file_of(bare, "Makefile"), "\nicarus verilator waves:\n"));
 }
 
-TEST_CASE("a picture of one bit of colour, and of two, are shown, where red or blue have none") {
+TEST_CASE("shows pictures of one and two colour bits in which red or blue have none") {
   const isa::Program one = enabling(1);
   const std::string board = file_of(rtl::design_files(small_machine(), &one), "board.v");
   CHECK(has(board, "  assign video[2:0] = {1'd0, colours[0:0], 1'd0};\n"));
@@ -188,7 +188,7 @@ TEST_CASE("a picture of one bit of colour, and of two, are shown, where red or b
             "  assign video[2:0] = {colours[1:1], colours[0:0], 1'd0};\n"));
 }
 
-TEST_CASE("pixels have the flag for roots if any instruction of a segment takes one") {
+TEST_CASE("pixels have the root flag if any instruction of a segment takes a root") {
   const isa::Instruction enable{.opcode = isa::Opcode::enable_all};
   const isa::Instruction root{.opcode = isa::Opcode::root, .fields = {isa::Field{30, 5}}};
   const auto has_roots = [](const std::vector<std::vector<isa::Instruction>>& segments) {
@@ -207,7 +207,7 @@ TEST_CASE("pixels have the flag for roots if any instruction of a segment takes 
   CHECK(has_roots({}) == 0);
 }
 
-TEST_CASE("a name in a template stands between two marks, is of capitals and _, and is not empty") {
+TEST_CASE("a template name is between two marks and has capitals and underscores") {
   const std::vector<rtl::Filling> fillings{{"A", "1"}, {"A_B", "two"}, {"NOTHING", ""}};
   const auto filled = [&](std::string_view text) { return rtl::filled(text, fillings); };
   CHECK(filled("") == "");
@@ -224,7 +224,7 @@ TEST_CASE("a name in a template stands between two marks, is of capitals and _, 
   CHECK_THROWS_AS(rtl::template_text("none.v"), std::out_of_range);
 }
 
-TEST_CASE("a board without settings for its line has none, and shows no pixel") {
+TEST_CASE("a board without settings for its line has none and shows no pixel") {
   std::vector<rtl::Filling> fillings;
   rtl::add_board(fillings, {.colour_bits = 24});
   CHECK(rtl::filled("@CHANNEL_BITS@|@BOARD_VIDEO@|@BOARD_PORTS@|@BOARD_CONNECTIONS@|@BOARD_LINE_HX@|@BOARD_LINE_UP@",
