@@ -29,7 +29,7 @@ Texts house_words(const Texts& more) {
   return words;
 }
 
-/// What the judge says of the picture that the options draw.
+/// Returns the judge's report on the picture that the options draw.
 nlohmann::ordered_json judged(const RenderRequest& options, const session::Compiled& compiled) {
   nlohmann::ordered_json json;
   const session::Judge judge = session::judge_of(options, compiled);
@@ -40,7 +40,7 @@ nlohmann::ordered_json judged(const RenderRequest& options, const session::Compi
 
 }  // namespace
 
-TEST_CASE("render takes the options of models, runs and pages, and two more") {
+TEST_CASE("render takes the options of models; runs and pages and two more") {
   const Parsed<RenderRequest> plain({"a.csg"});
   CHECK(plain.options.model.model == "a.csg");
   CHECK_FALSE(plain.options.check);
@@ -58,7 +58,7 @@ TEST_CASE("render takes the options of models, runs and pages, and two more") {
     CHECK(testing::option_error<RenderRequest>({"a.csg", "--max-wrong-pixels", wrong}) != "");
 }
 
-TEST_CASE("a model is compiled with what was read of it: the file and what it imports, or a text in its place") {
+TEST_CASE("a compiled model records its inputs: file and imports or text in place") {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("csgsim-render-" + std::to_string(::getpid()));
   std::filesystem::create_directory(folder);
@@ -99,7 +99,7 @@ TEST_CASE("a model is compiled with what was read of it: the file and what it im
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("a picture is held against the exact one where that is asked for, and what is see-through is refused then") {
+TEST_CASE("compares a picture with the exact one on request and rejects transparency") {
   Parsed<RenderRequest> plain(house_words({}));
   const session::Compiled compiled = session::compile(plain.options, studies::choose_bits);
   CHECK_FALSE(session::judge_of(plain.options, compiled));
@@ -120,7 +120,7 @@ TEST_CASE("a picture is held against the exact one where that is asked for, and 
   }
 }
 
-TEST_CASE("the bits that a number of wrong pixels allows are the cheapest that keep it, and nothing is chosen else") {
+TEST_CASE("chooses the cheapest bits for the allowed wrong pixels and only on request") {
   const auto wrong_of = [](unsigned z_bits, unsigned fraction_bits) {
     Parsed<RenderRequest> asked(
         house_words({"--check", "--z-bits", std::to_string(z_bits), "--fraction-bits", std::to_string(fraction_bits)}));
@@ -136,11 +136,11 @@ TEST_CASE("the bits that a number of wrong pixels allows are the cheapest that k
                              std::to_string(asked.options.model.fraction_bits);
     CHECK(output.text() == "chosen            " + bits + ": the cheapest with at most " + most + " wrong pixels\n");
     CHECK(wrong_of(asked.options.model.z_bits, asked.options.model.fraction_bits) <= std::stoul(most));
-    // What is compiled has them: the depth fields are as wide.
+    // The compiled Program has these bits: the depth fields have the same width.
     for (const isa::NamedField& field : compiled.model.program.facts->fields) {
       if (field.name == "Z1") CHECK(field.field.width == asked.options.model.z_bits);
     }
-    // The more may be wrong, the fewer bits it takes.
+    // Allowing more wrong pixels needs fewer bits.
     CHECK(asked.options.model.z_bits <= last);
     last = asked.options.model.z_bits;
   }
@@ -161,7 +161,7 @@ TEST_CASE("the bits that a number of wrong pixels allows are the cheapest that k
         }).find("knows opaque solids alone") != std::string::npos);
 }
 
-TEST_CASE("advice is of the machine that was asked for, tries settings, and is given where it is asked for") {
+TEST_CASE("advice is for the requested machine; tries settings; and is given on request") {
   for (const bool is_asked : {false, true}) {
     Parsed<RenderRequest> asked(house_words({"--machine", "pixel-planes-4+alu.bits=2"}));
     asked.options.run.advice = is_asked;
@@ -177,7 +177,7 @@ TEST_CASE("advice is of the machine that was asked for, tries settings, and is g
   }
 }
 
-TEST_CASE("faces nearly in one plane are warned of") {
+TEST_CASE("warns of nearly coplanar faces") {
   const auto warnings = [](const char* text) {
     const KeptLines told;
     Parsed<RenderRequest> asked({"m.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
