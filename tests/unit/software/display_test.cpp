@@ -37,7 +37,7 @@ std::string difference(const software::Picture& picture, const std::vector<testi
   return "";
 }
 
-/// What is wrong with a scene's pictures by exact methods; empty if nothing is.
+/// Returns the fault of a scene's pictures by exact methods; empty if none.
 std::string fault_of(const Scene& scene, Tally& tally) {
   const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
   for (const testing::Seen& seen : expected) tally.covered += seen.owner != software::Seen::nothing_seen ? 1U : 0U;
@@ -56,7 +56,7 @@ std::string fault_of(const Scene& scene, Tally& tally) {
   return "";
 }
 
-/// What exact methods count, from the events of rays: sequences of surfaces at which a class is asked for.
+/// Counts of exact methods from ray events: surface sequences whose class is evaluated.
 struct Recount {
   std::set<std::vector<std::uint32_t>> evaluated;
   std::set<std::vector<std::uint32_t>> elements;
@@ -93,7 +93,7 @@ Recount recounted(const Scene& scene) {
   return recount;
 }
 
-/// Returns the evaluations.
+/// Returns the number of evaluations.
 std::uint64_t check_counts(const Scene& scene) {
   const Recount recount = recounted(scene);
   const Shown shown(scene);
@@ -115,7 +115,7 @@ std::uint64_t check_counts(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("exact methods that go facet by facet draw random models as the rules say") {
+TEST_CASE("exact facet methods draw random models as the rule-based judge does") {
   Tally tally;
   CHECK(testing::holds_in_random_scenes(
       tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t /*seed*/) { return fault_of(scene, tally); }));
@@ -127,7 +127,7 @@ TEST_CASE("exact methods that go facet by facet draw random models as the rules 
   CHECK(tally.splits > 0);
   CHECK(tally.spans < tally.pixels * 2);
 }
-TEST_CASE("exact methods that go facet by facet draw the thesis's objects as the rules say") {
+TEST_CASE("exact facet methods draw the thesis's objects as the rule-based judge does") {
   Tally tally;
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
@@ -137,7 +137,7 @@ TEST_CASE("exact methods that go facet by facet draw the thesis's objects as the
   }
   MESSAGE(tally.pixels, " pixels, ", tally.spans, " spans, ", tally.splits, " splits");
 }
-TEST_CASE("plates thinner than a step of depth, drawn facet by facet, are seen where a step lies between their faces") {
+TEST_CASE("facet methods show plates thinner than a depth step only between steps") {
   Tally tally;
   std::uint64_t opposites = 0;
   for (unsigned i = 0; i < 60; ++i) {
@@ -163,8 +163,7 @@ TEST_CASE("plates thinner than a step of depth, drawn facet by facet, are seen w
   }
   CHECK(opposites > 30);
 }
-TEST_CASE(
-    "methods that go facet by facet evaluate each sequence of surfaces once, and peel as many layers as there are") {
+TEST_CASE("facet methods evaluate each surface sequence once and peel each layer") {
   std::uint64_t evaluations = 0;
   std::uint64_t scenes = 0;
   for (std::uint64_t seed = 1; scenes < 60; ++seed) {
@@ -180,7 +179,7 @@ TEST_CASE(
     check_counts(testing::thesis_scene(one, 130, 45));
   }
 }
-TEST_CASE("a method that goes facet by facet counts only when it is made to, and an unknown one is refused") {
+TEST_CASE("a facet method counts only on request and an unknown one is rejected") {
   const Scene scene = testing::thesis_scene(testing::thesis_objects(view::Projection::perspective).front(), 40, 30);
   const Shown shown(scene);
   for (const DisplayRow* const row : software::display_methods()) {
@@ -200,7 +199,7 @@ TEST_CASE("a method that goes facet by facet counts only when it is made to, and
   }
   CHECK_THROWS_WITH_AS(software::display_method("scanline"), doctest::Contains("scan-line"), InputError);
 }
-TEST_CASE("each method that goes facet by facet is found by its name, and two of them are not exact") {
+TEST_CASE("each facet method is found by name and two are not exact") {
   for (const DisplayRow* const row : software::display_methods())
     CHECK(&software::display_method(std::string(row->name)) == row);
   CHECK(std::ranges::count(software::display_methods(), false, [](const DisplayRow* row) { return row->is_exact; }) ==
@@ -211,7 +210,7 @@ TEST_CASE("each method that goes facet by facet is found by its name, and two of
   CHECK_THROWS_AS(software::display_method(""), InputError);
   CHECK_THROWS_AS(software::display_method("list-priorit"), InputError);
 }
-TEST_CASE("nothing is counted of a picture before it is drawn") {
+TEST_CASE("a new picture has zero counts") {
   const software::DisplayCounts counts;
   CHECK(counts.polygons + counts.pieces + counts.shared + counts.references + counts.crossing_tests +
             counts.overlap_tests + counts.drawn_polygons + counts.pixel_events + counts.passes + counts.spans +
@@ -234,14 +233,14 @@ TEST_CASE("nothing is counted of a picture before it is drawn") {
   CHECK(software::Piece{}.facet == 0);
   CHECK(software::PolygonOptions{software::directory_of("excell")}.bucket_size == 24);
 }
-TEST_CASE("a ledger adds up what its phases counted, and nothing else") {
-  struct Told {
+TEST_CASE("a ledger sums the counts of its phases and nothing else") {
+  struct CountSource {
     software::Counts counts;
 
     [[nodiscard]] const software::Counts& counts_so_far() const { return counts; }
   };
-  software::Ledger<Told> ledger;
-  // The first phase has 1 of each, the next 10, and so on.
+  software::Ledger<CountSource> ledger;
+  // The first phase counts 1 of each, the next 10, and so on.
   std::uint64_t times = 1;
   for (std::size_t phase = 0; phase < software::phases; ++phase, times *= 10) {
     software::Counts& counts = ledger[static_cast<software::Phase>(phase)].counts;
@@ -275,12 +274,12 @@ TEST_CASE("a ledger adds up what its phases counted, and nothing else") {
   CHECK(told.of(software::Phase::initialisation).of(software::Operation::multiply) == 100000);
   CHECK(told.conflicts == 77);
 }
-TEST_CASE("what is displayed tells its pixels and its farthest depth, and has buckets of 24 in EXCELL") {
+TEST_CASE("a display subject has its pixels; its farthest depth and EXCELL buckets of 24") {
   const Scene scene = testing::thesis_scene(testing::thesis_objects(view::Projection::perspective).front(), 40, 30);
   const Shown shown(scene);
   const software::DisplaySubject subject{scene.tree, scene.geometry, scene.view, shown.tree, shown.facets};
   CHECK(subject.pixels() == 1200);
-  CHECK(subject.farthest() == 1048575);  // of 20 bits
+  CHECK(subject.farthest() == 1048575);  // 20 bits
   CHECK(subject.bucket_size == 24);
   CHECK(subject.directory == "excell");
   const software::Displayed displayed = software::display_method("list-priority").run(subject, true);

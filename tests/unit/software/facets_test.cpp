@@ -24,7 +24,7 @@ struct Tally {
   std::uint64_t bounds = 0;
 };
 
-/// The events at each pixel, by scan-conversion of facets.
+/// Events at each pixel by scan conversion of facets.
 std::vector<std::vector<Event>> scan_converted(const software::ScreenFacets& facets, std::uint32_t width,
                                                std::uint32_t height) {
   std::vector<std::vector<Event>> events(std::size_t{width} * height);
@@ -39,7 +39,7 @@ std::vector<std::vector<Event>> scan_converted(const software::ScreenFacets& fac
   return events;
 }
 
-/// What is wrong with the events of a scene's facets; empty if nothing is. Rays are judged by rays_test.
+/// Returns the fault in the events of a scene's facets; empty if none. rays_test judges the rays.
 std::string fault_of(const Scene& scene, Tally& tally) {
   const software::RayCaster rays(scene.tree, scene.geometry, scene.view);
   const software::Facets facets = software::facets_of(scene.tree, scene.geometry);
@@ -78,7 +78,7 @@ Scene scene_of(const std::string& csg) {
 
 }  // namespace
 
-TEST_CASE("facets that are scan-converted give each pixel the events of its ray, in random scenes") {
+TEST_CASE("scan-converted facets give each pixel its ray's events in random scenes") {
   Tally tally;
   CHECK(testing::holds_in_random_scenes(
       tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t /*seed*/) { return fault_of(scene, tally); }));
@@ -89,7 +89,7 @@ TEST_CASE("facets that are scan-converted give each pixel the events of its ray,
   CHECK(tally.with_opposites > 0);
   CHECK(tally.with_opposites < tally.facets);
 }
-TEST_CASE("facets that are scan-converted give each pixel the events of its ray, on the thesis's objects") {
+TEST_CASE("scan-converted facets give each pixel its ray's events on the thesis's objects") {
   Tally tally;
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
@@ -99,7 +99,7 @@ TEST_CASE("facets that are scan-converted give each pixel the events of its ray,
   }
   CHECK(tally.bounds < 10 * tally.facets);
 }
-TEST_CASE("solids of a thousand faces give each pixel the events of its ray, from a part of a pixel to the picture") {
+TEST_CASE("solids of a thousand faces give each pixel its ray's events at any size") {
   Tally tally;
   const std::string ball = "sphere($fn=48,$fa=12,$fs=2,r=10);";
   const std::string rod = "cylinder($fn=400,$fa=12,$fs=2,h=20,r1=10,r2=9,center=true);";
@@ -130,7 +130,7 @@ TEST_CASE("solids of a thousand faces give each pixel the events of its ray, fro
   CHECK(tally.facets > 3'000);
   CHECK(tally.bounds < 12 * tally.facets);
 }
-TEST_CASE("the facets of a primitive are the faces of its solid, counter-clockwise from outside") {
+TEST_CASE("a primitive's facets are its solid's faces counter-clockwise from outside") {
   const Scene scene = scene_of("union() { cube([2, 3, 4]); cylinder(h = 5, r1 = 2, r2 = 2, $fn = 12); }");
   const software::Facets facets = software::facets_of(scene.tree, scene.geometry);
   REQUIRE(facets.of_primitives == std::vector<std::size_t>{0, 6, 20});
@@ -151,7 +151,7 @@ TEST_CASE("the facets of a primitive are the faces of its solid, counter-clockwi
     CHECK(glm::dot(normal, outward) > 0.0);
   }
 }
-TEST_CASE("a primitive that stays curved is refused with its place") {
+TEST_CASE("rejects a primitive that stays curved with its place") {
   const model::Tree tree = read::read_csg_text("\nsphere(r = 3);", "round.csg");
   facet::Faceting faceting;
   faceting.exact_curves = true;

@@ -15,7 +15,7 @@ bool combined(Operator op, bool left, bool right) {
   return left && !right;
 }
 
-/// The result, where the left operand alone decides it.
+/// Returns the result if the left operand alone decides it.
 std::optional<bool> by_left(Operator op, bool left) {
   if (combined(op, left, false) == combined(op, left, true)) return combined(op, left, false);
   return std::nullopt;
@@ -137,7 +137,7 @@ bool PlainTree::shows(const Held& held, std::uint32_t primitive, Looks& looks) c
     const bool is_right = parent.right == at;
     const std::uint32_t other = is_right ? parent.left : parent.right;
     ++looks.visits;
-    // Seen from the root, what is taken away is turned inside out, and so are unions and intersections.
+    // Relative to the root a subtracted solid is inside out, and so are unions and intersections in it.
     const bool is_odd = is_on_odd_side(nodes_[at].parent);
     const bool widens = (parent.op == Operator::unite) != is_odd;
     if (!widens && holds(other, held) == is_on_odd_side(other)) return false;

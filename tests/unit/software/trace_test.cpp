@@ -25,7 +25,7 @@ struct Tally {
   std::uint64_t loose_facets = 0;
 };
 
-/// What is wrong with the traced pictures of a scene; empty if nothing is.
+/// Returns the fault in the traced pictures of a scene; empty if none.
 std::string fault_of(const Scene& scene, std::uint32_t bucket_size, Tally& tally) {
   const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
   const software::Tree tree = software::make_tree(scene.tree, software::Shape::written);
@@ -66,8 +66,7 @@ Scene scene_of(const std::string& csg, const view::Camera& camera, std::uint32_t
 
 }  // namespace
 
-TEST_CASE(
-    "ray tracing sees what the rules say in random scenes, by each directory, with mailboxes, an item buffer or not") {
+TEST_CASE("ray tracing matches the rule-based judge in random scenes with all options") {
   Tally tally;
   CHECK(testing::holds_in_random_scenes(tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t seed) {
     return fault_of(scene, static_cast<std::uint32_t>(1 + seed % 9), tally);
@@ -78,7 +77,7 @@ TEST_CASE(
   CHECK(tally.covered > 10'000);
   CHECK(tally.refused < tally.scenes * 3 / 4);
 }
-TEST_CASE("ray tracing sees what the rules say of the thesis's objects, and next to no facet of them is loose") {
+TEST_CASE("ray tracing matches the judge on the thesis's objects with few loose facets") {
   Tally tally;
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
@@ -89,7 +88,7 @@ TEST_CASE("ray tracing sees what the rules say of the thesis's objects, and next
   MESSAGE(tally.tested, " facets tested, ", tally.loose, " of them loose; ", tally.loose_facets, " of ", tally.facets);
   CHECK(tally.loose_facets < tally.facets / 20);
 }
-TEST_CASE("what is counted of primary rays is what cells and facets say") {
+TEST_CASE("counts of primary rays equal those of cells and facets") {
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     CAPTURE(one.name);
     const Scene scene = testing::thesis_scene(one, 40, 30);
@@ -126,7 +125,7 @@ TEST_CASE("what is counted of primary rays is what cells and facets say") {
     CHECK(cells == points.cells);
   }
 }
-TEST_CASE("the rays that meet a box alone are held against its six facets, in one cell") {
+TEST_CASE("rays at a lone box are tested against its six facets in one cell") {
   const view::Camera front{{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic};
   const Scene scene = scene_of("cube(size=[8,8,8],center=true);", front, 64, 64);
   const software::Tree tree = software::make_tree(scene.tree, software::Shape::written);
@@ -135,11 +134,11 @@ TEST_CASE("the rays that meet a box alone are held against its six facets, in on
   const software::RaysMet met = software::trace(traced_scene, *space, {}, true).counts.primary;
   CHECK(met.hits > 200);
   CHECK(met.cells >= met.hits);
-  CHECK(met.cells <= met.hits + 4 * 64);  // the cell reaches a little beyond the box
+  CHECK(met.cells <= met.hits + 4 * 64);  // the cell extends slightly beyond the box
   CHECK(met.tested == 6 * met.cells);
   CHECK(met.met == 2 * met.hits);
 }
-TEST_CASE("ray tracing sees nothing of an empty model, and of what is behind the eye") {
+TEST_CASE("ray tracing shows nothing of an empty model or one behind the eye") {
   Tally tally;
   const view::Camera aside{{18, -25, 21}, {0, 0, 0}, view::Projection::perspective};
   CHECK(fault_of(scene_of("union(){}", aside, 20, 9), 8, tally) == "");
@@ -147,7 +146,7 @@ TEST_CASE("ray tracing sees nothing of an empty model, and of what is behind the
   CHECK(fault_of(scene_of("cube(size=[4,4,4],center=true);", away, 20, 9), 8, tally) == "");
   CHECK(tally.covered == 0);
 }
-TEST_CASE("a camera within a solid begins in it") {
+TEST_CASE("rays of a camera inside a solid start inside it") {
   Tally tally;
   view::Sampling sampling;
   sampling.width = 40;
