@@ -99,7 +99,7 @@ TEST_CASE("writing a field from one source takes one clock per bit") {
   CHECK(clocks(Opcode::bit_not, {0, 1}, {1, 1}) == 1);
 }
 
-TEST_CASE("two source bits take two clocks with one memory read per clock; otherwise one") {
+TEST_CASE("two source bits take two clocks at one memory read per clock and else one") {
   for (const Opcode opcode : {Opcode::field_lt, Opcode::field_le, Opcode::field_eq}) {
     CHECK(clocks(opcode, {0, 20}, {20, 20}) == 40);
     CHECK(clocks(opcode, {0, 20}, {20, 20}, {}, 2) == 20);

@@ -17,7 +17,7 @@ namespace {
 /// start crosses the link and is taken, and the instruction follows.
 constexpr std::uint64_t first_entry = 5;
 
-machines::Machine machine_of(machines::Size picture, std::uint32_t chains, std::uint32_t ports = 0) {
+machines::Machine make_machine(machines::Size picture, std::uint32_t chains, std::uint32_t ports = 0) {
   machines::Machine machine = machines::blank(scan_line::kind);
   machine.name = "test";
   machine.array = {picture.width, 1, 64};
@@ -48,7 +48,7 @@ const Instruction copy{.opcode = Opcode::copy, .fields = {Field{0, 8}, Field{8, 
 }  // namespace
 
 TEST_CASE("long lines stream back to back; the last one crosses the cells and returns") {
-  const scan_line::LineTiming timing = time(machine_of({4, 3}, 1), {10, 20, 30});
+  const scan_line::LineTiming timing = time(make_machine({4, 3}, 1), {10, 20, 30});
   CHECK(timing.clocks == first_entry + 11 + 22 + 32 + 2 * 4);
   CHECK(account_of(timing).refresh_clocks == 0);
   CHECK(account_of(timing).busy_cells == 60 * 4);
@@ -56,34 +56,34 @@ TEST_CASE("long lines stream back to back; the last one crosses the cells and re
 }
 
 TEST_CASE("lines with few packets wait for the refresh path") {
-  const scan_line::LineTiming timing = time(machine_of({8, 3}, 1), {2, 1, 0});
+  const scan_line::LineTiming timing = time(make_machine({8, 3}, 1), {2, 1, 0});
   CHECK(timing.clocks == first_entry + 3 + 8 + 8 + 2 * 8);
   CHECK(account_of(timing).refresh_clocks == (8 - 3) + (8 - 2));
 }
 
 TEST_CASE("chains take lines in turn over separate links; the slowest chain ends the frame") {
-  const scan_line::LineTiming timing = time(machine_of({4, 5}, 2), {10, 1, 10, 40, 10});
+  const scan_line::LineTiming timing = time(make_machine({4, 5}, 2), {10, 1, 10, 40, 10});
   const std::uint64_t handed_over = 1;  // delay relative to the first line
   CHECK(timing.clocks == handed_over + first_entry + 2 + 42 + 2 * 4);
   CHECK(account_of(timing).entry_clocks == 33 + 2 + 41);
   CHECK(account_of(timing).fill_clocks == first_entry + 1 + 3);
 }
 
-TEST_CASE("a packet's entry takes as many clocks as the cells' memory ports need") {
-  const scan_line::LineTiming timing = time(machine_of({4, 2}, 1, 1), {5, 6}, copy);
+TEST_CASE("a packet's entry lasts until the cells' memory ports have done its accesses") {
+  const scan_line::LineTiming timing = time(make_machine({4, 2}, 1, 1), {5, 6}, copy);
   CHECK(timing.clocks == first_entry + 2 * 5 + 1 + 1 + 2 * 6 + 1 + 2 * 4);
   CHECK(account_of(timing).fill_clocks == first_entry + 2 + 3);
   CHECK(account_of(timing).busy_cells == 2 * 11 * 4);
 }
 
 TEST_CASE("clearing takes a packet at the beginning of a line") {
-  machines::Machine machine = machine_of({4, 2}, 1, 1);
+  machines::Machine machine = make_machine({4, 2}, 1, 1);
   machine.clear_clocks = 3;
   CHECK(time(machine, {5, 6}, copy).clocks == first_entry - 1 + 3 + 2 * 5 + 1 + 3 + 2 * 6 + 1 + 2 * 4);
 }
 
 TEST_CASE("the host sorts and updates its list and prepares lines while the link transfers") {
-  machines::Machine machine = machine_of({2, 3}, 1);
+  machines::Machine machine = make_machine({2, 3}, 1);
   machine.own = scan_line::Figures{.words = 2,
                                    .word_bits = 32,
                                    .chains = 1,
@@ -102,7 +102,7 @@ TEST_CASE("the host sorts and updates its list and prepares lines while the link
 }
 
 TEST_CASE("the host's clocks depend on row extents and not on instruction purposes") {
-  machines::Machine machine = machine_of({2, 3}, 1);
+  machines::Machine machine = make_machine({2, 3}, 1);
   machines::own<scan_line::Figures>(machine).bucket_clocks = 7;
   machines::own<scan_line::Figures>(machine).active_clocks = 5;
   const Instruction plain{.opcode = Opcode::enable_all};
@@ -112,7 +112,7 @@ TEST_CASE("the host's clocks depend on row extents and not on instruction purpos
 }
 
 TEST_CASE("with trees a frame ends after the last mark's levels and its pixels' shift chain") {
-  machines::Machine machine = machine_of({20, 3}, 1);
+  machines::Machine machine = make_machine({20, 3}, 1);
   const std::uint64_t chained = time(machine, {30, 20, 30}).clocks;
   machines::own<scan_line::Figures>(machine).network = scan_line::Network::trees;
   machines::own<scan_line::Figures>(machine).tree_bits = 32;
@@ -128,20 +128,20 @@ TEST_CASE("with trees a frame ends after the last mark's levels and its pixels' 
 }
 
 TEST_CASE("a narrow link transfers a command in many words") {
-  machines::Machine machine = machine_of({4, 1}, 1);
+  machines::Machine machine = make_machine({4, 1}, 1);
   machine.link = {.width = 8, .word_clocks = 3, .fifo_depth = 16, .latency = 10};
   const std::uint64_t words = 9 + 3 + 1;  // the line's start command has 70 bits
   CHECK(time(machine, {3}).clocks == 2 + 10 + 3 * words + 2 + 2 * 4);
 }
 
 TEST_CASE("a FIFO of one word passes a word every other clock") {
-  machines::Machine machine = machine_of({4, 1}, 1);
+  machines::Machine machine = make_machine({4, 1}, 1);
   machine.link.fifo_depth = 1;
   CHECK(time(machine, {3}).clocks == first_entry + 4 + 4 + 2 * 4);
 }
 
 TEST_CASE("each line of a field gets an equal share of the refresh time times the chains") {
-  machines::Machine machine = machine_of({4, 7}, 1);
+  machines::Machine machine = make_machine({4, 7}, 1);
   CHECK(scan_line::line_budget(machine, 7) == 7);  // 1000 / (20 * 7)
   machines::own<scan_line::Figures>(machine).chains = 3;
   CHECK(scan_line::line_budget(machine, 7) == 21);
@@ -151,7 +151,7 @@ TEST_CASE("each line of a field gets an equal share of the refresh time times th
 
 TEST_CASE("a line is late from the first clock beyond its budget") {
   // The first line includes the link latency before it; the start and the mark of each other line take two clocks.
-  const LineAccount account = account_of(time(machine_of({4, 5}, 1), {9, 9, 0, 11, 8}));
+  const LineAccount account = account_of(time(make_machine({4, 5}, 1), {9, 9, 0, 11, 8}));
   CHECK(account.line_budget == 10);
   CHECK(account.late_lines == 3);
   CHECK(account.packets == 37);
@@ -159,7 +159,7 @@ TEST_CASE("a line is late from the first clock beyond its budget") {
 }
 
 TEST_CASE("the next frame starts after the last mark unless its first mark would wait") {
-  CHECK(time(machine_of({4, 3}, 1), {10, 20, 30}).interval_clocks == first_entry + 11 + 22 + 32);
+  CHECK(time(make_machine({4, 3}, 1), {10, 20, 30}).interval_clocks == first_entry + 11 + 22 + 32);
   const std::uint64_t first_mark = first_entry + 3;
-  CHECK(time(machine_of({20, 2}, 1), {2, 2}).interval_clocks == first_mark + 20 + (20 - first_mark));
+  CHECK(time(make_machine({20, 2}, 1), {2, 2}).interval_clocks == first_mark + 20 + (20 - first_mark));
 }

@@ -125,7 +125,7 @@ TEST_CASE("quadratics and the root flag enlarge a pixel by about the published s
   CHECK(with / without < 1.45);
 }
 
-TEST_CASE("pixel-planes-4 is built in, with the published figures") {
+TEST_CASE("pixel-planes-4 is built in with the published figures") {
   const Machine machine = kinds::load("pixel-planes-4");
   CHECK(machine.name == "pixel-planes-4");
   CHECK(machine.array == isa::ArrayShape{512, 512, 72});
@@ -151,7 +151,7 @@ TEST_CASE("multi-machine studies cover every built-in machine except the expensi
   CHECK(names == kinds::studied_names());
 }
 
-TEST_CASE("figures keep the file's order and have a unit; a provenance and a source") {
+TEST_CASE("figures keep the file's order with unit and provenance and source") {
   const Machine machine = kinds::load("pixel-planes-4");
   std::string keys;
   for (const Figure& figure : machine.figures) {
@@ -368,7 +368,7 @@ TEST_CASE("a degree-1 machine rejects squares and suggests a machine that suppor
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
 }
 
-TEST_CASE("expressions are of degree 2 only on the machines whose papers say so") {
+TEST_CASE("expressions are of degree 2 only on machines documented to have them") {
   for (const std::string_view name : kinds::built_in_names()) {
     CAPTURE(name);
     const bool quadratic = name == "pixel-powers" || name == "pixel-planes-5";

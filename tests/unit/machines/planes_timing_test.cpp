@@ -31,7 +31,7 @@ Machine machine_with(const machines::Link& link, std::uint32_t clear_clocks = 0,
   return machine;
 }
 
-isa::Program program_of(std::vector<Instruction> instructions) {
+isa::Program make_program(std::vector<Instruction> instructions) {
   isa::Program program;
   program.shape = shape;
   program.segments = {{.region = {0, 0, 8, 8}, .instructions = std::move(instructions)}};
@@ -133,7 +133,7 @@ TEST_CASE("an OR has one level per power of its fan-in") {
 // is stored at 10, read at 13 and starts at 14; its step executes 6 clocks later.
 TEST_CASE("a small frame takes the hand-counted clocks") {
   const machines::FrameTiming timing =
-      machines::time_frame(program_of({{.opcode = Opcode::enable_all}}),
+      machines::time_frame(make_program({{.opcode = Opcode::enable_all}}),
                            machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 3));
   CHECK(timing.clocks == 20);
   CHECK(timing.account.count("link_words") == 5);
@@ -147,16 +147,16 @@ TEST_CASE("a small frame takes the hand-counted clocks") {
   CHECK(clocks_of(timing, 1, "done") == 10);
 }
 
-// As above until edge 13, where the question starts: 1 clock, 6 for the trees and 2 levels of the OR. The answer is
+// Same clocks until edge 13, where the question starts: 1 clock, 6 for the trees and 2 levels of the OR. The answer is
 // available at 22; the host sees it at 23, sends FrameEnd from 27 on and stores it at 28. FrameEnd is read at 29 and
 // starts at 30.
-TEST_CASE("a jump takes the hand-counted clocks; words sent in vain are counted") {
+TEST_CASE("a jump takes the hand-counted clocks and counts words sent in vain") {
   const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
   const std::vector<machines::Skip> skips{{0, 0}};
-  isa::Program program = program_of({{.opcode = Opcode::skip_if_none, .constant = 3},
-                                     {.opcode = Opcode::enable_all},
-                                     {.opcode = Opcode::enable_all},
-                                     {.opcode = Opcode::enable_all}});
+  isa::Program program = make_program({{.opcode = Opcode::skip_if_none, .constant = 3},
+                                       {.opcode = Opcode::enable_all},
+                                       {.opcode = Opcode::enable_all},
+                                       {.opcode = Opcode::enable_all}});
   const machines::FrameTiming timing = machines::time_frame(program, machine, skips);
   // The question has 38 bits, two words: stored at 9 and 10, read at 10 and 11. It starts at 13 and its bits leave the
   // register.
@@ -168,14 +168,14 @@ TEST_CASE("a jump takes the hand-counted clocks; words sent in vain are counted"
   CHECK(timing.account.count("link_words") == 3 + 2 + 1 + 2 + 1);
 }
 
-// As above, but the jump target replaces FrameEnd: its word is read at 29. FrameEnd's word is stored at 29 as well.
+// Same clocks, but the jump target replaces FrameEnd: its word is read at 29. FrameEnd's word is stored at 29 as well.
 // Three words of the segment, two of the question and three skipped words precede the jump target.
 TEST_CASE("words read and sent after a jump include the skipped ones (hand calculation)") {
   const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
   const std::vector<machines::Skip> skips{{0, 0}};
   std::vector<Instruction> instructions(5, {.opcode = Opcode::enable_all});
   instructions.front() = {.opcode = Opcode::skip_if_none, .constant = 3};
-  const pixel_planes::Moment moment = pixel_planes::moment_of(program_of(instructions), machine, skips, 0, 4);
+  const pixel_planes::Moment moment = pixel_planes::moment_of(make_program(instructions), machine, skips, 0, 4);
   CHECK(moment.clock == 30);
   CHECK(moment.words_read == 3 + 2 + 3 + 1);
   CHECK(moment.words_sent == 3 + 2 + 3 + 2);
@@ -183,10 +183,10 @@ TEST_CASE("words read and sent after a jump include the skipped ones (hand calcu
 
 TEST_CASE("at a pixel a question takes one clock and a skipped instruction none") {
   const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
-  const isa::Program program = program_of({{.opcode = Opcode::skip_if_none, .constant = 1},
-                                           {.opcode = Opcode::enable_all},
-                                           {.opcode = Opcode::skip_if_none, .constant = 1},
-                                           {.opcode = Opcode::enable_all}});
+  const isa::Program program = make_program({{.opcode = Opcode::skip_if_none, .constant = 1},
+                                             {.opcode = Opcode::enable_all},
+                                             {.opcode = Opcode::skip_if_none, .constant = 1},
+                                             {.opcode = Opcode::enable_all}});
   machines::Timeline timeline;
   timeline.issued = {{{13, 22}, {0, 0}, {30, 38}, {40, 43}}};
   const std::vector<machines::ClockSpan> steps = machines::at_pixel(timeline, program, machine, 0, 0, 0);
@@ -200,7 +200,7 @@ TEST_CASE("at a pixel a question takes one clock and a skipped instruction none"
   CHECK(steps[3].end == 43 + latency);
 }
 
-TEST_CASE("a frame takes at least its busiest part's work and at most the sum of all work") {
+TEST_CASE("a frame takes at least the work of its busiest part and at most that of all") {
   CHECK(rc::check("a frame lies between the parallel and the sequential work of its parts", [] {
     const auto program = *test::arbitrary_program(shape, 30);
     const Machine machine =
@@ -235,7 +235,7 @@ TEST_CASE("a better link never adds clocks") {
 // shown it after 5 + 8 * 8 = 69. The next frame also starts at 27; its picture is complete 14 clocks later, is copied
 // 58 clocks later, and the frame ends at 70. The frame after it starts at 71.
 TEST_CASE("with two buffers a frame is copied when its predecessor is latched (by hand)") {
-  const isa::Program program = coloured(program_of({{.opcode = Opcode::enable_all}}), 5);
+  const isa::Program program = coloured(make_program({{.opcode = Opcode::enable_all}}), 5);
   const Machine machine = with_buffers(machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 3),
                                        2, ScanOutPort::own);
   const machines::FrameTiming alone = machines::time_frame(program, machine);
@@ -259,7 +259,7 @@ TEST_CASE("with two buffers a frame is copied when its predecessor is latched (b
 // words are sent at 14 to 18, and FrameEnd, which could have started at 14, starts at 19. From then on a row is latched
 // every 13 clocks, the last at 103; its end is seen at 104, and the picture is copied and complete at 116.
 TEST_CASE("refresh words precede the next command and fill the controller's waits") {
-  const isa::Program program = coloured(program_of({{.opcode = Opcode::enable_all}}), 5);
+  const isa::Program program = coloured(make_program({{.opcode = Opcode::enable_all}}), 5);
   const Machine machine = with_buffers(machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 3),
                                        2, ScanOutPort::shared);
   const std::vector<pixel_planes::DrawnFrame> frames(3, {&program});
@@ -277,7 +277,7 @@ TEST_CASE("refresh words precede the next command and fill the controller's wait
 // The clear of 40 clocks starts at 10, when the words of the first row have been sent. Those of the second row,
 // requested at 13, wait from 14 until 50.
 TEST_CASE("reports a scan-out that drawing delays") {
-  const isa::Program program = coloured(program_of({{.opcode = Opcode::enable_all}}), 5);
+  const isa::Program program = coloured(make_program({{.opcode = Opcode::enable_all}}), 5);
   const Machine machine = with_buffers(
       machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 40), 2, ScanOutPort::shared);
   const std::vector<pixel_planes::DrawnFrame> frames(2, {&program});
@@ -318,7 +318,7 @@ TEST_CASE("rejects a Program that overwrites the memory of the previous picture"
   Machine machine = with_buffers(machine_with({}), 2, ScanOutPort::own);
   machine.name = "mine";
   const auto check = [&](const Instruction& instruction, std::uint32_t colour_bits) {
-    machine.kind->check(coloured(program_of({{.opcode = Opcode::enable_all}, instruction}), colour_bits), machine);
+    machine.kind->check(coloured(make_program({{.opcode = Opcode::enable_all}, instruction}), colour_bits), machine);
   };
   CHECK_NOTHROW(check({.opcode = Opcode::set_constant, .fields = {{{20, 12}}}}, 8));
   CHECK_THROWS_WITH_AS(

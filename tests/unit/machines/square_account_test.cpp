@@ -56,7 +56,7 @@ TEST_CASE("unaccounted clocks count as waiting or as idle after the end") {
   CHECK(pixel_square::whole(working(3), SquareActivity::waiting_for_ring, 3) == working(3));
 }
 
-TEST_CASE("the account lists host; renderers and frame buffer if the host divides") {
+TEST_CASE("a host-divided machine's account lists host and renderers and frame buffer") {
   SquareAccount counted;
   counted.squares_drawn = 5;
   counted.squares_skipped = 6;
@@ -153,10 +153,10 @@ TEST_CASE("with a ring the processors send and the ring transfers while it is fu
 }
 
 TEST_CASE("the kind reports the clocks and the account of its timing model") {
-  const isa::Program program = program_of(3, {square(2, {}), square(2, {enable, set({0, 3})})});
+  const isa::Program program = make_program(3, {square(2, {}), square(2, {enable, set({0, 3})})});
   for (const Figures& figures : {Figures{.renderers = 2, .buffers = 2, .port_bits = 32, .port_fifo_depth = 8},
                                  on_a_ring({.port_fifo_depth = 8, .processors = 2, .ring_bits = 32})}) {
-    const Machine machine = machine_of(2, figures);
+    const Machine machine = make_machine(2, figures);
     const Timing timing = time(program, machine);
     CHECK(machine.kind->time(program, machine, {}) ==
           machines::FrameTiming{.clocks = timing.clocks, .account = pixel_square::account(timing.account)});

@@ -75,7 +75,7 @@ TEST_CASE("visits numbers once around from any start until the visitor stops") {
   }));
 }
 
-TEST_CASE("visits numbers at the ends of 64-bit words in order; none if empty") {
+TEST_CASE("visits numbers at the ends of 64-bit words in order") {
   const std::set<std::size_t> edges{0, 1, 62, 63, 64, 65, 127, 128, 191, 192};
   Numbers numbers(193);
   for (const std::size_t number : edges) numbers.add(number);
@@ -95,7 +95,7 @@ TEST_CASE("the last number in turn is followed by the first") {
   CHECK(pixel_square::next_in_turn(5, 9) == 6);
 }
 
-TEST_CASE("every part has a distinct number: pixels before decoders; processors in order") {
+TEST_CASE("every part has a distinct number with pixels before decoders") {
   const PartNumbers parts{.renderers = 3, .dividers = 2, .processors = 4};
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < 3; ++i) all.push_back(parts.pixels(i));
@@ -108,7 +108,7 @@ TEST_CASE("every part has a distinct number: pixels before decoders; processors 
   CHECK(PartNumbers{}.count() == 6);  // one renderer of three parts, the sender, the frame buffer, the ring
 }
 
-TEST_CASE("parts act at their latest scheduled edge; at equal edges in order of numbers") {
+TEST_CASE("parts act at their latest scheduled edge in order of their numbers") {
   CHECK(rc::check([] {
     Agenda agenda(many);
     std::map<std::size_t, Time> due;
@@ -137,7 +137,7 @@ TEST_CASE("parts act at their latest scheduled edge; at equal edges in order of 
   }));
 }
 
-TEST_CASE("a word is readable one edge after its write; a place is free one after its read") {
+TEST_CASE("a word is readable an edge after its write and frees its place likewise") {
   Agenda agenda(2);
   Fifo<int> fifo(2, 0, 1, agenda);
   CHECK_FALSE(fifo.has_word(0));
@@ -250,7 +250,7 @@ TEST_CASE("reports each departing word with its rows in the square and in the pi
   }));
 }
 
-TEST_CASE("a square's header fills as many port words as 64 bits need") {
+TEST_CASE("a square's header takes 64 bits in whole port words") {
   for (const auto& [port_bits, words] :
        std::vector<std::pair<std::uint64_t, std::uint64_t>>{{1, 64}, {8, 8}, {63, 2}, {64, 1}, {65, 1}, {1000, 1}})
     CHECK(pixel_square::header_words(port_bits) == words);

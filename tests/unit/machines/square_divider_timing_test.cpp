@@ -8,10 +8,10 @@ using namespace csgsim::testing::squares;
 using testing::error_of;
 
 TEST_CASE("a divider takes the model and tests a square before the square is sent") {
-  isa::Program program = program_of(3, {square(2, {})});
+  isa::Program program = make_program(3, {square(2, {})});
   program.display_model = model_bytes();
   *program.segments[0].division = {.steps = {{.boxes = 2, .lists = 1, .halfspaces = 3, .cells = 5, .nodes = 7}}};
-  const Machine machine = machine_of(2, dividing());
+  const Machine machine = make_machine(2, dividing());
   // The model has two words of 256 bits; the last is taken at 3. Each node of the tree takes a clock; each box is read
   // and tested in two; a half-space and its plane are read in two clocks and tested in four: fourteen for three. Cells,
   // nodes and the word for an empty square follow.
@@ -26,12 +26,12 @@ TEST_CASE("a divider takes the model and tests a square before the square is sen
   CHECK(timing.account.sender == Clocks{1, 0, stored, 0, 0, 2});
 }
 
-TEST_CASE("half-spaces; nodes and planes beyond a divider's memories cost extra clocks") {
-  isa::Program program = program_of(3, {square(2, {})});
+TEST_CASE("half-spaces and nodes and planes beyond a divider's memories cost extra clocks") {
+  isa::Program program = make_program(3, {square(2, {})});
   program.display_model = model_bytes();
   *program.segments[0].division = {.steps = {{.boxes = 1, .lists = 1, .halfspaces = 3, .cells = 5, .nodes = 7}}};
   const auto clocks = [&](const auto& change) {
-    Machine machine = machine_of(2, dividing());
+    Machine machine = make_machine(2, dividing());
     machine.link.latency = 6;
     change(machines::own<Figures>(machine));
     return time(program, machine).clocks;
@@ -47,11 +47,11 @@ TEST_CASE("half-spaces; nodes and planes beyond a divider's memories cost extra 
 }
 
 TEST_CASE("a square starts to leave when it is stored completely or fills the store") {
-  isa::Program program = program_of(3, {square(2, {enable, enable, enable})});
+  isa::Program program = make_program(3, {square(2, {enable, enable, enable})});
   program.display_model = model_bytes();
   *program.segments[0].division = {.steps = {{.boxes = 100, .instructions = 2}, {.boxes = 100, .instructions = 1}}};
   const auto time_with = [&](std::uint32_t words) {
-    Machine machine = machine_of(2, dividing());
+    Machine machine = make_machine(2, dividing());
     machines::own<Figures>(machine).store_words = words;
     return time(program, machine);
   };
@@ -67,18 +67,18 @@ TEST_CASE("a square starts to leave when it is stored completely or fills the st
   CHECK(working(whole) == working(parts));
   // The square is cleared and its first two instructions are done when the third arrives.
   CHECK(parts.clocks < whole.clocks);
-  // With room for one word each word waits until its predecessor has left, which takes one more clock.
+  // If there is room for one word each word waits until its predecessor has left, which takes one more clock.
   CHECK(time_with(1).account.dividers.front().of(pixel_square::SquareActivity::waiting_for_renderer) > 0);
 }
 
 TEST_CASE("two dividers halve test-bound time and take squares in turn") {
-  isa::Program program = program_of(3, std::vector<isa::Segment>(4, square(2, {})));
+  isa::Program program = make_program(3, std::vector<isa::Segment>(4, square(2, {})));
   program.display_model = model_bytes();
   for (std::uint32_t i = 0; i < 4; ++i) {
     program.segments[i].region = {2 * (i % 2), i / 2 * 2, 2, 2};
     *program.segments[i].division = {.steps = {{.boxes = 500}}};
   }
-  Machine machine = machine_of(2, dividing());
+  Machine machine = make_machine(2, dividing());
   const std::uint64_t one = time(program, machine).clocks;
   machines::own<Figures>(machine).dividers = 2;
   const Timing timing = time(program, machine);
@@ -88,16 +88,16 @@ TEST_CASE("two dividers halve test-bound time and take squares in turn") {
 }
 
 TEST_CASE("rejects tests whose clocks would overflow their counter") {
-  isa::Program program = program_of(2, {square(1, {})});
+  isa::Program program = make_program(2, {square(1, {})});
   program.display_model.resize(1);
   program.segments[0].division->steps = {{.cells = ~std::uint64_t{0}}};
   CHECK(error_of([&] {
-          pixel_square::check_countable(program, machine_of(1, {}));
+          pixel_square::check_countable(program, make_machine(1, {}));
         }).starts_with("the divider would test for more than"));
   program.segments[0].division->steps = {{.cells = std::uint64_t{1} << 36U}};
   program.segments.assign(1 << 5, program.segments[0]);
-  CHECK_NOTHROW(pixel_square::check_countable(program, machine_of(1, {})));
+  CHECK_NOTHROW(pixel_square::check_countable(program, make_machine(1, {})));
   CHECK(error_of([&] {
-          pixel_square::check_countable(program, machine_of(1, {.cell_clocks = 1'000'000}));
+          pixel_square::check_countable(program, make_machine(1, {.cell_clocks = 1'000'000}));
         }).starts_with("the divider would test for more than"));
 }

@@ -33,7 +33,7 @@ Figures hand_calculated_figures() {
 }
 
 isa::Program with_model(std::vector<isa::Segment> segments = {square(2, {})}) {
-  isa::Program program = program_of(3, std::move(segments));
+  isa::Program program = make_program(3, std::move(segments));
   program.display_model = model_bytes();
   return program;
 }
@@ -42,7 +42,7 @@ constexpr isa::DivisionStep step{.boxes = 3, .lists = 2, .halfspaces = 5, .cells
 
 std::uint64_t tests_with(const Figures& figures, bool from_list = false) {
   const isa::Program program = with_model();
-  const Machine machine = machine_of(2, figures);
+  const Machine machine = make_machine(2, figures);
   return DivisionClocks(program, machine).of_tests(step, from_list);
 }
 
@@ -50,7 +50,7 @@ std::uint64_t group_with(const Figures& figures) {
   const isa::DivisionCounts first{
       .steps = {}, .group_boxes = 3, .group_lists = 2, .group_halfspaces = 5, .group_cells = 7, .group_entries = 11};
   const isa::Program program = with_model();
-  const Machine machine = machine_of(2, figures);
+  const Machine machine = make_machine(2, figures);
   return DivisionClocks(program, machine).of_group(first);
 }
 
@@ -95,9 +95,9 @@ TEST_CASE("a group's tests reread half-spaces per cell and list the rest if it f
   CHECK(group_with(figures) == 3 * (5 + 2) + (5 * 2 + 2 * 1) + 7 * (5 + 2) + 11);
 }
 
-TEST_CASE("a divider tests the tree first; computes linear instructions; splits by lists") {
+TEST_CASE("a divider takes clocks for its tree and for linear instructions") {
   const isa::Program program = with_model();
-  Machine machine = machine_of(2, hand_calculated_figures());
+  Machine machine = make_machine(2, hand_calculated_figures());
   const DivisionClocks clocks(program, machine);
   CHECK(clocks.of_tree() == 3 * 7);
   CHECK(clocks.of_instruction(enable) == 0);
@@ -108,12 +108,12 @@ TEST_CASE("a divider tests the tree first; computes linear instructions; splits 
   CHECK_FALSE(DivisionClocks(program, machine).is_listed(0));
 }
 
-TEST_CASE("dividers take groups in turn or squares if there is one level") {
+TEST_CASE("dividers take groups in turn and with one level single squares") {
   isa::Program program = with_model(std::vector<isa::Segment>(6, square(2, {})));
   const std::array<isa::Region, 6> regions{
       isa::Region{0, 0, 2, 2}, {2, 0, 2, 2}, {4, 0, 2, 2}, {6, 0, 2, 2}, {0, 4, 2, 2}, {0, 6, 2, 2}};
   for (std::size_t i = 0; i < regions.size(); ++i) program.segments[i].region = regions[i];
-  Machine machine = machine_of(2, hand_calculated_figures());
+  Machine machine = make_machine(2, hand_calculated_figures());
   auto& figures = machines::own<Figures>(machine);
   figures.group_side = 2;
   figures.dividers = 2;
@@ -145,15 +145,15 @@ TEST_CASE("accepts each count of a divider's tests up to 2^36 and rejects one mo
     isa::DivisionCounts& counts = *program.segments.back().division;
     counts.steps.resize(2);
     operands[operand](counts, most);
-    CHECK_NOTHROW(pixel_square::check_countable(program, machine_of(2, dividing())));
+    CHECK_NOTHROW(pixel_square::check_countable(program, make_machine(2, dividing())));
     operands[operand](counts, most + 1);
     CHECK(error_of([&] {
-            pixel_square::check_countable(program, machine_of(2, dividing()));
+            pixel_square::check_countable(program, make_machine(2, dividing()));
           }).starts_with("the divider would test for more than 1152921504606846976 clocks; give it a smaller model"));
   }
 }
 
-TEST_CASE("a frame's tests may take 2^60 clocks including groups; surfaces and tree") {
+TEST_CASE("a frame's tests may take 2^60 clocks in total") {
   constexpr std::uint64_t many = std::uint64_t{1} << 36U;
   Figures figures = dividing();
   figures.cell_clocks = 1'000'000;
@@ -162,7 +162,7 @@ TEST_CASE("a frame's tests may take 2^60 clocks including groups; surfaces and t
     isa::Program program = with_model(std::vector<isa::Segment>(steps + groups, square(2, {})));
     for (std::size_t i = 0; i < steps; ++i) program.segments[i].division->steps = {{.cells = many}};
     for (std::size_t i = steps; i < steps + groups; ++i) program.segments[i].division->group_cells = many;
-    return error_of([&] { pixel_square::check_countable(program, machine_of(2, figures)); });
+    return error_of([&] { pixel_square::check_countable(program, make_machine(2, figures)); });
   };
   CHECK(check(16, 0) == "");
   CHECK_FALSE(check(17, 0).empty());
@@ -181,10 +181,10 @@ TEST_CASE("a model and its spills must fit the divider's memory to the bit") {
   figures.nodes = 5;
   const auto refusal = [&](std::uint64_t bits) {
     figures.model_bits = static_cast<std::uint32_t>(bits);
-    return error_of([&] { pixel_square::check_storage(program, machine_of(2, figures)); });
+    return error_of([&] { pixel_square::check_storage(program, make_machine(2, figures)); });
   };
   CHECK(refusal(model_bits) == "");
-  // With one bit less the planes of 8 bits stay with the host.
+  // If one bit is missing the planes of 8 bits stay with the host.
   CHECK(refusal(model_bits - 1) == "");
   CHECK(refusal(model_bits - 8 * planes) == "");
   CHECK(refusal(model_bits - 8 * planes - 1).starts_with("the display model has "));
@@ -200,7 +200,7 @@ TEST_CASE("a model and its spills must fit the divider's memory to the bit") {
   spilling(4, 7, 2 * 266 + 2 * 98);
 }
 
-TEST_CASE("a machine's memory sums pixels; pictures; waiting squares and dividers") {
+TEST_CASE("a machine's memory includes its pixels and pictures and stores and dividers") {
   Figures figures = dividing();
   figures.renderers = 3;
   figures.backing_bits = 5;
@@ -212,7 +212,7 @@ TEST_CASE("a machine's memory sums pixels; pictures; waiting squares and divider
   figures.halfspaces = 4;
   figures.nodes = 6;
   figures.store_words = 7;
-  Machine machine = machine_of(2, figures);
+  Machine machine = make_machine(2, figures);
   isa::FrameHeader header;
   header.shape = {4, 4, 16};
   header.colour = {0, 3};
@@ -242,7 +242,7 @@ TEST_CASE("questions take one clock per level of a renderer's OR") {
   Figures figures = dividing();
   figures.divider = pixel_square::DividerKind::host;
   figures.has_global_or = true;
-  Machine machine = machine_of(8, figures);
+  Machine machine = make_machine(8, figures);
   const isa::Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
   const auto clocks = [&](std::uint32_t fan_in) {
     machines::own<Figures>(machine).or_fan_in = fan_in;

@@ -18,7 +18,7 @@ namespace {
 
 /// Returns a Program with one empty segment for each square of the machine's picture.
 isa::Program whole_picture(const Machine& machine, std::uint16_t colour_bits = 3) {
-  isa::Program program = program_of(colour_bits, {});
+  isa::Program program = make_program(colour_bits, {});
   program.shape = {machine.picture.width, machine.picture.height, 16};
   for (const isa::Region& region : machines::regions(machine))
     program.segments.push_back({.region = region, .instructions = {}});
@@ -40,8 +40,8 @@ isa::Program divided_program(const Machine& machine) {
 
 }  // namespace
 
-TEST_CASE("the host's work is shared by graphics processors if they divide; else by hosts") {
-  Machine machine = machine_of(2, {.processors = 7});
+TEST_CASE("dividing graphics processors share the host's work and otherwise the hosts do") {
+  Machine machine = make_machine(2, {.processors = 7});
   machine.host.count = 3;
   CHECK(machine.kind->hosts(machine) == 3);
   machines::own<Figures>(machine).divider = pixel_square::DividerKind::corners;
@@ -50,8 +50,8 @@ TEST_CASE("the host's work is shared by graphics processors if they divide; else
   CHECK(machine.kind->hosts(machine) == 7);
 }
 
-TEST_CASE("only a machine with dividers divides the model; in groups if it has two levels") {
-  Machine machine = machine_of(2, {.levels = 2, .group_side = 5, .list_entries = 9});
+TEST_CASE("only a machine with dividers divides the model and two levels make groups") {
+  Machine machine = make_machine(2, {.levels = 2, .group_side = 5, .list_entries = 9});
   const auto division = [&] { return machine.kind->division(machine); };
   CHECK_FALSE(division());
   machines::own<Figures>(machine).divider = pixel_square::DividerKind::processors;
@@ -66,8 +66,8 @@ TEST_CASE("only a machine with dividers divides the model; in groups if it has t
   CHECK(division()->list_entries == 9);
 }
 
-TEST_CASE("halves a picture in width and height alternately; 4 x 4 subsegments a segment") {
-  Machine machine = machine_of(8, {});
+TEST_CASE("halves a picture in width and height alternately") {
+  Machine machine = make_machine(8, {});
   machine.picture = {200, 100};
   const auto size = [&](std::uint32_t levels, machines::Parts parts) {
     const Machine cut = machine.kind->subdivided(machine, levels, parts).value();
@@ -89,9 +89,9 @@ TEST_CASE("halves a picture in width and height alternately; 4 x 4 subsegments a
 
 TEST_CASE("pixels execute an instruction after the trees' latency and a question at once") {
   // The trees of 4 x 2 pixels have three levels.
-  Machine machine = machine_of(4, {.has_global_or = true});
+  Machine machine = make_machine(4, {.has_global_or = true});
   machine.array.height = 2;
-  isa::Program program = program_of(3, {square(2, {enable}), square(2, {})});
+  isa::Program program = make_program(3, {square(2, {enable}), square(2, {})});
   program.segments[1].instructions = {
       enable, {.opcode = Opcode::skip_if_none, .constant = 1}, enable, {.opcode = Opcode::skip_if_none, .constant = 1}};
   machines::Timeline timeline;
@@ -103,13 +103,13 @@ TEST_CASE("pixels execute an instruction after the trees' latency and a question
 TEST_CASE("a timeline reports when a square is cleared and its instructions are issued") {
   // Over a link as wide as a command, words reach the decoder at edges 2, 3, 4. The square is cleared for five clocks
   // from edge 3, clock 1, on; the instructions follow, of one clock and of three.
-  Machine machine = machine_of(2, {.buffers = 2, .port_bits = 32, .port_fifo_depth = 8});
+  Machine machine = make_machine(2, {.buffers = 2, .port_bits = 32, .port_fifo_depth = 8});
   machine.clear_clocks = 5;
-  const isa::Program program = program_of(3, {square(2, {}), square(2, {enable, set({0, 3})})});
-  const isa::Program alone = program_of(3, {program.segments[1]});
-  const machines::Timeline told = machine.kind->timeline(alone, machine, {}).value();
-  CHECK(told.cleared == std::vector<machines::ClockSpan>{{1, 6}});
-  CHECK(told.issued == std::vector<std::vector<machines::ClockSpan>>{{{6, 7}, {7, 10}}});
+  const isa::Program program = make_program(3, {square(2, {}), square(2, {enable, set({0, 3})})});
+  const isa::Program alone = make_program(3, {program.segments[1]});
+  const machines::Timeline timeline = machine.kind->timeline(alone, machine, {}).value();
+  CHECK(timeline.cleared == std::vector<machines::ClockSpan>{{1, 6}});
+  CHECK(timeline.issued == std::vector<std::vector<machines::ClockSpan>>{{{6, 7}, {7, 10}}});
   // The words follow two words of the header of a square that the frame buffer clears.
   const machines::Timeline later = machine.kind->timeline(program, machine, {}).value();
   CHECK(later.cleared == std::vector<machines::ClockSpan>{{0, 0}, {3, 8}});
@@ -117,7 +117,7 @@ TEST_CASE("a timeline reports when a square is cleared and its instructions are 
 }
 
 TEST_CASE("only questions take the clocks of a renderer's OR and only if it has gates") {
-  Machine machine = machine_of(4, {.has_global_or = true, .or_fan_in = 4});
+  Machine machine = make_machine(4, {.has_global_or = true, .or_fan_in = 4});
   machine.array = {4, 2, 16};  // eight lines: two gates, and one gate for their outputs
   const isa::Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
   const std::uint64_t gated = machine.kind->clocks(question, machine);
@@ -133,7 +133,7 @@ TEST_CASE("only questions take the clocks of a renderer's OR and only if it has 
 }
 
 TEST_CASE("rejects an answer for the host in any square at any place") {
-  const Machine machine = machine_of(2, {.has_global_or = true});
+  const Machine machine = make_machine(2, {.has_global_or = true});
   for (std::size_t segment = 0; segment < 4; ++segment) {
     for (std::size_t place = 0; place < 2; ++place) {
       isa::Program program = whole_picture(machine);
@@ -149,7 +149,7 @@ TEST_CASE("rejects an answer for the host in any square at any place") {
 
 TEST_CASE("rejects a colour wider than the backing store") {
   const auto refused = [](std::uint32_t backing, std::uint16_t colour_bits) {
-    const Machine machine = machine_of(2, {.backing_bits = backing});
+    const Machine machine = make_machine(2, {.backing_bits = backing});
     return refusal(whole_picture(machine, colour_bits), machine);
   };
   CHECK(refused(0, 16) == "");
@@ -159,23 +159,23 @@ TEST_CASE("rejects a colour wider than the backing store") {
 }
 
 TEST_CASE("rejects a screen that leaves no clock and a missing or oversized model") {
-  Machine machine = machine_of(2, {.refresh_rate = 10, .refresh_bits = 48, .refresh_clocks = 2});
+  Machine machine = make_machine(2, {.refresh_rate = 10, .refresh_bits = 48, .refresh_clocks = 2});
   machine.clock_hz = 21;
   // A screen turn fetches 48 colour bits in two clocks, ten times a second.
   CHECK(refusal(whole_picture(machine), machine) == "");
   machine.clock_hz = 20;
   CHECK(refusal(whole_picture(machine), machine).starts_with("the screen takes 10 turns a second of 2 clocks each"));
 
-  const Machine dividing_machine = machine_of(2, dividing());
+  const Machine dividing_machine = make_machine(2, dividing());
   isa::Program program = whole_picture(dividing_machine);
   CHECK(refusal(program, dividing_machine) ==
         "the Program has no display model, which squares divides; compile the model for this machine");
-  CHECK(refusal(program, machine_of(2, {})) == "");
+  CHECK(refusal(program, make_machine(2, {})) == "");
   program.display_model = model_bytes();
   CHECK(refusal(program, dividing_machine) == "");
   Figures small = dividing();
   small.model_bits = 1;
-  CHECK(refusal(program, machine_of(2, small)).starts_with("the display model has "));
+  CHECK(refusal(program, make_machine(2, small)).starts_with("the display model has "));
   program.segments[3].division->steps = {{.cells = ~std::uint64_t{0}}};
   CHECK(refusal(program, dividing_machine).starts_with("the divider would test for more than"));
 }
@@ -192,7 +192,7 @@ TEST_CASE("reads planes over the link only if they exist and do not fit with the
 }
 
 TEST_CASE("rejects any excess of half-spaces or nodes without overflow") {
-  isa::Program program = program_of(3, {square(2, {})});
+  isa::Program program = make_program(3, {square(2, {})});
   program.display_model = model_bytes();
   program.segments[0].region = {4, 2, 2, 2};
   Figures figures = dividing();
@@ -204,7 +204,7 @@ TEST_CASE("rejects any excess of half-spaces or nodes without overflow") {
   for (const isa::DivisionStep& surface :
        {isa::DivisionStep{.halfspaces = many + 2}, isa::DivisionStep{.nodes = many + 3}}) {
     program.segments[0].division->steps = {surface};
-    CHECK(error_of([&] { pixel_square::check_storage(program, machine_of(2, figures)); })
+    CHECK(error_of([&] { pixel_square::check_storage(program, make_machine(2, figures)); })
               .starts_with("the square at 4,2 has " + std::to_string(surface.halfspaces) + " half-spaces and " +
                            std::to_string(surface.nodes) + " nodes of the tree"));
   }
@@ -216,7 +216,7 @@ TEST_CASE("a Program for dividers equals their computation in one level and in t
   figures.list_entries = 100;
   for (const std::uint32_t levels : {1U, 2U}) {
     figures.levels = levels;
-    Machine machine = machine_of(4, figures);
+    Machine machine = make_machine(4, figures);
     machine.picture = {16, 16};
     isa::Program program = divided_program(machine);
     const auto refused = [&] { return error_of([&] { pixel_square::check_division(program, machine); }); };
@@ -236,10 +236,10 @@ TEST_CASE("a group's first square includes the group's work if it has boxes or e
   figures.list_entries = 100;
   figures.box_clocks = 6;
   const auto clocks = [&](const isa::DivisionCounts& counts) {
-    isa::Program program = program_of(3, {square(2, {})});
+    isa::Program program = make_program(3, {square(2, {})});
     program.display_model = model_bytes();
     *program.segments[0].division = counts;
-    return time(program, machine_of(2, figures)).clocks;
+    return time(program, make_machine(2, figures)).clocks;
   };
   const std::uint64_t none = clocks({});
   // A box is read in one clock and held in six; an entry is listed in one.
@@ -274,7 +274,7 @@ TEST_CASE("squares come in groups only if the machine's own dividers have two le
   const auto places = [&](pixel_square::DividerKind divider, std::uint32_t levels) {
     figures.divider = divider;
     figures.levels = levels;
-    Machine machine = machine_of(1, figures);
+    Machine machine = make_machine(1, figures);
     machine.picture = {4, 2};
     Places all;
     for (const isa::Region& region : machines::regions(machine)) all.emplace_back(region.x, region.y);
@@ -289,7 +289,7 @@ TEST_CASE("squares come in groups only if the machine's own dividers have two le
 }
 
 TEST_CASE("Morton order visits squares along a Z and skips those outside the picture") {
-  Machine machine = machine_of(1, {.order = pixel_square::SquareOrder::morton});
+  Machine machine = make_machine(1, {.order = pixel_square::SquareOrder::morton});
   machine.picture = {3, 5};
   std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
   for (const isa::Region& region : machines::regions(machine)) all.emplace_back(region.x, region.y);
@@ -311,8 +311,8 @@ TEST_CASE("Morton order visits squares along a Z and skips those outside the pic
 }
 
 TEST_CASE("rows are latched only if squares leave from the pixels' memory") {
-  const isa::Program program = program_of(4, {square(2, {enable})});
-  const auto clocks = [&](const Figures& figures) { return time(program, machine_of(2, figures)).clocks; };
+  const isa::Program program = make_program(4, {square(2, {enable})});
+  const auto clocks = [&](const Figures& figures) { return time(program, make_machine(2, figures)).clocks; };
   Figures one{.buffers = 1, .port_bits = 64, .port_fifo_depth = 8};
   Figures two = one;
   two.buffers = 2;

@@ -29,7 +29,7 @@ using Clocks = pixel_square::SquareClocks;
 /// A link that carries every command of these tests in one word.
 inline constexpr machines::Link wide{.width = 256, .word_clocks = 1, .fifo_depth = 1000, .latency = 0};
 
-inline Machine machine_of(std::uint32_t side, Figures figures, machines::Link link = wide) {
+inline Machine make_machine(std::uint32_t side, Figures figures, machines::Link link = wide) {
   Machine machine = machines::blank(pixel_square::kind);
   machine.name = "squares";
   machine.array = {side, side, 16};
@@ -43,7 +43,7 @@ inline const Instruction enable{.opcode = Opcode::enable_all};
 
 inline Instruction set(Field field) { return {.opcode = Opcode::set_constant, .fields = {field}}; }
 
-inline isa::Program program_of(std::uint16_t colour_bits, std::vector<isa::Segment> segments) {
+inline isa::Program make_program(std::uint16_t colour_bits, std::vector<isa::Segment> segments) {
   isa::Program program;
   program.shape = {4, 4, 16};
   program.colour = {0, colour_bits};

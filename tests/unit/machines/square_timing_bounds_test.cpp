@@ -19,16 +19,16 @@ std::uint32_t pick(std::uint32_t least, std::uint32_t most) {
 }
 
 Machine any_machine() {
-  Machine machine = machine_of(pick(1, 6),
-                               {.renderers = pick(1, 4),
-                                .buffers = pick(1, 2),
-                                .move_bits = *rc::gen::element(0U, 1U, 2U, 5U, 32U),
-                                .port_bits = pick(1, 30),
-                                .port_fifo_depth = *rc::gen::element(1U, 2U, 3U, 7U, 1000U)},
-                               {.width = *rc::gen::element(1U, 6U, 31U, 32U, 256U),
-                                .word_clocks = pick(1, 3),
-                                .fifo_depth = *rc::gen::element(1U, 2U, 3U, 7U, 1000U),
-                                .latency = pick(0, 9)});
+  Machine machine = make_machine(pick(1, 6),
+                                 {.renderers = pick(1, 4),
+                                  .buffers = pick(1, 2),
+                                  .move_bits = *rc::gen::element(0U, 1U, 2U, 5U, 32U),
+                                  .port_bits = pick(1, 30),
+                                  .port_fifo_depth = *rc::gen::element(1U, 2U, 3U, 7U, 1000U)},
+                                 {.width = *rc::gen::element(1U, 6U, 31U, 32U, 256U),
+                                  .word_clocks = pick(1, 3),
+                                  .fifo_depth = *rc::gen::element(1U, 2U, 3U, 7U, 1000U),
+                                  .latency = pick(0, 9)});
   machine.clear_clocks = *rc::gen::element(0U, 1U, 2U, 16U);
   machine.picture = {pick(1, 12), pick(1, 12)};
   return machine;
@@ -146,8 +146,8 @@ TEST_CASE("a frame takes at least its busiest part's work and at most the sum of
   }));
 }
 
-// With cleared squares, the order in which the frame buffer serves its two ports depends on arrival: a faster part may
-// deliver a clear before a square's last words and cost some clocks.
+// If squares are cleared, the order in which the frame buffer serves its two ports depends on arrival: a faster part
+// may deliver a clear before a square's last words and cost some clocks.
 TEST_CASE("with one renderer and no clears no faster part or deeper FIFO adds clocks") {
   CHECK(rc::check([] {
     Machine machine = any_machine();
@@ -222,7 +222,7 @@ TEST_CASE("with a divider and one renderer and no clears no faster test or part 
   }));
 }
 
-// With two or more renderers, one more may change the assignment: a square goes to the renderer with the fewest
+// Beyond two renderers, one more may change the assignment: a square goes to the renderer with the fewest
 // squares, not to the first free one.
 TEST_CASE("more renderers take no more clocks than one if the divider never waits for room") {
   CHECK(rc::check([] {

@@ -165,7 +165,7 @@ TEST_CASE("nodes add with carries and cut sums into stripes like the reference")
   }));
 }
 
-TEST_CASE("a node adds as many words as the target has and reads the source's as well") {
+TEST_CASE("a node adds the target's words and reads the source's as well") {
   machines::Machine machine = machines::blank(multi_processor::kind);
   auto& figures = machines::own<Figures>(machine);
   figures.order = multi_processor::RenderingOrder::segment;

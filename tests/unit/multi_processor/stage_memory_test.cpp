@@ -14,7 +14,7 @@ TEST_CASE("lists beyond the nodes' memory are sent and rendered in parts (by han
   const FrameAccount whole = account_of(program, machine);
   CHECK(whole.list_passes == 1);
   // Words of 16 bits: the frame takes 16 + 2 * 5 + 3, the segment 1 + 1 + 3; lists begin with 5 and end with 1,
-  // instructions take 1 and 6. The sender stops where fewer than 16 of 32 words are left besides the 6 of a waiting
+  // instructions take 1 and 6. The sender stops where fewer than 16 of 32 words are left next to the 6 of a waiting
   // list: before the end of the first list and, as the last list waits, before the end of the third, which has received
   // no instruction.
   figures(machine).memory_words = 34 + 32;

@@ -85,7 +85,7 @@ TEST_CASE("a frame waits for the node with the slowest pixels (hand calculation)
   CHECK(rendering(1) == before.nodes[1].of(NodeActivity::rendering) + 103);
   for (const std::size_t node : {0U, 2U, 3U})
     CHECK(rendering(node) == before.nodes[node].of(NodeActivity::rendering) - over + 101);
-  // Without recorded enables each pixel may take the maximum.
+  // If no enables are recorded each pixel may take the maximum.
   CHECK(account_of(program, machine).stages.rendering == account.stages.rendering);
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("with half-space numbers each node computes the expressions (hand calc
   CHECK(account_of(program, machine).stages.rendering == account.stages.rendering + 2 * 100 + 10 * 3 + 2 * 10 + 10 * 2);
 }
 
-TEST_CASE("an empty segment is neither pruned by nodes nor shared; only set to background") {
+TEST_CASE("an empty segment is only set to the background") {
   const Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
   program.segments[0].instructions.clear();

@@ -6,7 +6,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("writes counts and shares by name; then clocks by part and activity") {
+TEST_CASE("writes counts and shares by name before the clocks of each part") {
   const machines::Account account{.counts = {{"lines", 3}, {"packets", 12}},
                                   .shares = {{"mean_packets", 12, 3}, {"cell_utilisation", 0, 0}},
                                   .parts = {{"host", {{"working", 5}, {"done", 2}}}, {"renderer 0", {{"working", 7}}}}};

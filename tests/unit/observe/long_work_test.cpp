@@ -24,7 +24,7 @@ double processor_time() {
 using MakeEngine = std::unique_ptr<engine::Engine> (*)(const machines::Machine&);
 
 /// Estimated total after a quarter of a real run, as a fraction of its actual duration. The run is scaled to four
-/// seconds, the first of which is waited for, however fast this computer is.
+/// seconds, and the first of these is waited for, however fast this computer is.
 double estimate_ratio(const std::string& trace, const std::string& machine_name, MakeEngine make) {
   const isa::Program program = isa::load_program(std::string(CSGSIM_SOURCE_DIR) + "/traces/" + trace + ".csgt");
   machines::Machine machine = kinds::load(machine_name);

@@ -69,15 +69,15 @@ TEST_CASE("a run of more than a second prints progress and erases it at its end"
   std::this_thread::sleep_for(std::chrono::milliseconds(1050));
   const Clock::time_point begin = Clock::now();
   carry_out(*observer, 89, skips_100, 1);
-  std::string told = standard_error.text();
-  CHECK(told.starts_with("\r\x1b[K 18.0 %  64 of 356 clocks  "));
-  CHECK(told.find(" clocks/s  ") != std::string::npos);
-  CHECK(told.ends_with(" s left"));
+  std::string printed = standard_error.text();
+  CHECK(printed.starts_with("\r\x1b[K 18.0 %  64 of 356 clocks  "));
+  CHECK(printed.find(" clocks/s  ") != std::string::npos);
+  CHECK(printed.ends_with(" s left"));
   carry_out(*observer, 64, plain, 1);
-  if (Clock::now() - begin < std::chrono::milliseconds(250)) CHECK(standard_error.text() == told);
-  told = standard_error.text();
+  if (Clock::now() - begin < std::chrono::milliseconds(250)) CHECK(standard_error.text() == printed);
+  printed = standard_error.text();
   observer.reset();
-  CHECK(standard_error.text() == told + "\r\x1b[K");
+  CHECK(standard_error.text() == printed + "\r\x1b[K");
 }
 
 TEST_CASE("skipped instructions reduce the remaining clocks") {

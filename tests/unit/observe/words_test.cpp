@@ -33,14 +33,14 @@ class Ledger : public engine::Observer {
     if (origin.effect != isa::no_effect && origin.effect > 0) {
       effects[facts_.compile.effects[origin.effect]] += step.clocks;
     } else if (origin.primitive == isa::no_primitive) {
-      nobody += step.clocks;
+      unattributed += step.clocks;
     } else {
       primitives[isa::primitive_of(facts_, origin.primitive)] += step.clocks;
     }
   }
 
   std::uint64_t all = 0;
-  std::uint64_t nobody = 0;
+  std::uint64_t unattributed = 0;
   std::map<std::uint32_t, std::uint64_t> primitives;
   std::map<std::string, std::uint64_t> effects;
 
@@ -81,7 +81,7 @@ std::uint64_t activity(const engine::RunResult& result, const char* name) {
 
 }  // namespace
 
-TEST_CASE("primitives; effects and the rest add up to all clocks of a frame") {
+TEST_CASE("primitives and effects and the rest add up to all clocks of a frame") {
   for (const std::string& machine : all_machines) {
     for (const std::string model : {"thesis_fig_2_3", "old_example011", "carburettor"}) {
       CAPTURE(machine);
@@ -96,7 +96,7 @@ TEST_CASE("primitives; effects and the rest add up to all clocks of a frame") {
       CHECK(shares.effects.empty());
       CHECK(sum == shares.whole);
       CHECK(shares.whole == drawn.ledger.all + drawn.result.latency_clocks);
-      CHECK(shares.rest == drawn.ledger.nobody + drawn.result.latency_clocks);
+      CHECK(shares.rest == drawn.ledger.unattributed + drawn.result.latency_clocks);
       CHECK(shares.dearest.size() + shares.other_primitives == drawn.ledger.primitives.size());
       if (machine == "pixel-planes-4") {
         CHECK(shares.whole + activity(drawn.result, "clearing") + activity(drawn.result, "starved") +

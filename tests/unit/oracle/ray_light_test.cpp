@@ -33,7 +33,7 @@ TEST_CASE("without lights a face gets 0.3 ambient and 0.7 times the default ligh
   CHECK(is_near(middle_of(wall, {}), part * yellow));
 }
 
-TEST_CASE("walls of a subtracted solid are green or of its own colour") {
+TEST_CASE("walls of a subtracted solid are green or in its colour") {
   const std::string cut = box({-1, 4, -1}, {1, 5.5, 1});
   const double part = 0.3 + 0.7 * 0.75 / std::sqrt(1.0057);
   CHECK(is_near(middle_of("difference(){" + wall + cut + "}", {}), part * green));
@@ -41,7 +41,7 @@ TEST_CASE("walls of a subtracted solid are green or of its own colour") {
   CHECK(is_near(middle_of("difference(){" + wall + blue + "}", {}), glm::dvec3(0, 0, part)));
 }
 
-TEST_CASE("a light adds its colour times the cosine; nothing behind a face") {
+TEST_CASE("a light adds its colour times the cosine but nothing behind a face") {
   scene::Light light = testing::shining({3, 4, 0});
   light.colour = {1, 0.5, 0};
   light.intensity = 0.5;

@@ -131,7 +131,7 @@ TEST_CASE("a mirrored point is shadowed at its place and faded by the whole path
   CHECK(is_near(stage.at(-1, 1).colour, 0.3 * red));
   CHECK(is_near(stage.at(-1, 0).colour, lit * red));
 
-  // At x = -1 the mirror is at y = 1, 6 away from the cube.
+  // The mirror at x = -1 is at y = 1, 6 away from the cube.
   const double eye_to_origin = stage.at(-1, 1).depth - 1.0;
   effects.cue = testing::RayCue{eye_to_origin + 5, eye_to_origin + 13, {0, 0, 1}};
   effects.has_shadows = false;

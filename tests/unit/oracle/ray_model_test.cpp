@@ -78,7 +78,7 @@ TEST_CASE("among coincident fronts the first in tree order is the surface") {
   CHECK(along_y("difference(){union(){" + slab(3, 9) + slab(1, 9) + "}" + slab(0, 3) + "}") == Found{{0, 3.0}});
 }
 
-TEST_CASE("a surface within the gap of another plane is in doubt; so is all behind it") {
+TEST_CASE("a surface within the gap of another plane is in doubt and so is all behind it") {
   const testing::Stage stage("union(){" + slab(1, 2) + slab(1.001, 3) + slab(5, 6) + "}");
   const testing::RayModel model(stage.tree, stage.facets);
   const testing::Ray ray{{0, 0, 0}, {0, 1, 0}};

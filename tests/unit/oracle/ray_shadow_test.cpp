@@ -117,7 +117,7 @@ TEST_CASE("a point light's shadow grows with distance and its edge is in doubt")
   CHECK_FALSE(stage.at(-1, 3).is_certain);
 }
 
-TEST_CASE("the shadow of a sheet thinner than the gap is in doubt; so is glass under it") {
+TEST_CASE("the shadow of a sheet thinner than the gap is in doubt") {
   const std::string sheet = box({-1.5, 0, -1.5}, {1.5, 0.001, 1.5});
   const std::string behind = box({-11.5, 9, -11.5}, {11.5, 10, 11.5});
   Stage stage("union(){" + wall + sheet + behind + "}", lit_by(slanted));
@@ -142,7 +142,7 @@ TEST_CASE("at grazing light a shadow's edge is in doubt as far as the gap shifts
   CHECK(stage.at(9, 0).is_certain);
   CHECK_FALSE(is_dark(11));
   CHECK(stage.at(11, 0).is_certain);
-  stage.cast(shadows(), {0.01, 0.06});  // by 1.2 pixels
+  stage.cast(shadows(), {0.01, 0.06});  // moves it by 1.2 pixels
   CHECK(stage.at(8, 0).is_certain);
   CHECK_FALSE(stage.at(9, 0).is_certain);
   CHECK_FALSE(stage.at(11, 0).is_certain);

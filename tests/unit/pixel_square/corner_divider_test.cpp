@@ -51,7 +51,7 @@ std::uint64_t clocks_of(const division::Counts& counts, bool from_list = false) 
          5 * counts.cells + 7 * counts.nodes;
 }
 
-/// For a group half-spaces are read and tested again, in 3 clocks, to compare them with leaders; the rest is listed.
+/// Half-spaces of a group are read and tested again, in 3 clocks, to compare them with leaders; the rest is listed.
 std::uint64_t clocks_of_group(const division::Counts& counts, std::uint64_t listed) {
   return 7 * counts.boxes + 3 * counts.halfspaces + 2 * counts.lists + (5 + 3) * counts.cells + listed;
 }
@@ -61,7 +61,7 @@ std::uint64_t tree_clocks(const division::DisplayModel& model) { return 7 * mode
 /// Four squares of 8 x 8; the FIFO of the model has room for all of it.
 struct Board {
   explicit Board(std::uint32_t levels, std::uint32_t group_side = 2, std::uint32_t list_entries = 100)
-      : Board(machine_of(levels, group_side, list_entries)) {}
+      : Board(make_machine(levels, group_side, list_entries)) {}
 
   explicit Board(const machines::Machine& described)
       : machine(described),
@@ -87,7 +87,7 @@ struct Board {
   Board(const Board&) = delete;
   Board& operator=(const Board&) = delete;
 
-  static machines::Machine machine_of(std::uint32_t levels, std::uint32_t group_side, std::uint32_t list_entries) {
+  static machines::Machine make_machine(std::uint32_t levels, std::uint32_t group_side, std::uint32_t list_entries) {
     machines::Machine machine = testing::square_machine(figures(levels, group_side, list_entries));
     machine.array = {8, 8, 16};
     machine.picture = {16, 16};

@@ -23,17 +23,17 @@ struct Board {
       : Board(pixel_square::Figures{.renderers = renderers, .port_bits = port_bits}) {}
 
   explicit Board(const pixel_square::Figures& figures, std::uint64_t clock_hz = 10'000'000)
-      : bench(machine_of(figures, clock_hz)),
+      : bench(make_machine(figures, clock_hz)),
         colours("colours", figures.renderers,
                 [](const char* name, std::size_t) { return new sc_core::sc_fifo<PortWord>(name, 100); }),
-        buffer("buffer", machine_of(figures, clock_hz)) {
+        buffer("buffer", make_machine(figures, clock_hz)) {
     buffer.clock(bench.clock);
     buffer.colours(colours);
     buffer.clears[0](clears);
     buffer.frames(frames);
   }
 
-  static machines::Machine machine_of(const pixel_square::Figures& figures, std::uint64_t clock_hz) {
+  static machines::Machine make_machine(const pixel_square::Figures& figures, std::uint64_t clock_hz) {
     machines::Machine machine = testing::square_machine(figures);
     machine.clock_hz = clock_hz;
     return machine;
@@ -73,7 +73,7 @@ struct Board {
 
 }  // namespace
 
-TEST_CASE("a square is in the picture after as many clocks as it has words") {
+TEST_CASE("a square is in the picture one clock per word later") {
   // Eight words of header, and two for the 12 bits of four colours; a word is readable from the edge after its write.
   Board board(1);
   board.begin(1);
@@ -107,7 +107,7 @@ TEST_CASE("renderers take turns word by word; an idle renderer is skipped") {
 TEST_CASE("a cleared square is charged the words of its colours in alternating turns") {
   // The square's ten words alternate with the other's eight words of header and two of background. The renderer's port
   // is first: its ninth word is the 17th, with two colours and two zeros of the third. The 18th is the first word of
-  // background, with as many.
+  // background, with the same number.
   Board board(1);
   board.begin(2, 4);
   board.send(0, {2, 0, 2, 2}, {1, 2, 4, 3});

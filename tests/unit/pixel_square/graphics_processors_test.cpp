@@ -19,7 +19,7 @@ constexpr int square_words = 3;
 
 struct Board {
   Board(std::uint32_t processors, std::uint32_t renderers, std::uint32_t latency = 0, std::uint32_t ring_bits = wide)
-      : machine(machine_of(processors, renderers, latency, ring_bits)),
+      : machine(make_machine(processors, renderers, latency, ring_bits)),
         bench(machine),
         words("words", processors,
               [](const char* name, std::size_t) { return new sc_core::sc_fifo<RingWord>(name, depth); }),
@@ -34,8 +34,8 @@ struct Board {
     retirement.begin(listener);
   }
 
-  static machines::Machine machine_of(std::uint32_t processors, std::uint32_t renderers, std::uint32_t latency,
-                                      std::uint32_t ring_bits) {
+  static machines::Machine make_machine(std::uint32_t processors, std::uint32_t renderers, std::uint32_t latency,
+                                        std::uint32_t ring_bits) {
     return testing::square_machine({.renderers = renderers,
                                     .port_fifo_depth = static_cast<std::uint32_t>(depth),
                                     .divider = pixel_square::DividerKind::processors,

@@ -22,7 +22,7 @@ constexpr std::uint32_t link_width = 256;
 constexpr std::uint32_t clear_clocks = 5;
 constexpr std::uint64_t drawn_at = 17;
 
-// In words of 8 bits the header takes eight, and six colours of 4 bits take three.
+// The header in words of 8 bits takes eight, and six colours of 4 bits take three.
 constexpr std::uint32_t port_bits = 8;
 constexpr std::uint64_t square_words = 8 + 3;
 
@@ -52,7 +52,7 @@ struct Board {
       : Board({.buffers = buffers, .move_bits = move_bits, .port_bits = port_bits}, port_depth) {}
 
   Board(const pixel_square::Figures& figures, int port_depth)
-      : machine(machine_of(figures)), bench(machine), colours("colours", port_depth), renderer("renderer", machine) {
+      : machine(make_machine(figures)), bench(machine), colours("colours", port_depth), renderer("renderer", machine) {
     renderer.clock(bench.clock);
     renderer.link(link);
     renderer.colours(colours);
@@ -63,7 +63,7 @@ struct Board {
     renderer.begin(colour, names);
   }
 
-  static machines::Machine machine_of(const pixel_square::Figures& figures) {
+  static machines::Machine make_machine(const pixel_square::Figures& figures) {
     machines::Machine machine = testing::square_machine(figures);
     machine.array = {4, 2, 8};
     machine.clear_clocks = clear_clocks;
@@ -154,7 +154,7 @@ TEST_CASE("with no pixel enabled the skipped instructions are dropped a word per
   CHECK(board.renderer.account(20).of(SquareActivity::working) == clear_clocks + 4 + 4);
 }
 
-TEST_CASE("an enabled pixel answers the question; so all instructions execute") {
+TEST_CASE("an enabled pixel answers the question and all instructions execute") {
   const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
   Board board(2, 0, 100);
   board.send({enable_all, question, ramp});
@@ -233,7 +233,7 @@ TEST_CASE("without a second buffer the latch refills while a row leaves") {
 }
 
 TEST_CASE("a slow row latch delays the row's words and not the header") {
-  // With a port of 64 bits the header is one word, at 18, and all colours are one more: it needs both rows, the first
+  // A port of 64 bits: the header is one word, at 18, and all colours are one more: it needs both rows, the first
   // latched at 18 to 21 and transferred at 22, the second at 22 to 25 and transferred at 26.
   Board board({.buffers = 1, .latch_bits = 1, .port_bits = 64}, 100);
   board.send({enable_all, ramp});
@@ -252,7 +252,7 @@ TEST_CASE("the next square is drawn while one leaves and waits for its last word
   board.send({enable_all, two});
   board.bench.edges(drawn_at + 100);
   CHECK(board.finished.read() == 1);
-  CHECK(board.renderer.pixels().memory_bit(colour.base + 1U, 2, 1));  // of the second square
+  CHECK(board.renderer.pixels().memory_bit(colour.base + 1U, 2, 1));  // belongs to the second square
   std::vector<PortWord> words;
   while (words.size() + 1 < square_words) {
     CHECK(board.finished.read() == 1);
@@ -276,7 +276,7 @@ TEST_CASE("the next square is drawn while one leaves and waits for its last word
 
 namespace {
 
-/// With a port of 64 bits the square has two words; they leave at the edges after the one at which it is finished,
+/// A port of 64 bits: the square has two words; they leave at the edges after the one at which it is finished,
 /// without waiting for a row.
 void check_unlatched(pixel_square::Figures figures) {
   figures.port_bits = 64;

@@ -88,7 +88,7 @@ TEST_CASE("the ring delivers a word per source in the last of the word's clocks"
   CHECK(account.full_clocks == 6);  // the frame buffer took one through each bank
 }
 
-TEST_CASE("a renderer takes one word per clock and the frame buffer one per bank; in turn") {
+TEST_CASE("a renderer takes one word per clock and the frame buffer one per bank") {
   Board board({.renderers = 3, .banks = 2, .processors = 2});
   board.ring.begin();
   board.offer(0, 0, 3);
@@ -107,7 +107,7 @@ TEST_CASE("a renderer takes one word per clock and the frame buffer one per bank
   check({0, 2, 0, 0, 1});  // order from processor 1 on: processor 1, renderers 0 and 1
 }
 
-TEST_CASE("serves as many sources as there are channels and then their successors") {
+TEST_CASE("serves one source per channel and continues with their successors") {
   Board board({.renderers = 3, .banks = 9, .processors = 1, .ring_channels = 2});
   board.ring.begin();
   for (std::size_t i = 0; i < 3; ++i) board.offer_colours(i, 2);

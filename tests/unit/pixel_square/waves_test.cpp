@@ -64,8 +64,8 @@ struct Board {
   }
 
   std::uint64_t run() {
-    systemc::RunListener nobody;
-    return hardware->run(program, nobody).clocks;
+    systemc::RunListener no_listener;
+    return hardware->run(program, no_listener).clocks;
   }
 
   /// Returns a tap's values in the first clocks as runs with their lengths: `2 idle, 6 drawing`.
@@ -184,7 +184,6 @@ TEST_CASE("waves of a host-divided machine show the host's words and the parts t
                                                         "frame_buffer.refreshed_row"});
   // Clocks 0 and 1 are the link's latency. Four words of commands leave with the edges that start clocks 2 to 5, two of
   // header with the next two; each is taken a clock later. The third word of background is stored with clock 9.
-  // header with the next two; each is taken one later. The third word of background is stored with clock 9.
   constexpr std::uint64_t clocks = 19;
   CHECK(board.run() == clocks);
   CHECK(board.shown("host.state") == "2 waiting_for_host, 6 sending, 10 done");
@@ -194,8 +193,6 @@ TEST_CASE("waves of a host-divided machine show the host's words and the parts t
   // Control words of clocks 3, 4 and 5 clear the memory, and the receiver can take instructions with the last of these.
   // The first instruction is issued with clock 6, the other with 7 to 10, and the end with 11; the end arrives two
   // levels later, at the edge that starts clock 14. The receiver holds a command until it executes.
-  // can come. The first is put with clock 6, the other with 7 to 10, and the end with 11: it is there two levels
-  // later, at the edge that begins clock 14. The receiver holds a command until it is obeyed.
   CHECK(board.shown("renderer_0.link_fill") == "2 0, 3 1, 2 2, 1 1, 10 0");
   CHECK(board.shown("renderer_0.state") == "3 idle, 2 clearing, 6 drawing, 3 draining, 4 idle");
   CHECK(board.shown("renderer_0.square") == "3 -, 11 0,0, 4 -");
@@ -239,7 +236,7 @@ TEST_CASE("waves of a host-divided machine show the host's words and the parts t
     again.erase(again.begin());  // the clock between the frames
     CHECK(again == one.second);
   }
-  // In the clock before it no values of the first frame remain.
+  // The clock before it shows no values of the first frame remain.
   CHECK(board.shown("host.state") == "1 -, 2 waiting_for_host, 6 sending, 10 done");
   CHECK(board.shown("frame_buffer.state") == "8 -, 3 working, 6 -, 2 working");
   CHECK(board.shown("frame_buffer.squares") == "10 0, 9 1");
@@ -257,7 +254,6 @@ TEST_CASE("a pixel's wave is that of the renderer that draws its square") {
   board.run();
   // Words of the first square leave with clocks 0, 1, 2: its instruction is issued with clock 2 and reaches the pixels
   // two levels later. The second square follows three clocks later, in the other renderer.
-  // levels later. All of the second square is three clocks later, in the other renderer.
   CHECK(board.shown("host.renderer", 7) == "3 0, 3 1, 1 -");
   CHECK(board.shown("renderer_0.controller.instruction", 9) == "2 -, 1 0, 6 -");
   CHECK(board.shown("renderer_1.controller.instruction", 9) == "5 -, 1 1, 3 -");
@@ -273,7 +269,7 @@ TEST_CASE("a pixel's wave is that of the renderer that draws its square") {
   CHECK(board.shown("renderer_1.square", 7) == "4 -, 3 2,0");
 }
 
-TEST_CASE("waves of a machine with a ring show processors; waiting words and transfers") {
+TEST_CASE("waves of a machine with a ring show processors and waiting words and transfers") {
   pixel_square::Figures figures = two_renderers;
   figures.divider = pixel_square::DividerKind::processors;
   figures.processors = 2;
@@ -290,8 +286,6 @@ TEST_CASE("waves of a machine with a ring show processors; waiting words and tra
   // SegmentStart has three words, the linear instruction of 6 + 18 + 12 + 12 bits has two, each other command one: the
   // first processor sends seven with the edges that start clocks 2 to 8, the second a header of two. The ring carries
   // words with clocks 3, 5, ..., 15; a processor is free in the clock after its last word is carried.
-  // first processor sends seven with the edges that begin clocks 2 to 8, the second a header of two. The ring carries
-  // with clocks 3, 5, ..., 15; a processor whose last word is carried is free in the clock after that.
   CHECK(board.shown("processor_0.state", 17) == "2 waiting_for_host, 7 sending, 7 waiting_for_ring, 1 done");
   CHECK(board.shown("processor_0.square", 17) == "2 -, 14 0,0, 1 -");
   CHECK(board.shown("processor_0.renderer", 17) == "2 -, 14 0, 1 -");
@@ -301,7 +295,7 @@ TEST_CASE("waves of a machine with a ring show processors; waiting words and tra
   CHECK(board.shown("processor_1.renderer", 17) == "17 -");
   CHECK(board.shown("processor_1.ring_fill", 17) == "2 0, 3 1, 12 0");
   CHECK(board.shown("ring.words", 17) == "3 0, 2 2, 2 4, 2 5, 2 6, 2 7, 2 8, 2 9");
-  // With the last of a transfer's two clocks the next word is carried; a pause follows the seventh.
+  // During the last of a transfer's two clocks the next word is carried; a pause follows the seventh.
   CHECK(board.shown("ring.state", 18) == "3 -, 14 working, 1 -");
   // The processors' ports follow those of the two renderers.
   CHECK(board.shown("frame_buffer.port", 10) == "4 -, 1 3, 1 -, 2 3, 2 -");
@@ -312,7 +306,7 @@ TEST_CASE("waves of a machine with a ring show processors; waiting words and tra
     check_number(board, name, 32);
 }
 
-TEST_CASE("waves of a dividing machine show model progress; the store and the sender") {
+TEST_CASE("waves of a dividing machine show model progress and the store and the sender") {
   const machines::Machine machine = dividing_machine(1);
   Board board(machine, slab_program(machine), {{15, 15}});
   CHECK(board.outer_names() ==
@@ -325,7 +319,6 @@ TEST_CASE("waves of a dividing machine show model progress; the store and the se
   REQUIRE(board.program.display_model.size() <= 64);
   // Two words of 256 bits; the last is taken with the edge that starts clock 4. The tree has one node, which takes nine
   // clocks to test.
-  // takes nine clocks to look at.
   CHECK(board.shown("host.state", 9) == "2 waiting_for_host, 2 sending, 5 done");
   CHECK(board.shown("host.words", 9) == "2 0, 1 1, 6 2");
   CHECK(board.shown("model.fill", 9) == "2 0, 2 1, 5 0");
@@ -339,7 +332,6 @@ TEST_CASE("waves of a dividing machine show model progress; the store and the se
   CHECK(board.changes("clears.fill") == "0 1 0");
   // SegmentStart, the instructions and SegmentEnd of the first square fill the store word by word and leave it
   // likewise. The empty second square is one word, which arrives while another leaves.
-  // That nothing is seen in the second is a word that comes while another leaves.
   const std::size_t words = board.program.segments[0].instructions.size() + 2;
   std::string fill;
   for (std::size_t i = 0; i < words; ++i) fill += std::to_string(i) + " ";

@@ -8,7 +8,7 @@ using namespace csgsim;
 
 namespace {
 
-plots::Plot chart_of(const std::string& plot, const plots::Names& names) {
+plots::Plot make_chart(const std::string& plot, const plots::Names& names) {
   plots::Chart chart{"title", {"across"}, {{"up"}}, {}, "table.csv"};
   double height = 100;
   for (const std::string& name : names) chart.series.push_back({name, 0, plots::Trace::line, {{0, --height}}});
@@ -35,7 +35,7 @@ plots::Names numbered(const std::string& stem, int count) {
 }  // namespace
 
 TEST_CASE("a series keeps its colour and its mark across plots") {
-  std::vector<plots::Plot> plots{chart_of("one", {"a", "b", "c"}), chart_of("other", {"c", "d", "a"})};
+  std::vector<plots::Plot> plots{make_chart("one", {"a", "b", "c"}), make_chart("other", {"c", "d", "a"})};
   plots::give_common_looks(plots);
   std::set<std::string_view> colours;
   for (const char* name : {"a", "c"}) {
@@ -50,7 +50,7 @@ TEST_CASE("a series keeps its colour and its mark across plots") {
 }
 
 TEST_CASE("plots with more names than colours reuse colours but never within one plot") {
-  std::vector<plots::Plot> plots{chart_of("one", numbered("a", 5)), chart_of("other", numbered("b", 7))};
+  std::vector<plots::Plot> plots{make_chart("one", numbered("a", 5)), make_chart("other", numbered("b", 7))};
   plots::give_common_looks(plots);
   for (const plots::Plot& plot : plots) {
     std::set<std::string_view> colours;
@@ -61,8 +61,8 @@ TEST_CASE("plots with more names than colours reuse colours but never within one
   }
 }
 
-TEST_CASE("an unnamed series gets a look unused by names in other plots while one is left") {
-  std::vector<plots::Plot> plots{chart_of("one", {""}), chart_of("other", {"a", "b"})};
+TEST_CASE("an unnamed series gets a look unused by names in other plots if possible") {
+  std::vector<plots::Plot> plots{make_chart("one", {""}), make_chart("other", {"a", "b"})};
   plots::give_common_looks(plots);
   CHECK(look_in(plots[1], "a").colour == plots::palette::looks[0].colour);
   CHECK(look_in(plots[0], "").colour == plots::palette::looks[2].colour);
@@ -70,7 +70,7 @@ TEST_CASE("an unnamed series gets a look unused by names in other plots while on
 
 TEST_CASE("a key with colours chosen by another plot does not call the other series smaller") {
   plots::Names names = numbered("a", 9);
-  std::vector<plots::Plot> plots{chart_of("one", names), chart_of("other", {names.rbegin(), names.rend()})};
+  std::vector<plots::Plot> plots{make_chart("one", names), make_chart("other", {names.rbegin(), names.rend()})};
   plots::give_common_looks(plots);
   const auto last_of_key = [](const plots::Plot& plot) {
     return plots::looks_of(std::get<plots::Chart>(plot.content)).key.back().text;

@@ -30,7 +30,7 @@ Picture decoded(const std::string& file) {
 }
 
 /// Returns the bounding box of everything non-white within these columns and rows.
-plots::Box ink_of(const Picture& picture, const plots::Box& within) {
+plots::Box ink_box(const Picture& picture, const plots::Box& within) {
   plots::Box ink{1e9, 1e9, 0, 0};
   for (auto y = static_cast<unsigned>(within.top); y < static_cast<unsigned>(within.bottom); ++y) {
     for (auto x = static_cast<unsigned>(within.left); x < static_cast<unsigned>(within.right); ++x) {
@@ -42,8 +42,8 @@ plots::Box ink_of(const Picture& picture, const plots::Box& within) {
   return ink;
 }
 
-plots::Box ink_of(const Picture& picture) {
-  return ink_of(picture, {0, 0, static_cast<double>(picture.width), static_cast<double>(picture.height)});
+plots::Box ink_box(const Picture& picture) {
+  return ink_box(picture, {0, 0, static_cast<double>(picture.width), static_cast<double>(picture.height)});
 }
 
 plots::Drawing of_texts(std::vector<plots::Text> texts) {
@@ -132,8 +132,8 @@ TEST_CASE("a text's ink is within the box reserved for it") {
       for (const plots::Text& text : texts) {
         CAPTURE(text.text);
         const plots::Box ink =
-            ink_of(picture, upright ? plots::Box{text.at.x - band / 2, 0, text.at.x + band / 2, 600}
-                                    : plots::Box{0, text.at.y - band / 2, 600, text.at.y + band / 2});
+            ink_box(picture, upright ? plots::Box{text.at.x - band / 2, 0, text.at.x + band / 2, 600}
+                                     : plots::Box{0, text.at.y - band / 2, 600, text.at.y + band / 2});
         plots::Box box = plots::box_of(text);
         // An edge may fall within a pixel.
         box = {box.left - 1, box.top - 1, box.right + 1, box.bottom + 1};
@@ -147,12 +147,12 @@ TEST_CASE("a text's ink is within the box reserved for it") {
 TEST_CASE("marks and lines are drawn at their places") {
   plots::Drawing drawing{400, 300, {}, {}, {}, {}};
   drawing.marks.push_back({{100, 200}, plots::palette::Mark::square, "#000000", 9});
-  plots::Box ink = ink_of(decoded(plots::drawn_for(png, drawing).picture));
+  plots::Box ink = ink_box(decoded(plots::drawn_for(png, drawing).picture));
   CHECK(plots::is_within(ink, plots::around({100, 200}, 6.5)));
   CHECK(plots::is_within(plots::around({100, 200}, 3), ink));
   drawing.marks.clear();
   drawing.lines.push_back({{{50, 60}, {350, 60}}, "#000000"});
-  ink = ink_of(decoded(plots::drawn_for(png, drawing).picture));
+  ink = ink_box(decoded(plots::drawn_for(png, drawing).picture));
   CHECK(plots::is_within(ink, {48, 58, 352, 62}));
   CHECK(ink.right - ink.left > 298);
 }

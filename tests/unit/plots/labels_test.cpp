@@ -35,7 +35,7 @@ plots::LabelWish wish(double x, double y) { return {{x, y}, 40}; }
 
 }  // namespace
 
-TEST_CASE("labels avoid each other; marks; lines and leaders; and stay in their area") {
+TEST_CASE("labels overlap neither each other nor marks or lines and stay in their area") {
   std::mt19937 random(1);
   int leaders = 0;
   int numbers = 0;

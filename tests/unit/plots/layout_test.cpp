@@ -44,7 +44,7 @@ std::vector<std::string> with(const plots::Drawing& drawing, const std::string& 
   return found;
 }
 
-plots::Chart chart_of(std::size_t series) {
+plots::Chart make_chart(std::size_t series) {
   plots::Chart chart{"title", {"across"}, {{"up"}}, {}, "table.csv"};
   for (std::size_t i = 0; i < series; ++i) {
     // The third series of every four is the largest.
@@ -74,17 +74,17 @@ TEST_CASE("no two texts overlap in random plots") {
 }
 
 TEST_CASE("the key names the largest series and counts the others with their table") {
-  const plots::Drawing drawing = plots::laid_out(chart_of(20));
+  const plots::Drawing drawing = plots::laid_out(make_chart(20));
   CHECK(with(drawing, "series ").size() == plots::palette::most_series);
   for (const char* name :
        {"series 2", "series 6", "series 10", "series 14", "series 18", "series 19", "series 17", "series 16"})
     CHECK(with(drawing, name).size() == 1);
   CHECK(with(drawing, "12 more") == std::vector<std::string>{"12 more, with smaller values: table.csv"});
-  CHECK(with(plots::laid_out(chart_of(8)), "more").empty());
+  CHECK(with(plots::laid_out(make_chart(8)), "more").empty());
 }
 
 TEST_CASE("series in the key have distinct colours and the others are grey") {
-  const plots::Drawing drawing = plots::laid_out(chart_of(20));
+  const plots::Drawing drawing = plots::laid_out(make_chart(20));
   std::multiset<std::string_view> colours;
   for (const plots::Mark& mark : drawing.marks) colours.insert(mark.colour);
   for (const plots::palette::Look& look : plots::palette::looks) CHECK(colours.count(look.colour) == 3);
@@ -133,7 +133,7 @@ TEST_CASE("points are placed by their values to the right and upwards with match
   CHECK(std::ranges::any_of(fours, [&](const plots::Pixel& at) { return at.y == drawing.marks[2].at.y; }));
 }
 
-TEST_CASE("joins points by lines or by steps to the edge or by a level or not at all") {
+TEST_CASE("joins points by lines or steps or a level or not at all") {
   const auto joined = [](plots::Trace trace, bool is_backward = false) {
     plots::Chart chart{"title", {"x"}, {{"y"}}, {{"", 0, trace, {{0, 0}, {5, 10}, {10, 20}}}}, "t"};
     if (is_backward) std::ranges::reverse(chart.series.front().points);
@@ -148,7 +148,7 @@ TEST_CASE("joins points by lines or by steps to the edge or by a level or not at
   REQUIRE(steps.size() == 6);
   CHECK(steps[1] == plots::Pixel{line[1].x, line[0].y});
   CHECK(steps[2] == line[1]);
-  // To the right where x increases, to the left where it decreases.
+  // Steps go right where x increases and left where it decreases.
   CHECK(steps.back() == plots::Pixel{plots::plot_width - 30, line[2].y});
   CHECK(joined(plots::Trace::steps, true).back().x < line[0].x);
   CHECK(joined(plots::Trace::marks).empty());

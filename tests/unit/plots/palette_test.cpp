@@ -121,7 +121,7 @@ TEST_CASE("lines contrast with the paper") {
   for (const std::string_view colour : dark_page_colours()) CHECK(palette::contrast(colour, "#15181c") > 3);
 }
 
-TEST_CASE("parts of bars are distinct to every viewer; in grey; and from free space") {
+TEST_CASE("parts of bars are distinct to every viewer and in grey") {
   for (const Matrix& sight : {all_cones, no_green_cone, no_red_cone})
     CHECK(least_difference(fills_and_white(), sight) > 15);
   CHECK(least_lightness_difference(fills_and_white()) > 7);

@@ -26,7 +26,7 @@ pugi::xml_document parsed(const std::string& svg) {
 }
 
 /// Returns the child elements of a node.
-std::vector<pugi::xml_node> children_of(const pugi::xml_node& node) {
+std::vector<pugi::xml_node> child_elements(const pugi::xml_node& node) {
   std::vector<pugi::xml_node> elements;
   for (const pugi::xml_node& child : node.children()) {
     if (child.type() == pugi::node_element) elements.push_back(child);
@@ -36,7 +36,7 @@ std::vector<pugi::xml_node> children_of(const pugi::xml_node& node) {
 
 /// Returns the SVG's groups for fills, lines, marks and texts, in this order.
 std::vector<pugi::xml_node> groups_of(const pugi::xml_document& document) {
-  std::vector<pugi::xml_node> all = children_of(document.child("svg"));
+  std::vector<pugi::xml_node> all = child_elements(document.child("svg"));
   REQUIRE(all.size() == 5);
   CHECK(all.front().name() == std::string("rect"));
   return {all.begin() + 1, all.end()};
@@ -115,7 +115,7 @@ void check_all(const plots::Drawing& drawing) {
   const pugi::xml_document document = parsed(plots::svg_file(drawing));
   const std::vector<pugi::xml_node> groups = groups_of(document);
   const auto check = [](const pugi::xml_node& group, const auto& items, auto check_one) {
-    const std::vector<pugi::xml_node> nodes = children_of(group);
+    const std::vector<pugi::xml_node> nodes = child_elements(group);
     REQUIRE(nodes.size() == items.size());
     for (std::size_t i = 0; i < items.size(); ++i) {
       if constexpr (requires { items[i].tip; })
@@ -132,7 +132,7 @@ void check_all(const plots::Drawing& drawing) {
 
 }  // namespace
 
-TEST_CASE("an SVG has every fill; line; mark and text of a drawing in place and order") {
+TEST_CASE("an SVG has every element of a drawing in its place and colour and order") {
   for (const plots::Plot& plot : samples::sample_plots()) {
     CAPTURE(plot.name);
     check_all(plots::laid_out(plot));

@@ -150,7 +150,7 @@ TEST_CASE("every value is on its axis and tick texts differ") {
   }
 }
 
-TEST_CASE("equal values or none or the largest numbers get an axis with two or more ticks") {
+TEST_CASE("extreme or equal or missing values get an axis with two or more ticks") {
   using Values = std::vector<double>;
   for (const Values& values :
        {Values{}, Values{0}, Values{7, 7}, Values{-3}, Values{1e-300}, Values{1.7e308, -1.7e308}, Values{1e300}}) {

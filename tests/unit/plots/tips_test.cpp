@@ -29,7 +29,7 @@ TEST_CASE("the tip of a bar's part names the bar and the part's range") {
   const plots::Drawing drawing = plots::laid_out(bars);
   const auto count = std::ranges::count_if(
       drawing.fills, [](const plots::Fill& fill) { return fill.tip == "stack: Z2, bit 0 to 20"; });
-  CHECK(told == 1);
+  CHECK(count == 1);
 }
 
 TEST_CASE("every point and level has a tip in the drawing but samples of the key have none") {

@@ -130,7 +130,7 @@ TEST_CASE("accepts each figure of a process at its limits and no further") {
       {"wire.energy", 0, million * million},
   });
   testing::check_figure_ranges("cmos-45nm", ranges,
-                               [](const std::string& said) { return process::load_process(said); });
+                               [](const std::string& text) { return process::load_process(text); });
 }
 
 TEST_CASE("the clocks of extreme processes stay within the range of a machine description") {

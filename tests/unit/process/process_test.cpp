@@ -142,7 +142,6 @@ TEST_CASE("clock paths equal the hand-counted sums of their gates") {
   // Two adders, and a wire half as long as the longest. Of the 63 nodes of a column those of levels 1, 3 and 5 have
   // registers, 42 of them: the remaining third of the nodes saves two flip-flops of 16 transistors from the 434, so
   // 1038 um2 per pixel.
-  // registers, 42: the others' third of two flip-flops of 16 transistors is left out of 434, so 1038 um2 a pixel.
   CHECK(path(small_machine("+evaluator.register_levels=2"), one, "trees") ==
         doctest::Approx(100 + 10 * 6 + 300 * 16 * std::sqrt(1038e-6)));
   // All six levels: six adders, wires of a half, a quarter and so on; registers after 32 nodes, 16 transistors less.
@@ -184,7 +183,7 @@ TEST_CASE("a buffer's bits have one read port whatever a pixel's memory has") {
   CHECK(process::machine_mm2(two_reads, {4096, 0}, one) == doctest::Approx(pixels + shared));
 }
 
-TEST_CASE("silicon is that of pixels; buffers; controllers and FIFOs") {
+TEST_CASE("silicon includes pixels and buffers and controllers and FIFOs") {
   const Process one = round_process();
   const machines::Machine machine = small_machine();
   const machines::Resources pixels{4096, 4096 * 64};

@@ -12,7 +12,7 @@ struct Extent {
   glm::dvec3 high{-1e300};
 };
 
-/// Extent of the solids that resize() makes of its children.
+/// Extent of the solids that resize() returns for its children.
 Extent resized(std::string_view arguments, std::string_view children) {
   Extent extent;
   for (const auto& primitive :

@@ -66,7 +66,7 @@ TEST_CASE("applies transforms outside and inside an extrusion") {
   CHECK(high == 4);
 }
 
-TEST_CASE("a hull; a sum and an extrusion take the outer colour") {
+TEST_CASE("hulls and sums and extrusions take the outer colour") {
   const Tree tree = read("color([1, 0, 0, 1]) { hull() { color([0, 1, 0, 1]) { cube(1); } sphere(r = 1); } }");
   REQUIRE(tree.primitives.size() == 1);
   REQUIRE(tree.primitives[0].colour);

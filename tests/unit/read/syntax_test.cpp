@@ -46,7 +46,7 @@ TEST_CASE("reads numbers in every style to the nearest double") {
   CHECK(size_of("0." + std::string(400, '0') + "1e401").x == 1.0);
 }
 
-TEST_CASE("a number too small for a double is zero; so the solid is empty") {
+TEST_CASE("a number too small for a double is zero and empties the solid") {
   CHECK(outline(read("cube([1e-400, 1, 1]);")) == "nothing");
   CHECK(outline(read("cube([1e-99999999999999999999, 1, 1]);")) == "nothing");
   CHECK(outline(read("cube([0e99999999999999999999, 1, 1]);")) == "nothing");

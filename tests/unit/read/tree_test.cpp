@@ -8,7 +8,7 @@ using namespace csgsim::model;
 using namespace csgsim::read_test;
 using csgsim::read_test::read;
 
-TEST_CASE("groups; unions; renders and the file itself are unions") {
+TEST_CASE("groups and renders and the file itself are unions") {
   for (const char* node : {"group()", "union()", "render(convexity = 1)"}) {
     CHECK(outline(read(std::string("difference() { cube(9); ") + node + " { cube(1); sphere(r = 1); } }")) ==
           "difference(cube, union(cube, sphere))");

@@ -66,7 +66,7 @@ TEST_CASE("rejects shapes with too many crossing sides before combining them") {
   CHECK(read_within(crossing_polygon(100)).primitives.size() > 100);
 }
 
-TEST_CASE("reports the work limit of Booleans; hulls; sums and meshes at their node") {
+TEST_CASE("reports the work limit of 2-D and 3-D operations at their node") {
   const std::string areas = "circle($fn = 100, $fa = 12, $fs = 2, r = 2); square(size = [3, 3], center = true);";
   const std::string solids = "sphere($fn = 30, $fa = 12, $fs = 2, r = 2); cube(size = [3, 3, 3], center = true);";
   CHECK(refusal("union() {\n  difference() {" + areas + "}\n}", 10'000).find("m.csg:2:3: ") == 0);

@@ -119,8 +119,8 @@ TEST_CASE("a thinned drawing keeps every n-th step from the first and the last s
     CAPTURE(bytes);
     const report::Drawing few = report::record_drawing(model.program, machine, {10, 2000, bytes, 512});
     std::size_t stride = 1;
-    const std::size_t told = few.told.find("One in ");
-    if (told != std::string::npos) stride = std::stoul(few.told.substr(told + 7));
+    const std::size_t place = few.told.find("One in ");
+    if (place != std::string::npos) stride = std::stoul(few.told.substr(place + 7));
     strides.insert(stride);
     std::vector<std::uint64_t> expected;
     for (std::size_t i = 0; i < all.steps.size(); ++i) {
@@ -133,7 +133,7 @@ TEST_CASE("a thinned drawing keeps every n-th step from the first and the last s
   CHECK(strides.size() >= 3);
 }
 
-TEST_CASE("a large picture shows every second pixel and row and says so") {
+TEST_CASE("a large picture shows every second pixel and row with a note") {
   const testing::Compiled model = testing::bitten_cube();
   const machines::Machine machine = testing::machine_of(model.program.shape);
   const report::Drawing drawing = report::record_drawing(model.program, machine, {2000, 2000, 700'000, 20});

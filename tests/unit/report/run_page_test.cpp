@@ -45,9 +45,9 @@ TEST_CASE("a run's page shows the stats in words and the most expensive primitiv
                       {"pieces", 1},
                       {"halfspaces", 6}}};
   file["configuration"] = {{"view", {{"camera", "a b"}}}};
-  const std::string told = page();
+  const std::string html = page();
   for (const std::string part :
        {"The controller &lt;bounds&gt; it.", "Turn this.", "data-at=\"/dearest/0/halfspaces\">6<",
         "data-at=\"/configuration/view/camera\">a b<", "data-at=\"/accuracy/wrong\">3<"})
-    CHECK(told.find(part) != std::string::npos);
+    CHECK(html.find(part) != std::string::npos);
 }

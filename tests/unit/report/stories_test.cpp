@@ -87,25 +87,25 @@ TEST_CASE("a page holds csgsim explain's text with the first step after each eve
   }
 }
 
-TEST_CASE("a pixel has one story; pixels; bytes and instructions limit the stories") {
+TEST_CASE("a pixel has one story and stories end at the limits") {
   const isa::Program program = testing::bitten_cube().program;
   const machines::Machine machine = testing::machine_of(program.shape);
   const report::Drawing drawing = report::record_drawing(program, machine);
   const std::vector<std::size_t> pixels = pixels_in(program);
-  const auto told = [&](const std::vector<std::size_t>& asked, const report::StoryLimits& limits) {
+  const auto with_limits = [&](const std::vector<std::size_t>& requested, const report::StoryLimits& limits) {
     report::Drawing with_stories = drawing;
-    report::add_stories({program}, machine, asked, with_stories, limits);
+    report::add_stories({program}, machine, requested, with_stories, limits);
     return with_stories;
   };
-  CHECK(told({5, 5, 6, 5}, {}).stories.size() == 2);
-  CHECK(told(pixels, {.pixels = 3}).stories.size() == 3);
+  CHECK(with_limits({5, 5, 6, 5}, {}).stories.size() == 2);
+  CHECK(with_limits(pixels, {.pixels = 3}).stories.size() == 3);
   const std::uint64_t count = program.segments.front().instructions.size();
-  CHECK(told(pixels, {.instructions = 4 * count}).stories.size() == 4);
+  CHECK(with_limits(pixels, {.instructions = 4 * count}).stories.size() == 4);
   for (const std::size_t most : {std::size_t{5'000}, std::size_t{20'000}}) {
-    const report::Drawing some = told(pixels, {.bytes = most});
-    const report::Drawing one_more = told(pixels, {.pixels = some.stories.size() + 1});
+    const report::Drawing some = with_limits(pixels, {.bytes = most});
+    const report::Drawing one_more = with_limits(pixels, {.pixels = some.stories.size() + 1});
     CHECK(bytes_of(some) <= most);
     CHECK(bytes_of(one_more) > most);
   }
-  CHECK(told(pixels, {.bytes = 0}).stories.size() == 1);
+  CHECK(with_limits(pixels, {.bytes = 0}).stories.size() == 1);
 }

@@ -25,7 +25,7 @@ std::string refusal(const std::string& machine) {
   return testing::error_of([&] { rtl::parameters_of(kinds::load(machine)); });
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> split_lines(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
@@ -33,7 +33,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 /// Returns a word from hexadecimal digits.
-isa::LinkWord word_of(const std::string& digits) {
+isa::LinkWord parse_word(const std::string& digits) {
   isa::LinkWord word;
   for (std::size_t i = 0; i < digits.size(); ++i)
     word.put(static_cast<unsigned>(4 * (digits.size() - 1 - i)), 4, std::stoul(digits.substr(i, 1), nullptr, 16));
@@ -74,8 +74,8 @@ TEST_CASE("a Program's memory files hold its commands and the start of each inst
     const isa::Program program = *test::arbitrary_program(shape, 12);
     const unsigned width = *rc::gen::inRange(1U, 257U);
     const rtl::ProgramMemory memory = rtl::program_memory(program, width);
-    const std::vector<std::string> words = lines_of(memory.words);
-    const std::vector<std::string> begins = lines_of(memory.begins);
+    const std::vector<std::string> words = split_lines(memory.words);
+    const std::vector<std::string> begins = split_lines(memory.begins);
     RC_ASSERT(words.size() == memory.word_count);
     RC_ASSERT(begins.size() == memory.begin_count);
     isa::WireDecoder decoder(width);
@@ -83,7 +83,7 @@ TEST_CASE("a Program's memory files hold its commands and the start of each inst
     std::vector<std::size_t> first_words{0};  // after each instruction
     for (const std::string& word : words) {
       RC_ASSERT(word.size() == (width + 3) / 4);
-      const auto command = decoder.take(word_of(word));
+      const auto command = decoder.take(parse_word(word));
       if (!command || !std::holds_alternative<isa::Instruction>(*command)) continue;
       instructions.push_back(std::get<isa::Instruction>(*command));
       first_words.push_back(static_cast<std::size_t>(&word - words.data()) + 1);

@@ -32,7 +32,7 @@ isa::Program enabling(std::uint16_t colour_bits) {
   return program;
 }
 
-std::string file_of(const Files& files, std::string_view path) {
+std::string find_file(const Files& files, std::string_view path) {
   const auto found = std::ranges::find(files, path, &rtl::DesignFile::path);
   REQUIRE(found != files.end());
   return found->content;
@@ -87,15 +87,15 @@ TEST_CASE("a design has the modules of hw/rtl and files to draw or to be fed ove
             return file.path.starts_with("rtl/");
           })) == rtl::verilog_files().size());
     for (const rtl::EmbeddedFile& file : rtl::verilog_files())
-      CHECK(file_of(files, "rtl/" + std::string(file.name)) == file.text);
-    CHECK(has(file_of(files, "rtl/pixel_planes.v"), "module pixel_planes"));
+      CHECK(find_file(files, "rtl/" + std::string(file.name)) == file.text);
+    CHECK(has(find_file(files, "rtl/pixel_planes.v"), "module pixel_planes"));
   }
 }
 
 TEST_CASE("a design's machine has one line per parameter with its figure") {
   const isa::Program program = enabling(24);
   for (const isa::Program* const shown : std::initializer_list<const isa::Program*>{&program, nullptr}) {
-    const std::string system = file_of(rtl::design_files(small_machine(), shown), "system.v");
+    const std::string system = find_file(rtl::design_files(small_machine(), shown), "system.v");
     CHECK(has(system, instance_parameters));
     CHECK(has(system, "output wire [48-1:0] video,"));  // two pixels of 24 bits
   }
@@ -106,10 +106,10 @@ TEST_CASE("a Program's memory in a design has the hand-calculated words") {
   // FrameEnd, 63, with base 0 from bit 6 and width 24 from bit 18 on.
   const isa::Program program = enabling(24);
   const Files files = rtl::design_files(small_machine(), &program);
-  CHECK(file_of(files, "program.hex") == "0000003d\n02000200\n00000000\n00000000\n0060003f\n");
+  CHECK(find_file(files, "program.hex") == "0000003d\n02000200\n00000000\n00000000\n0060003f\n");
   // The first instruction starts after the frame command; its successor starts when it has been taken.
-  CHECK(file_of(files, "begins.hex") == "0\n4\n");
-  CHECK(has(file_of(files, "system.v"), ".LINK(32), .WORDS(5), .INSTRUCTIONS(1),"));
+  CHECK(find_file(files, "begins.hex") == "0\n4\n");
+  CHECK(has(find_file(files, "system.v"), ".LINK(32), .WORDS(5), .INSTRUCTIONS(1),"));
 }
 
 TEST_CASE("instruction starts have the fewest digits that hold the number of words") {
@@ -140,7 +140,7 @@ TEST_CASE("a board needs a serial line only in a design without a Program") {
   const isa::Program program = enabling(24);
   const Files drawn = rtl::design_files(small_machine(), &program);
   const Files bare = rtl::design_files(small_machine(), nullptr);
-  const auto text = [](const Files& files, std::string_view path) { return file_of(files, path); };
+  const auto text = [](const Files& files, std::string_view path) { return find_file(files, path); };
   CHECK(has(text(bare, "board.v"),
             "  input wire clk,\n"
             "  input wire from_computer,  // the host's serial line\n"
@@ -164,27 +164,27 @@ TEST_CASE("a design's files describe it and build it") {
   const Files drawn = rtl::design_files(machine, &program);
   const Files bare = rtl::design_files(machine, nullptr);
   const std::string title = "# " + machine.name + " in Verilog\n\n8 x 8 pixels, ";
-  CHECK(file_of(drawn, "README.md").starts_with(title + "with a Program in memory."));
-  CHECK(file_of(bare, "README.md").starts_with(title + "fed over a serial line."));
+  CHECK(find_file(drawn, "README.md").starts_with(title + "with a Program in memory."));
+  CHECK(find_file(bare, "README.md").starts_with(title + "fed over a serial line."));
   for (const Files& files : {drawn, bare}) {
-    CHECK(has(file_of(files, "README.md"), "## What fits\n\n| figures | part | pixels |"));
-    CHECK(file_of(files, "Makefile").starts_with("# The design of " + machine.name + ", 8 x 8 pixels."));
+    CHECK(has(find_file(files, "README.md"), "## What fits\n\n| figures | part | pixels |"));
+    CHECK(find_file(files, "Makefile").starts_with("# The design of " + machine.name + ", 8 x 8 pixels."));
   }
-  CHECK(file_of(drawn, "system.v").starts_with("// " + machine.name + ", with a Program in the host's memory.\n"));
-  CHECK(file_of(bare, "system.v").starts_with("// " + machine.name + ", whose host is at the other end"));
-  CHECK(has(file_of(bare, "system.v"), "  wire [32-1:0] word;\n"));
-  CHECK(has(file_of(drawn, "system.v"), "  wire [32-1:0] word;\n"));
-  CHECK(has(file_of(drawn, "Makefile"), "\nicarus: icarus.png\n"));
-  CHECK(has(file_of(bare, "Makefile"), "\nicarus verilator waves:\n"));
+  CHECK(find_file(drawn, "system.v").starts_with("// " + machine.name + ", with a Program in the host's memory.\n"));
+  CHECK(find_file(bare, "system.v").starts_with("// " + machine.name + ", whose host is at the other end"));
+  CHECK(has(find_file(bare, "system.v"), "  wire [32-1:0] word;\n"));
+  CHECK(has(find_file(drawn, "system.v"), "  wire [32-1:0] word;\n"));
+  CHECK(has(find_file(drawn, "Makefile"), "\nicarus: icarus.png\n"));
+  CHECK(has(find_file(bare, "Makefile"), "\nicarus verilator waves:\n"));
 }
 
 TEST_CASE("shows pictures of one and two colour bits in which red or blue have none") {
   const isa::Program one = enabling(1);
-  const std::string board = file_of(rtl::design_files(small_machine(), &one), "board.v");
+  const std::string board = find_file(rtl::design_files(small_machine(), &one), "board.v");
   CHECK(has(board, "  assign video[2:0] = {1'd0, colours[0:0], 1'd0};\n"));
   CHECK(has(board, "  assign video[5:3] = {1'd0, colours[1:1], 1'd0};\n"));
   const isa::Program two = enabling(2);
-  CHECK(has(file_of(rtl::design_files(small_machine(), &two), "board.v"),
+  CHECK(has(find_file(rtl::design_files(small_machine(), &two), "board.v"),
             "  assign video[2:0] = {colours[1:1], colours[0:0], 1'd0};\n"));
 }
 

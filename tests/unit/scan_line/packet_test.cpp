@@ -143,7 +143,7 @@ TEST_CASE("misaligned operands are shifted word by word; the ALU takes its width
       // The sign of F is its highest bit.
       {{.opcode = Opcode::edge_negative, .linear = fine}, {32, 1, 1, 1}, 2},
       {{.opcode = Opcode::stripe, .linear = fine}, {32, 1, 1, 1}, 2},
-      // F + t has as many bits as t; only those bits of F are needed.
+      // F + t has the bits of t; only those bits of F are needed.
       {{.opcode = Opcode::linear_plus, .fields = {Field{0, 8}}, .linear = fine}, {32, 1, 4, 8}, 1 + 1 + 2},
       // Shifted to the place of the first field; two or three words are read one after the other.
       {{.opcode = Opcode::field_lt, .fields = {low, across}}, {32, 1, 32, 32}, 3 + 1},

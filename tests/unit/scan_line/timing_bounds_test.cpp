@@ -142,7 +142,7 @@ TEST_CASE("a frame takes at least its busiest part's work and at most the sum of
     const std::uint64_t clocks = clocks_on(program, machine);
     const Busy busy = least(program, machine);
     const std::uint64_t width = program.shape.width;
-    // To the last cell, then one pixel per clock: a tree of up to 32 leaves has 5 levels.
+    // The way to the last cell, then one pixel per clock: a tree of up to 32 leaves has 5 levels.
     const bool has_trees = figures.network == scan_line::Network::trees;
     const std::uint64_t way = has_trees ? width + 1 : 2 * width;
     RC_ASSERT(clocks >= busy.host + way);
@@ -158,7 +158,6 @@ TEST_CASE("a frame takes at least its busiest part's work and at most the sum of
     // Sequential reads and writes, each in whole clocks, take at most one clock more than both together; a FIFO of one
     // place costs each word a clock there and one in the receiver; taking a command costs a clock; a mark's colour is
     // read.
-    // FIFO of one place and one in the receiver; a command is taken in a clock of its own; a mark's colour is read.
     const std::uint64_t handling = 3 * busy.commands + 2 * busy.words + 32 * lines + 10;
     RC_ASSERT(clocks <= host + sum(busy.links) + machine.link.latency * figures.chains + sum(busy.entries) + busy.work +
                             handling + (lines + 2) * width + (has_trees ? 6 : 0));
@@ -192,7 +191,7 @@ TEST_CASE("every part accounts for every clock of the frame") {
   }));
 }
 
-TEST_CASE("a better link; more ports; wider ALUs or a faster host never add clocks") {
+TEST_CASE("better links and more ports and wider ALUs and faster hosts never add clocks") {
   CHECK(rc::check([] {
     const machines::Machine machine = random_machine();
     const isa::Program program = *test::arbitrary_program_in_parts(machine, 12);

@@ -34,7 +34,7 @@ TEST_CASE("a surface facing a light gets the light's intensity plus ambient ligh
   CHECK(colour.b == doctest::Approx(0.2));
 }
 
-TEST_CASE("light falls off with the cosine; is zero from behind; and adds up") {
+TEST_CASE("light falls off with the cosine and adds up and is zero from behind") {
   scene::Scene scene;
   scene.ambient.intensity = 0;
   scene.lights = {towards({std::sqrt(3.0), 1, 0}, 1)};

@@ -47,7 +47,7 @@ isa::Program compiled_box(const std::string& machine) {
 
 }  // namespace
 
-TEST_CASE("explains either a pixel or a point; of a Program only a pixel") {
+TEST_CASE("explains a pixel or a point but only a pixel of a Program") {
   const std::string which = "explain: say which pixel, by --pixel x,y or by --point X,Y,Z";
   CHECK(misuse({"a.csg"}) == which);
   CHECK(misuse({"a.csgt"}) == which);
@@ -149,7 +149,7 @@ TEST_CASE("only a model's answer names half-spaces; a Program runs on its own ma
   CHECK(of_program.text.find("half-space 3 of 6") == std::string::npos);
   CHECK(of_program.text.find("p0 cube") != std::string::npos);
   CHECK(of_program.json["owner"] == of_model.json["owner"]);
-  // From the recorded machine or from figures set by the user: an ALU of four bits takes fewer clocks than one.
+  // The recorded machine, or figures set by the user: an ALU of four bits takes fewer clocks than one.
   const auto clocks = [&](const isa::Program& of, const Texts& more) {
     Texts words{"box.csgt", "--pixel", "16,12"};
     words.insert(words.end(), more.begin(), more.end());

@@ -91,7 +91,7 @@ TEST_CASE("may overwrite the checkpoint from which the run resumes") {
   CHECK(refusal(options, options.checkpoints.resume).empty());
 }
 
-TEST_CASE("a run reads its Program; its machine file and the resumed checkpoint") {
+TEST_CASE("a run reads its Program and machine file and resumed checkpoint") {
   session::ProgramRequest options;
   options.program = "a.csgt";
   CHECK(options.files_read() == std::vector<fs::path>{"a.csgt"});
@@ -125,7 +125,7 @@ std::string hash_of_file(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("run takes a Program; a machine with figures; and run and checkpoint options") {
+TEST_CASE("run takes a Program and machine figures and run and checkpoint options") {
   using session::ProgramRequest;
   const testing::Parsed<ProgramRequest> all({"a.csgt", "--machine", "pixel-planes-4", "--set", "alu.bits=2", "--stats",
                                              "s.json", "--resume", "c.checkpoint"});

@@ -89,7 +89,7 @@ constexpr double alone = 2 * flip + 18 + 12 + 16;
 constexpr double first_element = 6 + 8 + 4 + 16 + 6 + 8;
 constexpr double element_made = 18 + 2 * 12 + 4 * 16 + 8 + 16;
 constexpr double class_read = 12 + 4 + 8;
-/// On first use the class is looked up in the table of first surfaces and kept.
+/// At first the class is looked up in the table of first surfaces and kept.
 constexpr double class_found = 2 * 12 + 4 + 12;
 constexpr double owner = 2 * 12 + 4 + 8;
 /// Separation of the events at one depth from the next.
@@ -217,9 +217,8 @@ TEST_CASE("scan lines over one block take the hand-calculated clocks") {
   CHECK(clocks(counts, Phase::transformation) == transformed(6 * 4, 2, block.linears()));
   CHECK(clocks(counts, Phase::initialisation) == pixels * cleared);
   CHECK(clocks(counts, Phase::depth_test) == square.rows * (2 + square.columns) * depth);
-  // At the left end of a span the values of both planes are computed and the visible surface is classified. Both ends
+  // The left end of a span: the values of both planes are computed and the visible surface is classified. Both ends
   // of both are tested, and the back is found behind the front.
-  // both are looked at, and the back is found behind the front.
   constexpr double value = column + 2 * 70 + 2 * 16;
   constexpr double classified = first_element + point + class_read + owner;
   constexpr double ends = 2 * 70 + 4 * 16 + 2 * 8 + 4 * 6 + 4 * 8 + 4 * 16 + 12;

@@ -147,7 +147,7 @@ struct Pairs {
 };
 
 /// Returns the fault of a pair; empty if none. Compares the parts of both after cutting.
-std::string fault_of(const WholePlanes& planes, Polygon one, Polygon other, Pairs& pairs) {
+std::string find_fault(const WholePlanes& planes, Polygon one, Polygon other, Pairs& pairs) {
   for (Polygon* const polygon : {&one, &other}) {
     for (int axis = 0; axis < 3; ++axis) {
       polygon->bounds.push_back({planes.wall(axis, 0), false});
@@ -204,7 +204,7 @@ TEST_CASE("polygon crossings equal those in rational arithmetic in degenerate ca
     for (unsigned i = 0; i < 60; ++i) {
       const Polygon one = any_polygon(random, planes);
       const Polygon other = any_polygon(random, planes);
-      const std::string fault = fault_of(planes, one, other, pairs);
+      const std::string fault = find_fault(planes, one, other, pairs);
       if (!fault.empty()) RC_FAIL(fault);
     }
   }));
@@ -248,7 +248,7 @@ class Lattice {
   [[nodiscard]] bool cross(const Polygon& one, const Polygon& other) const {
     const WholePlanes planes(table_);
     Pairs pairs;
-    CHECK(fault_of(planes, one, other, pairs) == "");
+    CHECK(find_fault(planes, one, other, pairs) == "");
     CHECK(pairs.all == 1);
     return pairs.crossing == 1;
   }
@@ -259,7 +259,7 @@ class Lattice {
 
 }  // namespace
 
-TEST_CASE("polygons that touch or share an edge; a corner or a plane do not cross") {
+TEST_CASE("polygons that touch or share an edge or corner or plane do not cross") {
   const Lattice lattice;
   const Polygon floor = Lattice::rectangle(2, 0, {-2, -2}, {2, 2});
   // Through it; ending on it; beside it; with a corner on it; along its edge; through its edge.

@@ -38,7 +38,7 @@ std::string difference(const software::Picture& picture, const std::vector<testi
 }
 
 /// Returns the fault of a scene's pictures by exact methods; empty if none.
-std::string fault_of(const Scene& scene, Tally& tally) {
+std::string find_fault(const Scene& scene, Tally& tally) {
   const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
   for (const testing::Seen& seen : expected) tally.covered += seen.owner != software::Seen::nothing_seen ? 1U : 0U;
   tally.pixels += expected.size();
@@ -117,8 +117,9 @@ std::uint64_t check_counts(const Scene& scene) {
 
 TEST_CASE("exact facet methods draw random models as the rule-based judge does") {
   Tally tally;
-  CHECK(testing::holds_in_random_scenes(
-      tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t /*seed*/) { return fault_of(scene, tally); }));
+  CHECK(testing::holds_in_random_scenes(tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t /*seed*/) {
+    return find_fault(scene, tally);
+  }));
   MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.covered, " of ", tally.pixels,
           " pixels covered, ", tally.spans, " spans, ", tally.splits, " splits");
   if (!testing::draws_usual_cases()) return;
@@ -132,7 +133,7 @@ TEST_CASE("exact facet methods draw the thesis's objects as the rule-based judge
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
-      CHECK(fault_of(testing::thesis_scene(one, 130, 45), tally) == "");
+      CHECK(find_fault(testing::thesis_scene(one, 130, 45), tally) == "");
     }
   }
   MESSAGE(tally.pixels, " pixels, ", tally.spans, " spans, ", tally.splits, " splits");
@@ -156,7 +157,7 @@ TEST_CASE("facet methods show plates thinner than a depth step only between step
     const view::Camera camera{{0, -110, 0}, {0, 0, 0}, view::Projection::orthographic};
     const Scene scene = testing::make_scene(read::read_csg_text(csg, "plates"), camera, sampling);
     CAPTURE(i);
-    CHECK(fault_of(scene, tally) == "");
+    CHECK(find_fault(scene, tally) == "");
     const Shown shown(scene);
     const software::ScreenFacets seen = software::screen_facets(scene.tree, scene.geometry, scene.view, shown.facets);
     for (const software::ScreenFacet& facet : seen.facets) opposites += seen.opposites_of(facet).size();
@@ -255,26 +256,26 @@ TEST_CASE("a ledger sums the counts of its phases and nothing else") {
     counts.ties = 9 * times;
     counts.operations.counts[static_cast<std::size_t>(software::Operation::multiply)] = times;
   }
-  software::DisplayCounts told;
-  told.csg.points = told.csg.ties = 50;
-  told.conflicts = 77;
-  ledger.tell(told);
-  CHECK(told.csg.points == 111111);
-  CHECK(told.csg.evaluations == 222222);
-  CHECK(told.csg.precomputed == 333333);
-  CHECK(told.csg.looked_up == 444444);
-  CHECK(told.csg.node_visits == 555555);
-  CHECK(told.csg.early_outs == 666666);
-  CHECK(told.csg.list_steps == 777777);
-  CHECK(told.csg.list_elements == 888888);
-  CHECK(told.csg.ties == 999999);
-  CHECK(told.csg.operations.of(software::Operation::multiply) == 111111);
-  CHECK(told.of(software::Phase::preprocessing).of(software::Operation::multiply) == 1);
-  CHECK(told.of(software::Phase::sorting).of(software::Operation::multiply) == 100);
-  CHECK(told.of(software::Phase::initialisation).of(software::Operation::multiply) == 100000);
-  CHECK(told.conflicts == 77);
+  software::DisplayCounts total;
+  total.csg.points = total.csg.ties = 50;
+  total.conflicts = 77;
+  ledger.tell(total);
+  CHECK(total.csg.points == 111111);
+  CHECK(total.csg.evaluations == 222222);
+  CHECK(total.csg.precomputed == 333333);
+  CHECK(total.csg.looked_up == 444444);
+  CHECK(total.csg.node_visits == 555555);
+  CHECK(total.csg.early_outs == 666666);
+  CHECK(total.csg.list_steps == 777777);
+  CHECK(total.csg.list_elements == 888888);
+  CHECK(total.csg.ties == 999999);
+  CHECK(total.csg.operations.of(software::Operation::multiply) == 111111);
+  CHECK(total.of(software::Phase::preprocessing).of(software::Operation::multiply) == 1);
+  CHECK(total.of(software::Phase::sorting).of(software::Operation::multiply) == 100);
+  CHECK(total.of(software::Phase::initialisation).of(software::Operation::multiply) == 100000);
+  CHECK(total.conflicts == 77);
 }
-TEST_CASE("a display subject has its pixels; its farthest depth and EXCELL buckets of 24") {
+TEST_CASE("a display subject has a pixel count and a farthest depth and default buckets") {
   const Scene scene = testing::thesis_scene(testing::thesis_objects(view::Projection::perspective).front(), 40, 30);
   const Shown shown(scene);
   const software::DisplaySubject subject{scene.tree, scene.geometry, scene.view, shown.tree, shown.facets};

@@ -334,8 +334,8 @@ TEST_CASE("boxes around primitives are halved along the first of their longest a
   }
 }
 TEST_CASE("boxes are halved at the middle primitive and expanded to facets on demand") {
-  // From the right: primitive 0 at 40 has two facets; the others have three, one, two and one. The lower half of the
-  // five has two.
+  // Counted from the right: primitive 0 at 40 has two facets; the others have three, one, two and one. The lower half
+  // of the five has two.
   const std::vector<std::size_t> sizes{2, 3, 1, 2, 1};
   std::vector<Polygons> primitives;
   for (std::size_t i = 0; i < sizes.size(); ++i) {

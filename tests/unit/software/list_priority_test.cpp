@@ -44,7 +44,7 @@ void add(software::Faults& sum, const software::Faults& more) {
 }
 
 /// Returns the fault in the report of wrong pixels: each must be reported, and each must have a cause.
-std::string fault_of_wrong(const Scene& scene, const software::Displayed& displayed, Wrong& wrong) {
+std::string find_report_fault(const Scene& scene, const software::Displayed& displayed, Wrong& wrong) {
   const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
   const software::RayCaster rays(scene.tree, scene.geometry, scene.view);
   std::uint64_t all = 0;
@@ -64,7 +64,7 @@ std::string fault_of_wrong(const Scene& scene, const software::Displayed& displa
   }
   wrong.pixels += expected.size();
   wrong.events += events;
-  // With few bits a face may have pixels far from its place, and its cell may be out of sight.
+  // A face in few bits may have pixels far from its place, and its cell may be out of sight.
   const bool are_all_drawn = displayed.counts.drawn_cells == displayed.counts.cells;
   wrong.lost += events - displayed.counts.pixel_events;
   if (displayed.counts.pixel_events > events || (are_all_drawn && displayed.counts.pixel_events != events))
@@ -75,7 +75,7 @@ std::string fault_of_wrong(const Scene& scene, const software::Displayed& displa
   return "";
 }
 
-std::string fault_of_priority(const Scene& scene, std::size_t bucket_size, Wrong& wrong) {
+std::string find_priority_fault(const Scene& scene, std::size_t bucket_size, Wrong& wrong) {
   const Shown shown(scene);
   const std::vector<std::string> directories = software::halving_directories();
   const std::string& directory = directories[bucket_size % directories.size()];
@@ -89,17 +89,17 @@ std::string fault_of_priority(const Scene& scene, std::size_t bucket_size, Wrong
   add(wrong.with_depth_buffer, mended.faults);
   for (const software::Displayed* const one : {&plain, &mended}) {
     if (one->counts.conflicts == 0) wrong.order_without_conflict += one->faults.order;
-    const std::string fault = fault_of_wrong(scene, *one, wrong);
+    const std::string fault = find_report_fault(scene, *one, wrong);
     if (!fault.empty()) return (one == &plain ? "plain: " : "depth buffer: ") + fault;
   }
   return "";
 }
 
 /// Faults of the random scene with this seed if it has only facets.
-std::string fault_of_seed(std::uint64_t seed, Wrong& wrong) {
+std::string find_seed_fault(std::uint64_t seed, Wrong& wrong) {
   const std::optional<Scene> scene = testing::random_scene(seed);
   if (!scene || !testing::is_faceted(*scene)) return "";
-  const std::string fault = fault_of_priority(*scene, 4 + seed % 30, wrong);
+  const std::string fault = find_priority_fault(*scene, 4 + seed % 30, wrong);
   return fault.empty() ? fault : fmt::format("seed {}: {}", seed, fault);
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("list priority draws each event once and errs only near other surfaces
   CHECK(rc::check([&] {
     const auto first = *rc::gen::arbitrary<std::uint64_t>();
     for (std::uint64_t seed = first; seed != first + 4; ++seed) {
-      const std::string fault = fault_of_seed(seed, wrong);
+      const std::string fault = find_seed_fault(seed, wrong);
       if (!fault.empty()) RC_FAIL(fault);
     }
   }));
@@ -130,7 +130,7 @@ TEST_CASE("list priority draws each event once and errs only near other surfaces
 TEST_CASE("with few bits list priority has all fault causes; a depth buffer fixes most") {
   Wrong wrong;
   const auto seeds = testing::cases<std::uint64_t>(240, 15);
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) CHECK(fault_of_seed(seed, wrong) == "");
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) CHECK(find_seed_fault(seed, wrong) == "");
   print_counts(wrong);
   if (!testing::draws_usual_cases()) return;
   CHECK(wrong.faults.coincident > 0);
@@ -143,8 +143,8 @@ TEST_CASE("with few bits list priority has all fault causes; a depth buffer fixe
 }
 TEST_CASE("a surface lost with its cell counts as a depth-bits fault and not as order") {
   Wrong wrong;
-  constexpr std::uint64_t lost_everywhere = 39098682285;  // of 3 by 15 pixels
-  CHECK(fault_of_seed(lost_everywhere, wrong) == "");
+  constexpr std::uint64_t lost_everywhere = 39098682285;  // a scene of 3 by 15 pixels
+  CHECK(find_seed_fault(lost_everywhere, wrong) == "");
   CHECK(wrong.conflicts == 0);
   CHECK(wrong.lost > 0);
   CHECK(wrong.faults.depth_bits == 45);
@@ -156,7 +156,7 @@ TEST_CASE("list priority draws the thesis's objects except surfaces near each ot
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
-      CHECK(fault_of_priority(testing::thesis_scene(one, 130, 45), 24, wrong) == "");
+      CHECK(find_priority_fault(testing::thesis_scene(one, 130, 45), 24, wrong) == "");
     }
   }
   print_counts(wrong);

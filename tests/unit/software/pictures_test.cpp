@@ -34,7 +34,7 @@ void count(const std::vector<testing::Seen>& expected, Tally& tally) {
 }
 
 /// Returns the fault of a scene in `ways` of all ways, chosen by the seed; empty if none.
-std::string fault_of(std::uint64_t seed, std::size_t ways, Tally& tally) {
+std::string find_fault(std::uint64_t seed, std::size_t ways, Tally& tally) {
   const std::optional<Scene> scene = testing::random_scene(seed);
   ++tally.scenes;
   tally.refused += scene ? 0U : 1U;
@@ -62,7 +62,7 @@ view::Sampling picture_of(std::uint32_t width, std::uint32_t height) {
   return sampling;
 }
 
-Scene scene_of(const std::string& csg, const view::Camera& camera, const view::Sampling& sampling) {
+Scene build_scene(const std::string& csg, const view::Camera& camera, const view::Sampling& sampling) {
   return testing::make_scene(read::read_csg_text(csg, "test"), camera, sampling);
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("software draws random models as the rule-based judge in sampled ways"
   CHECK(rc::check([&] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     for (std::uint64_t i = 0; i < scenes; ++i) {
-      const std::string fault = fault_of(seed + i, ways, tally);
+      const std::string fault = find_fault(seed + i, ways, tally);
       if (!fault.empty()) RC_FAIL(fault);
     }
   }));
@@ -91,7 +91,7 @@ TEST_CASE("software draws random models as the rule-based judge in sampled ways"
 }
 TEST_CASE("software draws some random models as the rule-based judge in all ways") {
   Tally tally;
-  for (std::uint64_t seed = 1; seed <= 24; ++seed) CHECK(fault_of(seed, all_ways().size(), tally) == "");
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) CHECK(find_fault(seed, all_ways().size(), tally) == "");
   CHECK(tally.covered > tally.pixels / 20);
 }
 TEST_CASE("software draws the thesis's objects as the rule-based judge in all ways") {
@@ -103,37 +103,38 @@ TEST_CASE("software draws the thesis's objects as the rule-based judge in all wa
   }
 }
 TEST_CASE("software draws nothing for an empty model") {
-  for (const char* const csg : {"union(){}", "difference(){}"}) check_all_ways(scene_of(csg, aside, picture_of(20, 9)));
+  for (const char* const csg : {"union(){}", "difference(){}"})
+    check_all_ways(build_scene(csg, aside, picture_of(20, 9)));
 }
 TEST_CASE("software draws nothing for objects behind the eye") {
-  const Scene scene = scene_of("cube(size=[4,4,4],center=true);",
-                               {{18, -25, 21}, {36, -50, 42}, view::Projection::perspective}, picture_of(20, 9));
+  const Scene scene = build_scene("cube(size=[4,4,4],center=true);",
+                                  {{18, -25, 21}, {36, -50, 42}, view::Projection::perspective}, picture_of(20, 9));
   check_all_ways(scene);
 }
 TEST_CASE("software draws a picture of one pixel") {
   check_all_ways(
-      scene_of("difference(){cube(size=[4,4,4],center=true);sphere($fn=12,r=2.5);}", aside, picture_of(1, 1)));
+      build_scene("difference(){cube(size=[4,4,4],center=true);sphere($fn=12,r=2.5);}", aside, picture_of(1, 1)));
 }
 TEST_CASE("software draws a lone primitive and a union with cells that miss an operand") {
-  check_all_ways(scene_of("cube(size=[4,4,4],center=true);", aside, picture_of(70, 50)));
+  check_all_ways(build_scene("cube(size=[4,4,4],center=true);", aside, picture_of(70, 50)));
   check_all_ways(
-      scene_of("multmatrix([[1,0,0,-6],[0,1,0,-6],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}"
-               "multmatrix([[1,0,0,4],[0,1,0,3],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}",
-               aside, picture_of(70, 50)));
+      build_scene("multmatrix([[1,0,0,-6],[0,1,0,-6],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}"
+                  "multmatrix([[1,0,0,4],[0,1,0,3],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}",
+                  aside, picture_of(70, 50)));
 }
 TEST_CASE("what a cell of the picture is inside does not affect adjacent cells") {
   view::Sampling sampling = picture_of(48, 48);
   sampling.z_bits = 8;
   sampling.fraction_bits = 0;
   const view::Camera camera{{0, -12 / view::half_height_per_distance(), 0}, {0, 0, 0}, view::Projection::orthographic};
-  check_all_ways(scene_of(
+  check_all_ways(build_scene(
       "intersection(){multmatrix([[1,0,0,0],[0,1,0,-8],[0,0,1,-32],[0,0,0,1]]){cube(size=[16,32,48],center=false);}"
       "multmatrix([[1,0,0,-24],[0,1,0,-4],[0,0,1,-32],[0,0,0,1]]){cube(size=[64,8,24],center=false);}}",
       camera, sampling));
 }
 TEST_CASE("a union's surface is seen where a subtracted back face ends at it") {
   const view::Camera camera{{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic};
-  const Scene scene = scene_of(
+  const Scene scene = build_scene(
       "difference(){union(){multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube(size=[16,16,16],center=true);}"
       "multmatrix([[1,0,0,-4],[0,1,0,0],[0,0,1,-4],[0,0,0,1]]){cube(size=[8,4,8],center=false);}}"
       "multmatrix([[1,0,0,-9],[0,1,0,-9],[0,0,1,-9],[0,0,0,1]]){cube(size=[18,9,18],center=false);}}",

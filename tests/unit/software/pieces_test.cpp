@@ -125,7 +125,7 @@ TEST_CASE("a cell is out of sight only beyond one side of the picture or behind 
       {"above", {{-1, 1, 2.5}, {1, 2, 9}}, 2, little},
       {"below", {{-1, 1, -9}, {1, 2, -2.5}}, 2, -little},
   };
-  // For a box 2 to 4 away, the far end sets the limit.
+  // The box is 2 to 4 away: the far end sets the limit.
   const std::vector<Row> deep{
       {"left", {{-30, 2, -1}, {-18, 4, 1}}, 0, -little}, {"right", {{18, 2, -1}, {30, 4, 1}}, 0, little},
       {"above", {{-1, 2, 10}, {1, 4, 30}}, 2, little},   {"below", {{-1, 2, -30}, {1, 4, -10}}, 2, -little},
@@ -319,7 +319,7 @@ TEST_CASE("a piece has exactly one bound per side in the picture") {
   CHECK(pieces.pieces.fraction_bits == seen.fraction_bits);
 }
 TEST_CASE("pieces are counter-clockwise from outside and cover large primitives") {
-  // Large primitives of which little remains.
+  // Large primitives with small remainders.
   for (const char* const csg :
        {"cube(size=[6,5,4],center=true);multmatrix([[1,0,0,2],[0,1,0,2],[0,0,1,2],[0,0,0,1]]){cube(size=[6,5,4],center="
         "true);}",

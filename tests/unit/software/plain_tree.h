@@ -42,9 +42,9 @@ class PlainTree {
   [[nodiscard]] TreeVisits early_out(const Held& held) const;
   /// Table 4.4: also skips operands in which no primitive holds the point.
   [[nodiscard]] TreeVisits positional(const Held& held) const;
-  /// Table 4.5: from the primitive's leaf upwards to the first node whose status does not change.
+  /// Table 4.5: walks from the primitive's leaf upwards to the first node whose status does not change.
   [[nodiscard]] TreeVisits change(Held& held, std::uint32_t primitive) const;
-  /// From the primitive's leaf upwards to an operator that hides it.
+  /// Walks from the primitive's leaf upwards to an operator that hides it.
   [[nodiscard]] bool shows(const Held& held, std::uint32_t primitive, TreeVisits& tally) const;
 
  private:

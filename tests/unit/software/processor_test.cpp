@@ -65,7 +65,7 @@ TEST_CASE("every built-in processor has a price with a source for every operatio
                            kind == static_cast<std::size_t>(Operation::divide_long);
       if (name != "i860" && !is_made) CHECK(figure.provenance == "published");
       CHECK(processors::meaning_of_figure(figure.key) == software::operation_rows[kind].meaning);
-      // On some processors a shift takes the same clocks for any number of places.
+      // Some processors shift in the same clocks for any number of places.
       if (kind != static_cast<std::size_t>(Operation::shifted_bit)) CHECK(processor.prices[kind] > 0);
     }
     for (const char* const program : {"factor", "standard", "early_out", "positional", "status", "bit_parallel"})

@@ -24,8 +24,8 @@ bool holds_in_random_scenes(Tally& tally, const Wanted& wanted, const Fault& fau
         ++tally.refused;
         continue;
       }
-      const std::string said = fault(*scene, seed);
-      if (!said.empty()) RC_FAIL(fmt::format("seed {}: {}", seed, said));
+      const std::string found = fault(*scene, seed);
+      if (!found.empty()) RC_FAIL(fmt::format("seed {}: {}", seed, found));
     }
   });
 }

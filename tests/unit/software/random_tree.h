@@ -8,7 +8,7 @@ namespace csgsim::testing {
 /// A tree with the given number of primitives; operators have two to four operands.
 model::Tree random_tree(Random& random, unsigned primitives);
 
-/// A left-leaning chain of operators, each over the chain so far and one more primitive.
+/// A left-leaning chain of operators, each over the preceding chain and one more primitive.
 model::Tree chain(unsigned primitives);
 
 }  // namespace csgsim::testing

@@ -139,7 +139,7 @@ struct Tally {
 };
 
 /// Returns the fault in the rays of a scene; empty if none.
-std::string fault_of(const Scene& scene, Tally& tally) {
+std::string find_fault(const Scene& scene, Tally& tally) {
   const software::RayCaster rays(scene.tree, scene.geometry, scene.view);
   software::RayCounts counts;
   Tally here;
@@ -176,7 +176,7 @@ TEST_CASE("rays meet random scenes where the view's integers say and events are 
   Tally tally;
   CHECK(testing::holds_in_random_scenes(
       tally, [](const Scene&) { return true; },
-      [&](const Scene& scene, std::uint64_t /*seed*/) { return fault_of(scene, tally); }));
+      [&](const Scene& scene, std::uint64_t /*seed*/) { return find_fault(scene, tally); }));
   MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.rays, " rays, ", tally.intervals,
           " intervals, ", tally.events, " events");
   if (!testing::draws_usual_cases()) return;
@@ -189,7 +189,7 @@ TEST_CASE("rays meet the thesis's objects where the view's integers say") {
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
-      CHECK(fault_of(testing::thesis_scene(one, 130, 45), tally) == "");
+      CHECK(find_fault(testing::thesis_scene(one, 130, 45), tally) == "");
     }
   }
 }
@@ -217,7 +217,7 @@ TEST_CASE("rays meet fast spheres where their integers say") {
     for (const view::ScreenQuadric& quadric : scene.view.quadrics)
       spheres += quadric.kind == view::ScreenQuadricKind::paraboloid ? 1U : 0U;
     CAPTURE(seed);
-    CHECK(fault_of(scene, tally) == "");
+    CHECK(find_fault(scene, tally) == "");
   }
   CHECK(spheres > 100);
   CHECK(tally.intervals > 1000);
@@ -234,6 +234,6 @@ TEST_CASE("rays that meet more than 32 surfaces return them in order") {
   Tally tally;
   const Scene scene = testing::make_scene(read::read_csg_text(csg, "test"),
                                           {{0, -60, 1}, {0, 0, 0}, view::Projection::orthographic}, sampling);
-  CHECK(fault_of(scene, tally) == "");
+  CHECK(find_fault(scene, tally) == "");
   CHECK(tally.events > 70);
 }

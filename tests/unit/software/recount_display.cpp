@@ -27,7 +27,6 @@ DisplayRecount::DisplayRecount(const Scene& of)
   expected.drawn_polygons = screen.facets.size();
   // Three coordinates per corner; three coefficients of two longs per plane and edge; and per facet its primitive, its
   // rectangle and a pointer.
-  // primitive, its rectangle and a pointer.
   expected.words.polygons = 3 * facets.corners.size() + 6 * screen.linears.size() + 10 * screen.facets.size();
   expected.words.pixels = 2 * rays.size();
 }

@@ -227,7 +227,7 @@ class Preprocessing {
   std::uint32_t bucket_size_;
   double reach_;
   software::FacetSheets sheets_;
-  std::vector<std::vector<software::Region>> regions_;  ///< of each facet
+  std::vector<std::vector<software::Region>> regions_;  ///< regions of each facet
   std::vector<SpacePart> parts_;
 };
 

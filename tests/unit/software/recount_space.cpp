@@ -205,7 +205,7 @@ class ExcellBuilder : public Builder {
   }
 
   Cell root_;
-  unsigned level_ = 0;  ///< of the directory, which has 2^level entries
+  unsigned level_ = 0;  ///< level of the directory, which has 2^level entries
 };
 
 /// Cuts full cells into eight, up to seven levels.

@@ -60,7 +60,7 @@ class WalkRecount {
   std::unique_ptr<software::Directory> halved_;  ///< has the parts of EXCELL's cells
   std::vector<software::SpacePart> parts_;
   std::vector<software::SpaceBox> boxes_;
-  std::vector<Block> blocks_;  ///< of directories that are walked from query point to query point
+  std::vector<Block> blocks_;  ///< cells of directories that are walked from query point to query point
   bool is_empty_;
 };
 

@@ -77,7 +77,7 @@ std::string boxes(Random& random, unsigned levels) {
   return csg + "}\n";
 }
 
-Scene scene_of_boxes(Random& random) {
+Scene box_scene(Random& random) {
   view::Sampling sampling;
   sampling.width = random.one_of({32U, 48U, 64U});
   sampling.height = random.one_of({32U, 48U});
@@ -93,7 +93,7 @@ Scene any_scene(std::uint64_t seed) {
   Random random(seed);
   const std::uint64_t kind = random.below(6);
   if (kind < 2) return curved_scene(random);
-  if (kind == 2) return scene_of_boxes(random);
+  if (kind == 2) return box_scene(random);
   const view::Camera camera = any_camera(random);
   view::Sampling sampling;
   draw_size(random, sampling);

@@ -58,8 +58,8 @@ std::string a_directory(Random& random) {
 }
 
 /// Returns the fault in the shading by one light, at pixels that rounding cannot decide; empty if none.
-std::string fault_of_light(const Scene& scene, const scene::Light& light, const software::TraceOptions& options,
-                           const std::string& directory, Tally& tally) {
+std::string find_light_fault(const Scene& scene, const scene::Light& light, const software::TraceOptions& options,
+                             const std::string& directory, Tally& tally) {
   scene::Scene look;
   look.ambient.intensity = 0;
   look.lights.push_back(light);
@@ -92,7 +92,7 @@ bool is_top(const Scene& scene, const software::TracedPixel& pixel) {
 }
 
 /// Returns the fault in a random model lit by a single light; empty if none.
-std::string fault_of_shadows(std::uint64_t seed, Tally& tally) {
+std::string find_shadow_fault(std::uint64_t seed, Tally& tally) {
   Random random(seed);
   const Scene scene = colourful(random, 40);
   scene::Light light;
@@ -110,7 +110,7 @@ std::string fault_of_shadows(std::uint64_t seed, Tally& tally) {
     light.position = glm::dvec3{any(), any(), any()} * 20.0;
     options.lights.push_back({true, light.position - scene.geometry.planes.centre()});
   }
-  const std::string fault = fault_of_light(scene, light, options, a_directory(random), tally);
+  const std::string fault = find_light_fault(scene, light, options, a_directory(random), tally);
   return fault.empty() ? fault : fmt::format("seed {}, {}", seed, fault);
 }
 
@@ -121,7 +121,7 @@ glm::dvec3 shown(const Scene& scene, const software::TracedPixel& pixel) {
 }
 
 /// Returns the fault in a random model with all facets mirroring; empty if none.
-std::string fault_of_mirrors(std::uint64_t seed, Tally& tally) {
+std::string find_mirror_fault(std::uint64_t seed, Tally& tally) {
   Random random(seed);
   const Scene scene = colourful(random, 40);
   scene::Scene look;
@@ -167,7 +167,7 @@ TEST_CASE("shadow rays agree with the oracle's wherever rounding cannot decide")
   Tally tally;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     try {
-      CHECK(fault_of_shadows(seed, tally) == "");
+      CHECK(find_shadow_fault(seed, tally) == "");
     } catch (const InputError&) {
       continue;  // the model is empty
     }
@@ -203,7 +203,7 @@ TEST_CASE("objects in front of a point light block it and objects behind it do n
     for (const char* const directory : {"excell", "kd-tree", "bvh", "none"}) {
       CAPTURE(directory);
       Tally tally;
-      CHECK(fault_of_light(scene, light, options, directory, tally) == "");
+      CHECK(find_light_fault(scene, light, options, directory, tally) == "");
       CHECK(tally.judged > 1000);
       // The floor of 40 by 40 has a shadow of about 11 by 11 if the plate is halfway to the light, else none; sides of
       // plates are dark too.
@@ -219,7 +219,7 @@ TEST_CASE("mirror rays agree with the oracle's wherever rounding cannot decide")
   Tally tally;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     try {
-      CHECK(fault_of_mirrors(seed, tally) == "");
+      CHECK(find_mirror_fault(seed, tally) == "");
     } catch (const InputError&) {
       continue;
     }

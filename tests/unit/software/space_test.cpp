@@ -152,8 +152,8 @@ struct Tally {
 };
 
 /// Returns the fault in a ray's reported cells, judged by all facets; empty if none.
-std::string fault_of(const software::Facets& facets, const SpaceRay& ray, const RecordingVisitor& visitor, double size,
-                     Tally& tally) {
+std::string find_fault(const software::Facets& facets, const SpaceRay& ray, const RecordingVisitor& visitor,
+                       double size, Tally& tally) {
   const double slack = 1e-9 * size / glm::length(ray.direction);
   double before = -std::numeric_limits<double>::infinity();
   std::vector<double> reported_after(facets.facets.size(), std::numeric_limits<double>::infinity());
@@ -175,7 +175,7 @@ std::string fault_of(const software::Facets& facets, const SpaceRay& ray, const 
   return "";
 }
 
-std::string fault_of(std::uint64_t seed, std::uint64_t kind, Tally& tally) {
+std::string find_fault(std::uint64_t seed, std::uint64_t kind, Tally& tally) {
   Random random(seed);
   const software::Facets facets = any_facets(random, kind);
   const software::FacetShapes shapes(facets);
@@ -189,7 +189,7 @@ std::string fault_of(std::uint64_t seed, std::uint64_t kind, Tally& tally) {
       RecordingVisitor visitor;
       software::Uncounted nothing;
       all[one]->walk(ray, visitor, nothing);
-      const std::string fault = fault_of(facets, ray, visitor, shapes.box().diagonal(), tally);
+      const std::string fault = find_fault(facets, ray, visitor, shapes.box().diagonal(), tally);
       if (!fault.empty())
         return fmt::format("{}, facets {}, seed {}: {}", software::directories()[one]->name, kinds[kind], seed, fault);
     }
@@ -227,7 +227,7 @@ struct PlainCell {
 /// The cells of EXCELL by its rule alone: halved while they have more facets than a bucket, up to a number of levels.
 struct PlainCells {
   unsigned levels = 15;
-  unsigned first_levels = 15;  ///< of the first directory; a full cell after it gets its own directory
+  unsigned first_levels = 15;  ///< levels of the first directory; a full cell gets its own one
   std::vector<PlainCell> cells{};
   std::uint64_t directories = 1;
   std::uint64_t overflows = 0;
@@ -324,7 +324,7 @@ TEST_CASE("every directory reports each facet on a ray before settling the ray b
   CHECK(rc::check([&] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     for (std::uint64_t i = 0; i < 2; ++i) {
-      const std::string fault = fault_of(seed + i, (seed / 2 + i * 3) % std::size(kinds), tally);
+      const std::string fault = find_fault(seed + i, (seed / 2 + i * 3) % std::size(kinds), tally);
       if (!fault.empty()) RC_FAIL(fault);
     }
   }));
@@ -350,7 +350,7 @@ TEST_CASE("EXCELL has 15 levels or from 4096 facets on 12 levels with others of 
     CAPTURE(has_two);
     Random random(5);
     software::Facets facets;
-    // Most are small and anywhere; crowds fill cells of the last level.
+    // Most are small and scattered; clusters fill cells of the last level.
     const std::uint64_t number = has_two ? 4096 : 4095;
     for (std::uint64_t i = 0; i < number; ++i) {
       glm::dvec3 place = somewhere(random, 5);

@@ -147,7 +147,7 @@ struct Tally {
   std::uint64_t long_strings = 0;  ///< trees of more than 5 levels
 };
 
-std::string fault_of(const Tree& tree, const Question& question, Random& random, Tally& tally) {
+std::string find_fault(const Tree& tree, const Question& question, Random& random, Tally& tally) {
   tally.constants += tree.is_constant() ? 1U : 0U;
   tally.complemented += !tree.is_constant() && tree.complemented ? 1U : 0U;
   tally.long_strings += tree.depth() > 5 ? 1U : 0U;
@@ -156,11 +156,11 @@ std::string fault_of(const Tree& tree, const Question& question, Random& random,
 }
 
 /// Checks a tree as a whole and pruned twice by additional known states.
-std::string fault_of(const model::Tree& model, Shape shape, Random& random, Tally& tally) {
+std::string find_fault(const model::Tree& model, Shape shape, Random& random, Tally& tally) {
   const testing::TreeRules rules(model);
   Question question{rules, std::vector<Known>(model.primitives.size())};
   Tree tree = software::make_tree(model, shape);
-  std::string fault = fault_of(tree, question, random, tally);
+  std::string fault = find_fault(tree, question, random, tally);
   for (int i = 0; i < 2 && fault.empty(); ++i) {
     learn(question.known, random);
     const std::size_t nodes = tree.nodes.size();
@@ -170,7 +170,7 @@ std::string fault_of(const model::Tree& model, Shape shape, Random& random, Tall
       const bool is_known = question.known[primitive] != Known::nothing;
       if (is_known && tree.leaf_of[primitive] != model::no_index) return "pruned, it has a primitive that is known";
     }
-    fault = fault_of(tree, question, random, tally);
+    fault = find_fault(tree, question, random, tally);
     if (!fault.empty()) fault += ", pruned";
   }
   return fault;
@@ -201,7 +201,7 @@ TEST_CASE("every traversal obeys the rules in all states of random trees and sha
       Random random(seed + i);
       const model::Tree model = testing::random_tree(random, 1 + static_cast<unsigned>(random.below(10)));
       for (const Shape shape : all_shapes) {
-        const std::string fault = fault_of(model, shape, random, tally);
+        const std::string fault = find_fault(model, shape, random, tally);
         if (!fault.empty())
           RC_FAIL(std::string(software::shapes()[static_cast<std::size_t>(shape)].name) + ": " + fault);
       }
@@ -219,8 +219,8 @@ TEST_CASE("every traversal obeys the rules in all states of a chain of 14 operat
   Random random(7);
   const model::Tree model = testing::chain(15);
   CHECK(software::make_tree(model, Shape::written).depth() == 14);
-  CHECK(fault_of(model, Shape::written, random, tally) == "");
-  CHECK(fault_of(model, Shape::balanced, random, tally) == "");
+  CHECK(find_fault(model, Shape::written, random, tally) == "");
+  CHECK(find_fault(model, Shape::balanced, random, tally) == "");
 }
 TEST_CASE("tree shapes have their documented depth") {
   for (const unsigned primitives : {2U, 3U, 5U, 8U, 9U, 16U, 17U, 100U, 1024U, 1025U}) {

@@ -301,7 +301,7 @@ TEST_CASE("a pixel reports its facet and its lights and mirrors only if requeste
     CHECK(seen > 100);
   }
 }
-TEST_CASE("a ray that starts in a solid has no facet; no lights and no mirrors") {
+TEST_CASE("a ray that starts in a solid has no facet or light or mirror") {
   // The camera is in a block of 80, and looks along y.
   const Staged staged{
       stage("cube(size=[80,80,80],center=true);", {{0, 0, 0}, {0, 1, 0}, view::Projection::perspective}, 1.0)};
@@ -417,7 +417,7 @@ TEST_CASE("a ray from a face ends on the next solid if that is within its length
     CHECK(between.met.hits == 0);
     CHECK(between.met.met == 0);
   }
-  // In another direction, past the cube.
+  // Another direction, past the cube.
   CHECK(between.ray({0.25, 4, 0.5}, {0, -1, 0}, infinite).facet == between.facet_across(1, -4));
   const software::RealHit past = between.ray({0.25, -4, 0.5}, {0, 1, 1}, infinite);
   CHECK(past.t == infinite);

@@ -26,7 +26,7 @@ struct Tally {
 };
 
 /// Returns the fault in the traced pictures of a scene; empty if none.
-std::string fault_of(const Scene& scene, std::uint32_t bucket_size, Tally& tally) {
+std::string find_fault(const Scene& scene, std::uint32_t bucket_size, Tally& tally) {
   const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
   const software::Tree tree = software::make_tree(scene.tree, software::Shape::written);
   const software::TraceScene traced_scene(scene.tree, scene.geometry, scene.view, tree);
@@ -57,7 +57,7 @@ std::string fault_of(const Scene& scene, std::uint32_t bucket_size, Tally& tally
   return "";
 }
 
-Scene scene_of(const std::string& csg, const view::Camera& camera, std::uint32_t width, std::uint32_t height) {
+Scene build_scene(const std::string& csg, const view::Camera& camera, std::uint32_t width, std::uint32_t height) {
   view::Sampling sampling;
   sampling.width = width;
   sampling.height = height;
@@ -69,7 +69,7 @@ Scene scene_of(const std::string& csg, const view::Camera& camera, std::uint32_t
 TEST_CASE("ray tracing matches the rule-based judge in random scenes with all options") {
   Tally tally;
   CHECK(testing::holds_in_random_scenes(tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t seed) {
-    return fault_of(scene, static_cast<std::uint32_t>(1 + seed % 9), tally);
+    return find_fault(scene, static_cast<std::uint32_t>(1 + seed % 9), tally);
   }));
   MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.covered, " pixels covered, ", tally.tested,
           " facets tested, ", tally.loose, " of them loose; ", tally.loose_facets, " of ", tally.facets, " are loose");
@@ -82,7 +82,7 @@ TEST_CASE("ray tracing matches the judge on the thesis's objects with few loose 
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
-      CHECK(fault_of(testing::thesis_scene(one, 90, 70), 8, tally) == "");
+      CHECK(find_fault(testing::thesis_scene(one, 90, 70), 8, tally) == "");
     }
   }
   MESSAGE(tally.tested, " facets tested, ", tally.loose, " of them loose; ", tally.loose_facets, " of ", tally.facets);
@@ -127,7 +127,7 @@ TEST_CASE("counts of primary rays equal those of cells and facets") {
 }
 TEST_CASE("rays at a lone box are tested against its six facets in one cell") {
   const view::Camera front{{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic};
-  const Scene scene = scene_of("cube(size=[8,8,8],center=true);", front, 64, 64);
+  const Scene scene = build_scene("cube(size=[8,8,8],center=true);", front, 64, 64);
   const software::Tree tree = software::make_tree(scene.tree, software::Shape::written);
   const software::TraceScene traced_scene(scene.tree, scene.geometry, scene.view, tree);
   const auto space = software::directory_of("excell").make(traced_scene.shapes(), {6});
@@ -141,9 +141,9 @@ TEST_CASE("rays at a lone box are tested against its six facets in one cell") {
 TEST_CASE("ray tracing shows nothing of an empty model or one behind the eye") {
   Tally tally;
   const view::Camera aside{{18, -25, 21}, {0, 0, 0}, view::Projection::perspective};
-  CHECK(fault_of(scene_of("union(){}", aside, 20, 9), 8, tally) == "");
+  CHECK(find_fault(build_scene("union(){}", aside, 20, 9), 8, tally) == "");
   const view::Camera away{{18, -25, 21}, {36, -50, 42}, view::Projection::perspective};
-  CHECK(fault_of(scene_of("cube(size=[4,4,4],center=true);", away, 20, 9), 8, tally) == "");
+  CHECK(find_fault(build_scene("cube(size=[4,4,4],center=true);", away, 20, 9), 8, tally) == "");
   CHECK(tally.covered == 0);
 }
 TEST_CASE("rays of a camera inside a solid start inside it") {
@@ -155,6 +155,6 @@ TEST_CASE("rays of a camera inside a solid start inside it") {
   const Scene scene = testing::make_scene(
       read::read_csg_text("difference(){cube(size=[9,9,9],center=true);sphere(r=2,$fn=16);}", "test"),
       {{3.5, 0, 0}, {0, 0.5, 0}, view::Projection::perspective}, sampling);
-  CHECK(fault_of(scene, 4, tally) == "");
+  CHECK(find_fault(scene, 4, tally) == "");
   CHECK(tally.covered > 0);
 }

@@ -95,12 +95,12 @@ TEST_CASE("a ray through boxes around facets takes the hand-calculated clocks") 
 TEST_CASE("a ray through EXCELL by points and by halves takes the hand-calculated clocks") {
   // The address of a place combines three tables; then its entry, its bucket, and one list of facets.
   constexpr double located = 3 * 16 + 2 * 8 + (8 + 2) + 8 + 8 + 16 + 8 + 2 * 12 + 16;
-  // The cell being left is at level 0 of five halvings per axis: its wall, and the distance to it.
+  // The departed cell has level 0 of five halvings per axis: its wall, and the distance to it.
   constexpr double left = 3 * (16 + 8) + (8 + 2 * 5) + 2 * 8 + 2 * product + comparison;
   const Walk by_points = walk("excell", 8);
   CHECK(by_points.cells == 1);
   CHECK(by_points.clocks == begun + clipped + 6 * product + located + left + visited);
-  // By halves the entry is distinguished from a directory, and its level is compared with the range's.
+  // The walk by halves: the entry is distinguished from a directory, and its level is compared with the range's.
   constexpr double looked = (8 + 2) + 8 + 16 + 12 + 4 + 8;
   const Walk by_halves = walk("excell-recursive", 8);
   CHECK(by_halves.cells == 1);

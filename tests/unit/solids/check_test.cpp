@@ -12,7 +12,7 @@ namespace {
 
 constexpr double tolerance = solids::printed_tolerance;
 
-std::string defect_of(const Mesh& mesh) {
+std::string find_defect(const Mesh& mesh) {
   const auto checked = check(mesh, tolerance);
   return checked.defect ? checked.defect->what : "";
 }
@@ -49,21 +49,21 @@ TEST_CASE("merges equal points and drops unused ones and collapsed faces") {
   CHECK(joined.mesh.faces.size() == 6);
   CHECK(joined.face_numbers == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});
   for (std::size_t i = 0; i < 8; ++i) CHECK(joined.mesh.points[i] == apart.points[joined.point_numbers[i]]);
-  CHECK(defect_of(apart).empty());
+  CHECK(find_defect(apart).empty());
 }
 
 TEST_CASE("rejects an open mesh of one triangle or two") {
   const Mesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const Mesh two{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}};
-  CHECK(defect_of(one) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
-  CHECK(defect_of(two) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
+  CHECK(find_defect(one) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
+  CHECK(find_defect(two) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
 }
 
 TEST_CASE("distinguishes a missing face from a reversed one") {
   const Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   Mesh open = mesh;
   open.faces.pop_back();
-  CHECK(defect_of(open).starts_with("the mesh is open: no face joins faces["));
+  CHECK(find_defect(open).starts_with("the mesh is open: no face joins faces["));
   CHECK(check(mesh, tolerance).turned.count == 0);
   // The solid is the box, whichever faces are turned.
   for (unsigned which = 1; which < 63; ++which) {
@@ -98,7 +98,7 @@ TEST_CASE("rejects a one-sided surface") {
   // Every other face of an octahedron and three squares through its middle: closed, with one side.
   const Mesh surface{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
                      {{0, 1, 2}, {0, 4, 5}, {3, 1, 5}, {3, 4, 2}, {0, 1, 3, 4}, {1, 2, 4, 5}, {2, 0, 5, 3}}};
-  CHECK(defect_of(surface).find(" both run from points[") != std::string::npos);
+  CHECK(find_defect(surface).find(" both run from points[") != std::string::npos);
 }
 
 TEST_CASE("turns shells so that every other one faces inwards") {
@@ -118,10 +118,10 @@ TEST_CASE("turns shells so that every other one faces inwards") {
 TEST_CASE("overlapping solids cross and touching solids do not") {
   Mesh touching = box(glm::dvec3(0), glm::dvec3(2));
   testing::append(touching, box(glm::dvec3(2, 0.5, 0.5), glm::dvec3(3)));
-  CHECK(defect_of(touching) == "");
+  CHECK(find_defect(touching) == "");
   Mesh crossing = box(glm::dvec3(0), glm::dvec3(2));
   testing::append(crossing, box(glm::dvec3(1.5, 0.5, 0.5), glm::dvec3(3)));
-  CHECK(defect_of(crossing) == "");
+  CHECK(find_defect(crossing) == "");
   const auto found = check(crossing, tolerance).crossing;
   REQUIRE(found);
   CHECK(found->one < found->other);
@@ -129,7 +129,7 @@ TEST_CASE("overlapping solids cross and touching solids do not") {
   CHECK(found->count == 6);
   Mesh barely = box(glm::dvec3(0), glm::dvec3(2));
   testing::append(barely, box(glm::dvec3(2 - 1e-5, 0.5, 0.5), glm::dvec3(3)));
-  CHECK(defect_of(barely) == "");
+  CHECK(find_defect(barely) == "");
   CHECK(!check(barely, tolerance).crossing);
   const auto thin = check(barely, 1e-7).crossing;
   REQUIRE(thin);
@@ -142,7 +142,7 @@ TEST_CASE("a face folded through a shared corner crosses the others there") {
     return Mesh{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {3, 3, tip}, {1, 1, 1}},
                 {{3, 2, 1, 0}, {0, 1, 5}, {2, 3, 5}, {3, 0, 5}, {1, 4, 5}, {4, 2, 5}, {1, 2, 4}}};
   };
-  CHECK(defect_of(pyramid(0.5)).empty());
+  CHECK(find_defect(pyramid(0.5)).empty());
   CHECK(!check(pyramid(0.5), tolerance).crossing);
   CHECK(check(pyramid(-5), tolerance).crossing);
 }
@@ -166,13 +166,13 @@ TEST_CASE("inserts corners that lie on an unmatched edge into its face") {
   CHECK(volume_of(checked.mesh) == doctest::Approx(1).epsilon(1e-14));
   // A corner off the edge leaves a gap.
   mesh.points[base].z = 0.9;
-  CHECK(defect_of(mesh).starts_with("the mesh is open"));
+  CHECK(find_defect(mesh).starts_with("the mesh is open"));
 }
 
 TEST_CASE("an edge shared by four faces is no defect") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   testing::append(mesh, box(glm::dvec3(1, 1, 0), glm::dvec3(2, 2, 1)));
-  CHECK(defect_of(mesh).empty());
+  CHECK(find_defect(mesh).empty());
 }
 
 TEST_CASE("joins points separated by rounding only where the mesh is otherwise open") {
@@ -202,7 +202,7 @@ TEST_CASE("a far corner does not cause points of a small solid to be joined") {
   mesh.faces.pop_back();
   testing::append(mesh, box(glm::dvec3(3), glm::dvec3(4)));
   mesh.points.back() = glm::dvec3(4e9, 4, 4);
-  CHECK(defect_of(mesh).find("the mesh is open") != std::string::npos);
+  CHECK(find_defect(mesh).find("the mesh is open") != std::string::npos);
 }
 
 TEST_CASE("joins far points only if equal however small the tolerance") {
@@ -215,7 +215,7 @@ TEST_CASE("joins far points only if equal however small the tolerance") {
     solids::join_near_points(numbered, near);
     CHECK(numbered.mesh.points.size() == points);
   }
-  // Where doubles are coarser than the tolerance the next double is not near; elsewhere it is.
+  // If doubles are coarser than the tolerance the next double is not near; elsewhere it is.
   mesh = box(glm::dvec3(1e12, 0, 0), glm::dvec3(1e12 + 1, 1, 1));
   const std::uint32_t corner = mesh.faces[0][0];
   mesh.faces[0][0] = static_cast<std::uint32_t>(mesh.points.size());
@@ -230,9 +230,9 @@ TEST_CASE("joins far points only if equal however small the tolerance") {
 
 TEST_CASE("rejects coordinates whose squares overflow doubles") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1e12));
-  CHECK(defect_of(mesh).empty());
+  CHECK(find_defect(mesh).empty());
   mesh.points[6].z = -1e300;
-  CHECK(defect_of(mesh) == "points[6] has a coordinate beyond 1e+12; scale the solid down");
+  CHECK(find_defect(mesh) == "points[6] has a coordinate beyond 1e+12; scale the solid down");
 }
 
 TEST_CASE("solids that share a wall are merged") {

@@ -291,7 +291,7 @@ TEST_CASE("rejects more pieces or face parts than the limits allow") {
 TEST_CASE("gathering the faces of planes counts as work") {
   const Mesh mesh = testing::load_off("gear");
   solids::Limits limits;
-  // At least one step per face.
+  // One or more steps per face.
   limits.work = Work(mesh.faces.size());
   CHECK(testing::error_of([&] { convex_pieces(mesh, limits); }).starts_with("gathering the faces of a plane takes"));
 }

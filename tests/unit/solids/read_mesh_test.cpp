@@ -108,7 +108,7 @@ TEST_CASE("reads STL text word by word in any case with all of its solids") {
         "m.stl:3:1: expected 'solid' or the end of the file; export it as STL again");
 }
 
-TEST_CASE("an OFF file may have comments; colours and counts in its first line") {
+TEST_CASE("an OFF file may have comments and colours and counts in its first line") {
   const Mesh mesh = solids::parse_off(
       "COFF 4 4 # a tetrahedron\n0 0 0 255 0 0\n1 0 0 1 1 1\n# here\n0 1 0 0 0 0\n\n0 0 1\n"
       "3 2 1 0 0.5 0.5 0.5\n3 0 1 3\n3 1 2 3\n3 2 0 3",

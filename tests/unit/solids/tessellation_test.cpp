@@ -57,7 +57,7 @@ TEST_CASE("cuts non-planar faces into the same triangles as OpenSCAD") {
   }
   CHECK(crossed == 5);
   CHECK(others == 195);
-  // For a face with reflex corners diagonals may be flipped in another order.
+  // A face with reflex corners: diagonals may be flipped in another order.
   CHECK(alike >= 194);
 }
 

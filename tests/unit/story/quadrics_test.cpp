@@ -110,7 +110,7 @@ constexpr const char* bowl =
 
 }  // namespace
 
-TEST_CASE("owner; depth and working of random quadric models equal the picture's") {
+TEST_CASE("owner and depth and working of random quadric models equal the picture's") {
   const std::vector<Row> rows{
       {"pixel-powers+array.memory_bits=200"},
       {"pixel-powers+array.memory_bits=200", emit::Strategy::products},
@@ -167,7 +167,7 @@ TEST_CASE("owner; depth and working of random quadric models equal the picture's
   CHECK(by_plane > 100);
 }
 
-TEST_CASE("text and JSON name the visible quadric; its side and the bits of its root") {
+TEST_CASE("text and JSON name the visible quadric and its side and root bits") {
   const Drawn drawn = draw({"pixel-powers"}, bowl, view::Projection::orthographic);
   const story::HalfspaceFinder finder(drawn.tree, drawn.scene, drawn.view);
   const story::Subject subject{drawn.program, &finder};

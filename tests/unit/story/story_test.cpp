@@ -53,7 +53,8 @@ struct PixelCase {
   [[nodiscard]] story::Story story() const { return story::Teller(compiled.program, machine).story_of(x, y); }
 };
 
-PixelCase draw_case(const std::string& csg, std::uint32_t x, std::uint32_t y, emit::Strategy strategy = emit::Strategy::stack) {
+PixelCase draw_case(const std::string& csg, std::uint32_t x, std::uint32_t y,
+                    emit::Strategy strategy = emit::Strategy::stack) {
   testing::Setup setup = testing::front_view(8, 6, {});
   setup.options.strategy = strategy;
   testing::Compiled compiled = testing::compile_text("union(){" + first + csg + "}", setup);
@@ -62,7 +63,7 @@ PixelCase draw_case(const std::string& csg, std::uint32_t x, std::uint32_t y, em
 }
 
 /// Returns the attempt to draw a primitive.
-const story::Attempt& attempt_of(const story::Story& story, std::uint32_t primitive) {
+const story::Attempt& find_attempt(const story::Story& story, std::uint32_t primitive) {
   const auto found = std::find_if(story.attempts.begin(), story.attempts.end(),
                                   [&](const story::Attempt& one) { return one.primitive == primitive; });
   REQUIRE(found != story.attempts.end());
@@ -70,7 +71,7 @@ const story::Attempt& attempt_of(const story::Story& story, std::uint32_t primit
 }
 
 /// Returns the first event of this kind in the attempt.
-const story::Event& event_of(const story::Story& story, const story::Attempt& attempt, What what) {
+const story::Event& find_event(const story::Story& story, const story::Attempt& attempt, What what) {
   for (std::size_t i = attempt.first_event; i <= attempt.last_event; ++i)
     if (story.events[i].what == what) return story.events[i];
   FAIL("the attempt has no such event");
@@ -111,15 +112,15 @@ TEST_CASE("a nearer box drawn later is merged over the farther one") {
   const story::Story story = pixel.story();
   CHECK(story.owner == 2);
   CHECK(story.depth == at_1);
-  const story::Attempt& far = attempt_of(story, 1);
+  const story::Attempt& far = find_attempt(story, 1);
   CHECK(far.fate == Fate::covered);
   CHECK(story.events[far.deciding_event].origin.primitive == 2);
-  const story::Event& surface = event_of(story, far, What::surface);
+  const story::Event& surface = find_event(story, far, What::surface);
   REQUIRE(surface.decision.has_value());
   CHECK(surface.decision->value == at_2);
-  const story::Attempt& near = attempt_of(story, 2);
+  const story::Attempt& near = find_attempt(story, 2);
   CHECK(near.fate == Fate::seen);
-  const story::Event& merge = event_of(story, near, What::merge);
+  const story::Event& merge = find_event(story, near, What::merge);
   CHECK(merge.owner_before == 1);
   CHECK(merge.owner_after == 2);
   const story::Change* const z2 = merge.change_of(pixel.compiled.program, isa::FieldRole::depth);
@@ -132,7 +133,7 @@ TEST_CASE("a farther box drawn later fails the depth test and both depths are re
   const PixelCase pixel = draw_case(near_box + big, 4, 2);
   const story::Story story = pixel.story();
   CHECK(story.owner == 1);
-  const story::Attempt& far = attempt_of(story, 2);
+  const story::Attempt& far = find_attempt(story, 2);
   REQUIRE(far.fate == Fate::behind);
   const story::Event& test = story.events[far.deciding_event];
   REQUIRE(test.decision.has_value());
@@ -147,13 +148,13 @@ TEST_CASE("through a hole nothing is seen: front and back of the hole are remove
     const story::Story story = draw_case(through_hole, 3, 2, strategy).story();
     CHECK(story.owner == observe::no_owner);
     CHECK(story.depth == (1U << 20U) - 1);
-    const story::Attempt& front = attempt_of(story, 1);
+    const story::Attempt& front = find_attempt(story, 1);
     REQUIRE(front.fate == Fate::classified);
     REQUIRE(front.deciding_comparison.has_value());
     const story::Event& comparison = story.events[*front.deciding_comparison];
     CHECK(comparison.origin.node == 2);
     CHECK_FALSE(comparison.cut.has_value());
-    const story::Attempt& back = attempt_of(story, 2);
+    const story::Attempt& back = find_attempt(story, 2);
     REQUIRE(back.fate == Fate::classified);
     REQUIRE(back.deciding_comparison.has_value());
     CHECK(story.events[*back.deciding_comparison].origin.node == 1);
@@ -166,10 +167,10 @@ TEST_CASE("in a blind hole the back of the subtracted solid is seen") {
   const story::Story story = pixel.story();
   CHECK(story.owner == 2);
   CHECK(story.depth == at_3);
-  CHECK(attempt_of(story, 1).fate == Fate::classified);
-  const story::Attempt& wall = attempt_of(story, 2);
+  CHECK(find_attempt(story, 1).fate == Fate::classified);
+  const story::Attempt& wall = find_attempt(story, 2);
   CHECK(wall.fate == Fate::seen);
-  const story::Event& surface = event_of(story, wall, What::surface);
+  const story::Event& surface = find_event(story, wall, What::surface);
   REQUIRE(surface.decision.has_value());
   const story::HalfspaceFinder finder(pixel.compiled.tree, pixel.compiled.scene, pixel.compiled.view);
   const auto found = finder.find(surface.decision->instruction, pixel.compiled.program.segments[0].region);
@@ -184,7 +185,7 @@ TEST_CASE("a pixel beside a box is removed by the side that it is beyond") {
   const PixelCase pixel = draw_case(big, 6, 2);
   const story::Story story = pixel.story();
   CHECK(story.owner == observe::no_owner);
-  const story::Attempt& beside = attempt_of(story, 1);
+  const story::Attempt& beside = find_attempt(story, 1);
   CHECK(beside.fate == Fate::outside);
   const story::Event& surface = story.events[beside.first_event];
   REQUIRE(surface.cut.has_value());
@@ -213,7 +214,8 @@ TEST_CASE("why-not explains each fate and a primitive without instructions") {
 
 TEST_CASE("reports that a pruned primitive has no instructions") {
   // The wide box fills its rectangle and hides a smaller one behind it.
-  const PixelCase pixel = draw_case(box_text({1, 1, -5.5}, {7.5, 1.5, -0.5}) + box_text({4.25, 2, -3.25}, {5.75, 3, -2.75}), 5, 2);
+  const PixelCase pixel =
+      draw_case(box_text({1, 1, -5.5}, {7.5, 1.5, -0.5}) + box_text({4.25, 2, -3.25}, {5.75, 3, -2.75}), 5, 2);
   const story::Subject subject{pixel.compiled.program, nullptr};
   const story::Story story = pixel.story();
   const story::WhyNot answer = story::why_not(subject, story, 2);
@@ -255,7 +257,7 @@ TEST_CASE("a pixel shows glass at its depth and the box seen through it") {
   CHECK(story.depth == at_1);
   CHECK(story.opaque_owner == 1);
   CHECK(story.opaque_depth == at_2);
-  CHECK(attempt_of(story, 1).fate == Fate::blended);
+  CHECK(find_attempt(story, 1).fate == Fate::blended);
   CHECK(std::count_if(story.attempts.begin(), story.attempts.end(),
                       [](const story::Attempt& one) { return one.fate == Fate::blended && one.primitive == 3; }) == 1);
   const nlohmann::json json = story::to_json(subject, story);
@@ -356,7 +358,7 @@ TEST_CASE("a single pixel equals the whole array including effects") {
   }
 }
 
-TEST_CASE("text and JSON start with the owner; its line and its plane") {
+TEST_CASE("text and JSON start with the owner and its line and its plane") {
   const PixelCase pixel = draw_case(big + near_box, 4, 2);
   const story::HalfspaceFinder finder(pixel.compiled.tree, pixel.compiled.scene, pixel.compiled.view);
   const story::Subject subject{pixel.compiled.program, &finder};

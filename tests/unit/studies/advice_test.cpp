@@ -227,7 +227,7 @@ TEST_CASE("with no wrong pixels allowed nearest choices weigh both shortfalls") 
   CHECK(studies::nearest_choices(rows, wishes, 2) == Rows{rows[1], rows[0]});
 }
 
-TEST_CASE("advice agrees with sweep; accuracy and an exhaustive search on a grid") {
+TEST_CASE("advice agrees with sweep and accuracy and an exhaustive search on a grid") {
   const AdviceJobs job({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
   const std::vector<DesignPoint> points = small_points();
   const Rows rows = measured(job, points, 2);

@@ -54,7 +54,7 @@ std::optional<std::string> why_not(emit::Curves curves, const std::string& csg, 
 
 }  // namespace
 
-TEST_CASE("fast spheres have true outlines and edges; their depths differ") {
+TEST_CASE("fast spheres have true outlines and edges but other depths") {
   const model::Tree tree = read::read_csg_text(joined_balls, "test");
   studies::Meter meter(tree, studies::turned_views(camera, 2), machine_of("pixel-planes-4"), {});
   const studies::Measurement facets = meter.measure(drawn_as(emit::Curves::facets));

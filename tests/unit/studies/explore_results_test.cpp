@@ -72,7 +72,7 @@ std::string usage_error(const Texts& words) {
 
 }  // namespace
 
-TEST_CASE("rejects faulty rows: nothing drawn; unexplained wrong pixels; a missing model") {
+TEST_CASE("rejects rows without drawings or with unexplained wrong pixels") {
   std::vector<ExploreRow> rows{made_row("m.csg", "a", 10, 60), made_row("m.csg", "b", 10, 60)};
   CHECK(refusal_of(rows) == "");
   rows[0].reason = "no memory";
@@ -219,7 +219,7 @@ TEST_CASE("rejects contradictory options by name") {
   CHECK(usage_error({"--vary", "alu.bits=1"}) != "");
 }
 
-TEST_CASE("compares designs on four axes; with a process on five; or on requested ones") {
+TEST_CASE("compares designs on four axes or five with a process or requested ones") {
   studies::ExploreOptions options;
   CHECK(options.asked_axes() == "time,area,memory,wrong");
   CHECK_FALSE(options.loaded_process());

@@ -98,7 +98,7 @@ TEST_CASE("an empty row has zeros and empty cells in the order of its columns") 
   CHECK_FALSE(refused_row("m", "1", 8, "why").compiled());
 }
 
-TEST_CASE("each axis reads its value from a row; none if unpriced; and sums pictures") {
+TEST_CASE("each axis reads its value from a row or has none if unpriced") {
   ExploreRow row;
   row.frames_per_second = 40;  // 25 ms each
   row.machine_transistors = 7000;
@@ -153,10 +153,10 @@ TEST_CASE("over two models silicon is the maximum and energy the sum") {
 
 TEST_CASE("the knee considers only the front") {
   const std::vector<studies::ExploreAxis> axes = studies::axes_in("time,memory");
-  // For the candidates that count, logarithms (0, 2), (1, 1), (2, 0) are stretched to (0, 1), (1/2, 1/2), (1, 0).
+  // The counting candidates' logarithms (0, 2), (1, 1), (2, 0) are stretched to (0, 1), (1/2, 1/2), (1, 0).
   const std::vector<Values> candidates{{0.001, 0.001}, {1, 100}, {10, 10}, {100, 1}, {1e6, 1e6}};
   CHECK(studies::knee_of(candidates, {false, true, true, true, false}, axes) == 2);
-  // Without the middle both ends are at distance 1: the first one is chosen.
+  // If the middle is missing both ends are at distance 1: the first one is chosen.
   CHECK(studies::knee_of(candidates, {false, true, false, true, false}, axes) == 1);
   CHECK(studies::knee_of(candidates, {false, false, false, true, false}, axes) == 3);
   CHECK_FALSE(studies::knee_of(candidates, {false, false, false, false, false}, axes));

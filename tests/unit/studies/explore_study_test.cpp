@@ -68,7 +68,7 @@ TEST_CASE("requests each model and design once with all its inputs and models fi
     }
   }
   CHECK(explored.ask() == expected);
-  // For one model the inputs differ in the machine only.
+  // The inputs for one model differ in the machine only.
   CHECK(explored.asked[0].inputs == explored.asked[1].inputs);
   CHECK(explored.asked[0].inputs.machine_hash != explored.asked[2].inputs.machine_hash);
   CHECK(explored.asked[0].inputs.model_hash == explored.asked[2].inputs.model_hash);
@@ -76,7 +76,7 @@ TEST_CASE("requests each model and design once with all its inputs and models fi
   CHECK(explored.asked[0].inputs.machine_hash == explored.asked[4].inputs.machine_hash);
 }
 
-TEST_CASE("a point has memory if an option; a varied key or a figure sets it") {
+TEST_CASE("a point has memory if an option or a varied key or a figure sets it") {
   const Models models;
   const std::string cube = models / "cube.csg";
   const auto memory = [&](const Texts& words) {
@@ -97,20 +97,20 @@ TEST_CASE("a point has memory if an option; a varied key or a figure sets it") {
 
 TEST_CASE("a process is part of each point and its figures are inputs") {
   const Models models;
-  const auto asked = [&](const Texts& words) {
+  const auto requested = [&](const Texts& words) {
     Texts all{models / "cube.csg", "--size", "16x12", "--vary", "z-bits=12"};
     all.insert(all.end(), words.begin(), words.end());
     Explored explored(all);
     explored.ask();
     return explored.asked.front();
   };
-  const studies::Asked plain = asked({});
-  const studies::Asked made = asked({"--process", "nmos-3um"});
+  const studies::Asked plain = requested({});
+  const studies::Asked made = requested({"--process", "nmos-3um"});
   CHECK(studies::split_cells(plain.cells).at(2).empty());
   CHECK(studies::split_cells(made.cells).at(2) == "nmos-3um");
   CHECK(plain.inputs.machine_hash != made.inputs.machine_hash);
-  CHECK(made.inputs.machine_hash != asked({"--process", "cmos-45nm"}).inputs.machine_hash);
-  CHECK(made.inputs == asked({"--process", "nmos-3um"}).inputs);
+  CHECK(made.inputs.machine_hash != requested({"--process", "cmos-45nm"}).inputs.machine_hash);
+  CHECK(made.inputs == requested({"--process", "nmos-3um"}).inputs);
   CHECK(made.inputs.model_hash == plain.inputs.model_hash);
 }
 
@@ -159,9 +159,9 @@ TEST_CASE("transparent models are not compared with exact pictures on any design
 TEST_CASE("a row has the figures and wrong pixels of a machine with just enough memory") {
   const Models models;
   const Texts words{models / "two.csg", "--size", "16x12", "--z-bits", "12"};
-  Texts asked = words;
-  asked.insert(asked.end(), {"--vary", "alu.bits=1,2", "--process", "cmos-45nm"});
-  Explored explored(asked);
+  Texts requested = words;
+  requested.insert(requested.end(), {"--vary", "alu.bits=1,2", "--process", "cmos-45nm"});
+  Explored explored(requested);
   explored.ask();
   const Texts rows = explored.measure();
   const process::Process process = process::load_process("cmos-45nm");
@@ -260,7 +260,7 @@ TEST_CASE("designs measured together equal separate measurements") {
   CHECK(wrong.size() > 3);
 }
 
-TEST_CASE("reads models; scene; machine and process files and varies named figures") {
+TEST_CASE("lists models and scene and machine and process files as inputs") {
   const Explored explored({"a.csg", "b.csg", "--vary", "z-bits=12"});
   CHECK(explored.study().inputs() == std::vector<fs::path>{"a.csg", "b.csg"});
   const Models models;
@@ -310,7 +310,7 @@ TEST_CASE("a search requests neighbours of the front until its limit or exhausti
   CHECK(std::accumulate(three.begin(), three.end(), std::size_t{0}) == 1 + 3);
   CHECK(std::set<std::string>(cells.begin(), cells.end()).size() == cells.size());
   CHECK(first == Texts{cells[0], cells[1]});
-  // At most all 15 designs; the search also ends without --search's limit.
+  // All 15 designs or fewer; the search also ends without --search's limit.
   const auto [all, of_all] = counts("100");
   const std::size_t total = std::accumulate(all.begin(), all.end(), std::size_t{0});
   CHECK(total > 4);

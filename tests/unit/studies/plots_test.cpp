@@ -52,7 +52,7 @@ plots::Chart chart_named(const std::vector<plots::Plot>& all, const std::string&
 
 }  // namespace
 
-TEST_CASE("a sweep's x axis is its most varied parameter; numbers before names") {
+TEST_CASE("a sweep's x axis is its most varied parameter with numbers before names") {
   using Rows = std::vector<studies::SweepRow>;
   const Rows stack_bits{row(point("stack", 0), 1), row(point("bits", 3), 2), row(point("bits", 4), 3)};
   CHECK(tick_texts(studies::SweepAxis(stack_bits).axis()) == Words{"3", "4"});
@@ -196,7 +196,7 @@ TEST_CASE("facets and curves share a plot of clocks and pixels off the true surf
   CHECK(chart.series[3].points.front().y == 40);
 }
 
-TEST_CASE("a comparison plots what varies: machines; half-spaces or pixels") {
+TEST_CASE("a comparison plots the varying machines or half-spaces or pixels") {
   std::vector<studies::ComparisonRow> rows(2);
   for (studies::ComparisonRow& one : rows) {
     one.point = {"scan-line", 64, 64, 0, {}};
@@ -220,7 +220,7 @@ TEST_CASE("a comparison plots what varies: machines; half-spaces or pixels") {
   CHECK(names() == Words{"compare_machines", "compare_halfspaces", "compare_pixels"});
 }
 
-TEST_CASE("machines that differ in a figure are named by it; transistors need all values") {
+TEST_CASE("machines that differ in a figure are named by it") {
   std::vector<studies::ComparisonRow> rows(3);
   const Words machines{"pixel-planes-4", "pixel-planes-4+alu.bits=2", "pixel-planes-4+alu.bits=2+array.memory_bits=96"};
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -36,7 +36,7 @@ TEST_CASE("each point is in one shard and shards differ by at most one point") {
 }
 
 TEST_CASE("points are distributed by SplitMix64 in every csgsim version") {
-  // From an independent implementation: shards of a study in progress must not change.
+  // Results of an independent implementation: shards of a study in progress must not change.
   CHECK(studies::shard_of_each(10, 3) == std::vector<unsigned>{2, 3, 1, 1, 2, 2, 3, 1, 1, 3});
 }
 

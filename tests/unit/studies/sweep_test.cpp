@@ -111,7 +111,7 @@ TEST_CASE("rejects an unknown name and suggests a similar one") {
   CHECK_THROWS_AS(session::parse_names("", "level", known), InputError);
 }
 
-TEST_CASE("the product has a point per combination; stack bits only where they matter") {
+TEST_CASE("the product has a point per combination and varies only effective stack bits") {
   const std::vector<studies::DesignPoint> points = small_points();
   REQUIRE(points.size() == 2 * 2 * 3);
   CHECK(studies::point_cells<studies::SweepRow>(points[0]) == "a.csg,pixel-planes-4,,16,all,rebroadcast,stack,0,auto");
@@ -158,7 +158,7 @@ TEST_CASE("rejects a table line that an editor ended with CR LF") {
 TEST_CASE("names of points state what varies") {
   std::vector<studies::SweepRow> rows;
   for (const studies::DesignPoint& point : small_points()) rows.push_back(row_of(point, ""));
-  rows.resize(6);  // of the first model
+  rows.resize(6);  // only those of the first model
   const studies::PointNames names(rows);
   CHECK(names.name(rows[0].point) == "stack, z 16");
   CHECK(names.name(rows[5].point) == "bits 5, z 20");
@@ -166,7 +166,7 @@ TEST_CASE("names of points state what varies") {
   CHECK(studies::PointNames(std::span(rows).first(3)).conditions(rows[0].point).empty());
 }
 
-TEST_CASE("compares pictures within a model; size and z bits and reports overflows") {
+TEST_CASE("compares pictures of equal model and size and z bits and reports overflows") {
   std::vector<studies::SweepRow> rows;
   for (const studies::DesignPoint& point : small_points())
     rows.push_back(row_of(point, point.model + std::to_string(point.z_bits)));

@@ -117,7 +117,7 @@ TEST_CASE("a table is plain CSV and a file beside it names its study") {
   CHECK(content(fs::path(path).replace_extension(".study")) == "one study\n");
   fs::remove(fs::path(path).replace_extension(".study"));
   CHECK_THROWS_AS(table_at(path, "one study"), InputError);  // the study of its rows is unknown
-  // Without rows nothing can be confused.
+  // If there are no rows nothing can be confused.
   std::ofstream(path) << plain_header;
   CHECK(table_at(path, "another study").rows().empty());
   CHECK(content(fs::path(path).replace_extension(".study")) == "another study\n");
@@ -135,7 +135,7 @@ TEST_CASE("a table with an old-style comment is continued and converted") {
   CHECK(table_at(path).rows().size() == 2);
 }
 
-TEST_CASE("a point is measured only by a serving row for equal model; machine and build") {
+TEST_CASE("a point counts as measured only with equal model and machine and build") {
   const fs::path path = fresh("table_wanted.csv");
   studies::Table table =
       table_at(path, "a study", [](std::size_t, const std::string& one) { return one.ends_with(",2"); });
@@ -162,7 +162,8 @@ TEST_CASE("deletes rows of requested points with outdated inputs and reports cha
   CHECK(table.rows().size() == 3);
   studies::Inputs now = TestRow().inputs;
   now.machine_hash = "of an edited file";
-  CHECK(table.drop_stale(std::array{requested("x", now), requested("z", now)}, false) == std::set<std::string>{"the machine"});
+  CHECK(table.drop_stale(std::array{requested("x", now), requested("z", now)}, false) ==
+        std::set<std::string>{"the machine"});
   CHECK(table_at(path).rows() == Rows{row("y", 2)});
   // A table for one model on one machine keeps no rows of others.
   now.model_hash = "of another file";

@@ -66,7 +66,7 @@ TEST_CASE("the suite's seed is fixed and a seed in RC_PARAMS is kept") {
   CHECK_FALSE(testing::draws_from_fixed_seed());
 }
 
-TEST_CASE("a property's seed depends on the suite's seed; case; description and number") {
+TEST_CASE("a property's seed depends on suite seed and case and description and number") {
   std::set<std::uint64_t> seeds;
   for (const std::uint64_t seed : {1U, 2U}) {
     for (const char* const name : {"a", "b"}) {

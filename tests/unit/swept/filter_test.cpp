@@ -132,8 +132,8 @@ std::vector<Element> leaves_of(const Record& record) {
   return leaves;
 }
 
-/// Recomputes from all elements so far what is held after each: elements that touch a missing one, and their vertices
-/// and those that may still move.
+/// Recomputes from all preceding elements what is held after each: elements that touch a missing one, and their
+/// vertices and those that may still move.
 class Recount {
  public:
   explicit Recount(std::vector<Element> leaves) : leaves_(std::move(leaves)) {

@@ -69,7 +69,7 @@ TEST_CASE("a point's distance from a plane uses the longest line for collinear p
   CHECK(swept::off_plane({7, 9, -2}, level) == doctest::Approx(3));
   // x + y + z = 3, from (3, 3, 3).
   CHECK(swept::off_plane({3, 3, 3}, {{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}}}) == doctest::Approx(6 / std::sqrt(3.0)));
-  // On the x axis from 0 to 4, in each order of the three: 3 above its end, 2 behind it.
+  // Points on the x axis from 0 to 4, in each order of the three: 3 above its end, 2 behind it.
   for (const Three& line : {Three{{{0, 0, 0}, {4, 0, 0}, {2, 0, 0}}}, Three{{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}},
                             Three{{{4, 0, 0}, {2, 0, 0}, {0, 0, 0}}}, Three{{{2, 0, 0}, {0, 0, 0}, {4, 0, 0}}},
                             Three{{{2, 0, 0}, {4, 0, 0}, {0, 0, 0}}}, Three{{{0, 0, 0}, {4, 0, 0}, {4, 0, 0}}}}) {

@@ -46,7 +46,7 @@ std::size_t leaves_of(const Sweep& sweep, std::size_t column, const swept::Accur
   return swept_test::leaves_of(*swept::surface_of(sweep), column, 0, accuracy).size();
 }
 
-Net net_of(std::size_t rows, std::size_t columns) {
+Net make_net(std::size_t rows, std::size_t columns) {
   Net net;
   for (std::size_t row = 0; row < rows; ++row) {
     std::vector<glm::dvec3>& points = net.rows.emplace_back();
@@ -123,15 +123,15 @@ TEST_CASE("the limits on points and patches are exact") {
 }
 
 TEST_CASE("a net needs four equal rows of four points; at most 100000 patches") {
-  CHECK(swept::fault_of(net_of(4, 4)).empty());
-  CHECK(swept::fault_of(net_of(3, 4)) == "a patch needs 4 rows of points or more, not 3");
-  CHECK(swept::fault_of(net_of(4, 3)) == "a row of a patch needs 4 points or more, not 3");
-  Net uneven = net_of(4, 5);
+  CHECK(swept::fault_of(make_net(4, 4)).empty());
+  CHECK(swept::fault_of(make_net(3, 4)) == "a patch needs 4 rows of points or more, not 3");
+  CHECK(swept::fault_of(make_net(4, 3)) == "a row of a patch needs 4 points or more, not 3");
+  Net uneven = make_net(4, 5);
   uneven.rows[3].pop_back();
   CHECK(swept::fault_of(uneven) == "rows of a patch are of 5 and of 4 points; make them equally long");
-  CHECK(swept::fault_of(net_of(103, 1003)).empty());
-  CHECK(swept::fault_of(net_of(104, 1003)) == "more than 100000 patches; take points out");
-  CHECK(swept::fault_of(net_of(103, 1004)) == "more than 100000 patches; take points out");
+  CHECK(swept::fault_of(make_net(103, 1003)).empty());
+  CHECK(swept::fault_of(make_net(104, 1003)) == "more than 100000 patches; take points out");
+  CHECK(swept::fault_of(make_net(103, 1004)) == "more than 100000 patches; take points out");
 }
 
 TEST_CASE("on a closed trajectory the scale along u and v and the rotation must close") {
@@ -178,7 +178,7 @@ TEST_CASE("rotation to and fro counts both ways up to a right angle") {
 }
 
 TEST_CASE("a twist to one side and back within a segment is not mistaken for none") {
-  // At both ends and in the middle the rotation is 0.
+  // The rotation is 0 at both ends and in the middle.
   Sweep sweep = block();
   sweep.rotation = function(3, {0, 300, -300, 0});
   const swept::SweptSolid solid = swept::solid_of(sweep, {0.05});
@@ -218,8 +218,8 @@ TEST_CASE("rims of cones are within tolerance in both directions of the trajecto
 }
 
 TEST_CASE("a patch with one bent side is subdivided whichever side it is") {
-  // In the plane of the trajectory, from it to a point that the scale moves along a parabola: 4 off a line; an eighth
-  // of its length is 1/16 off.
+  // A side in the plane of the trajectory, from it to a point that the scale moves along a parabola: 4 off a line; an
+  // eighth of its length is 1/16 off.
   Sweep sweep{{1, true, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}}, line(10)};
   sweep.scale = {2, false, {{1, 1, 0}, {3, 3, 0}, {1, 1, 0}}};
   CHECK(leaves_of(sweep, 0, {0.1}) >= 8);  // to the point on its eastern side

@@ -98,7 +98,7 @@ TEST_CASE("an element is flat if its fourth corner and midpoint are near the oth
   CHECK(!is_flat(0.11, 0.0275));
   CHECK(!is_flat(0, -0.11));
   CHECK(counts.tests == 6);
-  // With two equal corners the plane is that of the other three.
+  // Two corners are equal: the plane is that of the other three.
   CHECK(!swept::is_flat({{{0, 0, 0}, {0, 0, 0}, {0, 4, 0}, {4, 4, 0}}}, {2, 2, 0.11}, 0.1, counts));
   CHECK(swept::is_flat({{{0, 0, 0}, {0, 0, 0}, {0, 4, 0}, {4, 4, 0}}}, {2, 2, 0.09}, 0.1, counts));
 }

@@ -70,7 +70,7 @@ Patchwork patchwork(std::size_t columns, const std::vector<std::string>& patches
 using Ring = std::vector<std::array<double, 3>>;
 
 /// Positions of an element's vertices, starting at the least.
-std::set<Ring> rings_of(const Patchwork& made) {
+std::set<Ring> vertex_rings(const Patchwork& made) {
   std::set<Ring> rings;
   for (const std::vector<std::uint32_t>& element : made.elements) {
     Ring ring;
@@ -223,7 +223,7 @@ TEST_CASE("both repairs split patch edges into segments of the larger elements")
         CAPTURE(columns);
         const Patchwork filtered = patchwork(columns, {kinds[i], kinds[k], kinds[k], kinds[i]}, Repair::filter);
         const Patchwork kept = patchwork(columns, {kinds[i], kinds[k], kinds[k], kinds[i]}, Repair::quadtree);
-        CHECK(rings_of(filtered) == rings_of(kept));
+        CHECK(vertex_rings(filtered) == vertex_rings(kept));
         CHECK(filtered.wire_vertices == kept.wire_vertices);
         CHECK(filtered.repair.vertices == filtered.points.size());
         CHECK(kept.repair.vertices == kept.points.size());

@@ -13,7 +13,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// A polyline as a path.
-Path path_of(const std::vector<glm::dvec3>& points, bool is_closed = false) {
+Path make_path(const std::vector<glm::dvec3>& points, bool is_closed = false) {
   return {swept::segments_of({1, is_closed, points}), is_closed, true};
 }
 
@@ -71,14 +71,14 @@ TEST_CASE("a segment's end directions skip coincident points") {
 }
 
 TEST_CASE("a path's tangent bisects joints and follows the only segment at open ends") {
-  const Path open = path_of({{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {4, 2, 6}});
+  const Path open = make_path({{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {4, 2, 6}});
   CHECK(are_same(open.tangent(0), {1, 0, 0}));
   CHECK(are_same(open.tangent(0.5), {1, 0, 0}));
   CHECK(are_same(open.tangent(1), {half_root, half_root, 0}));
   CHECK(are_same(open.tangent(1.25), {0, 1, 0}));
   CHECK(are_same(open.tangent(2), {0, half_root, half_root}));
   CHECK(are_same(open.tangent(3), {0, 0, 1}));
-  const Path closed = path_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}, true);
+  const Path closed = make_path({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}, true);
   CHECK(are_same(closed.tangent(0), glm::normalize(glm::dvec3(1 - half_root, -half_root, 0))));
   CHECK(are_same(closed.tangent(3), closed.tangent(0)));
   CHECK(are_same(closed.tangent(2), glm::normalize(glm::dvec3(-half_root, 1 - half_root, 0))));
@@ -93,45 +93,46 @@ TEST_CASE("a trajectory turns back if its directions are opposite within 0.02") 
   // Unit directions that are opposite except for an angle a sum to length 2 sin(a / 2).
   for (const bool is_near : {true, false}) {
     const double angle = is_near ? 0.0199 : 0.0201;
-    const Path path = path_of({{0, 0, 0}, {1, 0, 0}, {1 - std::cos(angle), std::sin(angle), 0}});
+    const Path path = make_path({{0, 0, 0}, {1, 0, 0}, {1 - std::cos(angle), std::sin(angle), 0}});
     CHECK(testing::error_of([&] { static_cast<void>(path.tangent(1)); }) ==
           (is_near ? "the trajectory turns back at the end of its segment 1; move that point aside" : ""));
   }
 }
 
 TEST_CASE("v follows the y axis projected on the contour's plane") {
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {5, 0, 0}}), 0.5), {0, 1, 0}));
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {3, 4, 0}}), 0), {-0.8, 0.6, 0}));
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {0, -4, 3}}), 1), {0, 0.6, 0.8}));
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {5, 0, 0}}), 0.5), {0, 1, 0}));
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {3, 4, 0}}), 0), {-0.8, 0.6, 0}));
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, -4, 3}}), 1), {0, 0.6, 0.8}));
   // The limit is 5.7 degrees from the axis, where its projection has length 0.1.
   for (const double sine : {0.101, 0.099}) {
     const double cosine = std::sqrt(1 - sine * sine);
-    CHECK(are_same(up_at(path_of({{0, 0, 0}, {sine, cosine, 0}}), 0.5),
+    CHECK(are_same(up_at(make_path({{0, 0, 0}, {sine, cosine, 0}}), 0.5),
                    sine > 0.1 ? glm::dvec3(-cosine, sine, 0) : glm::normalize(glm::dvec3(0, 0, -1))));
   }
 }
 
 TEST_CASE("along the y axis v points to -z upwards and to z downwards") {
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {0, 5, 0}}), 0.5), {0, 0, -1}));
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {0, -5, 0}}), 1), {0, 0, 1}));
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, 5, 0}}), 0.5), {0, 0, -1}));
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, -5, 0}}), 1), {0, 0, 1}));
   // Leaning slightly towards z removes the part of z along the tangent.
   const glm::dvec3 leaning = glm::normalize(glm::dvec3(0, 1, 0.05));
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, leaning}), 0), glm::normalize(glm::dvec3(0, 0, -1) + leaning.z * leaning)));
+  CHECK(
+      are_same(up_at(make_path({{0, 0, 0}, leaning}), 0), glm::normalize(glm::dvec3(0, 0, -1) + leaning.z * leaning)));
   const Path wave = smooth({{3, {{{0, 0, 0}, {0.05, 1, 0}, {-0.05, 2, 0}, {0, 3, 0}}}}});
   CHECK(are_same(up_at(wave, 0), {0, 0, -1}));
   CHECK(are_same(up_at(wave, 1), {0, 0, -1}));
 }
 
 TEST_CASE("at an end along the y axis v is carried over from the nearest known place") {
-  // In the plane of x and y: left of the tangent where it rises to the right or falls to the left.
+  // The plane of x and y: left of the tangent where it rises to the right or falls to the left.
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {0, 5, 0}, {5, 10, 0}}}}}), 0), {-1, 0, 0}));
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {0, 5, 0}, {-5, 10, 0}}}}}), 0), {1, 0, 0}));
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {5, 5, 0}, {5, 10, 0}}}}}), 1), {-1, 0, 0}));
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {-5, 5, 0}, {-5, 10, 0}}}}}), 1), {1, 0, 0}));
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {5, -5, 0}, {5, -10, 0}}}}}), 1), {1, 0, 0}));
   // On a polyline, the orientation comes from the next or the previous corner.
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {0, 5, 0}, {5, 5, 0}}), 0), {-1, 0, 0}));
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {5, 0, 0}, {5, 5, 0}}), 2), {-1, 0, 0}));
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, 5, 0}, {5, 5, 0}}), 0), {-1, 0, 0}));
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {5, 0, 0}, {5, 5, 0}}), 2), {-1, 0, 0}));
 }
 
 TEST_CASE("where a smooth trajectory passes the y axis v rotates evenly within 5.7 degrees") {
@@ -160,17 +161,17 @@ TEST_CASE("where a smooth trajectory passes the y axis v rotates evenly within 5
 TEST_CASE("between corners along the y axis v rotates evenly from one to the next") {
   const glm::dvec3 y(0, 1, 0);
   // To the right both times: carried along without rotation. From the right to the left: half of 180 degrees.
-  const Path step = path_of({{-5, 0, 0}, {0, 0, 0}, {0, 5, 0}, {0, 10, 0}, {5, 10, 0}});
+  const Path step = make_path({{-5, 0, 0}, {0, 0, 0}, {0, 5, 0}, {0, 10, 0}, {5, 10, 0}});
   CHECK(are_same(Orientation(step).upward(2, y), {-1, 0, 0}));
   CHECK(are_same(Orientation(step).upward(1.5, y), {-1, 0, 0}));
-  const Path bow = path_of({{-5, 0, 0}, {0, 0, 0}, {0, 5, 0}, {0, 10, 0}, {-5, 10, 0}});
+  const Path bow = make_path({{-5, 0, 0}, {0, 0, 0}, {0, 5, 0}, {0, 10, 0}, {-5, 10, 0}});
   const Orientation turned(bow);
   CHECK(std::abs(turned.upward(2, y).z) == doctest::Approx(1));
   CHECK(turned.upward(1.5, y).x == doctest::Approx(-half_root));
   CHECK(std::abs(turned.upward(1.5, y).z) == doctest::Approx(half_root));
   CHECK(turned.upward(2.5, y).x == doctest::Approx(half_root));
   // A closed trajectory, across its start.
-  const Path closed = path_of({{0, 0, 0}, {0, 5, 0}, {-5, 5, 0}, {-5, -5, 0}, {0, -5, 0}}, true);
+  const Path closed = make_path({{0, 0, 0}, {0, 5, 0}, {-5, 5, 0}, {-5, -5, 0}, {0, -5, 0}}, true);
   const Orientation over(closed);
   CHECK(std::abs(over.upward(0, y).z) == doctest::Approx(1));
   CHECK(std::abs(over.upward(5, y).z) == doctest::Approx(1));
@@ -273,18 +274,18 @@ TEST_CASE("a smooth trajectory has no corner above a thousandth at repeated poin
     if (is_closed) curve.points = {{0, 0, 0}, next, {0, 3, 0}, {-3, 0, 0}, {-1, 0, 0}, {0, 0, 0}};
     return making_spine(along(curve));
   };
-  const auto told = [](int segment) {
+  const auto error_at = [](int segment) {
     return "the trajectory has a corner where its segment " + std::to_string(segment) +
            " starts; take points apart that are the same, or degree 1";
   };
   CHECK(bent(0.0009, false) == "");
-  CHECK(bent(0.0011, false) == told(2));
-  CHECK(bent(1, false) == told(2));
+  CHECK(bent(0.0011, false) == error_at(2));
+  CHECK(bent(1, false) == error_at(2));
   CHECK(bent(0, true) == "");
-  CHECK(bent(1, true) == told(6));
+  CHECK(bent(1, true) == error_at(6));
   // On a closed curve the last point equals the one before it.
   Curve first{2, true, {{0, 0, 0}, {0, 0, 0}, {1, 1, 0}, {0, 3, 0}, {-3, 0, 0}}};
-  CHECK(making_spine(along(first)) == told(1));
+  CHECK(making_spine(along(first)) == error_at(1));
 }
 
 TEST_CASE("a closed trajectory may rotate its contour by a full turn even at height 0") {

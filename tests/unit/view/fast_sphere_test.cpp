@@ -127,7 +127,7 @@ TEST_CASE("a fast sphere is a circle within 1/256 pixel and 0.3 radius of the tr
   CHECK((!testing::draws_usual_cases() || worst > 0.2));
 }
 
-TEST_CASE("ranges; blocks and extents of fast spheres contain their depths") {
+TEST_CASE("ranges and blocks and extents of fast spheres contain their depths") {
   int in_blocks = 0;
   int out_blocks = 0;
   for (int round = 0; round < 5; ++round) {
@@ -180,7 +180,7 @@ TEST_CASE("ranges; blocks and extents of fast spheres contain their depths") {
   CHECK((!testing::draws_usual_cases() || out_blocks > 50));
 }
 
-TEST_CASE("rotations; reflections and uniform scales to 6 digits keep balls") {
+TEST_CASE("rotations and reflections and uniform scales to 6 digits keep balls") {
   CHECK(rc::check([] {
     glm::dmat4 place = glm::translate(glm::dmat4(1.0), vector(20));
     place = glm::rotate(place, real(0, 6.28), glm::normalize(vector(1) + glm::dvec3(1e-3)));

@@ -213,7 +213,7 @@ TEST_CASE("faces spread over the picture have few rivals however many they are")
   }
 }
 
-TEST_CASE("a few functions are all rivals of each other; without pixels none are") {
+TEST_CASE("a few functions are all rivals of each other if there are pixels") {
   const Boundary boundary = bowl(3, 64);
   const view::AllRivals found = view::rivals(boundary, {0, 0, 63, 63}, 0);
   CHECK(found.of_fronts[4].fronts == Numbers{0, 1, 2, 3, 5, 6, 7, 8});

@@ -19,7 +19,6 @@ namespace {
 enum class Around : std::uint8_t { all_in, all_out, both };
 
 /// Samples the shape around a place (column, row and depth) within `reach`, at `steps` places each way, finer in depth.
-/// these in depth.
 Around look_around(const Subject& subject, const view::View& view, const glm::dvec3& place, const glm::dvec3& reach,
                    int steps) {
   bool is_in_somewhere = false;
@@ -93,7 +92,7 @@ TEST_CASE("the integers contain what the shape contains up to rounding from ever
   CHECK((!testing::draws_usual_cases() || ins > 100));
 }
 
-TEST_CASE("a cylinder seen along its axis becomes an edge test; also at tiny slants") {
+TEST_CASE("a cylinder seen along its axis or at a tiny slant becomes an edge test") {
   for (const double slant : {0.0, 1e-7}) {
     const model::Tree tree = single(model::Cylinder{4, 10, 10, false, {}}, glm::dmat4(1.0));
     const facet::Geometry scene = facet::make_geometry(tree, exact());

@@ -71,7 +71,7 @@ TEST_CASE("ranges over rectangles are the extremes at their corners") {
   }));
 }
 
-TEST_CASE("the picture's axes are right; up and forward like OpenSCAD's camera") {
+TEST_CASE("the picture's axes are right and up and forward like OpenSCAD's camera") {
   const view::Basis from_front = view::basis({{0, -10, 0}, {0, 0, 0}, view::Projection::orthographic});
   CHECK(from_front.right == glm::dvec3(1, 0, 0));
   CHECK(from_front.up == glm::dvec3(0, 0, 1));
@@ -81,7 +81,7 @@ TEST_CASE("the picture's axes are right; up and forward like OpenSCAD's camera")
   CHECK(from_above.up == glm::dvec3(0, 1, 0));
 }
 
-TEST_CASE("the default view is OpenSCAD's: 55 degrees about x and 25 about z; orthographic") {
+TEST_CASE("the default view is OpenSCAD's orthographic one tilted by 55 and 25 degrees") {
   const view::Camera camera = view::default_camera({{-1, 2, 3}, {5, 4, 9}}, 640, 480);
   CHECK(camera.projection == view::Projection::orthographic);
   const glm::dvec3 toward_eye = glm::normalize(camera.eye - camera.centre);

@@ -16,7 +16,7 @@
 #include "sim/viewer/knobs.h"
 #include "sim/viewer/session.h"
 #include "tests/support/test.h"
-#include "tests/unit/viewer/asked.h"
+#include "tests/unit/viewer/running.h"
 
 using namespace csgsim;
 using testing::Answer;
@@ -58,7 +58,7 @@ viewer::SessionOptions recording(std::function<void()> does) {
 
 }  // namespace
 
-TEST_CASE("a picture comes with its size; camera; drawing command and duration") {
+TEST_CASE("a picture comes with its size and camera and drawing command and duration") {
   viewer::Session session({figure, {"--fraction-bits", "10"}, Json::object()});
   const Json answer = ask(session, "draw", box_wish()).json;
   CHECK(answer["width"] == 33);
@@ -80,7 +80,7 @@ TEST_CASE("a picture comes with its size; camera; drawing command and duration")
                                  "alu.bits=4 --set 'background.colour=[0, 0, 1]'");
 }
 
-TEST_CASE("pictures differ at the pixels of a box in only one; first is the upper left") {
+TEST_CASE("reports the pixels of a box that only one of two pictures has") {
   viewer::Session session = figure_session();
   const Json nothing = box_wish(moved("0,90", "cube(size=[1,1,1]);"));
   const auto two = [&](const Json& a, const Json& b) { return ask(session, "two", {{"a", a}, {"b", b}}); };
@@ -112,15 +112,15 @@ TEST_CASE("reports the first different instruction with both texts or a Program'
   const Json plain = box_wish();
   Json other = box_wish();
   other["knobs"]["set"] = {"background.colour=[0, 0, 1]"};
-  const Json told = ask(session, "two", {{"a", plain}, {"b", other}}).json["instruction"];
-  const auto number = told["number"].get<std::uint64_t>();
+  const Json difference = ask(session, "two", {{"a", plain}, {"b", other}}).json["instruction"];
+  const auto number = difference["number"].get<std::uint64_t>();
   for (const char* const side : {"a", "b"}) {
     Json wish = side == std::string("a") ? plain : other;
     wish["number"] = number;
     const Json instant = ask(session, "instant", wish).json;
     bool is_listed = false;
     for (const Json& one : instant["instructions"])
-      is_listed = is_listed || (one["number"] == number && one["text"] == told[side]);
+      is_listed = is_listed || (one["number"] == number && one["text"] == difference[side]);
     CHECK(is_listed);
   }
 }
@@ -175,7 +175,7 @@ TEST_CASE("a verdict counts wrong pixels and advice lists the knobs to turn") {
   CHECK(advice["knobs"].size() > 3);
 }
 
-TEST_CASE("the page starts with the model; its options and available machines and settings") {
+TEST_CASE("the page starts with the model and its options and the available machines") {
   viewer::Session session({figure, {}, {{"size", "40x30"}}});
   const viewer::Reply reply = session.answer({.method = "GET"}, "about");
   CHECK(reply.status == 200);
@@ -279,16 +279,16 @@ TEST_CASE("a rejected request reports its fault") {
 }
 
 TEST_CASE("any request cancelled by its name reports the cancellation") {
-  viewer::Session* asked = nullptr;
+  viewer::Session* running = nullptr;
   Json progress;
   viewer::Session session = figure_session(recording([&] {
-    progress = ask(*asked, "progress", {{"evaluation", "mine"}}).json;
-    CHECK(ask(*asked, "cancel", {{"evaluation", "other"}}).json == Json::object());
+    progress = ask(*running, "progress", {{"evaluation", "mine"}}).json;
+    CHECK(ask(*running, "cancel", {{"evaluation", "other"}}).json == Json::object());
     end_if_interrupted();
-    CHECK(ask(*asked, "cancel", {{"evaluation", "mine"}}).status == 200);
+    CHECK(ask(*running, "cancel", {{"evaluation", "mine"}}).status == 200);
     end_if_interrupted();
   }));
-  asked = &session;
+  running = &session;
   Json wish = box_wish();
   wish["evaluation"] = "mine";
   const Answer cancelled = ask(session, "wave", wish);
@@ -301,12 +301,12 @@ TEST_CASE("any request cancelled by its name reports the cancellation") {
 }
 
 TEST_CASE("a closed session cancels pending and later requests") {
-  viewer::Session* asked = nullptr;
+  viewer::Session* running = nullptr;
   viewer::Session session = figure_session(recording([&] {
-    asked->close();
+    running->close();
     end_if_interrupted();
   }));
-  asked = &session;
+  running = &session;
   for (int i = 0; i < 2; ++i) {
     const Answer answer = ask(session, "wave", box_wish());
     CHECK(answer.status == 503);
@@ -337,7 +337,7 @@ TEST_CASE("rejects a model whose evaluation exceeds the time limit") {
                            "model simpler, or begin csgsim view with more time, --evaluation-time SECONDS"}});
 }
 
-TEST_CASE("a recording requests the pixel; the window and any probes") {
+TEST_CASE("a recording passes on the pixel and the window and any probes") {
   std::vector<std::string> words;
   viewer::SessionOptions options;
   options.recorder = [&](const isa::Program&, std::span<const std::string> all) {

@@ -43,7 +43,7 @@ TEST_CASE("admits the page's own requests and returns the path after the token")
   CHECK(door.address() == "http://127.0.0.1:8080/0123456789abcdef0123456789abcdef/");
 }
 
-TEST_CASE("rejects any other host; origin; site; token or type") {
+TEST_CASE("rejects any other host or origin or site or token or type") {
   const auto with = [](std::string viewer::Request::*member, const std::string& value, viewer::Request request) {
     request.*member = value;
     return status_of(request);

@@ -76,7 +76,7 @@ TEST_CASE("a closed session ends current and later work") {
   CHECK(is_interrupted());
 }
 
-TEST_CASE("progress reports the activity; its duration and the limit") {
+TEST_CASE("progress reports the activity and its duration and the limit") {
   viewer::Evaluations all(4s);
   CHECK(all.progress("one") == viewer::Json::object());
   viewer::Evaluation one(all, "one");

@@ -209,7 +209,7 @@ TEST_CASE("tinting mixes half the mark's colour into enabled pixels in any regio
   }
 }
 
-TEST_CASE("an instant has its next instruction with primitive; segment and context") {
+TEST_CASE("an instant has its next instruction with primitive and segment and context") {
   for (const char* const machine : {"pixel-planes-4", "scan-line", "pixel-square"}) {
     CAPTURE(machine);
     const Subject of = subject(machine);

@@ -34,7 +34,7 @@ TEST_CASE("counts nested brackets of arrays and objects") {
   CHECK(error_of(std::string(1'000'000, '['), {}) != "");
 }
 
-TEST_CASE("counts values: keys; values and brackets") {
+TEST_CASE("counts keys and values and brackets") {
   CHECK(error_of(R"([1,2,3])", {.values = 4}) == "");
   CHECK(error_of(R"([1,2,3])", {.values = 3}) == "too many values, more than 3");
   CHECK(error_of(R"({"a":1,"b":{}})", {.values = 5}) == "");

@@ -62,7 +62,7 @@ TEST_CASE("the page is its own first file and each file's type follows its exten
     CHECK_FALSE(viewer::page_file(other));
 }
 
-TEST_CASE("the form has each key of each effect except colour tables; with its choices") {
+TEST_CASE("the form has each key of each effect except colour tables") {
   const Json form = viewer::effects_form();
   const auto sections = effects::sections();
   REQUIRE(form.size() == sections.size());

@@ -166,7 +166,7 @@ TEST_CASE("by default reads a header of 32 KiB and 100 fields and no more") {
   CHECK(refusal(post("Content-Length: 4194304\r\n", std::string(4'194'304, 'x'))) == "");
 }
 
-TEST_CASE("a request starts with its first byte; bytes after the previous one count") {
+TEST_CASE("a request starts with its first byte even behind another one") {
   RequestReader reader(limits, admit);
   CHECK_FALSE(reader.has_begun());
   reader.put("G");

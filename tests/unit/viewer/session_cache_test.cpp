@@ -6,7 +6,7 @@
 #include "sim/report/codec.h"
 #include "sim/viewer/session.h"
 #include "tests/support/test.h"
-#include "tests/unit/viewer/asked.h"
+#include "tests/unit/viewer/request.h"
 
 using namespace csgsim;
 using testing::ask;
@@ -65,9 +65,9 @@ std::vector<Question> questions() {
 }
 
 Json answer_to(viewer::Session& session, const Question& question, const Json& wish) {
-  Json asked = wish;
-  asked.update(question.members);
-  const testing::Answer answer = ask(session, question.name, asked);
+  Json request = wish;
+  request.update(question.members);
+  const testing::Answer answer = ask(session, question.name, request);
   CHECK_MESSAGE(answer.status == 200, answer.json.dump());
   return timeless(answer.json);
 }
@@ -83,13 +83,13 @@ struct Recorder {
 
   std::string operator()(const isa::Program& program, std::span<const std::string> options) {
     ++count;
-    std::string told = std::to_string(program.shape.width);
-    for (const std::string& option : options) told += " " + option;
+    std::string label = std::to_string(program.shape.width);
+    for (const std::string& option : options) label += " " + option;
     return fmt::format(
         R"({{"traceEvents":[{{"ph":"M","name":"process_name","pid":1,"tid":0,"args":{{"name":"host"}}}},
 {{"ph":"M","name":"thread_name","pid":1,"tid":1,"args":{{"name":"state"}}}},
 {{"ph":"X","name":"{}","pid":1,"tid":1,"args":{{"clock":0,"clocks":100}}}}]}})",
-        told);
+        label);
   }
 };
 
@@ -107,8 +107,8 @@ TEST_CASE("after any single change each request is answered as by a new session"
     const Json expected = fresh_answer(question, plain);
     viewer::Session session({file, {}, Json::object()});
     for (const Json& changed : changes()) {
-      const std::string told = fmt::format("{} {}", question.name, changed.dump());
-      CAPTURE(told);
+      const std::string label = fmt::format("{} {}", question.name, changed.dump());
+      CAPTURE(label);
       CHECK(answer_to(session, question, plain) == expected);
       CHECK(answer_to(session, question, changed) == fresh_answer(question, changed));
       CHECK(answer_to(session, question, plain) == expected);
@@ -119,8 +119,8 @@ TEST_CASE("after any single change each request is answered as by a new session"
 TEST_CASE("each change affects the instructions or the picture") {
   const Json plain{{"knobs", small}};
   for (const Json& changed : changes()) {
-    const std::string told = changed.dump();
-    CAPTURE(told);
+    const std::string label = changed.dump();
+    CAPTURE(label);
     const bool is_same = fresh_answer({"draw"}, plain)["picture"] == fresh_answer({"draw"}, changed)["picture"] &&
                          fresh_answer({"draw"}, plain)["stats"] == fresh_answer({"draw"}, changed)["stats"];
     CHECK_FALSE(is_same);

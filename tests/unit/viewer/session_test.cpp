@@ -64,8 +64,8 @@ TEST_CASE("a request is drawn like the equivalent command line whatever came bef
        {"--tolerance", "0.5px", "--camera", "300,-400,250,0,0,2"}},
       {Json::object(), {}}};
   for (const auto& [knobs, words] : rows) {
-    const std::string told = knobs.dump();
-    CAPTURE(told);
+    const std::string label = knobs.dump();
+    CAPTURE(label);
     Json all = knobs;
     all["size"] = "40x30";
     std::vector<std::string> line{file};
@@ -96,7 +96,7 @@ TEST_CASE("sends warnings to the page line by line") {
   CHECK(empty.json["warnings"][0].get<std::string>().find("there_is_none.stl") != std::string::npos);
 }
 
-TEST_CASE("uses status 400 for bad requests; 422 for undrawable models; 404 for unknown ones") {
+TEST_CASE("distinguishes bad requests and undrawable models and unknown requests by status") {
   viewer::Session drawing = session();
   for (const char* body : {"", "{", "[]", "3", R"({"knobs":[]})", R"({"knobs":{"size":3}})", R"({"knobs":{"set":"x"}})",
                            R"({"source":1})", R"({"knobs":{"scene":"x"}})", R"({"knobs":{"machine":"x.toml"}})"})
