@@ -89,7 +89,7 @@ constexpr double alone = 2 * flip + 18 + 12 + 16;
 constexpr double first_element = 6 + 8 + 4 + 16 + 6 + 8;
 constexpr double element_made = 18 + 2 * 12 + 4 * 16 + 8 + 16;
 constexpr double class_read = 12 + 4 + 8;
-/// At first the class is looked up in the table of first surfaces and kept.
+/// The class is first looked up in the table of first surfaces and kept.
 constexpr double class_found = 2 * 12 + 4 + 12;
 constexpr double owner = 2 * 12 + 4 + 8;
 /// Separation of the events at one depth from the next.

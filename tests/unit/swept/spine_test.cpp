@@ -130,7 +130,7 @@ TEST_CASE("at an end along the y axis v is carried over from the nearest known p
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {5, 5, 0}, {5, 10, 0}}}}}), 1), {-1, 0, 0}));
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {-5, 5, 0}, {-5, 10, 0}}}}}), 1), {1, 0, 0}));
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {5, -5, 0}, {5, -10, 0}}}}}), 1), {1, 0, 0}));
-  // On a polyline, the orientation comes from the next or the previous corner.
+  // A polyline takes its orientation from the next or the previous corner.
   CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, 5, 0}, {5, 5, 0}}), 0), {-1, 0, 0}));
   CHECK(are_same(up_at(make_path({{0, 0, 0}, {5, 0, 0}, {5, 5, 0}}), 2), {-1, 0, 0}));
 }
@@ -160,7 +160,7 @@ TEST_CASE("where a smooth trajectory passes the y axis v rotates evenly within 5
 
 TEST_CASE("between corners along the y axis v rotates evenly from one to the next") {
   const glm::dvec3 y(0, 1, 0);
-  // To the right both times: carried along without rotation. From the right to the left: half of 180 degrees.
+  // Both ends to the right: v is carried along without rotation. One right, one left: half of 180 degrees.
   const Path step = make_path({{-5, 0, 0}, {0, 0, 0}, {0, 5, 0}, {0, 10, 0}, {5, 10, 0}});
   CHECK(are_same(Orientation(step).upward(2, y), {-1, 0, 0}));
   CHECK(are_same(Orientation(step).upward(1.5, y), {-1, 0, 0}));
@@ -248,7 +248,7 @@ TEST_CASE("a contour is rotated from u to v and scaled along each by the length 
 }
 
 TEST_CASE("corners are mitred; open ends are not; sections between lean evenly") {
-  // From x to -z: v is up, u is across. At the corner the plane bisects the angle: u has length 1 / cos 45.
+  // A corner from x to -z: v is up, u is across. At the corner the plane bisects the angle: u has length 1 / cos 45.
   const Spine spine(along({1, false, {{0, 0, 0}, {4, 0, 0}, {4, 0, -4}}}));
   const double length = std::sqrt(2.0);
   CHECK(are_same(spine.joint(0).u, {0, 0, -1}));
@@ -283,7 +283,7 @@ TEST_CASE("a smooth trajectory has no corner above a thousandth at repeated poin
   CHECK(bent(1, false) == error_at(2));
   CHECK(bent(0, true) == "");
   CHECK(bent(1, true) == error_at(6));
-  // On a closed curve the last point equals the one before it.
+  // The last point of a closed curve equals the one before it.
   Curve first{2, true, {{0, 0, 0}, {0, 0, 0}, {1, 1, 0}, {0, 3, 0}, {-3, 0, 0}}};
   CHECK(making_spine(along(first)) == error_at(1));
 }

@@ -41,7 +41,7 @@ Around look_around(const Subject& subject, const view::View& view, const glm::dv
 
 }  // namespace
 
-TEST_CASE("the integers contain what the shape contains up to rounding from every eye") {
+TEST_CASE("integer tests agree with the shape up to rounding from every viewpoint") {
   std::array<int, 4> roles{};
   int ins = 0;
   int unfit = 0;

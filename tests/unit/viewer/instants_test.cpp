@@ -239,7 +239,7 @@ TEST_CASE("an instant has its next instruction with primitive and segment and co
       }
     }
     CHECK(compared > 0);
-    // With several segments, the first instruction of all that serves a primitive.
+    // The first instruction that serves a primitive, over all segments.
     for (std::uint64_t primitive = 0; primitive < facts.primitives.size(); ++primitive) {
       const auto first = std::ranges::find_if(places, [&](engine::Place place) {
         const std::uint32_t piece = instruction_at(of.program, place).origin.primitive;

@@ -285,7 +285,7 @@ TEST_CASE("handles up to eight requests at a time") {
 TEST_CASE("keeps 32 connections without a token and closes the oldest for others") {
   const RunningServer server(serving());
   Client asks(server.port);
-  // In one turn the server accepts a connection and notices closed ones; both have happened after many answered
+  // One turn of the server accepts a connection and notices closed ones; both have happened after many answered
   // requests.
   const auto settle = [&] {
     for (int i = 0; i < 50; ++i) {
@@ -302,7 +302,7 @@ TEST_CASE("keeps 32 connections without a token and closes the oldest for others
     }
     settle();
   };
-  // Which of the remaining connections are open; waits for the expected state for a limited time.
+  // Checks which of the remaining connections are open; waits for the expected state for a limited time.
   const auto are_open = [&](const std::string& expected) {
     std::string all;
     for (int i = 0; i < 100 && all != expected; ++i) {
@@ -316,7 +316,7 @@ TEST_CASE("keeps 32 connections without a token and closes the oldest for others
   CHECK(are_open(std::string(32, '1')));
   come(2);
   CHECK(are_open("00" + std::string(32, '1')));
-  // Five of the last 32 close, so that there is room for five.
+  // Five of the last 32 close, which makes room for five.
   for (int i = 0; i < 7; ++i) strangers.pop_front();
   settle();
   come(5);
