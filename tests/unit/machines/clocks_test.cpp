@@ -138,13 +138,13 @@ TEST_CASE("each bit of a root takes three clocks plus one or two per preceding b
   CHECK(machines::clocks({.opcode = Opcode::root, .fields = {Field{0, 41}}}, wide) == 20 * 20 + 2 * 20);
 }
 
-TEST_CASE("squares take one clock; adding F to a field takes the expression's width") {
+TEST_CASE("squares take one clock and adding F to a field takes the expression's width") {
   CHECK(machines::clocks({.opcode = Opcode::squares, .linear = {.a = 1, .width = 40}}, machine(1)) == 1);
   CHECK(linear_clocks(Opcode::linear_plus, {0, 20}, 40) == 40);
   CHECK(linear_clocks(Opcode::linear_minus, {0, 20}, 40) == 40);
 }
 
-TEST_CASE("wider trees deliver several bits per clock; the last group may be partial") {
+TEST_CASE("wider trees deliver several bits per clock with a partial last group") {
   Instruction instruction;
   instruction.fields[0] = {0, 20};
   instruction.linear = {.a = 1, .b = -2, .c = 3, .width = 34, .shift = 12};
@@ -172,7 +172,7 @@ TEST_CASE("wider trees deliver several bits per clock; the last group may be par
   CHECK(with(Opcode::root, 32) == 20 * 20 + 2 * 20);
 }
 
-TEST_CASE("a wider ALU processes several bits per clock; the last group may be partial") {
+TEST_CASE("a wider ALU processes several bits per clock with a partial last group") {
   Instruction instruction;
   instruction.fields = {Field{0, 20}, Field{20, 20}, Field{40, 20}};
   const auto with = [&](Opcode opcode, std::uint32_t alu_bits, std::uint32_t memory_reads = 1) {

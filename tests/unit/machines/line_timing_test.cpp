@@ -47,7 +47,7 @@ const Instruction copy{.opcode = Opcode::copy, .fields = {Field{0, 8}, Field{8, 
 
 }  // namespace
 
-TEST_CASE("long lines stream back to back; the last one crosses the cells and returns") {
+TEST_CASE("long lines stream back to back and the last crosses the cells and returns") {
   const scan_line::LineTiming timing = time(make_machine({4, 3}, 1), {10, 20, 30});
   CHECK(timing.clocks == first_entry + 11 + 22 + 32 + 2 * 4);
   CHECK(account_of(timing).refresh_clocks == 0);
@@ -61,7 +61,7 @@ TEST_CASE("lines with few packets wait for the refresh path") {
   CHECK(account_of(timing).refresh_clocks == (8 - 3) + (8 - 2));
 }
 
-TEST_CASE("chains take lines in turn over separate links; the slowest chain ends the frame") {
+TEST_CASE("chains take lines in turn over separate links and the slowest ends the frame") {
   const scan_line::LineTiming timing = time(make_machine({4, 5}, 2), {10, 1, 10, 40, 10});
   const std::uint64_t handed_over = 1;  // delay relative to the first line
   CHECK(timing.clocks == handed_over + first_entry + 2 + 42 + 2 * 4);

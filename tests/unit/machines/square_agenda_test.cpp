@@ -256,7 +256,7 @@ TEST_CASE("a square's header takes 64 bits in whole port words") {
     CHECK(pixel_square::header_words(port_bits) == words);
 }
 
-TEST_CASE("a latched row transfers when a word needs it; the next row is latched then") {
+TEST_CASE("a latched row transfers when a word needs it and the next row is latched") {
   // The square starts to leave at 10: the first row is latched at 11 to 14 and transfers at 15; the second is latched
   // at 15 to 18.
   RowLatch latch(4, 10);

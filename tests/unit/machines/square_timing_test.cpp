@@ -46,7 +46,7 @@ TEST_CASE("a slow host's word leaves in the last of its clocks after the latency
   CHECK(timing.account.host == Clocks{3, 4, 0, 0, 0, 2});
 }
 
-TEST_CASE("commands follow back to back; header and colours leave word by word") {
+TEST_CASE("commands follow back to back and a square leaves word by word") {
   // Words leave the host at 1, 2, 3, 4 and the decoder takes them at 2, 3, 4, 5. The pixels' controller starts the
   // square at 3, the instructions at 4 and 5 (three clocks) and the end at 8, which arrives at 10. Two words of header
   // and one of colours leave at 11, 12, 13 and are stored at 12, 13, 14.
@@ -63,7 +63,7 @@ TEST_CASE("commands follow back to back; header and colours leave word by word")
   }
 }
 
-TEST_CASE("planes move to the second buffer a few per clock; clearing precedes instructions") {
+TEST_CASE("planes move to the second buffer a few per clock and clearing comes first") {
   // Same clocks, but three planes take two clocks, and the start takes five.
   const isa::Program program = make_program(3, {square(2, {enable, set({0, 3})})});
   Machine machine = make_machine(2, {.buffers = 2, .move_bits = 2, .port_bits = 32, .port_fifo_depth = 8});
@@ -84,7 +84,7 @@ TEST_CASE("a command of several words executes when its last word has arrived") 
   CHECK(timing.account.renderers == std::vector<Clocks>{{8, 0, 4, 0, 0, 4}});
 }
 
-TEST_CASE("a question waits for its answer; dropping an instruction takes one clock") {
+TEST_CASE("a question waits for its answer and a dropped instruction takes one clock") {
   // The question executes at 4 and its answer arrives at 7. Then the instructions are dropped, the first at 7, and the
   // end executes in the clock after the last; each of its words takes as long as above.
   const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
@@ -127,7 +127,7 @@ TEST_CASE("a finished square waits until its predecessor has left the output buf
   CHECK(timing.account.frame_buffer == Clocks{136, 0, 0, 7, 0, 0});
 }
 
-TEST_CASE("a backing store holds squares up to its bits; their words follow each other") {
+TEST_CASE("a backing store holds squares up to its bits and sends them back to back") {
   // The first square is drawn at 5. A square has 68 words; with a second buffer the next one moves there a clock after
   // its predecessor's last word and leaves from the following clock on.
   const isa::Program program = make_program(4, {square(1, {enable}), square(1, {enable}), square(1, {enable})});

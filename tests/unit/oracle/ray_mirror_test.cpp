@@ -100,7 +100,7 @@ TEST_CASE("a mirror does not show objects behind it") {
   CHECK(is_near(stage.at(0, 0).colour, 0.25 * grey));
 }
 
-TEST_CASE("in a mirror the light keeps its place; highlights use the mirrored eye") {
+TEST_CASE("in a mirror the light keeps its place and highlights use the mirrored eye") {
   scene::Scene scene;
   scene.background.colour = glm::dvec3(0);
   scene.lights.push_back(testing::shining({-1, 0, 0}));

@@ -63,7 +63,7 @@ TEST_CASE("a solid minus itself is empty") {
   CHECK(along_y("difference(){" + slab(1, 2) + slab(1, 2) + "}") == Found{});
 }
 
-TEST_CASE("touching solids do not intersect; the second starts where the first ends") {
+TEST_CASE("touching solids do not intersect and the second starts where the first ends") {
   CHECK(along_y("intersection(){" + slab(1, 2) + slab(2, 3) + "}") == Found{});
   CHECK(along_y("union(){" + slab(1, 2) + slab(2, 3) + "}") == Found{{0, 1.0}, {1, 2.0}});
 }

@@ -89,7 +89,7 @@ TEST_CASE("sample offsets point right and down from the pixel's centre") {
   CHECK(is_near(stage.at(0, 0).colour, {0, 0, 0}));
 }
 
-TEST_CASE("in perspective the near plane hides what is nearer; cut surfaces are in doubt") {
+TEST_CASE("in perspective the near plane hides nearer surfaces and cut ones are in doubt") {
   Stage stage("union(){" + left + coloured({0, 1, 0}, box({-8, 20, -2}, {8, 25, 2})) + "}", testing::plain_colours());
   stage.shot.camera = {{0, -30, 0}, {0, 0, 0}, view::Projection::perspective};
   stage.cast();

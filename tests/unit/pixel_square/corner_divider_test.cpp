@@ -218,7 +218,7 @@ TEST_CASE("with two levels a group is tested first and its squares from the grou
   CHECK(board.commands() == expected);
 }
 
-TEST_CASE("with a full store a square leaves before it is complete; the divider waits") {
+TEST_CASE("with a full store an incomplete square leaves while the divider waits") {
   const division::DisplayModel slab = testing::one_slab();
   testing::ModelDivider judge(slab);
   const isa::Region left{0, 0, 8, 8};

@@ -73,7 +73,7 @@ struct Board {
 
 }  // namespace
 
-TEST_CASE("a square is in the picture one clock per word later") {
+TEST_CASE("a square takes one clock per word to reach the picture") {
   // Eight words of header, and two for the 12 bits of four colours; a word is readable from the edge after its write.
   Board board(1);
   board.begin(1);
@@ -87,7 +87,7 @@ TEST_CASE("a square is in the picture one clock per word later") {
   CHECK(account.of(SquareActivity::waiting_for_renderer) == 5);
 }
 
-TEST_CASE("renderers take turns word by word; an idle renderer is skipped") {
+TEST_CASE("renderers take turns word by word and idle ones are skipped") {
   // Ten words each: the first three ports take turns, so that 20 clocks take ten words of each of two ports.
   Board board(3);
   board.begin(2);
@@ -163,7 +163,7 @@ TEST_CASE("two banks take words of two squares per clock in rows of different ba
   CHECK(board.buffer.account(10).of(SquareActivity::working) == header_words + 2);
 }
 
-TEST_CASE("among words for one bank the first in turn is taken; the other a clock later") {
+TEST_CASE("of two words for one bank the first in turn is taken a clock before the other") {
   Board board(pixel_square::Figures{.renderers = 2, .port_bits = port_bits, .banks = 2});
   board.begin(2);
   board.send(0, {0, 0, 2, 1}, {1, 2});

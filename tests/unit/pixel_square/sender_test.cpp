@@ -54,7 +54,7 @@ isa::Segment square(std::uint32_t x, bool drawn) {
 
 }  // namespace
 
-TEST_CASE("a word leaves in the last of its clocks; an empty square is a header") {
+TEST_CASE("a word leaves in the last of its clocks and an empty square is a header") {
   const std::vector<isa::Segment> squares{square(0, true), square(2, false)};
   Board board({.width = wide, .word_clocks = 3, .fifo_depth = 9, .latency = 4}, 1);
   board.sender.begin(squares);

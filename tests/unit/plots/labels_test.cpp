@@ -91,7 +91,7 @@ TEST_CASE("a label in a corner turns inwards") {
   CHECK(placed[0].box.right < 695);
 }
 
-TEST_CASE("a number replaces a text without room; numbering starts from 1") {
+TEST_CASE("a number starting from 1 replaces a text without room") {
   const plots::Box narrow{0, 0, 60, 60};
   const std::vector<plots::LabelWish> wishes{{{30, 30}, 100}, {{30, 50}, 100}};
   const auto placed = plots::place_labels(wishes, {narrow, {}, {}});

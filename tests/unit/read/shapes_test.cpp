@@ -25,7 +25,7 @@ TEST_CASE("an extrusion is one primitive and one piece if its area is convex") {
                "[0, 0, 1, 0], [0, 0, 0, 1]]) { circle(r = 1); } } }") == 2);
 }
 
-TEST_CASE("a convex prism with round holes is one difference; others are pieces") {
+TEST_CASE("only a convex prism with round holes is a difference instead of pieces") {
   const auto plate = [](const std::string& hole) {
     return read(
         "linear_extrude(height = 2) { difference() { square([20, 20]); multmatrix([[1, 0, 0, 10], "
@@ -131,7 +131,7 @@ TEST_CASE("reads a file of another folder if a given folder contains both") {
   fs::remove_all(outer);
 }
 
-TEST_CASE("a lone flat shape is a plate about z = 0; next to a solid it is dropped") {
+TEST_CASE("a flat shape alone is a plate about z = 0 but next to a solid it is dropped") {
   CHECK(outline(read("square([2, 3]);")) == "polyhedron");
   CHECK(outline(read("cube(1); square([2, 3]);")) == "cube");
   CHECK(outline(read("difference() { cube(1); square([2, 3]); }")) == "cube");

@@ -36,7 +36,7 @@ TEST_CASE("an empty operand of an intersection empties it") {
         "sphere");
 }
 
-TEST_CASE("an empty first operand empties a difference; any other vanishes") {
+TEST_CASE("an empty first operand empties a difference while any other vanishes") {
   CHECK(outline(read("difference() { cube(0); cube(1); }")) == "nothing");
   CHECK(outline(read("difference() { group() {} cube(1); } sphere(r = 1);")) == "sphere");
   CHECK(outline(read("difference() { cube(1); cube(0); }")) == "cube");
@@ -93,7 +93,7 @@ TEST_CASE("! makes its subtree the whole model and drops its surroundings") {
   CHECK(broken_promise(tree) == "");
 }
 
-TEST_CASE("the first ! counts unless under a disable modifier; % does not hide it") {
+TEST_CASE("the first ! counts even under % but not under a disable modifier") {
   CHECK(outline(read("!group() { cube(1); !sphere(r = 1); } !sphere(r = 1);")) == "union(cube, sphere)");
   CHECK(outline(read("*group() { !cube(1); } sphere(r = 1);")) == "sphere");
   CHECK(outline(read("*!cube(1); sphere(r = 1);")) == "sphere");

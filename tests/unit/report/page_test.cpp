@@ -53,7 +53,7 @@ TEST_CASE("a cell shows a number of the data and its place there") {
   CHECK(report::cell(data, "/none").value.is_null());
 }
 
-TEST_CASE("a share is a fraction; 0 of 0 is 0; a missing number yields none") {
+TEST_CASE("a share is a fraction or 0 for 0 of 0 or none for a missing number") {
   CHECK(report::share(3, 12).value == 0.25);
   CHECK(report::share(0, 0).value == 0.0);
   CHECK(report::share(nullptr, 12).value.is_null());

@@ -145,7 +145,7 @@ TEST_CASE("pixel x reaches the refresh port x clocks after the shift chain takes
   CHECK(seen == expected);
 }
 
-TEST_CASE("marks must be at least one clock per pixel of a line apart") {
+TEST_CASE("consecutive marks need one clock per pixel of the line between them") {
   constexpr std::uint32_t pixels = 4;
   for (std::uint32_t apart = 1; apart <= pixels + 1; ++apart) {
     CAPTURE(apart);

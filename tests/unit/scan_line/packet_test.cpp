@@ -111,7 +111,7 @@ TEST_CASE("a packet occupies a cell for its words or for its memory reads and wr
   }
 }
 
-TEST_CASE("misaligned operands are shifted word by word; the ALU takes its width per clock") {
+TEST_CASE("misaligned operands are shifted word by word and the ALU takes its width a clock") {
   struct Row {
     Instruction instruction;
     CellShape shape;

@@ -140,7 +140,7 @@ TEST_CASE("explain reports why a primitive is not seen on request") {
   CHECK(point_error(seen({"--pixel", "0,25"})) != "");
 }
 
-TEST_CASE("only a model's answer names half-spaces; a Program runs on its own machine") {
+TEST_CASE("only a model's answer names half-spaces and a Program runs on its own machine") {
   const isa::Program program = compiled_box("pixel-planes-4");
   const session::InPlace in_place{.text = {}, .program = &program};
   const story::Answer of_program = explanation({"box.csgt", "--pixel", "16,12"}, in_place);

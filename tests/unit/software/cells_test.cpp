@@ -272,7 +272,7 @@ TEST_CASE("a ray that begins or ends on a wall between cells visits none beyond 
     CHECK(reported(wall - 1, 1, 99).first.size() > reported(wall, 1, 99).first.size());
   }
 }
-TEST_CASE("the directory `none` has all facets in one cell along the whole ray") {
+TEST_CASE("directory none has all facets in one cell along the whole ray") {
   Random random(3);
   const software::Facets facets = scattered_triangles(random, 1);
   const software::FacetShapes shapes(facets);
@@ -319,7 +319,7 @@ TEST_CASE("a grid has four cells per bucket and 1 to 128 along an axis") {
   CHECK(cells({}, 8) == 0);
   CHECK(cells({{}}, 8) == 0);
 }
-TEST_CASE("each facet is enlarged by the reach; the total box by twice the reach") {
+TEST_CASE("each facet is enlarged by the reach and the total box by twice the reach") {
   const software::Facets facets =
       facets_with({{{1, 2, 3}, {2, 2, 3}, {1, 4, 8}}, {}, {{-4, 5, 3}}, {{0, 0, 0}, {3, 0, 1}}});
   const software::FacetShapes shapes(facets, 0.5);

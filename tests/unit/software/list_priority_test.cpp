@@ -127,7 +127,7 @@ TEST_CASE("list priority draws each event once and errs only near other surfaces
 }
 // Surfaces that rounding moves far from their cells, which are out of sight, are lost, and no depth buffer corrects
 // that: with few bits a whole face may be lost. The limit on wrong pixels therefore applies to these scenes only.
-TEST_CASE("with few bits list priority has all fault causes; a depth buffer fixes most") {
+TEST_CASE("with few bits list priority has faults that a depth buffer mostly avoids") {
   Wrong wrong;
   const auto seeds = testing::cases<std::uint64_t>(240, 15);
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) CHECK(find_seed_fault(seed, wrong) == "");

@@ -185,7 +185,7 @@ TEST_CASE("the Minkowski sum of non-convex solids equals OpenSCAD's") {
   CHECK(check_union(testing::load_off("rounded"), solids::minkowski(solids)) > 200);
 }
 
-TEST_CASE("a Minkowski sum of convex solids is one piece; of boxes the box of summed sizes") {
+TEST_CASE("a Minkowski sum of convex solids is one piece and adds the sizes of boxes") {
   const std::array<Pieces, 2> boxes{pieces_of(box(1, 2, 3)), pieces_of(moved({5, 0, 0}, box(4, 5, 6)))};
   const Pieces sum = solids::minkowski(boxes);
   REQUIRE(sum.size() == 1);

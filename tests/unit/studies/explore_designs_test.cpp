@@ -122,7 +122,7 @@ TEST_CASE("a range includes both ends and has at most 1000 values") {
   CHECK(dimension_error("a=1..") != "");
 }
 
-TEST_CASE("a varied dimension needs a key and an equals sign; the first one ends the key") {
+TEST_CASE("a varied dimension needs a key that ends at the first equals sign") {
   const std::string words = " varies nothing; say KEY=a,b,c, as in alu.bits=1,2,4";
   for (const char* const text : {"", "alu.bits", "=1", "=a=1"})
     CHECK(dimension_error(text) == "'" + std::string(text) + "'" + words);
@@ -154,7 +154,7 @@ TEST_CASE("each option of render takes its own values up to its limits") {
   CHECK(option_error("memory-bits", "1,2") == "'1,2' is no number");
 }
 
-TEST_CASE("assigns values to render's options; any other key is a machine figure") {
+TEST_CASE("assigns values to render's options and takes other keys as machine figures") {
   session::ModelRequest options;
   const std::vector<std::pair<std::string, std::string>> values{
       {"size", "9x7"},       {"memory-bits", "70"}, {"z-bits", "11"},    {"fraction-bits", "5"},

@@ -162,7 +162,7 @@ TEST_CASE("the knee considers only the front") {
   CHECK_FALSE(studies::knee_of(candidates, {false, false, false, false, false}, axes));
 }
 
-TEST_CASE("a design is marked in its model's group; all models have a separate front") {
+TEST_CASE("a design is marked in its model's group and all models have a separate front") {
   const std::vector<ExploreRow> rows = two_models();
   std::vector<ShownGroup> groups = shown_groups(rows, "time,memory");
   REQUIRE(groups.size() == 3);
@@ -214,7 +214,7 @@ TEST_CASE("a design is marked in its model's group; all models have a separate f
   CHECK(file["fronts"] == expected);
 }
 
-TEST_CASE("a design's whole-number values are JSON numbers; absent ones are omitted") {
+TEST_CASE("a design's whole-number values are JSON numbers and absent ones are omitted") {
   std::vector<ExploreRow> rows(4);
   rows[0].point.machine = "p+a.b=12+c=x";
   rows[1].point.machine = "p+a.b=1.5+c=12x";
@@ -319,7 +319,7 @@ TEST_CASE("prints each reason once with its first design and the number of other
   CHECK(text.find("no way") == text.rfind("no way"));
 }
 
-TEST_CASE("values have four digits; whole and large ones are grouped in full up to 10^15") {
+TEST_CASE("values have four digits but whole and large ones are grouped in full") {
   const std::vector<std::pair<double, std::string>> values{{0.123456, "0.1235"},
                                                            {3, "3"},
                                                            {0, "0"},

@@ -130,7 +130,7 @@ TEST_CASE("the knee is on the front and does not depend on units") {
   }));
 }
 
-TEST_CASE("a sample has no repeated cell; longer ones extend it up to the whole grid") {
+TEST_CASE("a sample has no repeated cell and longer ones extend it up to the whole grid") {
   CHECK(rc::check([] {
     const auto axes = *rc::gen::inRange<std::size_t>(1, 6);
     const auto sizes = *rc::gen::container<std::vector<std::size_t>>(axes, rc::gen::inRange<std::size_t>(1, 6));
@@ -220,7 +220,7 @@ TEST_CASE("unpriced designs are on no front and an axis without prices is droppe
   CHECK(groups[0].front == std::vector<bool>{true, true});
 }
 
-TEST_CASE("over models times and wrong pixels add up; sizes take the maximum") {
+TEST_CASE("over models times and wrong pixels add up while sizes take the maximum") {
   std::vector<ExploreRow> rows{row("m", "a", 10, 100, 1), row("m", "b", 20, 50, 2), row("m", "c", 1000, 1, 0),
                                row("n", "a", 50, 300, 4), row("n", "b", 5, 20, 8),  row("n", "c", 1000, 1, 0)};
   rows[5].reason = "it does not fit";

@@ -122,7 +122,7 @@ TEST_CASE("the limits on points and patches are exact") {
   CHECK(swept::fault_of(sweep) == "contour and trajectory are more than 100000 patches; take points out");
 }
 
-TEST_CASE("a net needs four equal rows of four points; at most 100000 patches") {
+TEST_CASE("a net needs four equal rows of four points and at most 100000 patches") {
   CHECK(swept::fault_of(make_net(4, 4)).empty());
   CHECK(swept::fault_of(make_net(3, 4)) == "a patch needs 4 rows of points or more, not 3");
   CHECK(swept::fault_of(make_net(4, 3)) == "a row of a patch needs 4 points or more, not 3");

@@ -166,7 +166,7 @@ TEST_CASE("a circle along a circle is a torus in volume and distance within tole
   }
 }
 
-TEST_CASE("the thesis's test leaves a ring's flat side undivided; the side test does not") {
+TEST_CASE("the thesis's test leaves a ring's flat side undivided unlike the side test") {
   const Sweep ring{square(1), circle(8, 8, true)};
   // Depth of vertices inside the hole, whose radius is 7.
   const auto inside = [&](swept::Flatness flatness) {

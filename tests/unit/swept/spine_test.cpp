@@ -247,7 +247,7 @@ TEST_CASE("a contour is rotated from u to v and scaled along each by the length 
   CHECK(!swept::Section{{0, 0, 0}, {0, 0, 0}, {0, 1, 0}}.is_point());
 }
 
-TEST_CASE("corners are mitred; open ends are not; sections between lean evenly") {
+TEST_CASE("corners but not open ends are mitred and sections between lean evenly") {
   // A corner from x to -z: v is up, u is across. At the corner the plane bisects the angle: u has length 1 / cos 45.
   const Spine spine(along({1, false, {{0, 0, 0}, {4, 0, 0}, {4, 0, -4}}}));
   const double length = std::sqrt(2.0);

@@ -18,7 +18,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 }  // namespace
 
-TEST_CASE("a folder is locked by one process at a time; others report the holder") {
+TEST_CASE("a folder is locked by one process at a time and others report the holder") {
   const Scratch scratch;
   {
     const system::FolderLock lock(scratch.path(), "sweep");

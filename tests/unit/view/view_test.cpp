@@ -180,7 +180,7 @@ TEST_CASE("faces seen edge-on become edge tests and opposite sides share their z
   CHECK(edges == 4);
 }
 
-TEST_CASE("rounding hardly enlarges a thick solid's extent; planes bound a thin one's") {
+TEST_CASE("rounding hardly enlarges a thick solid's extent and planes bound a thin one's") {
   const view::Camera camera{{0, -40, 0}, {0, 0, 0}, view::Projection::orthographic};
   const auto extent_of = [&](const model::Tree& tree, const view::Sampling& sampling) {
     return view::make_view(facet::make_geometry(tree), tree, camera, sampling).extents[0];

@@ -99,7 +99,7 @@ TEST_CASE("the form has each key of each effect except colour tables") {
   CHECK(named_in(form, "cuts")["is_list"] == true);
 }
 
-TEST_CASE("a missing or null member of a request is empty; a wrong type is an error") {
+TEST_CASE("a missing or null member of a request is empty but a wrong type is an error") {
   const Json wish{{"text", "x"},          {"texts", {"a", "b"}}, {"number", 7U}, {"flag", true}, {"off", false},
                   {"object", {{"a", 1}}}, {"null", nullptr},     {"less", -7},   {"part", 1.5},  {"mixed", {"a", 1}}};
   CHECK(viewer::text_in(wish, "text") == "x");

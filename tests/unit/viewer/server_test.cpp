@@ -181,7 +181,7 @@ TEST_CASE("an answer may take longer than a request") {
   CHECK(client.until("done") == plain_reply("done"));
 }
 
-TEST_CASE("drops a client that does not read its reply; one that reads gets all of it") {
+TEST_CASE("drops a client that does not read its reply and serves one that does") {
   constexpr std::size_t large = std::size_t{32} << 20U;
   viewer::Serving one = serving({.reply = 100ms});
   one.handler = [](const viewer::Request&) { return viewer::Reply{.body = std::string(large, 'x')}; };
@@ -199,7 +199,7 @@ TEST_CASE("drops a client that does not read its reply; one that reads gets all 
   CHECK(eager.bytes(large).size() == large);
 }
 
-TEST_CASE("an open page receives periodic events; the server ends after the last page") {
+TEST_CASE("an open page receives periodic events and the server ends after the last page") {
   viewer::Serving one = serving({.between_events = 20ms});
   one.patience = 200ms;
   std::atomic<int> ticks = 0;
