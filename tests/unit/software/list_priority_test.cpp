@@ -68,10 +68,9 @@ std::string find_report_fault(const Scene& scene, const software::Displayed& dis
   const bool are_all_drawn = displayed.counts.drawn_cells == displayed.counts.cells;
   wrong.lost += events - displayed.counts.pixel_events;
   if (displayed.counts.pixel_events > events || (are_all_drawn && displayed.counts.pixel_events != events))
-    return fmt::format("{} events are drawn, not {}", displayed.counts.pixel_events, events);
+    return fmt::format("{} events drawn instead of {}", displayed.counts.pixel_events, events);
   if (displayed.faults.all() != all) return fmt::format("{} wrong pixels of {}", displayed.faults.all(), all);
-  if (unexplained > displayed.faults.order + displayed.faults.depth_bits)
-    return "wrong pixels without surfaces near each other";
+  if (unexplained > displayed.faults.order + displayed.faults.depth_bits) return "wrong pixels without nearby surfaces";
   return "";
 }
 

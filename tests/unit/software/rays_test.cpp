@@ -148,7 +148,8 @@ std::string find_fault(const Scene& scene, Tally& tally) {
   for (std::uint32_t row = 0; row < rays.height(); row += software::band_rows) {
     rays.cast(row, band, &counts);
     rays.cast(row, uncounted);
-    if (band.intervals != uncounted.intervals || band.events != uncounted.events) return "counted, rays are others";
+    if (band.intervals != uncounted.intervals || band.events != uncounted.events)
+      return "counted rays differ from uncounted ones";
     const std::uint32_t rows = std::min(software::band_rows, rays.height() - row);
     if (band.first_row != row || band.rows != rows || band.width != rays.width()) return "a band";
     for (std::uint32_t ray = 0; ray < rows * rays.width(); ++ray) {

@@ -134,7 +134,7 @@ class ExcellBuilder : public Builder {
   using Builder::Builder;
 
   SpaceBuilt run() {
-    if (shapes_.placed().size() >= 4096) throw std::logic_error("a second directory is not recounted");
+    if (shapes_.placed().size() >= 4096) throw std::logic_error("the recount does not support a second directory");
     for (const std::uint32_t facet : shapes_.placed()) insert(root_, facet);
     built_.entries = std::uint64_t{1} << level_;
     built_.directory_words = 4 + built_.entries;
@@ -270,7 +270,7 @@ class KdBuilder : public Builder {
       charge(3 * products(6 * 32));
     }
     if (part.is_cell()) {
-      if (!std::ranges::equal(part.facets, facets)) throw std::logic_error("a cell has other facets");
+      if (!std::ranges::equal(part.facets, facets)) throw std::logic_error("a cell has unexpected facets");
       add_cell(size);
       built_.overflows += size > bucket_size_ ? 1U : 0U;
       return;
@@ -434,7 +434,7 @@ struct WalkRecount::Walk {
 
   [[nodiscard]] bool is_over() const { return left == 0 && is_stopped; }
   void visit() {
-    if (left == 0) throw std::logic_error("a ray has looked into fewer cells than it goes through");
+    if (left == 0) throw std::logic_error("a ray visited fewer cells than it passes through");
     --left;
     sum += calls(1);
   }
@@ -515,7 +515,7 @@ Operations WalkRecount::along(const SpaceRay& ray, std::size_t cells, bool is_st
   } else {
     go_by_halves(walk, parts_[0], begin, end);
   }
-  if (walk.left != 0) throw std::logic_error("a ray has looked into more cells than it goes through");
+  if (walk.left != 0) throw std::logic_error("a ray visited more cells than it passes through");
   return walk.sum;
 }
 
@@ -571,7 +571,7 @@ void WalkRecount::go_by_points(Walk& walk, double begin, double end) const {
   for (int axis = 0; axis < 3; ++axis) at[static_cast<std::size_t>(axis)] = at_place(axis, walk.ray.at(t)[axis]);
   for (;;) {
     const auto block = std::ranges::find_if(blocks_, [&](const Block& one) { return one.holds(at); });
-    if (block == blocks_.end()) throw std::logic_error("no cell holds a query point");
+    if (block == blocks_.end()) throw std::logic_error("no cell contains the query point");
     const auto halvings = [&](std::size_t axis) {
       return std::bit_width(static_cast<std::uint64_t>(block->end[axis] - block->first[axis])) - 1;
     };

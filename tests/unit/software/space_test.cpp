@@ -159,7 +159,7 @@ std::string find_fault(const software::Facets& facets, const SpaceRay& ray, cons
   std::vector<double> reported_after(facets.facets.size(), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < visitor.cells.size(); ++i) {
     const software::Cell& cell = visitor.cells[i];
-    if (cell.settled < before) return fmt::format("cell {} settles less than the one before", i);
+    if (cell.settled < before) return fmt::format("cell {} settles less than its predecessor", i);
     if (cell.t_in > cell.t_out + slack) return fmt::format("cell {} is left before it is entered", i);
     for (const std::uint32_t facet : visitor.facets[i]) reported_after[facet] = std::min(reported_after[facet], before);
     before = cell.settled;

@@ -120,12 +120,12 @@ std::string wrong_node(const Tree& tree, std::size_t primitives) {
   if (tree.leaf_of.size() != primitives) return "leaves";
   for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
     const software::Node& node = tree.nodes[i];
-    if (i != tree.root && node.parent == model::no_index) return "a node that is below none";
+    if (i != tree.root && node.parent == model::no_index) return "a node without a parent";
     if (node.is_leaf) {
       if (node.height != 0 || tree.leaf_of[node.primitive] != i) return "a leaf";
       continue;
     }
-    if (node.left >= i || node.right >= i) return "a child behind its parent";
+    if (node.left >= i || node.right >= i) return "a child after its parent";
     const software::Node& left = tree.nodes[node.left];
     const software::Node& right = tree.nodes[node.right];
     if (left.parent != i || right.parent != i) return "a parent";
@@ -165,10 +165,10 @@ std::string find_fault(const model::Tree& model, Shape shape, Random& random, Ta
     learn(question.known, random);
     const std::size_t nodes = tree.nodes.size();
     tree = software::reduced(tree, question.known);
-    if (tree.nodes.size() > nodes) return "pruned, it has more nodes";
+    if (tree.nodes.size() > nodes) return "pruning added nodes";
     for (std::uint32_t primitive = 0; primitive < question.known.size(); ++primitive) {
       const bool is_known = question.known[primitive] != Known::nothing;
-      if (is_known && tree.leaf_of[primitive] != model::no_index) return "pruned, it has a primitive that is known";
+      if (is_known && tree.leaf_of[primitive] != model::no_index) return "pruning kept a known primitive";
     }
     fault = find_fault(tree, question, random, tally);
     if (!fault.empty()) fault += ", pruned";

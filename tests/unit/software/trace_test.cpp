@@ -46,7 +46,7 @@ std::string find_fault(const Scene& scene, std::uint32_t bucket_size, Tally& tal
           const Seen& seen = traced.pixels[i].seen;
           tally.covered += seen.owner != Seen::nothing_seen ? 1U : 0U;
           if (seen.depth == expected[i].depth && seen.owner == expected[i].owner) continue;
-          return fmt::format("{}{}{}: pixel {}, {} has depth {}, owner {} and not {}, {}", row->name,
+          return fmt::format("{}{}{}: pixel {}, {} has depth {} and owner {} instead of {}, {}", row->name,
                              has_mailboxes ? "" : " without mailboxes", has_item_buffer ? " with item buffer" : "",
                              i % traced_scene.width(), i / traced_scene.width(), seen.depth, seen.owner,
                              expected[i].depth, expected[i].owner);
