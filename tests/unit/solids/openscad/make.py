@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Records how OpenSCAD 2021.01 triangulates non-planar faces, to judge host/solids/tessellation.h. Usage: ./make.py
 
-faces.txt has one line per face: the corners as passed to polyhedron(), each x y z, then | and OpenSCAD's triangles, each
-as three corner numbers. All faces belong to one polyhedron and keep their order in its STL."""
+faces.txt has one line per face: the corners as passed to polyhedron(), each x y z, then | and OpenSCAD's triangles,
+each as three corner numbers. All faces belong to one polyhedron and keep their order in its STL."""
 
 import math
 import random
