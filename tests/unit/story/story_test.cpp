@@ -320,7 +320,7 @@ TEST_CASE("clocks are those in which the pixel executes the instructions in orde
   const story::Story story = pixel.story();
   const isa::Program& program = pixel.compiled.program;
   const machines::RunRecord record = story::record_of(program, pixel.machine);
-  const machines::Timeline timeline = machines::timeline(program, pixel.machine, record.pixel());
+  const machines::Timeline timeline = machines::timeline(program, pixel.machine, record.told());
   const auto clocks = machines::at_pixel(timeline, program, pixel.machine, 0, 3, 2);
   std::uint64_t last = 0;
   for (const story::Event& event : story.events) {
