@@ -4,8 +4,8 @@
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
 #include "sim/observe/bound.h"
-#include "sim/observe/primitive_costs.h"
 #include "sim/observe/knobs.h"
+#include "sim/observe/primitive_costs.h"
 #include "tests/support/drawing.h"
 #include "tests/support/test.h"
 
