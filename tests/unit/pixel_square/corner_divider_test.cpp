@@ -225,7 +225,7 @@ TEST_CASE("with a full store an incomplete square leaves while the divider waits
   const std::vector<isa::Command> expected = expected_commands(left, judge.divide(left));
   constexpr std::uint32_t room = 6;
   REQUIRE(words_of(expected) > 2 * room);
-  machines::Machine machine = Board::machine_of(1, 2, 100);
+  machines::Machine machine = Board::make_machine(1, 2, 100);
   machines::own<pixel_square::Figures>(machine).store_words = room;
 
   Board board(machine);

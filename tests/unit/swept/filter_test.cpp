@@ -117,7 +117,7 @@ Place place_of(const glm::dvec3& point) {
 /// Elements with their corners after a repair, and then the vertices on their sides in order.
 std::vector<Element> leaves_of(const Record& record) {
   std::vector<Element> leaves;
-  for (const Record::Taken& taken : record.elements) {
+  for (const Record::RecordedElement& taken : record.elements) {
     Element& leaf = leaves.emplace_back();
     leaf.square = taken.square;
     for (const std::uint32_t number : taken.corners) {
@@ -231,7 +231,7 @@ class Recount {
 /// Faces by the parameters and positions of their vertices, independent of vertex numbers.
 std::set<std::vector<std::array<double, 3>>> faces_of(const Record& record) {
   std::set<std::vector<std::array<double, 3>>> faces;
-  for (const Record::Taken& taken : record.elements) {
+  for (const Record::RecordedElement& taken : record.elements) {
     std::vector<std::array<double, 3>> face;
     for (const std::uint32_t number : taken.corners) {
       const glm::dvec3& point = record.points.at(number);
@@ -312,7 +312,7 @@ TEST_CASE("each vertex is in all elements it touches: the mesh is closed within 
     // A face outside the patch's edge closes it.
     std::vector<std::vector<std::uint32_t>> faces;
     std::map<std::pair<std::uint32_t, std::uint32_t>, bool> edges;
-    for (const Record::Taken& taken : repaired.record.elements) {
+    for (const Record::RecordedElement& taken : repaired.record.elements) {
       faces.push_back(taken.corners);
       for (std::size_t i = 0; i < taken.corners.size(); ++i)
         edges[{taken.corners[i], taken.corners[(i + 1) % taken.corners.size()]}] = true;
