@@ -81,8 +81,8 @@ TEST_CASE("a key with colours chosen by another plot does not call the other ser
 }
 
 TEST_CASE("charts that already share looks are unified with the other charts of their study") {
-  std::vector<plots::Plot> first{chart_of("one", {"octree", "exact"}), chart_of("two", {"exact", "run"})};
-  std::vector<plots::Plot> second{chart_of("three", {"run", "octree"}), chart_of("four", {"exact"})};
+  std::vector<plots::Plot> first{make_chart("one", {"octree", "exact"}), make_chart("two", {"exact", "run"})};
+  std::vector<plots::Plot> second{make_chart("three", {"run", "octree"}), make_chart("four", {"exact"})};
   plots::give_common_looks(first);
   plots::give_common_looks(second);
   first.insert(first.end(), second.begin(), second.end());

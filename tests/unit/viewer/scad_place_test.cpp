@@ -44,10 +44,10 @@ TEST_CASE("only an OpenSCAD error in the edited text has a line") {
   viewer::Session session({model, {}, Json::object()});
   const auto answer = [&](const std::string& message) {
     programs.refuse_with(message);
-    const testing::Answer answer = testing::ask(session, "draw", {{"source", "cube(" + message}});
-    CHECK(answer.status == 422);
-    CHECK_FALSE(answer.json.contains("column"));
-    return answer.json;
+    const testing::Answer reply = testing::ask(session, "draw", {{"source", "cube(" + message}});
+    CHECK(reply.status == 422);
+    CHECK_FALSE(reply.json.contains("column"));
+    return reply.json;
   };
   CHECK(answer("ERROR: Parser error in file <stdin>, line 3: syntax error")["line"] == 3);
   CHECK(answer("ERROR: Parser error in file <stdin>, line 120: syntax error")["line"] == 120);
