@@ -6,7 +6,7 @@
 #include "sim/report/codec.h"
 #include "sim/viewer/session.h"
 #include "tests/support/test.h"
-#include "tests/unit/viewer/request.h"
+#include "tests/unit/viewer/asked.h"
 
 using namespace csgsim;
 using testing::ask;
