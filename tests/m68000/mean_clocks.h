@@ -11,7 +11,7 @@ struct MeanClocks {
   double nodes = 0;     ///< of the tree, at each of them
 };
 
-/// Of trees with as many levels as the bits of a long have room for.
+/// Uses trees of the maximum number of levels for the bits of a long.
 MeanClocks mean_clocks(Method method, Written written);
 
 }  // namespace csgsim::m68000

@@ -13,7 +13,7 @@ constexpr std::uint32_t mask_of(Size size) { return 0xffff'ffffU >> (32 - bits_o
 /// Its highest bit.
 constexpr bool is_negative(std::uint32_t value, Size size) { return ((value >> (bits_of(size) - 1)) & 1U) != 0; }
 
-/// With its sign in all higher bits.
+/// The value with its sign extended to all higher bits.
 constexpr std::uint32_t extended(std::uint32_t value, Size size) {
   return is_negative(value, size) ? value | ~mask_of(size) : value;
 }

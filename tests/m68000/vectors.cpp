@@ -3,7 +3,7 @@
 //     git clone https://github.com/SingleStepTests/m68000
 //     build/release/m68000_vectors m68000/v1/*.bin
 //
-// For each file, prints how many cases agree in registers, memory, condition codes and clocks. Cases with instructions
+// Prints for each file how many cases agree in registers, memory, condition codes and clocks. Cases with instructions
 // outside the subset, and with odd addresses, are skipped. The exit code is 1 if a case differs.
 
 #include <fmt/format.h>
