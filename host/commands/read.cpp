@@ -109,7 +109,7 @@ class TreeMaker {
     accuracy.work = source_.work();
     read::MeshPieces made;
     try {
-      const swept::SweptSolid meshed = swept::solid_of(sweep.sweep, accuracy);
+      const swept::SweptSolid meshed = swept::make_swept_solid(sweep.sweep, accuracy);
       made = read::pieces_of(meshed.mesh, solids::double_precision_tolerance, {}, source_.work());
     } catch (const InputError& error) {
       fail(solid.location, fmt::format("sweep: {}", error.what()));

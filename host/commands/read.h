@@ -12,8 +12,8 @@
 
 namespace csgsim::commands {
 
-/// Reads a file of commands, in the language of the thesis (2.3; docs/reproduction.md), as a CSG tree. Throws InputError with
-/// file:line:column. Of the options, only the limit on work applies.
+/// Reads a file of commands, in the language of the thesis (2.3; docs/reproduction.md), as a CSG tree. Throws
+/// InputError with file:line:column. Of the options, only the limit on work applies.
 model::Tree read_text(std::string_view text, std::string_view name, const read::Options& options = {});
 
 /// A surface of a file of commands that can be subdivided.

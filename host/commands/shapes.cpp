@@ -57,8 +57,8 @@ glm::dvec3 read_point(Cursor& line, std::size_t& numbers) {
         fmt::format(
             "this point has a different number of coordinates ({}) than those before it ({}); use the same number",
             point.size(), numbers));
-  if (std::ranges::any_of(point, [](double one) { return std::abs(one) > model::most_coordinate; }))
-    line.fail(offset, fmt::format("the point is farther than {:g} from the origin", model::most_coordinate));
+  if (std::ranges::any_of(point, [](double one) { return std::abs(one) > model::max_coordinate; }))
+    line.fail(offset, fmt::format("the point is farther than {:g} from the origin", model::max_coordinate));
   numbers = point.size();
   return {point[0], numbers > 1 ? point[1] : 0, numbers > 2 ? point[2] : 0};
 }
@@ -73,7 +73,7 @@ std::string_view similar_solid_word(std::string_view word) {
   std::vector<std::string_view> words;
   words.reserve(solid_rows.size());
   for (const SolidRow& row : solid_rows) words.push_back(row.word);
-  return nearest_alike(word, words);
+  return nearest_similar(word, words);
 }
 
 model::Shape read_solid(std::string_view word, Cursor& line, const model::FacetControl& facets) {

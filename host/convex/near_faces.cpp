@@ -181,16 +181,16 @@ class PairSearch {
     const std::vector<float> values = discriminating_values(planes, geometry_.planes);
     std::uint64_t left = max_near_faces + 16 * planes.size();
     std::size_t end = 0;
-    for (std::size_t i = 0; i < planes.size() && !found_.are_more; ++i) {
+    for (std::size_t i = 0; i < planes.size() && !found_.is_incomplete; ++i) {
       end = std::max(end, i + 1);
       while (end < planes.size() && planes[end].place - planes[i].place <= window) ++end;
       const std::size_t last = i + 1 + std::min<std::uint64_t>(left, end - (i + 1));
       for_near_values(values, values[i], i + 1, last, [&](std::size_t j) {
         // Pairs of two reversed planes mirror pairs that are tested already.
-        if (!found_.are_more && !(planes[i].is_reversed && planes[j].is_reversed)) test_pair(planes[i], planes[j]);
+        if (!found_.is_incomplete && !(planes[i].is_reversed && planes[j].is_reversed)) test_pair(planes[i], planes[j]);
       });
       left -= last - (i + 1);
-      if (last < end) found_.are_more = true;
+      if (last < end) found_.is_incomplete = true;
     }
     return counted();
   }
@@ -208,8 +208,8 @@ class PairSearch {
     if (!are_near(planes[one.plane], planes[other.plane], sign, geometry_.planes.diagonal())) return;
     for (const std::uint32_t first : users_[one.plane]) {
       for (const std::uint32_t second : users_[other.plane]) {
-        if (++faces_tested_ > max_near_faces) found_.are_more = true;
-        if (found_.are_more) return;
+        if (++faces_tested_ > max_near_faces) found_.is_incomplete = true;
+        if (found_.is_incomplete) return;
         const auto [low, high] = std::minmax(first, second);
         if (nodes_[low] == nodes_[high] || !may_meet(low, high) || pairs_.contains({nodes_[low], nodes_[high]}))
           continue;

@@ -23,7 +23,7 @@ inline constexpr double near_parallel_offsets = 2e-6;
 /// Pairs of nodes of the file with overlapping faces in nearly equal planes.
 struct NearFaces {
   std::uint64_t pairs = 0;               ///< number of pairs of nodes
-  bool are_more = false;                 ///< the limit was reached before all pairs were tested
+  bool is_incomplete = false;            ///< the limit was reached before all pairs were tested
   std::array<std::uint32_t, 2> first{};  ///< primitives of the first pair in file order, if any
 };
 

@@ -20,7 +20,7 @@ struct Piece {
   std::uint32_t product = 0;    ///< product of the piece, ascending from 0; pieces of one product do not overlap
 };
 
-inline constexpr std::size_t most_pieces = 100'000;
+inline constexpr std::size_t max_pieces = 100'000;
 
 /// The model as a union of convex pieces: the subtracted primitives are cut from each of its products
 /// (for_each_product). A - B is the union, over the half-spaces of B, of the part of A outside the i-th one and inside
@@ -28,6 +28,6 @@ inline constexpr std::size_t most_pieces = 100'000;
 /// merged where possible. Each cut may lose as much as clip() loses. Throws InputError if there are more than
 /// `max_count` parts before merging, and WorkError past the limit on work.
 std::vector<Piece> pieces(const facet::Geometry& geometry, const csg::PositiveTree& tree,
-                          std::size_t max_count = most_pieces, const Work& work = {});
+                          std::size_t max_count = max_pieces, const Work& work = {});
 
 }  // namespace csgsim::convex

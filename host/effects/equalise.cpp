@@ -40,7 +40,7 @@ unsigned count_bits(const Settings& settings) {
 }
 
 /// Bits of the widest possible channel.
-constexpr unsigned max_level_bits = isa::channel_widths(isa::most_colour_bits)[1];
+constexpr unsigned max_level_bits = isa::channel_widths(isa::max_colour_bits)[1];
 
 /// Equalises one picture, one channel after another.
 class Equaliser {
@@ -92,7 +92,7 @@ class Equaliser {
   [[nodiscard]] bool may_be_seen(const view::PixelRect& pixel) const {
     // The plan does not include what other cameras see.
     const bool is_alone = std::none_of(context_.called.begin(), context_.called.end(),
-                                       [](const emit::CalledEffect& one) { return one.row->parts.draws_around; });
+                                       [](const emit::EffectRequest& one) { return one.row->parts.draws_around; });
     const std::vector<emit::PlannedSurface>& surfaces = context_.plan.surfaces;
     return !is_alone || std::any_of(surfaces.begin(), surfaces.end(), [&](const emit::PlannedSurface& one) {
       return !view::common(one.block.pixels, pixel).empty();

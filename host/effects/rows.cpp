@@ -11,7 +11,7 @@ std::vector<scene::Section> sections() {
 
 model::Tree reshaped(model::Tree&& tree, const scene::Scene& scene) {
   for (const emit::EffectRow* const row : all()) {
-    for (const scene::CalledEffect& one : scene.effects)
+    for (const scene::EffectRequest& one : scene.effects)
       if (one.is_on && one.name == row->section.name) tree = row->parts.make(one.tables)->reshape(std::move(tree));
   }
   return std::move(tree);

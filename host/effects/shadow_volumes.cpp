@@ -85,7 +85,7 @@ bool is_caster(const model::Primitive& primitive, const Casters& casters) {
 std::vector<CastLight> cast_volumes(const std::vector<std::size_t>& lights, const emit::Drawing& drawing,
                                     const Casters& casters, const Work& work) {
   const std::vector<convex::Piece> pieces =
-      convex::pieces(*drawing.geometry, drawing.plan.positive, convex::most_pieces, work);
+      convex::pieces(*drawing.geometry, drawing.plan.positive, convex::max_pieces, work);
   std::vector<CastLight> result;
   for (const std::size_t light : lights) {
     CastLight one{light, {}};

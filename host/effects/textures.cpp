@@ -30,7 +30,7 @@ enum class Pattern : std::uint8_t { checker, stripes, table };
 constexpr std::array<std::string_view, 3> patterns{"checker", "stripes", "table"};
 
 /// The texture of the facets of some primitives.
-struct Texture : scene::Chosen {
+struct Texture : scene::PrimitiveSelection {
   Pattern pattern = Pattern::checker;
   glm::dvec3 first{1};
   glm::dvec3 second{0};

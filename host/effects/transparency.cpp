@@ -87,7 +87,7 @@ class Transparency final : public emit::EffectOf<Settings, Prepared> {
 }  // namespace
 
 std::optional<scene::Scene> by_screen_door(scene::Scene scene) {
-  const bool sets_effect = std::any_of(scene.effects.begin(), scene.effects.end(), [](const scene::CalledEffect& one) {
+  const bool sets_effect = std::any_of(scene.effects.begin(), scene.effects.end(), [](const scene::EffectRequest& one) {
     return one.name == transparency.section.name;
   });
   const bool is_transparent = std::any_of(scene.materials.begin(), scene.materials.end(),

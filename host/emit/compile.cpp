@@ -67,9 +67,9 @@ isa::ModelFacts model_facts(const model::Tree& tree, const facet::Geometry& geom
   return {tree.file, counts.primitives, counts.unions, counts.differences, counts.intersections, geometry.halfspaces()};
 }
 
-std::vector<std::string> effect_names(std::span<const CalledEffect> called) {
+std::vector<std::string> effect_names(std::span<const EffectRequest> called) {
   std::vector<std::string> names;
-  for (const CalledEffect& one : called) names.emplace_back(one.row->name());
+  for (const EffectRequest& one : called) names.emplace_back(one.row->name());
   return names;
 }
 
@@ -80,7 +80,7 @@ struct Input {
   const Drawing& drawing;
   const machines::Machine& machine;
   std::optional<machines::Division> division;  ///< of the machine
-  std::span<const CalledEffect> called;
+  std::span<const EffectRequest> called;
 };
 
 /// Reserved instructions per half-space, for drawing it and a few comparisons. Unused capacity takes no physical
@@ -256,8 +256,8 @@ std::shared_ptr<const Object> borrowed(const Object& object) {
   return {std::shared_ptr<const Object>(), &object};
 }
 
-void refuse_effects(std::span<const CalledEffect> called, const machines::Machine& machine) {
-  for (const CalledEffect& one : called.subspan(1)) {
+void refuse_effects(std::span<const EffectRequest> called, const machines::Machine& machine) {
+  for (const EffectRequest& one : called.subspan(1)) {
     const std::string without = one.row->section.is_list
                                     ? fmt::format("take its tables [[effects.{}]] out of the scene", one.row->name())
                                     : fmt::format("leave the effect out by --set effects.{}.on=false", one.row->name());
@@ -280,7 +280,7 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
     add(options.strategy, options.stack_bits);
   } else {
     // Levels beyond the tree's depth change nothing, and many levels change little.
-    const unsigned most = fewest_stack_bits + std::min(plan.depth(), max_levels_tried);
+    const unsigned most = min_stack_bits + std::min(plan.depth(), max_levels_tried);
     const auto add_all = [&](bool has_stack_bits, unsigned stack_bits) {
       for (const Strategy strategy : strategies) {
         if (strategy == Strategy::automatic) continue;
@@ -289,7 +289,7 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
       }
     };
     add_all(false, options.stack_bits);
-    for (unsigned bits = fewest_stack_bits; bits <= most; ++bits) add_all(true, bits);
+    for (unsigned bits = min_stack_bits; bits <= most; ++bits) add_all(true, bits);
   }
   if (options.colouring != Colouring::automatic) return with_strategy;
   std::vector<Options> all;
@@ -307,11 +307,11 @@ isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geom
   const std::optional<machines::Division> division = machines::division(machine);
   Options options = division ? options_for(*division, wanted) : wanted;
   options.work = wanted.work.afresh();
-  const std::vector<CalledEffect> called =
+  const std::vector<EffectRequest> called =
       called_effects(options, make_look(options.scene, tree, csg::make_positive(tree), view.camera));
   if (division) refuse_effects(called, machine);
   const auto drawing = make_drawing(borrowed(tree), borrowed(geometry), std::move(view), 0, {machine, options, called});
-  if (geometry.halfspaces() >= many_halfspaces) give_back_memory();  // frees the memory of temporary solids
+  if (geometry.halfspaces() >= many_halfspaces) release_free_memory();  // frees the memory of temporary solids
   const Input input{tree, geometry, *drawing, machine, division, called};
   const std::vector<Options> all = candidates(options, drawing->plan);
   if (all.size() == 1) return compile_for_machine(input, all.front());

@@ -26,7 +26,7 @@ struct EffectRow;
 struct Facet;
 
 /// An effect that the scene or the model calls for, with its settings.
-struct CalledEffect {
+struct EffectRequest {
   const EffectRow* row = nullptr;
   std::shared_ptr<const Effect> effect;
 };
@@ -72,7 +72,7 @@ struct Context {
   const Look& look;
 
   std::size_t segment = 0;                          ///< index into the segments of the plan
-  std::span<const CalledEffect> called{};           ///< effects, in the order of their rows
+  std::span<const EffectRequest> called{};          ///< effects, in the order of their rows
   const EffectStates* states = nullptr;             ///< by called effect: its state for the drawing
   std::uint32_t left_out = 0;                       ///< bit i: effect i takes no part in this drawing
   unsigned nesting = 0;                             ///< number of drawings that enclose this one

@@ -35,7 +35,7 @@ std::optional<std::string> why_no_curves(const machines::Machine& machine, const
         "{} divides the model itself, and its divider supports only half-spaces; take a machine for which the host "
         "divides, such as pixel-powers",
         machine.name);
-  for (const CalledEffect& one : called_effects(options, look)) {
+  for (const EffectRequest& one : called_effects(options, look)) {
     if (!one.row->takes_quadrics)
       return fmt::format("the effect {} works on facets; leave it out by --set effects.{}.on=false", one.row->name(),
                          one.row->name());

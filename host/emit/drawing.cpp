@@ -21,9 +21,9 @@ namespace {
 constexpr double behind_mirror = 1e-9;
 
 /// Opacities by primitive; empty if all are opaque.
-std::vector<double> opacities(const Look& look, std::span<const CalledEffect> called) {
+std::vector<double> opacities(const Look& look, std::span<const EffectRequest> called) {
   const bool any =
-      std::any_of(called.begin(), called.end(), [](const CalledEffect& one) { return one.row->sees_through; });
+      std::any_of(called.begin(), called.end(), [](const EffectRequest& one) { return one.row->sees_through; });
   std::vector<double> all;
   if (!any) return all;
   for (const lighting::Finish& finish : look.finishes) all.push_back(finish.opacity);
@@ -83,7 +83,8 @@ void plan_and_prepare(Drawing& drawing, const Workshop& workshop) {
   drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine), pruning,
                            opacities(drawing.look, workshop.called), options.work);
   if (drawing.reflection) drop_unseen(drawing);
-  for (const CalledEffect& one : workshop.called) drawing.states.push_back(one.effect->prepared_for(drawing, workshop));
+  for (const EffectRequest& one : workshop.called)
+    drawing.states.push_back(one.effect->prepared_for(drawing, workshop));
 }
 
 }  // namespace

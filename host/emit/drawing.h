@@ -41,7 +41,7 @@ struct Drawing {
 struct Workshop {
   const machines::Machine& machine;
   const Options& options;
-  std::span<const CalledEffect> called;
+  std::span<const EffectRequest> called;
 };
 
 /// Plans a drawing and lets each called effect prepare it. Throws InputError if an effect cannot.

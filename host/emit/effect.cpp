@@ -7,12 +7,12 @@
 
 namespace csgsim::emit {
 
-std::vector<CalledEffect> called_effects(const Options& options, const Look& look) {
-  std::vector<CalledEffect> called;
+std::vector<EffectRequest> called_effects(const Options& options, const Look& look) {
+  std::vector<EffectRequest> called;
   for (const EffectRow* const row : options.effects) {
-    const std::vector<scene::CalledEffect>& said = options.scene.effects;
+    const std::vector<scene::EffectRequest>& said = options.scene.effects;
     const auto found = std::find_if(said.begin(), said.end(),
-                                    [&](const scene::CalledEffect& one) { return one.name == row->section.name; });
+                                    [&](const scene::EffectRequest& one) { return one.name == row->section.name; });
     if (found != said.end()) {
       if (found->is_on) called.push_back({row, row->parts.make(found->tables)});
     } else {
@@ -25,13 +25,13 @@ std::vector<CalledEffect> called_effects(const Options& options, const Look& loo
 
 std::vector<EffectFields> effect_fields(const Drawing& drawing, const Workshop& workshop) {
   std::vector<EffectFields> all;
-  for (const CalledEffect& one : workshop.called)
+  for (const EffectRequest& one : workshop.called)
     all.push_back({one.row->name(), one.effect->fields(drawing, workshop)});
   return all;
 }
 
-bool any_needs_owners(std::span<const CalledEffect> called) {
-  return std::any_of(called.begin(), called.end(), [](const CalledEffect& one) { return one.row->needs_owners; });
+bool any_needs_owners(std::span<const EffectRequest> called) {
+  return std::any_of(called.begin(), called.end(), [](const EffectRequest& one) { return one.row->needs_owners; });
 }
 
 }  // namespace csgsim::emit

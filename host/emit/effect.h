@@ -98,7 +98,8 @@ class EffectOf : public Effect {
 
   /// The state prepared for a drawing; null if there is none yet.
   [[nodiscard]] const State* prepared_in(const Drawing& drawing, const Workshop& workshop) const {
-    const auto own = std::ranges::find(workshop.called, this, [](const CalledEffect& one) { return one.effect.get(); });
+    const auto own =
+        std::ranges::find(workshop.called, this, [](const EffectRequest& one) { return one.effect.get(); });
     const auto number = static_cast<std::size_t>(own - workshop.called.begin());
     return number < drawing.states.size() ? static_cast<const State*>(drawing.states[number].get()) : nullptr;
   }
@@ -145,12 +146,12 @@ struct EffectRow {
 
 /// The effects that the scene calls for, or the model where the scene does not mention them, in the order of their
 /// rows; flat shading is the first.
-std::vector<CalledEffect> called_effects(const Options& options, const Look& look);
+std::vector<EffectRequest> called_effects(const Options& options, const Look& look);
 
 /// Fields of pixel memory that the effects request for the camera's drawing.
 std::vector<EffectFields> effect_fields(const Drawing& drawing, const Workshop& workshop);
 
-bool any_needs_owners(std::span<const CalledEffect> called);
+bool any_needs_owners(std::span<const EffectRequest> called);
 
 /// Calls `part` of each effect of the context, billed to it, until one returns true. Returns whether one did.
 template <class Part, class... Arguments>

@@ -140,11 +140,11 @@ std::string suggest_options(const Needs& needs, std::uint32_t memory_bits) {
   const unsigned depths =
       fields_of_width(needs, "depth", needs.z_bits) + fields_of_width(needs, stored_depth, needs.z_bits);
   const unsigned z_bits = needs.z_bits - std::min(needs.z_bits, (missing + depths - 1) / depths);
-  if (z_bits >= view::fewest_z_bits)
+  if (z_bits >= view::min_z_bits)
     text += "lower the depth resolution with --z-bits " + std::to_string(z_bits) + ", or ";
   const unsigned colours = fields_of_width(needs, "colour", needs.colour_bits) + (needs.shown.width > 0 ? 1 : 0);
   const unsigned colour_bits = needs.colour_bits - std::min(needs.colour_bits, (missing + colours - 1) / colours);
-  if (colour_bits >= isa::fewest_colour_bits)
+  if (colour_bits >= isa::minimum_colour_bits)
     text += "the colour resolution with --colour-bits " + std::to_string(colour_bits) + ", or ";
   if (needs.shown.width >= missing) text += std::string(one_buffer) + ", or ";
   if (total_bits(needs) <= isa::max_memory_bits)

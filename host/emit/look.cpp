@@ -14,13 +14,13 @@ std::uint32_t packed_background(const scene::Scene& scene, unsigned colour_bits)
 
 Look make_look(const scene::Scene& scene, const model::Tree& tree, const csg::PositiveTree& positive,
                const view::Camera& camera) {
-  Look look{lighting::lighting_of(scene, camera), {}};
+  Look look{lighting::make_lighting(scene, camera), {}};
   look.finishes.reserve(tree.primitives.size());
   bool is_cut = false;
   for (std::size_t i = 0; i < tree.primitives.size(); ++i) {
     // The first piece of a node decides for all its pieces: what the node itself subtracts is a hole, not a cut.
     if (!tree.primitives[i].continues) is_cut = positive.nodes[positive.leaf_of[i]].complemented;
-    look.finishes.push_back(lighting::finish_of(scene, tree.primitives[i], is_cut));
+    look.finishes.push_back(lighting::make_finish(scene, tree.primitives[i], is_cut));
   }
   return look;
 }

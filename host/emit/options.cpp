@@ -33,7 +33,7 @@ const StrategyRow& row_of(Strategy strategy) {
   return *strategy_rows.at(static_cast<std::size_t>(strategy));
 }
 
-std::vector<Strategy> usual_strategies() {
+std::vector<Strategy> default_strategies() {
   std::vector<Strategy> usual;
   for (const Strategy strategy : strategies)
     if (strategy != Strategy::automatic && row_of(strategy).is_usual) usual.push_back(strategy);

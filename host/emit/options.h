@@ -33,7 +33,7 @@ inline constexpr std::array strategies{CSGSIM_STRATEGIES(CSGSIM_OWN_ENUMERATOR) 
 
 /// The strategies that studies vary by default. `polygons` is not among them: it takes the bits of a stack and more
 /// clocks (docs/accuracy.md).
-std::vector<Strategy> usual_strategies();
+std::vector<Strategy> default_strategies();
 
 /// The strategy's name on the command line and in the stats.
 std::string_view name_of(Strategy strategy);
@@ -51,7 +51,7 @@ std::string_view name_of(Colouring colouring);
 
 /// Minimum number of bits for `Strategy::bits`, as the thesis counts them (fig. 6.3): one each for the front and back
 /// of the compared primitive, and one for the product. From four bits on, one of them sums the products.
-inline constexpr unsigned fewest_stack_bits = 3;
+inline constexpr unsigned min_stack_bits = 3;
 
 /// Maximum number of products that a segment is compiled for.
 inline constexpr std::uint64_t max_products = 16'384;
@@ -63,9 +63,9 @@ std::span<const EffectRow* const> only_flat_shading();
 
 struct Options {
   Strategy strategy = Strategy::stack;
-  unsigned stack_bits = fewest_stack_bits;  ///< for Strategy::bits: m of thesis 6.4, at least fewest_stack_bits
+  unsigned stack_bits = min_stack_bits;  ///< for Strategy::bits: m of thesis 6.4, at least min_stack_bits
   Colouring colouring = Colouring::rebroadcast;
-  unsigned colour_bits = isa::most_colour_bits;
+  unsigned colour_bits = isa::max_colour_bits;
   csg::Pruning pruning;
   scene::Scene scene;
   std::span<const EffectRow* const> effects = only_flat_shading();  ///< all known effects, in the order of their work

@@ -48,7 +48,7 @@ class Faces {
     for (const std::uint32_t i : rivals.backs) leave(own, boundary_.backs[i]);
     std::vector<Neighbour> neighbours;
     const auto add = [&](Opcode opcode, const FixedLinear& plane, const FixedLinear& thickness) {
-      if (!region.is_surely_at_least(thickness, static_cast<double>(step_))) neighbours.push_back({opcode, plane});
+      if (!region.is_certainly_at_least(thickness, static_cast<double>(step_))) neighbours.push_back({opcode, plane});
     };
     // Among faces at the same depth, the first is visible.
     for (const std::uint32_t i : rivals.fronts) {

@@ -15,10 +15,10 @@ namespace {
 
 /// Number of levels that `Strategy::bits` evaluates with a stack: m bits minus those for front, back, product and sum,
 /// as in figure 6.3 of the thesis (the text of 6.4 says m - 3). Not for m = 3, which has no sum.
-unsigned stack_levels(const Options& options) { return options.stack_bits - fewest_stack_bits - 1; }
+unsigned stack_levels(const Options& options) { return options.stack_bits - min_stack_bits - 1; }
 
 /// Whether a primitive is merged product by product, because there is no bit to sum them in.
-bool merges_each_product(const Options& options) { return options.stack_bits == fewest_stack_bits; }
+bool merges_each_product(const Options& options) { return options.stack_bits == min_stack_bits; }
 
 std::uint64_t all_products(const csg::ActiveTree& active) {
   const csg::RootedTree rooted = csg::with_root(active);

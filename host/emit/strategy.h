@@ -27,7 +27,7 @@ struct StrategyRow {
   bool has_stack_bits = false;  ///< depends on Options::stack_bits
   bool takes_sets = true;       ///< supports drawing several primitives as one (csg::Pruning::sets)
   bool is_tried = true;         ///< Strategy::automatic may choose it
-  bool is_usual = true;         ///< is one of usual_strategies
+  bool is_usual = true;         ///< is one of default_strategies
 };
 
 /// Throws std::logic_error for Strategy::automatic.

@@ -169,7 +169,7 @@ bool keeps_balls(const glm::dmat4& transform) {
 
 bool stays_curved(const model::Primitive& primitive, const Faceting& faceting) {
   const auto is_round = [&](const model::FacetControl& own) {
-    return std::isfinite(own.fn) && !(own.fn > 0.0 && own.fn < faceting.fewest_round);
+    return std::isfinite(own.fn) && !(own.fn > 0.0 && own.fn < faceting.min_round_sides);
   };
   if (!faceting.exact_curves) return false;
   if (const auto* sphere = std::get_if<model::Sphere>(&primitive.shape))

@@ -21,7 +21,7 @@ struct Faceting {
   /// (host/view/fast_sphere.h); all other solids are faceted.
   bool fast_spheres = false;
   /// Only with exact curves: a solid whose own $fn is above 0 and below this is meant as a polygon, and is faceted.
-  double fewest_round = 13;
+  double min_round_sides = 13;
   /// Only with exact curves: marks primitives that are faceted nevertheless; none if empty.
   std::vector<bool> faceted{};
 

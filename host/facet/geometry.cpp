@@ -112,8 +112,8 @@ class GeometryMaker {
 
 /// Whether each coordinate is a number within the supported range.
 bool is_in_range(const glm::dvec3& point) {
-  return std::abs(point.x) <= model::most_coordinate && std::abs(point.y) <= model::most_coordinate &&
-         std::abs(point.z) <= model::most_coordinate;
+  return std::abs(point.x) <= model::max_coordinate && std::abs(point.y) <= model::max_coordinate &&
+         std::abs(point.z) <= model::max_coordinate;
 }
 
 void reject_far(const Solid& solid) {

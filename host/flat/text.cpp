@@ -26,7 +26,7 @@ constexpr std::size_t max_length = 10'000;
 constexpr std::size_t max_corners = 1'000'000;
 
 const lettering::Module& opened_module() {
-  static const void* const symbol = module_symbol_of(
+  static const void* const symbol = load_module_symbol(
       {.file = lettering::module_file, .symbol = lettering::module_symbol, .does = "sets the letters of text()"});
   return *static_cast<const lettering::Module*>(symbol);
 }

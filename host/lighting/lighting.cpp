@@ -40,13 +40,13 @@ bool Lighting::is_local(const scene::Material& material) const {
   return has_points || (material.specular > 0 && is_perspective);
 }
 
-bool is_chosen(const scene::Chosen& chosen, const model::Primitive& primitive) {
+bool is_chosen(const scene::PrimitiveSelection& chosen, const model::Primitive& primitive) {
   if (chosen.of_colour && !(primitive.colour && same_colour(*chosen.of_colour, *primitive.colour))) return false;
   return !chosen.from_line || (primitive.location.line >= *chosen.from_line &&
                                primitive.location.line <= chosen.to_line.value_or(*chosen.from_line));
 }
 
-Lighting lighting_of(const scene::Scene& scene, const view::Camera& camera) {
+Lighting make_lighting(const scene::Scene& scene, const view::Camera& camera) {
   Lighting lighting;
   lighting.ambient = scene.ambient.colour * scene.ambient.intensity;
   lighting.is_perspective = camera.projection == view::Projection::perspective;
@@ -72,7 +72,7 @@ glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const 
   return colour * light + highlights;
 }
 
-Finish finish_of(const scene::Scene& scene, const model::Primitive& primitive, bool is_cut) {
+Finish make_finish(const scene::Scene& scene, const model::Primitive& primitive, bool is_cut) {
   const scene::Uncoloured& usual = scene.uncoloured;
   const glm::dvec3 uncoloured =
       is_cut ? usual.cut_face.value_or(default_cut_colour) : usual.face.value_or(default_colour);

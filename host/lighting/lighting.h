@@ -34,7 +34,7 @@ struct Lighting {
 };
 
 /// The scene's lights; if it has none, one fixed to the camera, from the upper left behind the eye.
-Lighting lighting_of(const scene::Scene& scene, const view::Camera& camera);
+Lighting make_lighting(const scene::Scene& scene, const view::Camera& camera);
 
 /// A point of a surface, in camera space.
 struct SurfacePoint {
@@ -47,7 +47,7 @@ glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const 
                const SurfacePoint& at);
 
 /// Whether the scene's rule applies to the primitive.
-bool is_chosen(const scene::Chosen& chosen, const model::Primitive& primitive);
+bool is_chosen(const scene::PrimitiveSelection& chosen, const model::Primitive& primitive);
 
 /// The appearance of a primitive: the scene's settings, else the model's, else the defaults.
 struct Finish {
@@ -57,6 +57,6 @@ struct Finish {
 };
 
 /// `is_cut`: the surface of a subtracted solid.
-Finish finish_of(const scene::Scene& scene, const model::Primitive& primitive, bool is_cut);
+Finish make_finish(const scene::Scene& scene, const model::Primitive& primitive, bool is_cut);
 
 }  // namespace csgsim::lighting

@@ -6,6 +6,6 @@ namespace csgsim::model {
 
 /// Maximum magnitude of a coordinate, in model units. Beyond it, products of coordinates overflow doubles or, long
 /// before, are coarser than what is drawn.
-inline constexpr double most_coordinate = 1e12;
+inline constexpr double max_coordinate = 1e12;
 
 }  // namespace csgsim::model

@@ -48,8 +48,8 @@ struct Cylinder {
 struct Polyhedron {
   std::vector<glm::dvec3> points;
   std::vector<std::vector<std::uint32_t>> faces;
-  /// Each face's outward unit normal, and the negated distance from the origin along it. Pieces of one solid use identical
-  /// numbers for the same plane. If empty, the planes are those through the corners.
+  /// Each face's outward unit normal, and the negated distance from the origin along it. Pieces of one solid use
+  /// identical numbers for the same plane. If empty, the planes are those through the corners.
   std::vector<glm::dvec4> planes{};
 };
 

@@ -116,7 +116,7 @@ void TreeBuilder::report_restored() const {
   if (restored_.as_written > 0)
     line += fmt::format("; the first one left as written is at {}:{}", restored_.first_as_written.line,
                         restored_.first_as_written.column);
-  tell_line(line);
+  report_line(line);
 }
 
 void TreeBuilder::add_solid(const NodeType& node, const Arguments& arguments) {

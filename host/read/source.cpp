@@ -74,7 +74,7 @@ model::Location Source::locate(std::size_t offset) {
 
 void Source::tell(std::size_t offset, std::string_view message) {
   const model::Location place = locate(offset);
-  tell_line(fmt::format("{}:{}:{}: {}", name_, place.line, place.column, message));
+  report_line(fmt::format("{}:{}:{}: {}", name_, place.line, place.column, message));
 }
 
 void Source::warn_once(std::size_t offset, const std::string& message) {

@@ -216,7 +216,7 @@ class Reader {
     const auto found = text == nullptr ? key.names.end()
                                        : std::find(key.names.begin(), key.names.end(), std::string_view(text->get()));
     if (found == key.names.end()) {
-      const std::string_view near = text == nullptr ? std::string_view() : nearest_alike(text->get(), key.names);
+      const std::string_view near = text == nullptr ? std::string_view() : nearest_similar(text->get(), key.names);
       fail(node, fmt::format("{} is {};{} it takes {}", name, given,
                              near.empty() ? "" : fmt::format(" did you mean {}?", near), fmt::join(key.names, ", ")));
     }

@@ -23,7 +23,7 @@ class SetError : public InputError {
 /// The values of a section, or of one table of its list.
 struct SectionValues {
   std::string_view name;
-  bool is_of_list = false;
+  bool is_list_entry = false;
   Values values;
 };
 

@@ -54,16 +54,16 @@ struct Material {
 
 /// A selection of primitives: those with a colour, those from a range of lines of the model's file, or all if neither
 /// is given.
-struct Chosen {
+struct PrimitiveSelection {
   std::optional<glm::dvec3> of_colour;     ///< colour in the model
   std::optional<std::uint32_t> from_line;  ///< first line of the model's file
   std::optional<std::uint32_t> to_line;    ///< inclusive; defaults to from_line
 
-  bool operator==(const Chosen&) const = default;
+  bool operator==(const PrimitiveSelection&) const = default;
 };
 
 /// A material and the primitives to which it applies. The last matching rule wins.
-struct MaterialRule : Chosen {
+struct MaterialRule : PrimitiveSelection {
   std::optional<glm::dvec3> colour;  ///< replaces the model's colour
   std::optional<double> opacity;     ///< replaces the model's alpha
   Material material;
@@ -96,7 +96,7 @@ struct Uncoloured {
 };
 
 /// An effect that appears in the scene.
-struct CalledEffect {
+struct EffectRequest {
   std::string_view name;       ///< name of the effect's section
   std::vector<Values> tables;  ///< one table, or those of a list; the effect parses its settings from them
   bool is_on = true;           ///< false: off even if the model requests it
@@ -109,7 +109,7 @@ struct Scene {
   Ambient ambient;
   std::vector<Light> lights;            ///< if empty: the default light (host/lighting)
   std::vector<MaterialRule> materials;  ///< ordered; later rules win
-  std::vector<CalledEffect> effects;    ///< order of the effects' sections
+  std::vector<EffectRequest> effects;   ///< order of the effects' sections
 };
 
 }  // namespace csgsim::scene

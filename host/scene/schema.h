@@ -180,8 +180,8 @@ constexpr Section effect_section(std::string_view name, std::string_view meaning
 
 inline constexpr double last_line = 4'294'967'295.0;
 
-/// The keys that select primitives, for sections whose table is derived from Chosen.
-void visit_keys(Chosen& chosen, auto&& visit) {
+/// The keys that select primitives, for sections whose table is derived from PrimitiveSelection.
+void visit_keys(PrimitiveSelection& chosen, auto&& visit) {
   visit(colour_key("of_colour", "selects primitives with this colour in the model"), chosen.of_colour);
   visit(integer_key("from_line", "", 1, last_line, "selects primitives from this line of the model on"),
         chosen.from_line);
@@ -189,7 +189,7 @@ void visit_keys(Chosen& chosen, auto&& visit) {
 }
 
 /// Completes the line range. Throws InputError if it is invalid.
-void complete(Chosen& chosen);
+void complete(PrimitiveSelection& chosen);
 
 /// The sections camera, background, ambient, lights and materials.
 std::span<const Section> common_sections();

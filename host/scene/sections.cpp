@@ -58,7 +58,7 @@ static void complete(const Light& light) {
 }
 
 void visit_keys(MaterialRule& rule, auto&& visit) {
-  visit_keys(static_cast<Chosen&>(rule), visit);
+  visit_keys(static_cast<PrimitiveSelection&>(rule), visit);
   visit(colour_key("colour", "replaces the model's colour"), rule.colour);
   visit(number_key("opacity", "", 0, 1, "replaces the model's alpha: 0 is clear, 1 opaque"), rule.opacity);
   Material& material = rule.material;
@@ -84,12 +84,12 @@ constexpr std::array sections{
 }  // namespace
 
 void call(Scene& scene, const Section& section, Values&& table) {
-  std::vector<CalledEffect>& effects = scene.effects;
+  std::vector<EffectRequest>& effects = scene.effects;
   if (!section.is_list || effects.empty() || effects.back().name != section.name) effects.push_back({section.name, {}});
   effects.back().tables.push_back(std::move(table));
 }
 
-void complete(Chosen& chosen) {
+void complete(PrimitiveSelection& chosen) {
   if (chosen.to_line && !chosen.from_line) throw InputError("to_line without from_line; add from_line");
   if (chosen.from_line && !chosen.to_line) chosen.to_line = chosen.from_line;
   if (chosen.from_line && *chosen.to_line < *chosen.from_line) {

@@ -135,13 +135,13 @@ std::optional<Defect> find_far_point(const NumberedMesh& numbered) {
   const Mesh& mesh = numbered.mesh;
   const auto is_far = [&](std::uint32_t corner) {
     const glm::dvec3 size = glm::abs(mesh.points[corner]);
-    return std::max({size.x, size.y, size.z}) > most_coordinate;
+    return std::max({size.x, size.y, size.z}) > max_coordinate;
   };
   for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
     const auto corner = std::ranges::find_if(mesh.faces[i], is_far);
     if (corner == mesh.faces[i].end()) continue;
     return Defect{numbered.face_numbers[i], fmt::format("points[{}] has a coordinate beyond {:g}; scale the solid down",
-                                                        numbered.point_numbers[*corner], most_coordinate)};
+                                                        numbered.point_numbers[*corner], max_coordinate)};
   }
   return std::nullopt;
 }

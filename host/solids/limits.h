@@ -30,7 +30,7 @@ inline constexpr double max_tolerance = 1e-3;
 inline constexpr double max_edge_fraction = 0.01;
 
 /// Beyond this distance from the origin, products of coordinates leave the range of doubles.
-inline constexpr double most_coordinate = model::most_coordinate;
+inline constexpr double max_coordinate = model::max_coordinate;
 
 /// Limits and tolerances of the division of a solid into convex pieces.
 struct Limits {

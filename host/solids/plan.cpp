@@ -97,7 +97,7 @@ bool reaches_far(const facet::Geometry& geometry) {
 
 void add_pieces(std::vector<Points>& plan, const facet::Geometry& geometry, const model::Tree& tree, const Work& work) {
   const glm::dvec2 centre(geometry.planes.centre());
-  for (const convex::Piece& piece : convex::pieces(geometry, csg::make_positive(tree), convex::most_pieces, work)) {
+  for (const convex::Piece& piece : convex::pieces(geometry, csg::make_positive(tree), convex::max_pieces, work)) {
     Points& points = plan.emplace_back();
     for (const glm::dvec3& vertex : piece.polytope.vertices) points.push_back(glm::dvec2(vertex) + centre);
   }

@@ -56,7 +56,7 @@ std::optional<WireFrame> make_wire_frame(Surface& surface, const Accuracy& accur
   return frame;
 }
 
-Patchwork patchwork_of(Surface& surface, const Accuracy& accuracy, Repair repair, std::optional<WireFrame>& frame) {
+Patchwork make_patchwork(Surface& surface, const Accuracy& accuracy, Repair repair, std::optional<WireFrame>& frame) {
   Patchwork made;
   Collector collector(made);
   frame = make_wire_frame(surface, accuracy, made, collector);
@@ -171,16 +171,16 @@ Face ring(const WireFrame& frame, std::size_t columns, std::size_t joint) {
 
 }  // namespace
 
-Patchwork patchwork_of(Surface& surface, const Accuracy& accuracy, Repair repair) {
+Patchwork make_patchwork(Surface& surface, const Accuracy& accuracy, Repair repair) {
   std::optional<WireFrame> frame;
-  return patchwork_of(surface, accuracy, repair, frame);
+  return make_patchwork(surface, accuracy, repair, frame);
 }
 
-SweptSolid solid_of(const Sweep& sweep, const Accuracy& accuracy, Repair repair) {
+SweptSolid make_swept_solid(const Sweep& sweep, const Accuracy& accuracy, Repair repair) {
   const std::unique_ptr<Surface> surface = surface_of(sweep);
   std::optional<WireFrame> frame;
   SweptSolid solid;
-  solid.patchwork = patchwork_of(*surface, accuracy, repair, frame);
+  solid.patchwork = make_patchwork(*surface, accuracy, repair, frame);
   SolidBuilder closing(solid.patchwork, twice_signed_area(sweep.contour) < 0);
   if (!surface->wraps_rows()) {
     const Spine spine(sweep);

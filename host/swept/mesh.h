@@ -28,7 +28,7 @@ struct Patchwork {
 
 /// Subdivides and repairs all patches; a single patch without neighbours needs no wire frame. Throws InputError as
 /// Surface::subdivide() does.
-Patchwork patchwork_of(Surface& surface, const Accuracy& accuracy, Repair repair = Repair::filter);
+Patchwork make_patchwork(Surface& surface, const Accuracy& accuracy, Repair repair = Repair::filter);
 
 /// A swept solid.
 struct SweptSolid {
@@ -37,7 +37,7 @@ struct SweptSolid {
 };
 
 /// Builds the solid of a valid sweep. Base and cap are one face each, bounded by the surface's edge vertices; they are
-/// omitted if the trajectory is closed or the scale is 0 there. Throws InputError as patchwork_of() does.
-SweptSolid solid_of(const Sweep& sweep, const Accuracy& accuracy, Repair repair = Repair::filter);
+/// omitted if the trajectory is closed or the scale is 0 there. Throws InputError as make_patchwork() does.
+SweptSolid make_swept_solid(const Sweep& sweep, const Accuracy& accuracy, Repair repair = Repair::filter);
 
 }  // namespace csgsim::swept

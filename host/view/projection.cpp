@@ -33,11 +33,11 @@ void check(const Sampling& sampling) {
       sampling.height > isa::max_array_side) {
     throw InputError("the picture's sides must be 1 to " + std::to_string(isa::max_array_side) + " pixels");
   }
-  if (sampling.z_bits < fewest_z_bits || sampling.z_bits > most_z_bits) {
-    throw InputError("z must have " + std::to_string(fewest_z_bits) + " to " + std::to_string(most_z_bits) + " bits");
+  if (sampling.z_bits < min_z_bits || sampling.z_bits > max_z_bits) {
+    throw InputError("z must have " + std::to_string(min_z_bits) + " to " + std::to_string(max_z_bits) + " bits");
   }
-  if (sampling.fraction_bits > most_fraction_bits)
-    throw InputError("coefficients must have 0 to " + std::to_string(most_fraction_bits) + " fraction bits");
+  if (sampling.fraction_bits > max_fraction_bits)
+    throw InputError("coefficients must have 0 to " + std::to_string(max_fraction_bits) + " fraction bits");
   if (!(sampling.edge_on_fraction > 0.0 && sampling.edge_on_fraction <= 1.0)) {
     throw InputError("the edge-on fraction must be above 0 and at most 1 pixel");
   }

@@ -19,9 +19,9 @@
 
 namespace csgsim::view {
 
-inline constexpr unsigned fewest_z_bits = 4;
-inline constexpr unsigned most_z_bits = 30;
-inline constexpr unsigned most_fraction_bits = 20;
+inline constexpr unsigned min_z_bits = 4;
+inline constexpr unsigned max_z_bits = 30;
+inline constexpr unsigned max_fraction_bits = 20;
 
 /// How the picture is sampled.
 struct Sampling {

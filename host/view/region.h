@@ -21,7 +21,7 @@ class Region {
   /// `least` (0 or more) at all remaining pixels, so that nothing was dropped.
   bool clip(const FixedLinear& linear, double least = 0);
   /// Whether the function is certainly at least `least` everywhere in the region.
-  [[nodiscard]] bool is_surely_at_least(const FixedLinear& linear, double least) const;
+  [[nodiscard]] bool is_certainly_at_least(const FixedLinear& linear, double least) const;
 
   /// Its minimum and maximum in the region, in double precision. The region must not be empty.
   [[nodiscard]] std::pair<double, double> range(const FixedLinear& linear) const;

@@ -1,3 +1,5 @@
+// Copies a bit plane into pixel values.
+// Used by the scan-outs of hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +12,7 @@
 
 namespace csgsim::array {
 
-/// Sets bit `place` of the value of each pixel of a row whose bit in `plane` is 1.
+/// Sets bit `place` of each pixel's value where `plane` is 1. `values` holds one row of pixels.
 inline void add_plane(std::span<const std::uint64_t> plane, unsigned place, std::span<std::uint32_t> values) {
   constexpr std::size_t at_once = 32;
   static constexpr auto ones = [] {

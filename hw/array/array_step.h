@@ -1,3 +1,5 @@
+// ALU functions and control words of the pixel processors.
+// Used by hw/array and, through it, by hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <cstdint>
@@ -5,12 +7,12 @@
 
 namespace csgsim::array {
 
-/// What the ALU of every pixel does in one clock, with one bit of its operands or with several, bit after bit from the
-/// least significant: see function_of_bit. In the meanings E is the enable bit, K the carry bit, L the operand latch, G
-/// the sign flag of a root, P whether the pixel is part of the region, M[w] the memory bit written; x and y are the
-/// operands, k is the constant and maj(a, b, c) the carry of a full adder. Columns: function, that of the bits after
-/// the first where others follow, reads x, reads y, writes memory, reads or writes K, reads or writes G, may change
-/// enable or memory of a pixel that is not enabled, meaning.
+/// Functions of a pixel's ALU. In one clock the ALU applies a function to one bit of its operands, or to several, from
+/// the least significant on (see function_of_bit). In the meanings E is the enable bit, K the carry bit, L the operand
+/// latch, G the sign flag of a root, P whether the pixel is part of the region, M[w] the memory bit written; x and y
+/// are the operands, k is the constant and maj(a, b, c) the carry of a full adder. Columns: function, function of the
+/// second and later bits, reads x, reads y, writes memory, reads or writes K, reads or writes G, may change enable or
+/// memory of a disabled pixel, meaning.
 // clang-format off
 #define CSGSIM_ALU_FUNCTIONS(F)                                                                                                                                 \
   F(idle,               idle,               false, false, false, false, false, false, "nothing")                                                               \
@@ -66,7 +68,7 @@ enum class AluFunction : std::uint8_t {
 
 struct AluInfo {
   std::string_view name;
-  AluFunction rest;  ///< of the bits after the first, where others follow
+  AluFunction rest;  ///< function of the second and later bits of a step
   bool reads_x;
   bool reads_y;
   bool writes;
@@ -84,40 +86,40 @@ inline constexpr AluInfo alu_table[] = {
 
 constexpr const AluInfo& info(AluFunction function) { return alu_table[static_cast<std::size_t>(function)]; }
 
-/// Where the ALU's operand x comes from. Operand y is always read from pixel memory.
+/// Source of the ALU's operand x. Operand y always comes from pixel memory.
 enum class OperandSource : std::uint8_t {
   tree,    ///< this pixel's leaf of the multiplier trees
   latch,   ///< the operand latch
   memory,  ///< the memory bit at address `x`
 };
 
-/// The control word that every pixel obeys in one clock. With operand x from the trees, which bring several bits of F
-/// in a clock, it says what is done with each of them: `function` takes `bits` of them, from the one of number `first`
-/// on; then come those that `beyond` takes, each by itself, and then the one that `sign` takes. Of memory only
-/// `function` reads and writes, where the addresses say. Of the clock's other bits nothing is made.
+/// The control word that all pixels execute in one clock. If operand x comes from the trees, which deliver several bits
+/// of F in a clock, the step selects what happens to each: `function` takes `bits` of them, from bit `first` on;
+/// `beyond` takes the next `beyond_bits`, one after another, and `sign` takes the bit after these. Only `function`
+/// accesses memory, at the given addresses. The clock's other bits are ignored.
 struct ArrayStep {
   AluFunction function = AluFunction::idle;
-  OperandSource source = OperandSource::tree;  ///< of operand x
+  OperandSource source = OperandSource::tree;  ///< source of operand x
   std::uint16_t x = 0;                         ///< address of operand x, if it comes from memory
   std::uint16_t y = 0;                         ///< address of operand y
   std::uint16_t write = 0;                     ///< address written
-  std::uint16_t bits = 1;                      ///< adjacent bits worked on; the addresses are those of the first
-  std::uint32_t constant = 0;                  ///< as many bits, the first lowest; of a sum, 1 where there is an x
-  std::uint16_t first = 0;                     ///< of the clock's bits from the trees, the first that is taken
-  std::uint16_t beyond_bits = 0;               ///< bits from the trees after those of `function`
-  AluFunction beyond = AluFunction::idle;      ///< on each of these
-  AluFunction sign = AluFunction::idle;        ///< on the bit after them, if it is not idle
+  std::uint16_t bits = 1;                      ///< number of adjacent bits; the addresses are those of the first
+  std::uint32_t constant = 0;              ///< `bits` bits, the first lowest; for a sum, 1 where operand x has a bit
+  std::uint16_t first = 0;                 ///< the first of the clock's bits from the trees that is used
+  std::uint16_t beyond_bits = 0;           ///< number of bits from the trees for `beyond`
+  AluFunction beyond = AluFunction::idle;  ///< function of the bits after those of `function`
+  AluFunction sign = AluFunction::idle;    ///< function of the bit after them, unless idle
 
   constexpr bool operator==(const ArrayStep&) const = default;
 };
 
-/// Bits that the ALU works on in the clock of a step, those beyond and the sign among them.
+/// Number of bits that the ALU processes in a step, including those of `beyond` and `sign`.
 constexpr unsigned worked_bits(const ArrayStep& step) {
   return step.bits + step.beyond_bits + (step.sign == AluFunction::idle ? 0U : 1U);
 }
 
-/// The function that a step carries out on one of its worked_bits(). Of a comparison or a sum the first bit sets the
-/// carry, which ripples; of a comparison of fields the last decides.
+/// The function that a step applies to one of its worked_bits(). In a comparison or sum the first bit sets the carry,
+/// which ripples through the others; in a comparison of fields the last bit decides.
 constexpr AluFunction function_of_bit(const ArrayStep& step, unsigned bit) {
   using enum AluFunction;
   if (bit >= step.bits) return bit - step.bits < step.beyond_bits ? step.beyond : step.sign;

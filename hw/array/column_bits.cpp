@@ -4,11 +4,11 @@ namespace csgsim::array {
 
 namespace {
 
-/// Of 64 rows of words, in each column of them: bit i of row j becomes bit j of row i. Only the first `bits` rows are
-/// then of use.
+/// Transposes the 64 x 64 bits in each column of 64 rows of words: bit i of row j becomes bit j of row i. Only the
+/// first `bits` rows of the result are valid.
 void transpose(Words& rows, std::size_t stride, std::size_t columns, std::size_t bits) {
   std::uint64_t mask = low_bits(word_bits / 2);
-  std::size_t height = word_bits;  // rows that those still come of
+  std::size_t height = word_bits;  // rows that still affect the result
   for (std::size_t distance = word_bits / 2; distance > 0; distance /= 2) {
     for (std::size_t row = 0; row < height; row = (row + distance + 1) & ~distance) {
       std::uint64_t* const upper = &rows[row * stride];
@@ -39,10 +39,10 @@ std::span<const kernels::StreamTable> ColumnBits::of(std::span<const Stream> str
   return tables_;
 }
 
-/// Beyond the row's width the columns go on.
+/// Beyond the row's width the columns repeat from the first.
 kernels::StreamTable ColumnBits::table_of(const Stream& stream, Words& words) const {
   if (stream.xy != 0 && places_.empty()) return {.bits = stream.bits, .crossed = &stream};
-  const std::uint64_t second = 2 * word_bits * word_bits * stream.xx;  // by which the steps from word to word grow
+  const std::uint64_t second = 2 * word_bits * word_bits * stream.xx;  // second difference from word to word
   for (std::size_t bit = 0; bit < word_bits; ++bit) {
     std::uint64_t* const row = &words[bit * stride_];
     std::uint64_t value = value_at(stream, bit, 0);

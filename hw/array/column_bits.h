@@ -1,3 +1,5 @@
+// Tables of the column-dependent bits of linear expressions.
+// Used by DeferredPixels.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +12,14 @@
 
 namespace csgsim::array {
 
-/// What the columns of an array share of streams: the bits of xx*x*x + a*x + c. Of a stream with x*y they share
-/// nothing.
+/// The part of streams that depends only on the column: the bits of xx*x*x + a*x + c, which all rows share. A stream
+/// with x*y has no such part.
 class ColumnBits {
  public:
-  /// `places`, if there are any: one row of pixels, those of another array side by side, with all of the sum.
+  /// `places`: if not empty, the array is one row of these pixels of another array, and the tables hold the whole sum.
   ColumnBits(PlaneShape shape, std::span<const Place> places);
 
-  /// Works them out. The tables are valid until the next call, and as long as the streams are there.
+  /// Computes the tables. They are valid until the next call and while the streams exist.
   std::span<const kernels::StreamTable> of(std::span<const Stream> streams);
 
  private:
@@ -27,7 +29,7 @@ class ColumnBits {
   std::size_t row_words_;
   std::size_t stride_;
   std::vector<Place> places_;
-  std::vector<Words> words_;  ///< a stream's each
+  std::vector<Words> words_;  ///< table memory, one per stream
   std::vector<kernels::StreamTable> tables_;
 };
 

@@ -15,9 +15,9 @@ DeferredPixels::DeferredPixels(PlaneShape shape, std::span<const Place> places, 
       log_(bits),
       columns_(shape, places),
       kept_(kept_batches),
-      owed_(shape.padded_words() / kernels::block_words),
-      since_(owed_.size()),
-      on_(owed_.size()) {}
+      stale_(shape.padded_words() / kernels::block_words),
+      since_(stale_.size()),
+      on_(stale_.size()) {}
 
 void DeferredPixels::push(const ArrayStep& step, const StreamBit& tree) { push(step, &tree); }
 
@@ -27,18 +27,18 @@ void DeferredPixels::push_with(std::span<const std::uint64_t> tree, const ArrayS
 }
 
 void DeferredPixels::push(const ArrayStep& step, const StreamBit* tree) {
-  constexpr std::size_t most_runs = 1024;
+  constexpr std::size_t max_runs = 1024;
   log_.push(step, tree);
-  if (log_.batch().runs.size() >= most_runs) settle();
+  if (log_.batch().runs.size() >= max_runs) settle();
 }
 
-/// What the registers had is needed no more then.
+/// Overwrites the registers between trees and pixels after all steps that read their old value.
 void DeferredPixels::put_tree(std::span<const std::uint64_t> tree) {
   settle_registers();
   if (bits_.tree_bits == 0) add_tree(static_cast<unsigned>(tree.size() / enable_.size()));
   for (unsigned bit = 0; bit < bits_.tree_bits; ++bit) {
     const std::span<const std::uint64_t> plane = tree.subspan(bit * enable_.size(), enable_.size());
-    for (std::size_t number = 0; number < owed_.size(); ++number)
+    for (std::size_t number = 0; number < stale_.size(); ++number)
       std::copy_n(&plane[number * kernels::block_words], kernels::block_words,
                   block(number) + bits_.tree(bit) * kernels::block_words);
   }
@@ -48,8 +48,8 @@ void DeferredPixels::add_tree(unsigned bits) {
   const std::size_t before = bits_.count() * kernels::block_words;
   bits_.tree_bits = bits;
   const std::size_t now = bits_.count() * kernels::block_words;
-  Words words(owed_.size() * now);
-  for (std::size_t number = 0; number < owed_.size(); ++number)
+  Words words(stale_.size() * now);
+  for (std::size_t number = 0; number < stale_.size(); ++number)
     std::copy_n(&words_[number * before], before, &words[number * now]);
   words_ = std::move(words);
   log_ = StepLog(bits_);
@@ -59,110 +59,112 @@ void DeferredPixels::settle() {
   const Batch& batch = log_.batch();
   if (batch.empty()) return;
   choose(batch);
-  pay(to_pay_);
+  replay(to_replay_);
   run(batch, to_run_, {});
   const bool sets_any = batch.carry != Touch::none || batch.latch != Touch::none || batch.flag != Touch::none;
-  const bool keeps = to_run_.size() < owed_.size() && sets_any;
+  const bool keeps = to_run_.size() < stale_.size() && sets_any;
   for (const std::uint32_t number : to_run_) {
     since_[number] = last_kept_ + (keeps ? 1 : 0);
-    if (batch.carry == Touch::sets) owed_[number].carry = 0;
-    if (batch.latch == Touch::sets) owed_[number].latch = 0;
-    if (batch.flag == Touch::sets) owed_[number].flag = 0;
+    if (batch.carry == Touch::sets) stale_[number].carry = 0;
+    if (batch.latch == Touch::sets) stale_[number].latch = 0;
+    if (batch.flag == Touch::sets) stale_[number].flag = 0;
   }
   if (keeps) keep();
   log_.clear();
 }
 
-/// A block that has no pixel enabled need not carry the batch out.
-bool DeferredPixels::may_be_left_out(const Batch& batch) {
+/// Whether a block without enabled pixels may skip the batch.
+bool DeferredPixels::is_skippable(const Batch& batch) {
   return !batch.acts_where_disabled && batch.carry != Touch::uses && batch.latch != Touch::uses &&
          batch.flag != Touch::uses;
 }
 
-/// The blocks that carry the batch out, and those of them that have to do before what they owe.
+/// Selects the blocks that execute the batch, and those of them that first have to replay skipped batches.
 void DeferredPixels::choose(const Batch& batch) {
   kernels::find_ones(enable_.data(), on_);
-  const bool leaves_out = may_be_left_out(batch);
+  const bool may_skip = is_skippable(batch);
   to_run_.clear();
-  to_pay_.clear();
-  asked_about_ = 0;
-  for (std::uint32_t block = 0; block < owed_.size(); ++block)
-    if (!leaves_out || on_[block] != 0) add_to_run(block, batch);
+  to_replay_.clear();
+  checked_batch_ = 0;
+  for (std::uint32_t block = 0; block < stale_.size(); ++block)
+    if (!may_skip || on_[block] != 0) add_to_run(block, batch);
 }
 
 void DeferredPixels::add_to_run(std::uint32_t block, const Batch& batch) {
   to_run_.push_back(block);
-  note_owed(block);
-  if (owed_[block].any() && needs(batch, owed_[block])) to_pay_.push_back(block);
+  note_stale(block);
+  if (stale_[block].any() && must_replay(batch, stale_[block])) to_replay_.push_back(block);
 }
 
-/// What it has left out since it was looked at last: of each register, the last batch that set it.
-void DeferredPixels::note_owed(std::uint32_t block) {
-  Owed& owed = owed_[block];
+/// Updates the block's record: for each register, the last skipped batch that set it.
+void DeferredPixels::note_stale(std::uint32_t block) {
+  Stale& stale = stale_[block];
   const std::uint64_t since = since_[block];
-  if (last_.carry > since) owed.carry = last_.carry;
-  if (last_.latch > since) owed.latch = last_.latch;
-  if (last_.flag > since) owed.flag = last_.flag;
+  if (last_.carry > since) stale.carry = last_.carry;
+  if (last_.latch > since) stale.latch = last_.latch;
+  if (last_.flag > since) stale.flag = last_.flag;
   since_[block] = last_kept_;
 }
 
-bool DeferredPixels::needs(const Batch& batch, const Owed& owed) {
+bool DeferredPixels::must_replay(const Batch& batch, const Stale& stale) {
   const auto is_needed = [&](std::uint64_t number, Touch touch) {
-    return number != 0 && touch != Touch::sets && (touch == Touch::uses || spoils(batch, number));
+    return number != 0 && touch != Touch::sets && (touch == Touch::uses || invalidates(batch, number));
   };
-  return is_needed(owed.carry, batch.carry) || is_needed(owed.latch, batch.latch) || is_needed(owed.flag, batch.flag);
+  return is_needed(stale.carry, batch.carry) || is_needed(stale.latch, batch.latch) ||
+         is_needed(stale.flag, batch.flag);
 }
 
-/// The batch writes memory that what is owed depends on.
-bool DeferredPixels::spoils(const Batch& batch, std::uint64_t owed) {
-  if (asked_about_ == owed) return spoiled_;
-  asked_about_ = owed;
-  spoiled_ = batch.writes.meets(kept(owed).reads);
-  return spoiled_;
+/// Whether the batch writes memory on which the skipped batch's results depend.
+bool DeferredPixels::invalidates(const Batch& batch, std::uint64_t stale) {
+  if (checked_batch_ == stale) return is_invalidated_;
+  checked_batch_ = stale;
+  is_invalidated_ = batch.writes.meets(kept(stale).reads);
+  return is_invalidated_;
 }
 
-/// The batch at hand, which the log forgets.
+/// Moves the pending batch from the log to the ring.
 void DeferredPixels::keep() {
   Batch& kept = kept_[++last_kept_ % kept_batches];
   log_.take(kept);
   if (kept.carry == Touch::sets) last_.carry = last_kept_;
   if (kept.latch == Touch::sets) last_.latch = last_kept_;
   if (kept.flag == Touch::sets) last_.flag = last_kept_;
-  if (last_kept_ % (kept_batches / 2) == 0) pay_old();
+  if (last_kept_ % (kept_batches / 2) == 0) replay_oldest();
 }
 
-/// Blocks that still owe what is about to be forgotten make up for it.
-void DeferredPixels::pay_old() {
+/// Replays batches that are about to leave the ring on the blocks that skipped them.
+void DeferredPixels::replay_oldest() {
   const std::uint64_t oldest = last_kept_ - std::min(last_kept_, kept_batches / 2);
   const auto is_old = [&](std::uint64_t number) { return number != 0 && number <= oldest; };
-  to_pay_.clear();
-  for (std::uint32_t block = 0; block < owed_.size(); ++block) {
-    note_owed(block);
-    if (is_old(owed_[block].carry) || is_old(owed_[block].latch) || is_old(owed_[block].flag)) to_pay_.push_back(block);
+  to_replay_.clear();
+  for (std::uint32_t block = 0; block < stale_.size(); ++block) {
+    note_stale(block);
+    if (is_old(stale_[block].carry) || is_old(stale_[block].latch) || is_old(stale_[block].flag))
+      to_replay_.push_back(block);
   }
-  pay(to_pay_);
+  replay(to_replay_);
 }
 
-void DeferredPixels::pay(std::span<const std::uint32_t> blocks) {
+void DeferredPixels::replay(std::span<const std::uint32_t> blocks) {
   if (blocks.empty()) return;
-  pay_one(blocks, &Owed::carry, {.enabled = false, .carry = true, .latch = false, .flag = false});
-  pay_one(blocks, &Owed::latch, {.enabled = false, .carry = false, .latch = true, .flag = false});
-  pay_one(blocks, &Owed::flag, {.enabled = false, .carry = false, .latch = false, .flag = true});
+  replay_register(blocks, &Stale::carry, {.enabled = false, .carry = true, .latch = false, .flag = false});
+  replay_register(blocks, &Stale::latch, {.enabled = false, .carry = false, .latch = true, .flag = false});
+  replay_register(blocks, &Stale::flag, {.enabled = false, .carry = false, .latch = false, .flag = true});
 }
 
-/// A batch after another, each on all blocks that owe it.
-void DeferredPixels::pay_one(std::span<const std::uint32_t> blocks, std::uint64_t Owed::*what,
-                             kernels::Effects effects) {
+/// Replays each batch once, on all blocks that skipped it.
+void DeferredPixels::replay_register(std::span<const std::uint32_t> blocks, std::uint64_t Stale::*what,
+                                     kernels::Effects effects) {
   for (const std::uint32_t first : blocks) {
-    const std::uint64_t number = owed_[first].*what;
+    const std::uint64_t number = stale_[first].*what;
     if (number == 0) continue;
-    same_.clear();
+    same_batch_.clear();
     for (const std::uint32_t block : blocks) {
-      if (owed_[block].*what != number) continue;
-      owed_[block].*what = 0;
-      same_.push_back(block);
+      if (stale_[block].*what != number) continue;
+      stale_[block].*what = 0;
+      same_batch_.push_back(block);
     }
-    run(kept(number), same_, effects);
+    run(kept(number), same_batch_, effects);
   }
 }
 
@@ -180,10 +182,10 @@ void DeferredPixels::run(const Batch& batch, std::span<const std::uint32_t> bloc
 
 void DeferredPixels::settle_registers() {
   settle();
-  for (std::uint32_t block = 0; block < owed_.size(); ++block) note_owed(block);
-  to_pay_.resize(owed_.size());
-  std::iota(to_pay_.begin(), to_pay_.end(), 0U);
-  pay(to_pay_);
+  for (std::uint32_t block = 0; block < stale_.size(); ++block) note_stale(block);
+  to_replay_.resize(stale_.size());
+  std::iota(to_replay_.begin(), to_replay_.end(), 0U);
+  replay(to_replay_);
 }
 
 void DeferredPixels::settle_memory(unsigned address) {
@@ -192,25 +194,25 @@ void DeferredPixels::settle_memory(unsigned address) {
 
 void DeferredPixels::reset() {
   log_.clear();
-  forget_owed();
+  clear_stale();
   std::fill(words_.begin(), words_.end(), 0);
 }
 
-void DeferredPixels::forget_owed() {
-  std::fill(owed_.begin(), owed_.end(), Owed{});
+void DeferredPixels::clear_stale() {
+  std::fill(stale_.begin(), stale_.end(), Stale{});
   std::fill(since_.begin(), since_.end(), last_kept_);
 }
 
 void DeferredPixels::clear_memory(unsigned address, unsigned count) {
   settle_registers();
-  for (std::size_t number = 0; number < owed_.size(); ++number)
+  for (std::size_t number = 0; number < stale_.size(); ++number)
     std::fill_n(block(number) + bits_.memory(address) * kernels::block_words, count * kernels::block_words, 0);
 }
 
 void DeferredPixels::select(const Words& present) {
   settle();
-  forget_owed();
-  for (std::size_t number = 0; number < owed_.size(); ++number)
+  clear_stale();
+  for (std::size_t number = 0; number < stale_.size(); ++number)
     std::fill_n(block(number), bits_.memory(0) * kernels::block_words, 0);
   std::fill(enable_.begin(), enable_.end(), 0);
   present_ = present;

@@ -1,3 +1,5 @@
+// Deferred, batched execution of pixel processors.
+// Used by PixelArray.
 #pragma once
 
 #include <cstdint>
@@ -11,36 +13,36 @@
 
 namespace csgsim::array {
 
-/// The bits of all pixels, and steps that they have still to carry out, which they do when somebody is to look: many
-/// clocks of a block of pixels at a time.
+/// The bits of all pixels, with deferred execution: steps are logged, and executed in batches when a result is read,
+/// block by block of pixels.
 ///
-/// Where no pixel of a block is enabled, steps that then change neither memory nor enable are not carried out, if what
-/// they leave in carry, latch and flag depends on the memory alone. The block owes that, and makes up for it when
-/// somebody is to look at it, when steps need it, and before the memory that it depends on changes.
+/// A block without enabled pixels skips a batch that then changes neither memory nor enable, if the values it leaves in
+/// carry, latch and flag depend only on memory. These registers of the block are then stale. The batch is replayed on
+/// the block before the registers are read, before a step uses them, and before the memory they depend on changes.
 class DeferredPixels {
  public:
   DeferredPixels(PlaneShape shape, std::span<const Place> places, PixelBits bits);
 
-  /// One clock.
+  /// Logs the step of one clock.
   void push(const ArrayStep& step, const StreamBit& tree);
-  /// One in which the registers between trees and pixels have those bits, a plane of the first of them and so on,
-  /// always as many; they are asked for only where the step takes them.
+  /// Logs the step of one clock in which the registers between trees and pixels hold `tree`: one plane per bit, the
+  /// first bit first. The number of planes never changes. `tree` is read only if the step uses it.
   void push_with(std::span<const std::uint64_t> tree, const ArrayStep& step);
 
-  /// Afterwards memory and enable are as the steps so far leave them.
+  /// Executes pending steps, so that memory and enable are up to date.
   void settle();
-  /// Carry, latch and flag too.
+  /// Brings carry, latch and flag up to date as well.
   void settle_registers();
-  /// Afterwards that memory bit is.
+  /// Brings one memory bit of all pixels up to date.
   void settle_memory(unsigned address);
 
-  /// Forgets the steps that have not been carried out, and clears memory.
+  /// Discards pending steps and clears memory.
   void reset();
   void clear_memory(unsigned address, unsigned count);
-  /// Clears the registers; `present` are then the pixels that take part.
+  /// Clears the registers; from now on the pixels in `present` take part.
   void select(const Words& present);
 
-  // What has been settled. `bit` is one of bits().
+  // Settled state. `bit` is an index as in bits().
   [[nodiscard]] const PixelBits& bits() const { return bits_; }
   [[nodiscard]] const Words& enable() const { return enable_; }
   [[nodiscard]] std::uint64_t word(unsigned bit, std::size_t word) const {
@@ -49,8 +51,8 @@ class DeferredPixels {
   }
 
  private:
-  /// The last batch whose carry, latch or flag a block has left out. A number says which; 0 is none.
-  struct Owed {
+  /// Numbers of the last skipped batches that set a block's carry, latch and flag; 0 if a register is up to date.
+  struct Stale {
     std::uint64_t carry = 0;
     std::uint64_t latch = 0;
     std::uint64_t flag = 0;
@@ -64,17 +66,17 @@ class DeferredPixels {
     return &words_[number * bits_.count() * kernels::block_words];
   }
   [[nodiscard]] const Batch& kept(std::uint64_t number) const { return kept_[number % kept_batches]; }
-  [[nodiscard]] static bool may_be_left_out(const Batch& batch);
-  [[nodiscard]] bool needs(const Batch& batch, const Owed& owed);
-  [[nodiscard]] bool spoils(const Batch& batch, std::uint64_t owed);
+  [[nodiscard]] static bool is_skippable(const Batch& batch);
+  [[nodiscard]] bool must_replay(const Batch& batch, const Stale& stale);
+  [[nodiscard]] bool invalidates(const Batch& batch, std::uint64_t stale);
   void choose(const Batch& batch);
   void add_to_run(std::uint32_t block, const Batch& batch);
-  void note_owed(std::uint32_t block);
+  void note_stale(std::uint32_t block);
   void keep();
-  void pay_old();
-  void forget_owed();
-  void pay(std::span<const std::uint32_t> blocks);
-  void pay_one(std::span<const std::uint32_t> blocks, std::uint64_t Owed::*what, kernels::Effects effects);
+  void replay_oldest();
+  void clear_stale();
+  void replay(std::span<const std::uint32_t> blocks);
+  void replay_register(std::span<const std::uint32_t> blocks, std::uint64_t Stale::*what, kernels::Effects effects);
   void put_tree(std::span<const std::uint64_t> tree);
   void add_tree(unsigned bits);
   void push(const ArrayStep& step, const StreamBit* tree);
@@ -82,22 +84,22 @@ class DeferredPixels {
 
   PlaneShape shape_;
   PixelBits bits_;
-  Words words_;  ///< a block of pixels after another, and in each of these a bit of PixelBits after another
+  Words words_;  ///< block after block of pixels; within a block, one bit of PixelBits after another
   Words enable_;
   Words present_;
   StepLog log_;
   ColumnBits columns_;
-  std::vector<Batch> kept_;      ///< a ring: what blocks may owe
-  std::uint64_t last_kept_ = 0;  ///< its number
-  Owed last_;                    ///< the last kept batches that set the registers
-  std::vector<Owed> owed_;       ///< by block, of the batches up to that in since_: those after it it has left out
+  std::vector<Batch> kept_;      ///< ring of batches that some blocks have skipped
+  std::uint64_t last_kept_ = 0;  ///< number of the last kept batch
+  Stale last_;                   ///< last kept batches that set each register
+  std::vector<Stale> stale_;     ///< per block, for batches up to since_; the block has skipped all later batches
   std::vector<std::uint64_t> since_;
-  std::vector<std::uint8_t> on_;  ///< by block: some pixel is enabled
+  std::vector<std::uint8_t> on_;  ///< per block: whether any pixel is enabled
   std::vector<std::uint32_t> to_run_;
-  std::vector<std::uint32_t> to_pay_;
-  std::vector<std::uint32_t> same_;  ///< blocks that owe the same
-  std::uint64_t asked_about_ = 0;    ///< what `spoils` was asked about last
-  bool spoiled_ = false;             ///< and its answer
+  std::vector<std::uint32_t> to_replay_;
+  std::vector<std::uint32_t> same_batch_;  ///< blocks that replay the same batch
+  std::uint64_t checked_batch_ = 0;        ///< batch of the last call of `invalidates`
+  bool is_invalidated_ = false;            ///< result of that call
 };
 
 }  // namespace csgsim::array

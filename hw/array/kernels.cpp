@@ -11,8 +11,8 @@ namespace csgsim::array::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Of lambdas that work on vectors, and of loops that call them: out of line they would keep these in memory. With the
-// checks of sanitizers all of them in one function take minutes to compile.
+// Attributes of lambdas on vectors and of loops that call them. They must be inlined, or vectors would be passed
+// through memory. Under sanitizers a single inlined function would take minutes to compile.
 #undef CSGSIM_BODY
 #undef CSGSIM_LOOP
 #ifdef CSGSIM_SANITIZED
@@ -26,14 +26,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 using BlockTag = hn::CappedTag<std::uint64_t, block_words>;
 using Vector = hn::Vec<BlockTag>;
 
-constexpr unsigned most_bits = 64;  ///< of a stream
+constexpr unsigned max_bits = 64;  ///< length limit of a stream
 alignas(64) constexpr std::uint64_t first_shifts[block_words] = {0, 1, 2, 3, 4, 5, 6, 7};
 
 HWY_ATTR HWY_INLINE Vector load(const std::uint64_t* words) { return hn::Load(BlockTag(), words); }
 
 HWY_ATTR HWY_INLINE void store(Vector value, std::uint64_t* words) { hn::Store(value, BlockTag(), words); }
 
-/// a where the mask is 1, b elsewhere, bit by bit: IfVecThenElse looks at whole bytes or words on targets that blend.
+/// a where the mask is 1, b elsewhere, bit by bit. On blending targets IfVecThenElse would test whole bytes or words.
 HWY_ATTR HWY_INLINE Vector select(Vector mask, Vector a, Vector b) {
 #if HWY_TARGET <= HWY_AVX3
   return hn::IfVecThenElse(mask, a, b);
@@ -44,15 +44,15 @@ HWY_ATTR HWY_INLINE Vector select(Vector mask, Vector a, Vector b) {
 
 HWY_ATTR HWY_INLINE Vector majority(Vector a, Vector b, Vector c) { return select(hn::Xor(a, b), c, a); }
 
-/// The bits of yy*y*y + b*y, y being the row of each word of a block, spread over its pixels. In one row all words have
-/// the same.
+/// The bits of yy*y*y + b*y as masks over pixels, where y is the row of each word of a block. If a block lies within
+/// one row, all its words share the masks.
 template <bool one_row>
 struct RowMasks {
-  alignas(64) std::uint64_t masks[one_row ? most_bits : most_bits * block_words];
+  alignas(64) std::uint64_t masks[one_row ? max_bits : max_bits * block_words];
 
   HWY_ATTR HWY_INLINE void set(const StreamTable& table, std::size_t first_word, std::size_t row_words) {
     if (one_row) {
-      const std::uint64_t product = product_of(table, first_word / row_words);
+      const std::uint64_t product = row_product(table, first_word / row_words);
       const BlockTag d;
       const Vector step = hn::Set(d, std::uint64_t{hn::Lanes(d)});
       const Vector low = hn::Set(d, std::uint64_t{1});
@@ -66,7 +66,7 @@ struct RowMasks {
     }
     alignas(64) std::uint64_t products[block_words];
     for (std::size_t word = 0; word < block_words; ++word)
-      products[word] = product_of(table, (first_word + word) / row_words);
+      products[word] = row_product(table, (first_word + word) / row_words);
     const BlockTag d;
     const Vector low = hn::Set(d, std::uint64_t{1});
     for (std::size_t word = 0; word < block_words; word += hn::Lanes(d)) {
@@ -84,17 +84,17 @@ struct RowMasks {
   }
 
  private:
-  static std::uint64_t product_of(const StreamTable& table, std::uint64_t y) { return (table.yy * y + table.b) * y; }
+  static std::uint64_t row_product(const StreamTable& table, std::uint64_t y) { return (table.yy * y + table.b) * y; }
 };
 
 /// The bits of a stream with x*y at a vector of pixels: bit j is row j.
 class CrossedBits {
  public:
-  /// Out of line, where it costs loops without it nothing.
+  /// Kept out of line so that it does not slow down loops that do not use it.
   HWY_ATTR HWY_NOINLINE void set(const Stream& stream, std::size_t first_word, std::size_t row_words) {
     const BlockTag d;
     alignas(64) std::uint64_t values[block_words];
-    alignas(64) std::uint64_t steps[block_words];  // to the next column
+    alignas(64) std::uint64_t steps[block_words];  // differences to the next column
     for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
       const std::uint64_t x = (first_word + i) % row_words * word_bits;
       const std::uint64_t y = (first_word + i) / row_words;
@@ -117,7 +117,7 @@ class CrossedBits {
  private:
   [[nodiscard]] std::uint64_t* at(std::size_t row) { return rows_ + row * block_words; }
 
-  /// As a square of bits in each lane.
+  /// Transposes the 64 x 64 bits in each lane.
   HWY_ATTR HWY_INLINE void transpose() {
     transpose_by<32>(0x00000000ffffffff);
     transpose_by<16>(0x0000ffff0000ffff);
@@ -139,10 +139,10 @@ class CrossedBits {
     }
   }
 
-  alignas(64) std::uint64_t rows_[most_bits * block_words];
+  alignas(64) std::uint64_t rows_[max_bits * block_words];
 };
 
-/// The adders of the last levels: a stream's bit at some pixels after another.
+/// The adders of the last tree levels: they deliver a stream's bits at a vector of pixels, one after another.
 template <bool one_row>
 class Adders {
  public:
@@ -150,7 +150,7 @@ class Adders {
                              std::size_t word)
       : rows_(rows), columns_(columns), stride_(stride), word_(word) {}
 
-  /// The bits from that one on.
+  /// Advances the carry to a bit of the stream.
   HWY_ATTR HWY_INLINE void seek(unsigned bit, unsigned& next, Vector& carry) const {
     if (bit < next) {
       next = 0;
@@ -181,13 +181,13 @@ class Adders {
   std::size_t word_;
 };
 
-/// A vector of a block's pixels, and the state of the tree's adders there.
+/// The registers of a vector of pixels, and the carry of the tree's adders there.
 struct Registers {
   Vector enable;
   Vector carry;
   Vector flag;
   Vector tree_carry;
-  unsigned next_bit;  ///< of the stream
+  unsigned next_bit;  ///< position in the stream
 };
 
 /// Calls body(i, x) for each step of a run, with its operand x.
@@ -215,7 +215,7 @@ CSGSIM_LOOP void with_x(const Run& run, const Adders<one_row>& adders, std::uint
   store(last, bits + PixelBits{}.latch(0) * block_words);
 }
 
-/// Carries out a run on a vector of pixels. `bits`: the vector's first word of bit 0. The flag is looked at only
+/// Executes a run on a vector of pixels. `bits` points to the vector's first word of bit 0. The flag is used only if
 /// `with_flag`.
 template <bool one_row, bool with_flag>
 CSGSIM_LOOP void run_one(const Run& run, const Adders<one_row>& adders, std::uint64_t* bits,
@@ -355,7 +355,7 @@ CSGSIM_LOOP void run_one(const Run& run, const Adders<one_row>& adders, std::uin
     case AluFunction::less_from_1:
     case AluFunction::sum_from_0:
     case AluFunction::sum_with_1_from_0:
-    case AluFunction::difference_from_1: break;  // of which there is no run
+    case AluFunction::difference_from_1: break;  // these functions have no runs
   }
   r.enable = e;
   r.carry = k;
@@ -479,7 +479,7 @@ bool any_ones(const std::uint64_t* plane, std::size_t words) { return HWY_DYNAMI
 
 }  // namespace csgsim::array::kernels
 
-/// Highway's library measures the resolution of a timer whenever it is loaded, some 4 ms of each start, for a benchmark
-/// that nobody runs here. It asks by this name, and the dynamic linker finds a program's function before a library's.
+/// Replaces a function of Highway, whose library measures the timer resolution at load time for benchmarks, which would
+/// add 4 ms to each start. The dynamic linker prefers a program's function to a library's.
 std::uint64_t hwy::platform::TimerResolution() { return 1; }
 #endif

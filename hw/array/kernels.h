@@ -1,3 +1,5 @@
+// Vectorized loops over bit planes.
+// Used by hw/array.
 #pragma once
 
 #include <cstddef>
@@ -6,26 +8,26 @@
 
 #include "hw/array/step_log.h"
 
-/// The loops over pixels, compiled for every vector unit and chosen at run time.
+/// Loops over pixels, compiled for several vector instruction sets and selected at run time.
 namespace csgsim::array::kernels {
 
-/// Pixels are worked on in blocks of so many words, a cache line of each of a pixel's bits.
+/// Pixels are processed in blocks of this many words: one cache line for each bit of a pixel.
 inline constexpr std::size_t block_words = 8;
 
-/// Bit j of xx*x*x + a*x + c at every column x is row j of `columns`, `stride` words each; the words of a row of pixels
-/// are repeated there until all blocks have theirs beside each other, wherever in a row they begin. A stream with x*y
-/// has other bits in each row, and no such table.
+/// Bit j of xx*x*x + a*x + c for every column x is row j of `columns`; rows are `stride` words apart. The words of a
+/// row of pixels repeat, so that each block finds its words contiguous wherever it begins in a row. A stream with x*y
+/// has different bits in each row, and no such table.
 struct StreamTable {
   const std::uint64_t* columns = nullptr;
   std::size_t stride = 0;
   std::uint64_t b = 0;
   std::uint64_t yy = 0;
   unsigned bits = 0;                ///< 1 to 64
-  const Stream* crossed = nullptr;  ///< the stream, if it has x*y
+  const Stream* crossed = nullptr;  ///< the stream itself if it has x*y
 };
 
-/// Word i of block n is word n * block_words + i of the pixels, whose rows are `row_words` long. Of the pixel's bits
-/// (PixelBits) bit k of block n is at `bits` + n * `stride` + k * block_words.
+/// Memory layout of the pixels. Word i of block n is word n * block_words + i of a plane with rows of `row_words`
+/// words. Bit k of PixelBits of block n is at `bits` + n * `stride` + k * block_words.
 struct Blocks {
   std::uint64_t* bits = nullptr;
   std::size_t stride = 0;  ///< words
@@ -34,23 +36,23 @@ struct Blocks {
   std::size_t row_words = 1;
 };
 
-/// What of the steps counts.
+/// Selects the results that a run stores.
 struct Effects {
-  bool enabled = true;  ///< they find the enable bits that are there and change them; else all are 0
+  bool enabled = true;  ///< the enable bits are read and stored; otherwise all count as 0
   bool carry = true;
   bool latch = true;
   bool flag = true;
-  bool has_flag = true;  ///< there are steps with the flag; else they need not be looked for
+  bool has_flag = true;  ///< false if no step uses the flag, which permits a faster loop
 };
 
-/// Carries out runs on those blocks. `tables`: of the streams.
+/// Executes runs on the given blocks. `tables`: one per stream.
 void run(std::span<const Run> runs, std::span<const StreamTable> tables, const Blocks& blocks,
          std::span<const std::uint32_t> numbers, Effects effects);
 
-/// Sets flags[n] to whether block n of a plane has any ones.
+/// Sets flags[n] to 1 if block n of a plane contains a 1, else to 0.
 void find_ones(const std::uint64_t* plane, std::span<std::uint8_t> flags);
 
-/// Ones in `words` words (a multiple of 8).
+/// Number of ones in `words` words (a multiple of 8).
 std::uint64_t count_ones(const std::uint64_t* plane, std::size_t words);
 
 /// Whether any bit of `words` words (a multiple of 8) is 1.

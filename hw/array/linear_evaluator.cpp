@@ -6,18 +6,18 @@ namespace csgsim::array {
 
 namespace {
 
-/// What a node has in its streams: the value at its first leaf, what it grows by from there to the next leaf but for
-/// the square's coefficient, and in the X tree the slope along the column.
+/// Values of a node's streams: the value at its first leaf, its growth to the next leaf without the square term, the
+/// square coefficient, and in the X tree the slope along the column.
 struct Node {
   std::uint64_t value = 0;
   std::uint64_t slope = 0;
   std::uint64_t square = 0;
   std::uint64_t row_slope = 0;
-  std::uint64_t cross = 0;  ///< by which the last grows from leaf to leaf
+  std::uint64_t cross = 0;  ///< growth of row_slope from leaf to leaf
 };
 
-/// A right child is `half` leaves on; 0 if there is none.
-LevelProbe probe_of(const StreamBit& bit, const Node& node, std::uint64_t half) {
+/// The right child is `half` leaves further on; 0 if there is none.
+LevelProbe make_probe(const StreamBit& bit, const Node& node, std::uint64_t half) {
   if (!bit.token.active()) return {};
   const auto of = [&](std::uint64_t value) { return bit.token.of(value); };
   const auto carry = [&](std::uint64_t one, std::uint64_t other) {
@@ -35,11 +35,11 @@ LevelProbe probe_of(const StreamBit& bit, const Node& node, std::uint64_t half) 
           .row_slope_carry = carry(node.row_slope, half * node.cross)};
 }
 
-/// The first leaf of the node of a level, so many levels above the leaves, that covers that leaf.
-std::uint32_t node_of(std::uint32_t leaf, unsigned below) { return leaf >> below << below; }
+/// First leaf of the node that covers `leaf` and lies `below` levels above the leaves.
+std::uint32_t first_leaf(std::uint32_t leaf, unsigned below) { return leaf >> below << below; }
 
-/// The leaves from the node's first to its right child's; 0 if it has none.
-std::uint64_t half_of(std::uint32_t node, unsigned below, std::uint32_t leaves) {
+/// Distance in leaves from the node's first leaf to its right child's; 0 if it has no right child.
+std::uint64_t child_distance(std::uint32_t node, unsigned below, std::uint32_t leaves) {
   const std::uint64_t half = below == 0 ? 0 : std::uint64_t{1} << (below - 1);
   return node + half < leaves ? half : 0;
 }
@@ -85,7 +85,7 @@ bool LinearEvaluator::clock(const RootBits& root, StreamBit& leaves) {
   return true;
 }
 
-/// What entered so many clocks ago.
+/// The bits that entered `clocks` clocks ago.
 StreamBit LinearEvaluator::at(unsigned clocks, const RootBits& root) const {
   if (clocks == 0) return entering(root);
   const std::size_t place = oldest_ + clocks - 1;
@@ -95,24 +95,24 @@ StreamBit LinearEvaluator::at(unsigned clocks, const RootBits& root) const {
 LevelProbe LinearEvaluator::x_level(unsigned level, std::uint32_t x, const RootBits& root) const {
   const StreamBit bit = at(x_levels_.clocks_to(level), root);
   const unsigned below = x_levels_.levels - level;
-  const std::uint32_t node = node_of(x, below);
-  return probe_of(bit,
-                  {.value = value_at(bit, node, 0),
-                   .slope = 2 * bit.xx * node + bit.a,
-                   .square = bit.xx,
-                   .row_slope = bit.xy * node + bit.b,
-                   .cross = bit.xy},
-                  half_of(node, below, shape_.width));
+  const std::uint32_t node = first_leaf(x, below);
+  return make_probe(bit,
+                    {.value = value_at(bit, node, 0),
+                     .slope = 2 * bit.xx * node + bit.a,
+                     .square = bit.xx,
+                     .row_slope = bit.xy * node + bit.b,
+                     .cross = bit.xy},
+                    child_distance(node, below, shape_.width));
 }
 
 LevelProbe LinearEvaluator::y_level(unsigned level, Place pixel, const RootBits& root) const {
   const StreamBit bit = at(x_levels_.clocks() + y_levels_.clocks_to(level), root);
   const unsigned below = y_levels_.levels - level;
-  const std::uint32_t node = node_of(pixel.y, below);
-  return probe_of(
+  const std::uint32_t node = first_leaf(pixel.y, below);
+  return make_probe(
       bit,
       {.value = value_at(bit, pixel.x, node), .slope = bit.xy * pixel.x + 2 * bit.yy * node + bit.b, .square = bit.yy},
-      half_of(node, below, shape_.height));
+      child_distance(node, below, shape_.height));
 }
 
 void LinearEvaluator::clear() {

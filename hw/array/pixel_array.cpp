@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t byte_bits = 8;
 
-/// Of 8 x 8 bits, a row a byte, bit c of row r becomes bit r of row c.
+/// Transposes 8 x 8 bits, one row per byte: bit c of row r becomes bit r of row c.
 constexpr std::uint64_t transposed(std::uint64_t rows) {
   const auto swap = [&](unsigned distance, std::uint64_t upper) {
     const std::uint64_t differ = (rows ^ (rows >> distance)) & upper;
@@ -114,7 +114,7 @@ void PixelArray::read_field(isa::Field field, std::uint32_t width, std::uint32_t
   }
 }
 
-/// Row r: bit r of the field, of up to 8 bits, at the 8 pixels from x on, a multiple of 8.
+/// Byte r of the result: bit r of the field (at most 8 bits) at the 8 pixels from x on; x is a multiple of 8.
 std::uint64_t PixelArray::eight_pixels(isa::Field field, std::uint32_t x, std::uint32_t y) const {
   std::uint64_t rows = 0;
   for (unsigned bit = 0; bit < field.width; ++bit) {

@@ -1,3 +1,5 @@
+// Pixel processors and memories of an array.
+// Used by hw/pixel_planes, hw/systemc and PixelReplay.
 #pragma once
 
 #include <cstdint>
@@ -13,43 +15,42 @@
 
 namespace csgsim::array {
 
-/// The state of one pixel processor besides its memory.
+/// Registers of one pixel processor.
 struct PixelProbe {
-  std::uint32_t tree = 0;  ///< the bits of the trees, the first lowest
+  std::uint32_t tree = 0;  ///< bits from the trees, the first lowest
   bool carry = false;
   bool enable = false;
   bool flag = false;
-  std::uint32_t latch = 0;  ///< a bit a bit of the ALU
+  std::uint32_t latch = 0;  ///< one bit per ALU bit
 };
 
-/// The pixel processors and memories of the whole array. Whoever looks sees what the steps so far leave; these are
-/// carried out only then.
+/// The pixel processors and memories of the whole array. Steps are deferred; reads force pending steps to complete.
 class PixelArray {
  public:
-  /// `alu_bits`: most bits that a step may work on.
+  /// `alu_bits`: maximum number of bits that a step works on.
   PixelArray(const isa::ArrayShape& shape, unsigned alu_bits);
 
-  /// Of such an array, those pixels alone, side by side in a row: what they do is what they do in the whole.
+  /// Builds only the given pixels of an array, side by side in a row. They behave as in the whole array.
   PixelArray(std::span<const Place> pixels, std::uint32_t memory_bits, unsigned alu_bits);
 
   [[nodiscard]] const PlaneShape& shape() const { return shape_; }
   [[nodiscard]] std::uint32_t memory_bits() const { return pixels_.bits().memory_bits; }
 
-  /// Clears memory and registers, and selects.
+  /// Clears memory and registers, then calls select().
   void reset(std::uint32_t width, std::uint32_t height);
 
-  /// Clears so many memory bits of every pixel, from that address on.
+  /// Clears `bits` memory bits of every pixel, starting at `address`.
   void clear_memory(std::uint32_t address, std::uint32_t bits);
 
-  /// Clears the registers. Pixels right of `width` or below `height` take no part until the next select: their enable
+  /// Clears the registers. Pixels right of `width` or below `height` take no part until the next select(): their enable
   /// bits stay 0.
   void select(std::uint32_t width, std::uint32_t height);
 
-  /// One clock of all pixels; `tree` is at the leaves of the multiplier trees.
+  /// One clock of all pixels. `tree` is the bits at the leaves of the multiplier trees.
   void step(const ArrayStep& step, const StreamBit& tree);
 
-  /// The same, where these bits are there: a plane, a bit a pixel as in `enable`, of each that the trees bring in a
-  /// clock, always as many.
+  /// One clock of all pixels with explicit tree bits: one plane in the format of enable() for each bit that the trees
+  /// deliver in a clock, always the same number.
   void step_with(std::span<const std::uint64_t> tree, const ArrayStep& step);
 
   [[nodiscard]] bool any_enabled() const;
@@ -64,10 +65,10 @@ class PixelArray {
   /// One memory bit of one row: shape().row_words() words.
   void read_row(std::uint32_t address, std::uint32_t row, std::span<std::uint64_t> words) const;
 
-  /// The field's values in a `width` x `height` corner of the array, in row order.
+  /// Values of the field in the top left `width` x `height` corner of the array, in row order.
   void read_field(isa::Field field, std::uint32_t width, std::uint32_t height, std::span<std::uint32_t> values) const;
 
-  /// `tree`: as in step.
+  /// `tree`: as in step().
   [[nodiscard]] PixelProbe probe(std::uint32_t x, std::uint32_t y, const StreamBit& tree) const;
   [[nodiscard]] bool memory_bit(std::uint32_t address, std::uint32_t x, std::uint32_t y) const;
   [[nodiscard]] std::uint64_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const;
@@ -76,8 +77,8 @@ class PixelArray {
   [[nodiscard]] std::uint64_t eight_pixels(isa::Field field, std::uint32_t x, std::uint32_t y) const;
 
   PlaneShape shape_;
-  std::vector<Place> places_;      ///< of the pixels in the whole array; empty if this is the whole
-  mutable DeferredPixels pixels_;  ///< which who looks settles
+  std::vector<Place> places_;      ///< positions of the pixels in the whole array; empty if all are built
+  mutable DeferredPixels pixels_;  ///< mutable: reads settle pending steps
 };
 
 }  // namespace csgsim::array

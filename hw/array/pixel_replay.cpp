@@ -6,7 +6,7 @@ namespace csgsim::array {
 
 namespace {
 
-/// Whether it sets the carry whatever that was.
+/// Whether the function sets the carry independently of its old value.
 bool sets_carry(AluFunction function) {
   return function == AluFunction::compare_from_0 || function == AluFunction::compare_from_1 ||
          function == AluFunction::less_from_0 || function == AluFunction::less_from_1 ||
@@ -22,18 +22,18 @@ PixelReplay::PixelReplay(std::span<const Place> pixels, std::uint32_t memory_bit
 
 void PixelReplay::begin(const isa::Region& region) {
   pixels_.reset(region.width, region.height);
-  knows_carry_ = true;
-  knows_flag_ = true;
+  carry_known_ = true;
+  flag_known_ = true;
   unknown_latches_ = 0;
 }
 
 void PixelReplay::execute_where_enabled(const isa::Instruction& instruction) {
-  // Squares are a part of what the next instruction does.
+  // Squares are part of the next instruction and are never skipped.
   const bool acts = isa::acts_on_disabled(instruction.opcode) || instruction.opcode == isa::Opcode::squares;
   if (acts || pixels_.any_enabled()) return execute(instruction);
-  knows_tree_ = false;
-  knows_carry_ = false;
-  knows_flag_ = false;
+  tree_known_ = false;
+  carry_known_ = false;
+  flag_known_ = false;
   unknown_latches_ = all_latches_;
 }
 
@@ -51,16 +51,16 @@ void PixelReplay::execute(const isa::Instruction& instruction) {
                .xx = static_cast<std::uint64_t>(squares.a),
                .xy = static_cast<std::uint64_t>(squares.b),
                .yy = static_cast<std::uint64_t>(squares.c)};
-      knows_tree_ = true;
+      tree_known_ = true;
     }
     pixels_.step(step.pixels, tree_);
-    if (!knows_registers()) note(step.pixels);
+    if (!registers_known()) note(step.pixels);
   }
 }
 
 void PixelReplay::note(const ArrayStep& step) {
-  if (sets_carry(step.function)) knows_carry_ = true;
-  if (step.function == AluFunction::root_first) knows_flag_ = true;
+  if (sets_carry(step.function)) carry_known_ = true;
+  if (step.function == AluFunction::root_first) flag_known_ = true;
   if (step.function == AluFunction::latch_x) unknown_latches_ &= ~low_bits(step.bits);
 }
 

@@ -1,3 +1,5 @@
+// Replays a Program on some pixels without a machine.
+// Used by hw/pixel_planes/probed.cpp and sim/waves.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +12,23 @@
 
 namespace csgsim::array {
 
-/// Some pixels of an array, on which a Program is carried out step by step without the machine around them: their
-/// memory and their registers are what the machine leaves in them.
+/// Executes a Program step by step on some pixels of an array, without the machine around them. Memory and registers
+/// end up as in the machine.
 class PixelReplay {
  public:
   PixelReplay(std::span<const Place> pixels, std::uint32_t memory_bits, const Sequencer& sequencer, unsigned alu_bits);
 
-  /// A segment begins.
+  /// Begins a segment.
   void begin(const isa::Region& region);
   void execute(const isa::Instruction& instruction);
 
-  /// The same for memory and enable, but for instructions that find no pixel enabled and change nothing then: what they
-  /// leave in the other registers is not known afterwards.
+  /// Like execute() for memory and enable, but skips an instruction that finds no enabled pixel and then changes
+  /// neither. The other registers are unknown afterwards.
   void execute_where_enabled(const isa::Instruction& instruction);
 
-  /// Whether what has been executed since has written all registers of which something was not known.
-  [[nodiscard]] bool knows_registers() const {
-    return knows_tree_ && knows_carry_ && knows_flag_ && unknown_latches_ == 0;
+  /// Whether all registers are known, because later instructions have overwritten all unknown ones.
+  [[nodiscard]] bool registers_known() const {
+    return tree_known_ && carry_known_ && flag_known_ && unknown_latches_ == 0;
   }
 
   [[nodiscard]] const PixelArray& pixels() const { return pixels_; }
@@ -39,10 +41,10 @@ class PixelReplay {
   PixelArray pixels_;
   StreamBit tree_;
   Sequencer sequencer_;
-  std::uint64_t all_latches_;  ///< a bit a bit of the latch
-  bool knows_tree_ = true;
-  bool knows_carry_ = true;
-  bool knows_flag_ = true;
+  std::uint64_t all_latches_;  ///< one bit per bit of the latch
+  bool tree_known_ = true;
+  bool carry_known_ = true;
+  bool flag_known_ = true;
   std::uint64_t unknown_latches_ = 0;
 };
 

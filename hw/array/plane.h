@@ -1,3 +1,5 @@
+// Bit planes: one 64-bit word holds one bit of 64 pixels.
+// Used by hw/array, hw/pixel_planes, hw/pixel_square and hw/systemc.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +10,10 @@
 
 namespace csgsim::array {
 
-inline constexpr std::size_t word_bits = 64;        ///< pixels a word
+inline constexpr std::size_t word_bits = 64;        ///< pixels per word
 inline constexpr std::size_t plane_alignment = 64;  ///< bytes; planes are padded to it, so kernels need no remainder
 
-/// Allocates on cache line boundaries.
+/// Allocates at cache line boundaries.
 template <class T>
 struct AlignedAllocator {
   using value_type = T;
@@ -31,8 +33,8 @@ using Words = std::vector<std::uint64_t, AlignedAllocator<std::uint64_t>>;
 
 constexpr std::size_t round_up(std::size_t value, std::size_t step) { return (value + step - 1) / step * step; }
 
-/// How one bit of every pixel lies in words: pixel x of a row is bit x % 64 of word x / 64, rows padded to whole words,
-/// the plane padded to whole cache lines.
+/// Layout of one bit of every pixel: pixel x of a row is bit x % 64 of word x / 64; rows are padded to whole words, the
+/// plane to whole cache lines.
 struct PlaneShape {
   std::uint32_t width = 0;   ///< pixels
   std::uint32_t height = 0;  ///< pixels
@@ -48,7 +50,7 @@ struct PlaneShape {
   constexpr bool operator==(const PlaneShape&) const = default;
 };
 
-/// A pixel of an array.
+/// Position of a pixel in an array.
 struct Place {
   std::uint32_t x = 0;
   std::uint32_t y = 0;
@@ -60,7 +62,7 @@ inline bool bit_of(std::span<const std::uint64_t> plane, PlaneShape shape, std::
   return ((plane[shape.word_of(x, y)] >> (x % word_bits)) & 1U) != 0;
 }
 
-/// The low `bits` bits of a word are 1; `bits` is 0 to 64.
+/// A word whose low `bits` bits (0 to 64) are 1.
 constexpr std::uint64_t low_bits(std::size_t bits) {
   return bits >= word_bits ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
 }

@@ -70,7 +70,7 @@ BitStep Sequencer::once(ArrayStep step) {
   return {.root = {}, .pixels = step, .last = true};
 }
 
-/// As many bits of the linear expression as the trees bring in a clock; it is streamed `passes` times.
+/// Issues the bits of the linear expression that the trees deliver in a clock; the stream is sent `passes` times.
 BitStep Sequencer::stream_bits(const Places& places, unsigned passes) {
   const ArrayStep step = linear_step(places);
   const isa::Linear& linear = instruction_.linear;
@@ -92,7 +92,7 @@ BitStep Sequencer::stream_bits(const Places& places, unsigned passes) {
   return {.root = root, .pixels = step, .last = !busy_};
 }
 
-/// As many bits of a field instruction as the ALU takes in a clock.
+/// Issues the bits of a field instruction that the ALU processes in a clock.
 BitStep Sequencer::field_bits(ArrayStep step) {
   step.bits = step_bits();
   bit_ += step.bits;
@@ -100,8 +100,8 @@ BitStep Sequencer::field_bits(ArrayStep step) {
   return {.root = {}, .pixels = step, .last = !busy_};
 }
 
-/// The same of an instruction with two source operands x and y. With one read port x is read into the operand latch in
-/// the clock before, in which nothing is done if x has no more bits.
+/// field_bits() for two source operands x and y. With one read port x is read into the operand latch one clock earlier;
+/// that clock is idle if x has no more bits.
 BitStep Sequencer::two_operand_bits(ArrayStep step) {
   if (!two_ports_ && pass_ == 0) {
     pass_ = 1;
@@ -116,9 +116,9 @@ BitStep Sequencer::two_operand_bits(ArrayStep step) {
   return field_bits(step);
 }
 
-/// A bit of a root's trial. Trial k works on the k + 3 bits of the field from 2(w-1-k) up, the remainder: from it comes
-/// 4q + 1, or to it 4q + 3, q being the k bits of the root that lie above it. With one read port a bit of q is latched
-/// in the clock before.
+/// Issues one bit of a root trial. Trial k works on the remainder, the k + 3 field bits from bit 2(w-1-k) up: it
+/// subtracts 4q + 1 or adds 4q + 3, where q is the k root bits above the remainder. With one read port a bit of q is
+/// latched one clock earlier.
 BitStep Sequencer::trial_bit() {
   const isa::Field field = instruction_.fields[0];
   const std::uint32_t bits = field.width / 2U;
@@ -139,7 +139,8 @@ BitStep Sequencer::trial_bit() {
   return {.root = {}, .pixels = step, .last = !busy_};
 }
 
-/// The lowest two bits of what is added or subtracted are known, and the top bit is 0; that of the first remainder too.
+/// The lowest two bits of the added or subtracted number are constant and its top bit is 0, as is that of the first
+/// remainder.
 ArrayStep Sequencer::trial_step(std::uint32_t place) const {
   const auto step = [&](AluFunction function) {
     return ArrayStep{.function = function, .y = field_address(0), .write = field_address(0)};
@@ -151,7 +152,7 @@ ArrayStep Sequencer::trial_step(std::uint32_t place) const {
   return {.function = AluFunction::root_first, .write = field_address(0)};
 }
 
-Sequencer::Shares Sequencer::shares() const {
+Sequencer::BitCounts Sequencer::bit_counts() const {
   const isa::Linear& linear = instruction_.linear;
   const unsigned sign = bit_ + stream_width() == linear.width ? 1 : 0;
   const unsigned magnitude = stream_width() - sign;
@@ -161,22 +162,22 @@ Sequencer::Shares Sequencer::shares() const {
   return {fraction, to_field_end - fraction, magnitude - to_field_end, sign};
 }
 
-/// The first place in which anything is done is that of the step's function.
+/// The step's function is that of the first position that is not idle.
 ArrayStep Sequencer::linear_step(const Places& places) const {
-  const Shares of = shares();
-  const bool ends = of.sign > 0 && places.sign != AluFunction::idle;
-  const bool goes_beyond = of.beyond > 0 && places.beyond != AluFunction::idle;
+  const BitCounts counts = bit_counts();
+  const bool ends = counts.sign > 0 && places.sign != AluFunction::idle;
+  const bool goes_beyond = counts.beyond > 0 && places.beyond != AluFunction::idle;
   ArrayStep step;
-  if (of.field > 0 && places.field != AluFunction::idle) {
-    step = field_step(places, of);
+  if (counts.field > 0 && places.field != AluFunction::idle) {
+    step = field_step(places, counts);
     if (goes_beyond) {
       step.beyond = places.beyond;
-      step.beyond_bits = static_cast<std::uint16_t>(of.beyond);
+      step.beyond_bits = static_cast<std::uint16_t>(counts.beyond);
     }
   } else if (goes_beyond) {
     step.function = places.beyond;
-    step.bits = static_cast<std::uint16_t>(of.beyond);
-    step.first = static_cast<std::uint16_t>(of.fraction + of.field);
+    step.bits = static_cast<std::uint16_t>(counts.beyond);
+    step.first = static_cast<std::uint16_t>(counts.fraction + counts.field);
   } else if (ends) {
     return {.function = places.sign, .first = static_cast<std::uint16_t>(stream_width() - 1)};
   }
@@ -184,35 +185,35 @@ ArrayStep Sequencer::linear_step(const Places& places) const {
   return step;
 }
 
-/// On the bits that meet the field.
-ArrayStep Sequencer::field_step(const Places& places, const Shares& of) const {
-  const std::uint32_t met = bit_ + of.fraction - instruction_.linear.shift;  // the field's first
-  const auto address = static_cast<std::uint16_t>(instruction_.fields[0].base + met);
+/// The step for the bits that fall into the field.
+ArrayStep Sequencer::field_step(const Places& places, const BitCounts& counts) const {
+  const std::uint32_t field_bit = bit_ + counts.fraction - instruction_.linear.shift;  // first field bit of this step
+  const auto address = static_cast<std::uint16_t>(instruction_.fields[0].base + field_bit);
   const AluInfo& row = info(places.field);
-  return {.function = met == 0 ? places.first : places.field,
+  return {.function = field_bit == 0 ? places.first : places.field,
           .y = row.reads_y ? address : std::uint16_t{0},
           .write = row.writes ? address : std::uint16_t{0},
-          .bits = static_cast<std::uint16_t>(of.field),
-          .constant = row.reads_y && row.writes ? static_cast<std::uint32_t>(low_bits(of.field)) : 0,
-          .first = static_cast<std::uint16_t>(of.fraction)};
+          .bits = static_cast<std::uint16_t>(counts.field),
+          .constant = row.reads_y && row.writes ? static_cast<std::uint32_t>(low_bits(counts.field)) : 0,
+          .first = static_cast<std::uint16_t>(counts.fraction)};
 }
 
-/// Bits of F in the clock to come.
+/// Bits of F in the next clock.
 std::uint16_t Sequencer::stream_width() const {
   return static_cast<std::uint16_t>(std::min<std::uint32_t>(evaluator_bits_, instruction_.linear.width - bit_));
 }
 
-/// The address of the current bit of an operand's field.
+/// Address of the current bit of an operand's field.
 std::uint16_t Sequencer::field_address(unsigned operand) const {
   return static_cast<std::uint16_t>(instruction_.fields[operand].base + bit_);
 }
 
-/// Bits of the fields that the step to come works on.
+/// Field bits that the next step processes.
 std::uint16_t Sequencer::step_bits() const {
   return static_cast<std::uint16_t>(std::min(alu_bits_, instruction_.fields[0].width - bit_));
 }
 
-/// Of these, those that the second field has too.
+/// The number of step_bits() that the second field has, too.
 std::uint16_t Sequencer::second_bits() const {
   const std::uint32_t width = instruction_.fields[1].width;
   return static_cast<std::uint16_t>(std::min<std::uint32_t>(step_bits(), width > bit_ ? width - bit_ : 0));
@@ -222,15 +223,15 @@ ArrayStep Sequencer::enable_from_memory(AluFunction function) const {
   return {.function = function, .source = OperandSource::memory, .x = instruction_.fields[0].base};
 }
 
-/// F - s by its carry, s being 0 beyond the field; the sign decides.
+/// Compares by the carry of F - s, where s is 0 beyond the field; the sign decides.
 Sequencer::Places Sequencer::compared(AluFunction first, AluFunction on_sign) {
   return {first, AluFunction::compare, AluFunction::compare_with_0, on_sign};
 }
 
-/// Writes the bits of F within the field; those beyond are checked to be 0.
+/// Writes the bits of F within the field and checks that those beyond are 0.
 Sequencer::Places Sequencer::loaded(AluFunction write, AluFunction check) { return {write, write, check, check}; }
 
-/// The first pass compares, the second writes where F was chosen.
+/// The first pass compares, the second writes where F was selected.
 Sequencer::Places Sequencer::kept(AluFunction first, AluFunction on_sign) const {
   if (pass_ == 0) return compared(first, on_sign);
   return loaded(AluFunction::store_x_selected, AluFunction::enable_fits);
@@ -266,7 +267,7 @@ ArrayStep Sequencer::sum_step() const {
           .constant = static_cast<std::uint32_t>(low_bits(added))};
 }
 
-/// s - r by its carry; the step with the last bit decides.
+/// Compares by the carry of s - r; the step with the last bit decides.
 ArrayStep Sequencer::less_step(AluFunction compare_first, AluFunction decide_first) const {
   const bool first = bit_ == 0;
   const bool last = bit_ + step_bits() == instruction_.fields[0].width;

@@ -1,3 +1,5 @@
+// Expands instructions into bit steps.
+// Used by the controllers of hw/pixel_planes and hw/pixel_square, and by PixelReplay.
 #pragma once
 
 #include <cstdint>
@@ -8,45 +10,45 @@
 
 namespace csgsim::array {
 
-/// What the controller issues in one clock.
+/// The output of the controller in one clock.
 struct BitStep {
-  RootBits root;      ///< to the roots of the multiplier trees
-  ArrayStep pixels;   ///< to the pixels, when the bits that entered the trees with it arrive there
-  bool last = false;  ///< of its instruction
+  RootBits root;      ///< bits for the roots of the multiplier trees
+  ArrayStep pixels;   ///< control word, executed when these bits arrive at the pixels
+  bool last = false;  ///< whether this is the last step of its instruction
 };
 
-/// Expands one instruction into bit steps, a step a clock. A step on fields works on as many adjacent bits as the ALU
-/// is wide, one on a linear expression on as many as the trees bring; a root's remainder comes one bit a clock.
+/// Expands an instruction into bit steps, one per clock. A step on fields processes `alu_bits` adjacent bits, a step on
+/// a linear expression `evaluator_bits`; the remainder of a root takes one bit per clock.
 class Sequencer {
  public:
-  /// `memory_reads`: read ports of pixel memory, 1 or 2. `alu_bits`: bits that the ALU works on in a clock.
-  /// `evaluator_bits`: those of F that the trees bring it, at most as many.
+  /// `memory_reads`: read ports of pixel memory, 1 or 2. `alu_bits`: bits that the ALU processes in a clock.
+  /// `evaluator_bits`: bits of F that the trees deliver in a clock, at most alu_bits.
   Sequencer(unsigned memory_reads, unsigned alu_bits, unsigned evaluator_bits)
       : two_ports_(memory_reads >= 2), alu_bits_(alu_bits), evaluator_bits_(evaluator_bits) {}
 
   void begin(const isa::Instruction& instruction);
   [[nodiscard]] bool busy() const { return busy_; }
 
-  /// The step of this clock. There is one while busy().
+  /// The step of this clock; requires busy().
   BitStep issue();
 
   [[nodiscard]] const isa::Instruction& instruction() const { return instruction_; }
-  /// What the instruction before has left for its stream; zeros if that was no `squares`.
+  /// The coefficients of the preceding `squares` for this instruction's stream; zero if there was none.
   [[nodiscard]] const isa::Linear& squares() const { return squares_; }
-  [[nodiscard]] std::uint32_t bit() const { return bit_; }    ///< of the field or stream, the first of the step to come
-  [[nodiscard]] std::uint32_t pass() const { return pass_; }  ///< times the stream or the memory read has been repeated
+  [[nodiscard]] std::uint32_t bit() const { return bit_; }    ///< first field or stream bit of the next step
+  [[nodiscard]] std::uint32_t pass() const { return pass_; }  ///< repetitions of the stream or of the memory read
 
  private:
-  /// What is done with F's bits by what they mean for the field that they meet; with those of its fraction nothing is.
+  /// Functions for the bits of F by their position relative to the field. Fraction bits are ignored.
   struct Places {
-    AluFunction first = AluFunction::idle;   ///< on the field's first bit
-    AluFunction field = AluFunction::idle;   ///< on its others
-    AluFunction beyond = AluFunction::idle;  ///< between the field and the sign
-    AluFunction sign = AluFunction::idle;    ///< on the last bit of F
+    AluFunction first = AluFunction::idle;   ///< function of the field's first bit
+    AluFunction field = AluFunction::idle;   ///< function of its other bits
+    AluFunction beyond = AluFunction::idle;  ///< function of bits between the field and the sign
+    AluFunction sign = AluFunction::idle;    ///< function of the last bit of F
   };
 
-  /// Of the current clock's bits of F, how many are of which place, in this order.
-  struct Shares {
+  /// Numbers of the current clock's bits of F in each position, in this order.
+  struct BitCounts {
     unsigned fraction = 0;
     unsigned field = 0;
     unsigned beyond = 0;
@@ -59,9 +61,9 @@ class Sequencer {
   BitStep two_operand_bits(ArrayStep step);
   BitStep trial_bit();
 
-  [[nodiscard]] Shares shares() const;
+  [[nodiscard]] BitCounts bit_counts() const;
   [[nodiscard]] ArrayStep linear_step(const Places& places) const;
-  [[nodiscard]] ArrayStep field_step(const Places& places, const Shares& of) const;
+  [[nodiscard]] ArrayStep field_step(const Places& places, const BitCounts& counts) const;
   [[nodiscard]] std::uint16_t stream_width() const;
   [[nodiscard]] std::uint16_t field_address(unsigned operand) const;
   [[nodiscard]] std::uint16_t step_bits() const;
@@ -85,7 +87,7 @@ class Sequencer {
   bool busy_ = false;
   std::uint32_t bit_ = 0;
   std::uint32_t pass_ = 0;
-  std::uint32_t trial_ = 0;  ///< of a root: the bit of it that is found, the highest first
+  std::uint32_t trial_ = 0;  ///< index of the root bit being computed, 0 for the highest
 };
 
 }  // namespace csgsim::array

@@ -9,7 +9,7 @@ namespace {
 
 constexpr unsigned longest_run = 64;
 
-/// A function without the carry that it begins with.
+/// A function separated from its initial carry.
 struct Parted {
   AluFunction rest = AluFunction::idle;
   CarryIn carry = CarryIn::keep;
@@ -31,7 +31,7 @@ constexpr auto parted = [] {
   return table;
 }();
 
-/// Whether `next` is the step after those of `run`.
+/// Whether `next` extends `run` by one step.
 bool continues(const Run& run, const Run& next) {
   if (run.function != next.function || next.carry_in != CarryIn::keep || run.latches != next.latches ||
       run.from_tree != next.from_tree || run.count == longest_run) {
@@ -72,7 +72,8 @@ void StepLog::push(const ArrayStep& step, const StreamBit* tree) {
   for (unsigned bit = 0; bit < worked_bits(one); ++bit) push_bit(one, bit, tree, latches);
 }
 
-/// The step before has brought the one bit of operand x from memory into the latch, where it stays.
+/// Whether the previous step read the one bit of operand x from memory into the latch, so that both steps can be
+/// merged.
 bool StepLog::takes_latch(const ArrayStep& step) const {
   if (step.source != OperandSource::latch || step.bits != 1 || batch_.runs.empty()) return false;
   if (!info(function_of_bit(step, 0)).reads_x) return false;
@@ -91,7 +92,7 @@ void StepLog::push_bit(const ArrayStep& step, unsigned bit, const StreamBit* tre
     run.latches = latches;
     run.from_tree = step.source == OperandSource::tree && tree != nullptr;
     if (run.from_tree) {
-      run.stream = stream_of(*tree);
+      run.stream = find_stream(*tree);
       const int first = (tree->token.active() ? tree->token.bit : 0) + step.first;
       run.stream_bit = static_cast<std::uint16_t>(first + static_cast<int>(bit));
     } else if (step.source == OperandSource::tree) {
@@ -133,8 +134,8 @@ void StepLog::note(const Run& run) {
   if (row.writes) batch_.writes.add(run.write);
 }
 
-/// Coefficients that agree in the bits that both have are taken for those of one stream: its bits are the same.
-std::uint16_t StepLog::stream_of(const StreamBit& tree) {
+/// Streams whose coefficients agree in the bits known of both are treated as one: their bits are the same.
+std::uint16_t StepLog::find_stream(const StreamBit& tree) {
   const Token all{.bit = 0, .bits = static_cast<std::uint16_t>(bits_.alu_bits)};
   const StreamBit bits = tree.token.active() ? tree : StreamBit{.token = all};
   const unsigned known = static_cast<unsigned>(bits.token.bit) + bits.token.bits;

@@ -1,3 +1,5 @@
+// Log of pending bit steps, merged into runs.
+// Used by DeferredPixels and its kernels.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +13,15 @@
 #include "hw/array/plane.h"
 #include "hw/array/stream_bit.h"
 
-/// Steps that the pixels have still to carry out. As no pixel reads another's bits, they may be carried out block of
-/// pixels by block of pixels, all steps of a block one after the other.
+// A log of steps that the pixels have not executed yet. No pixel reads bits of another, so the steps can be executed
+// block of pixels by block of pixels, all steps of a block in one go.
 namespace csgsim::array {
 
-/// Where a pixel's bits lie beside each other: the carry, the flag, the latch, the memory, and perhaps the registers
-/// between the trees and the pixel.
+/// Layout of a pixel's bits: carry, flag, latch, memory, and optionally the registers between the trees and the pixel.
 struct PixelBits {
   unsigned alu_bits = 1;
   unsigned memory_bits = 0;
-  unsigned tree_bits = 0;  ///< of those registers; where there are none a stream's coefficients stand for them
+  unsigned tree_bits = 0;  ///< width of those registers; 0 if the stream's coefficients represent them
 
   static constexpr unsigned carry = 0;
   static constexpr unsigned flag = 1;
@@ -30,27 +31,27 @@ struct PixelBits {
   [[nodiscard]] constexpr unsigned count() const { return tree(tree_bits); }
 };
 
-/// The carry before the first of a run's steps.
+/// Carry into the first step of a run.
 enum class CarryIn : std::uint8_t { keep, zero, one };
 
-/// One function on adjacent bits, one after the other. Functions that differ from another only in the carry before them
-/// are that other: of compare_from_0, compare_from_1, less_from_0, less_from_1, sum_from_0, sum_with_1_from_0 and
-/// difference_from_1 there is no run.
+/// One function on adjacent bits, one after another. A function that differs from another only in its initial carry is
+/// represented by that other: there are no runs of compare_from_0, compare_from_1, less_from_0, less_from_1,
+/// sum_from_0, sum_with_1_from_0 and difference_from_1.
 struct Run {
   AluFunction function = AluFunction::idle;
   CarryIn carry_in = CarryIn::keep;
-  bool from_tree = false;        ///< operand x is bits of a stream
-  bool latches = false;          ///< operand x goes into the first bit of the latch as well
-  std::uint16_t stream = 0;      ///< of the batch
-  std::uint16_t stream_bit = 0;  ///< the first bit of it
+  bool from_tree = false;        ///< whether operand x is bits of a stream
+  bool latches = false;          ///< whether operand x is also stored in the first bit of the latch
+  std::uint16_t stream = 0;      ///< index of the stream in the batch
+  std::uint16_t stream_bit = 0;  ///< first bit of the stream
   std::uint16_t count = 0;       ///< bits, 1 to 64
-  std::uint16_t x = 0;           ///< the pixel's bits, by PixelBits, that the first step works on
+  std::uint16_t x = 0;           ///< x, y, write: bits of the pixel (PixelBits) for the first step
   std::uint16_t y = 0;
   std::uint16_t write = 0;
-  std::uint64_t constant = 0;  ///< a bit a step
+  std::uint64_t constant = 0;  ///< one bit per step
 };
 
-/// A stream whose bits operand x takes, with as much of its coefficients as the bits need.
+/// A stream that supplies operand x, with the low bits of its coefficients that the steps need.
 struct Stream {
   std::uint64_t a = 0;
   std::uint64_t b = 0;
@@ -58,17 +59,17 @@ struct Stream {
   std::uint64_t xx = 0;
   std::uint64_t xy = 0;
   std::uint64_t yy = 0;
-  unsigned bits = 0;  ///< of the coefficients that are there
+  unsigned bits = 0;  ///< number of valid bits of the coefficients
 };
 
-/// What steps do to a register besides the enable bit.
+/// Access of steps to a register other than the enable bit.
 enum class Touch : std::uint8_t {
   none,
-  uses,  ///< what they leave depends on what was there, or they do not write all of it
-  sets,  ///< they write it before they read it
+  uses,  ///< the result depends on the old value, or part of the register is not written
+  sets,  ///< written before it is read
 };
 
-/// Some of a pixel's bits.
+/// A set of a pixel's bits.
 class BitSet {
  public:
   void add(unsigned bit) {
@@ -90,32 +91,33 @@ class BitSet {
   std::vector<std::uint64_t> words_;
 };
 
-/// Steps that are carried out together.
+/// Steps that are executed together.
 struct Batch {
   std::vector<Run> runs;
   std::vector<Stream> streams;
   Touch carry = Touch::none;
   Touch latch = Touch::none;
   Touch flag = Touch::none;
-  bool acts_where_disabled = false;  ///< on enable or memory of pixels that are not enabled
-  BitSet reads;                      ///< memory
-  BitSet writes;                     ///< memory
+  bool acts_where_disabled = false;  ///< whether a step changes enable or memory of disabled pixels
+  BitSet reads;                      ///< memory bits read
+  BitSet writes;                     ///< memory bits written
 
   [[nodiscard]] bool empty() const { return runs.empty(); }
   void clear();
 };
 
-/// Gathers steps clock by clock.
+/// Collects steps clock by clock.
 class StepLog {
  public:
   explicit StepLog(PixelBits bits) : bits_(bits) {}
 
-  /// The step of a clock, in which `tree` is at the pixels; null: what their registers have.
+  /// Adds the step of one clock in which `tree` is at the pixels; null if the registers in PixelBits hold the tree
+  /// bits.
   void push(const ArrayStep& step, const StreamBit* tree);
 
   [[nodiscard]] const Batch& batch() const { return batch_; }
   void clear() { batch_.clear(); }
-  /// Hands the batch over, in place of another, which is cleared.
+  /// Moves the pending batch to `batch` and clears the log.
   void take(Batch& batch) {
     std::swap(batch, batch_);
     batch_.clear();
@@ -126,7 +128,7 @@ class StepLog {
   void append(const Run& run);
   void note(const Run& run);
   [[nodiscard]] bool takes_latch(const ArrayStep& step) const;
-  std::uint16_t stream_of(const StreamBit& tree);
+  std::uint16_t find_stream(const StreamBit& tree);
 
   PixelBits bits_;
   Batch batch_;

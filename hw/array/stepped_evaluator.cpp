@@ -18,7 +18,7 @@ std::vector<std::uint32_t> lanes_of(PlaneShape shape, std::span<const Place> pix
   return columns;
 }
 
-/// Those bits in a lane, of the lanes of one node.
+/// Planes of one node with the bits in one lane and 0 in the others.
 NodeBits in_lane(std::uint32_t bits, std::size_t lane, const NodeBits& shape) {
   NodeBits planes = shape;
   for (std::size_t bit = 0; bit < planes.size(); ++bit) {
@@ -28,7 +28,7 @@ NodeBits in_lane(std::uint32_t bits, std::size_t lane, const NodeBits& shape) {
   return planes;
 }
 
-/// Those bits in each lane.
+/// Sets all lanes to the bits.
 void fill_lanes(std::uint32_t bits, NodeBits& planes) {
   for (std::size_t bit = 0; bit < planes.size(); ++bit)
     planes[bit][0] = (bits >> bit & 1U) != 0 ? ~std::uint64_t{0} : 0;
@@ -63,7 +63,7 @@ std::size_t SteppedEvaluator::plane_words() const {
 
 std::size_t SteppedEvaluator::leaf_words() const { return bits_ * plane_words(); }
 
-/// The Y trees first: they take what the X tree has left the clock before.
+/// Advances the Y trees first: they read what the X tree produced one clock earlier.
 Token SteppedEvaluator::clock(const RootBits& root, std::span<std::uint64_t> leaves) {
   if (!root.token.active() && !any_active()) return {};
   fill_lanes(root.c, root_.value);
@@ -86,7 +86,7 @@ Token SteppedEvaluator::clock(const RootBits& root, std::span<std::uint64_t> lea
   xx_.shift(root.xx);
   xy_.shift(root.xy);
   yy_.shift(root.yy);
-  // Behind the last level are the registers at the pixels; without one the roots' wires.
+  // The registers at the pixels follow the last level; without levels the pixels are wired to the roots.
   const Token reached = had_rows ? rows_.token_at(rows_.levels(), {}) : enter_rows();
   if (reached.active()) put_leaves(leaves);
   return reached;
@@ -96,13 +96,13 @@ TreeWires SteppedEvaluator::to_columns(const RootBits& root) const {
   return {{a_, root.a, 0}, {xx_, root.xx, 0}, {xy_, root.xy, 0}};
 }
 
-/// No wire brings the Y trees a product of both coordinates.
+/// The Y trees have no product of both coordinates.
 TreeWires SteppedEvaluator::to_rows(const RootBits& root) const {
   const unsigned ahead = columns_.clocks();
   return {{b_, root.b, ahead}, {yy_, root.yy, ahead}, {none_, 0, 0}};
 }
 
-/// A column's bits to each lane.
+/// Copies each column's bits to its lane.
 void SteppedEvaluator::gather(const NodeBits& columns, NodeBits& row) const {
   for (std::size_t bit = 0; bit < row.size(); ++bit) {
     std::fill(row[bit].begin(), row[bit].end(), 0);
@@ -129,7 +129,7 @@ void SteppedEvaluator::put_leaves(std::span<std::uint64_t> leaves) const {
   }
 }
 
-std::size_t SteppedEvaluator::lane_of(std::uint32_t x) const {
+std::size_t SteppedEvaluator::find_lane(std::uint32_t x) const {
   const auto found = std::find(columns_of_lanes_.begin(), columns_of_lanes_.end(), x);
   if (found == columns_of_lanes_.end()) throw std::out_of_range("a column whose Y tree is not built");
   return static_cast<std::size_t>(std::distance(columns_of_lanes_.begin(), found));
@@ -143,7 +143,7 @@ LevelProbe SteppedEvaluator::x_level(unsigned level, std::uint32_t x, const Root
 
 LevelProbe SteppedEvaluator::y_level(unsigned level, Place pixel, const RootBits& root) const {
   const LevelProbe column = x_level(columns_.levels(), pixel.x, root);
-  const std::size_t lane = lane_of(pixel.x);
+  const std::size_t lane = find_lane(pixel.x);
   const NodeStreams in{in_lane(column.stream, lane, row_.value), in_lane(column.row_slope, lane, row_.slope), {}};
   return rows_.probe(level, pixel.y, lane, column.token, in, to_rows(root));
 }

@@ -1,3 +1,5 @@
+// Model of the linear expression evaluator, adder by adder.
+// Used by hw/pixel_planes.
 #pragma once
 
 #include <cstdint>
@@ -10,29 +12,29 @@
 
 namespace csgsim::array {
 
-/// The trees of LinearEvaluator adder by adder: what reaches the pixels, at which clock, and what is at every level is
-/// the same, but comes of the bits that have gone through the adders, and of nothing else.
+/// The trees of LinearEvaluator adder by adder. The outputs and the signals at every level are the same in each clock,
+/// but result only from the bits that have passed through the adders.
 class SteppedEvaluator {
  public:
-  /// `shape`: of the whole array. `pixels`, unless there are none: those alone, side by side; then only their columns
-  /// have Y trees.
+  /// `shape` is that of the whole array. If `pixels` is not empty, only these pixels are built, side by side; then only
+  /// their columns have Y trees.
   SteppedEvaluator(PlaneShape shape, TreeForm form, std::span<const Place> pixels = {});
 
   [[nodiscard]] bool any_active() const { return columns_.any_active() || rows_.any_active(); }
 
-  /// The bits at the pixels, as a PixelArray has them: a plane of each that enters in a clock.
+  /// Size of the bits at the pixels in the format of PixelArray: one plane for each bit that enters in a clock.
   [[nodiscard]] std::size_t leaf_words() const;
 
-  /// One clock. `leaves`, leaf_words() of them, are written in clocks in which bits reach the pixels. Returns which
-  /// did, as LinearEvaluator::clock.
+  /// Advances one clock. `leaves` has leaf_words() words and is written in clocks in which bits reach the pixels.
+  /// Returns the token of these bits, at the same clocks as LinearEvaluator::clock.
   Token clock(const RootBits& root, std::span<std::uint64_t> leaves);
 
-  // As those of LinearEvaluator; the pixel has to be one that is built. Of degree 1 there are no slopes.
+  // Same signals as in LinearEvaluator; `pixel` must be one of the built pixels. Trees of degree 1 have no slopes.
   [[nodiscard]] LevelProbe x_level(unsigned level, std::uint32_t x, const RootBits& root) const;
   [[nodiscard]] LevelProbe y_level(unsigned level, Place pixel, const RootBits& root) const;
 
  private:
-  [[nodiscard]] std::size_t lane_of(std::uint32_t x) const;
+  [[nodiscard]] std::size_t find_lane(std::uint32_t x) const;
   [[nodiscard]] std::size_t plane_words() const;
   [[nodiscard]] TreeWires to_columns(const RootBits& root) const;
   [[nodiscard]] TreeWires to_rows(const RootBits& root) const;
@@ -46,14 +48,14 @@ class SteppedEvaluator {
   std::vector<std::uint32_t> columns_of_lanes_;
   SteppedTree columns_;
   SteppedTree rows_;
-  NodeStreams root_;  ///< that enter the X tree
-  NodeStreams row_;   ///< that enter the Y trees
+  NodeStreams root_;  ///< streams that enter the X tree
+  NodeStreams row_;   ///< streams that enter the Y trees
   Wire a_;
   Wire b_;
   Wire xx_;
   Wire xy_;
   Wire yy_;
-  Wire none_;  ///< that nothing comes on
+  Wire none_;  ///< a wire that is always 0
 };
 
 }  // namespace csgsim::array

@@ -12,7 +12,7 @@ bool bit_at(const Words& words, std::size_t word, std::size_t lane) {
   return !words.empty() && (words[word + lane / word_bits] >> (lane % word_bits) & 1U) != 0;
 }
 
-/// The token's bits in a lane.
+/// The token's bits in one lane.
 std::uint32_t bits_at(const NodeBits& planes, Token token, std::size_t word, std::size_t lane) {
   std::uint32_t bits = 0;
   for (std::size_t bit = 0; bit < token.bits && bit < planes.size(); ++bit)
@@ -20,7 +20,7 @@ std::uint32_t bits_at(const NodeBits& planes, Token token, std::size_t word, std
   return bits;
 }
 
-/// A serial adder a lane: the sum's bit. The carry is that of the bit before, then of this one.
+/// One serial adder per lane. Returns the sum bit; replaces the carry in by the carry out.
 std::uint64_t add_bit(std::uint64_t one, std::uint64_t other, std::uint64_t& carry) {
   const std::uint64_t half = one ^ other;
   const std::uint64_t sum = half ^ carry;
@@ -28,7 +28,7 @@ std::uint64_t add_bit(std::uint64_t one, std::uint64_t other, std::uint64_t& car
   return sum;
 }
 
-/// A carry before the first bit of a stream is 0, whatever the stream before has left.
+/// Clears the carry before the first bit of a stream.
 void begin(Token here, Words& carry) {
   if (here.bit == 0) std::fill(carry.begin(), carry.end(), 0);
 }
@@ -72,8 +72,8 @@ bool SteppedTree::any_active() const {
   return std::any_of(tokens_.begin(), tokens_.end(), [](Token token) { return token.active(); });
 }
 
-/// The deepest registers first: what is behind them takes what those above have left the clock before. Levels without
-/// registers between them take from each other in the same clock.
+/// The deepest registers come first, because each stage reads what the stage above produced one clock earlier. Levels
+/// without registers between them are chained within the clock.
 void SteppedTree::clock(Token token, const NodeStreams& root, const TreeWires& wires) {
   for (unsigned stage = clocks(); stage-- > 0;) {
     const unsigned first = stage * depth_.between_registers;
@@ -92,8 +92,8 @@ void SteppedTree::act(unsigned k, Token here, const NodeStreams& in, const TreeW
   add(levels_[k], here, in, shifted(wires.multiplicand, depth_.clocks_to(k), levels_[k].below, here));
 }
 
-/// What the tapped bits are beside the token's bits, at a level that these reach so many clocks after the roots, if
-/// they are so many places less worth there: from two taps, a clock apart, and 0 before the stream's first bit.
+/// The tapped bits aligned with the token's bits, at a level `clocks` clocks after the roots where they have weight
+/// 2^places: combined from two taps one clock apart, and 0 before the stream's first bit.
 std::uint32_t SteppedTree::shifted(const Tap& tap, unsigned clocks, unsigned places, Token here) const {
   const unsigned late = clocks + places / form_.bits;
   const unsigned crossed = places % form_.bits;
@@ -104,8 +104,8 @@ std::uint32_t SteppedTree::shifted(const Tap& tap, unsigned clocks, unsigned pla
   return static_cast<std::uint32_t>(bits & low_bits(form_.bits) & ~low_bits(before));
 }
 
-/// The left children, and the right one of no pair, get what comes in. Of a level the nodes with a right child are the
-/// first ones, all but perhaps the last.
+/// Passes the incoming bits to the left children. Nodes with a right child come first in a level; only the last node
+/// may have none.
 void SteppedTree::pass(const Level& level, Token here, const NodeBits& in, NodeBits& out) const {
   for (unsigned bit = 0; bit < here.bits; ++bit) {
     for (std::size_t node = 0; node < level.nodes; ++node)
@@ -127,7 +127,7 @@ void SteppedTree::add(Level& level, Token here, const NodeStreams& in, std::uint
   }
 }
 
-/// Where the slopes' bit is that is `below` places before that bit of the stream; nowhere before the first.
+/// Position of the slope bit `below` places before stream bit `bit`; empty before the first bit.
 std::optional<SteppedTree::Delayed> SteppedTree::delayed_bit(const Level& level, int bit) const {
   const int wanted = bit - static_cast<int>(level.below);
   if (wanted < 0) return std::nullopt;
@@ -135,12 +135,12 @@ std::optional<SteppedTree::Delayed> SteppedTree::delayed_bit(const Level& level,
   return Delayed{static_cast<std::size_t>(bit / width - wanted / width), static_cast<std::size_t>(wanted % width)};
 }
 
-/// What entered the ring so many clocks ago, 1 at least.
+/// The entry of the ring `clocks` clocks ago, at least 1.
 const NodeBits& SteppedTree::entered(const Level& level, std::size_t clocks) {
   return level.delayed[(level.oldest + level.delayed.size() - clocks) % level.delayed.size()];
 }
 
-/// The plane of that bit, null if there is none; `slope` enters now.
+/// The plane of that bit, null before the first bit; `slope` enters in this clock.
 const Words* SteppedTree::delayed_slope(const Level& level, int bit, const NodeBits& slope) const {
   const std::optional<Delayed> delayed = delayed_bit(level, bit);
   if (!delayed) return nullptr;
@@ -155,7 +155,7 @@ void SteppedTree::delay_slope(Level& level, const NodeBits& slope) const {
   level.oldest = (level.oldest + 1) % level.delayed.size();
 }
 
-/// A stream that is so many places late is worth as many powers of two of itself, and counts as 0 before its first bit.
+/// A stream delayed by n places has weight 2^n and counts as 0 before its first bit.
 void SteppedTree::add_squares(unsigned k, Token here, const NodeStreams& in, const TreeWires& wires) {
   Level& level = levels_[k];
   const unsigned half = level.below;
@@ -194,7 +194,7 @@ SteppedTree::LaneBits SteppedTree::lane_bits(const NodeStreams& in, Token here, 
           bits_at(in.row_slope, here, word, lane)};
 }
 
-/// The bits of a node's slope that are `below` places before the token's.
+/// The bits of a node's slope `below` places before the token's bits.
 std::uint32_t SteppedTree::delayed_lane(const Level& level, std::size_t node, std::size_t lane, Token here,
                                         std::uint32_t slope) const {
   std::uint32_t bits = 0;
@@ -209,7 +209,7 @@ std::uint32_t SteppedTree::delayed_lane(const Level& level, std::size_t node, st
   return bits;
 }
 
-/// What comes out of the adders of a node before the clock's end.
+/// Sum outputs of a node's adders before the end of the clock.
 SteppedTree::LaneBits SteppedTree::right_child(unsigned k, std::size_t node, std::size_t lane, Token here, LaneBits in,
                                                const TreeWires& wires) const {
   const Level& level = levels_[k];
@@ -231,7 +231,7 @@ SteppedTree::LaneBits SteppedTree::right_child(unsigned k, std::size_t node, std
   return out;
 }
 
-/// From the last registers on the way the streams go through the adders of the levels in between.
+/// Starts at the last registers before the level and follows the streams through the adders in between.
 LevelProbe SteppedTree::probe(unsigned level, std::uint32_t leaf, std::size_t lane, Token token,
                               const NodeStreams& root, const TreeWires& wires) const {
   const Token here = token_at(level, token);

@@ -1,3 +1,5 @@
+// Multiplier tree with registers and serial adders.
+// Used by SteppedEvaluator.
 #pragma once
 
 #include <array>
@@ -12,10 +14,10 @@
 
 namespace csgsim::array {
 
-/// Wires from the roots, on which a clock's bits can be tapped for so many clocks (0 to 64) after they entered.
+/// Wires from the roots. The bits of a clock can be tapped up to 64 clocks after they entered.
 class Wire {
  public:
-  /// `entering`: the bits of this clock.
+  /// `entering`: the bits on the wires in this clock, for delay 0.
   [[nodiscard]] std::uint32_t at(unsigned delay, std::uint32_t entering) const {
     return delay == 0 ? entering : entered_[(newest_ + delay - 1) % entered_.size()];
   }
@@ -29,7 +31,7 @@ class Wire {
   std::size_t newest_ = 0;
 };
 
-/// Wires as a tree sees them in a clock, which are so many clocks away from the roots.
+/// Wires as seen by a tree in a clock, `ahead` clocks away from the roots.
 struct Tap {
   const Wire& wire;
   std::uint32_t entering = 0;
@@ -38,71 +40,71 @@ struct Tap {
   [[nodiscard]] std::uint32_t at(unsigned delay) const { return wire.at(ahead + delay, entering); }
 };
 
-/// What the nodes of a tree share: of degree 1 the multiplicand; of degree 2 the factors of the square, and of the
-/// product with the other coordinate.
+/// Operands shared by the nodes of a tree: the multiplicand in degree 1; the factors of the square and of the product
+/// with the other coordinate in degree 2.
 struct TreeWires {
   Tap multiplicand;
   Tap square;
   Tap cross;
 };
 
-/// The bits of a clock, the first first: of each a plane, `node_words` words of a node after those of the node before,
-/// a bit a lane.
+/// The bits of a clock, one plane per bit, the first bit first. A plane has `node_words` words per node, one bit per
+/// lane.
 using NodeBits = std::vector<Words>;
 
-/// The streams that enter the nodes of a level. Of degree 1 there are values alone.
+/// The streams that enter the nodes of a level. Degree 1 uses only the value.
 struct NodeStreams {
   NodeBits value;
   NodeBits slope;
   NodeBits row_slope;
 };
 
-/// A multiplier tree of LinearEvaluator node by node: the registers behind each, and its serial adders with their
-/// carries. Many trees that share their wires are stepped side by side, a lane of the words each.
+/// A multiplier tree of LinearEvaluator node by node, with registers, serial adders and carries. Trees that share their
+/// wires are simulated side by side, one lane of the words each.
 class SteppedTree {
  public:
-  /// `has_rows`: of an X tree of degree 2.
+  /// `has_rows`: true for an X tree of degree 2, which computes row slopes.
   SteppedTree(std::uint32_t leaves, std::size_t node_words, TreeForm form, bool has_rows);
 
   [[nodiscard]] unsigned levels() const { return depth_.levels; }
   [[nodiscard]] unsigned clocks() const { return depth_.clocks(); }
   [[nodiscard]] bool any_active() const;
 
-  /// The token at a level in a clock in which `root` enters; that of the leaves is at the last.
+  /// The token at a level in a clock in which `root` enters. The leaves are the last level.
   [[nodiscard]] Token token_at(unsigned level, Token root) const {
     const unsigned clocks = depth_.clocks_to(level);
     return clocks == 0 ? root : tokens_[clocks - 1];
   }
 
-  /// What enters the nodes of a level, `root` the first; of a level that has no registers before it, in the clock that
-  /// was last.
+  /// The streams that enter the nodes of a level; those of level 0 are `root`. For a level without registers before it,
+  /// the streams are those of the last clock.
   [[nodiscard]] const NodeStreams& at(unsigned level, const NodeStreams& root) const {
     return level == 0 ? root : levels_[level - 1].out;
   }
 
-  /// One clock, in which that token and those bits are at the root.
+  /// Advances one clock with that token and those bits at the root.
   void clock(Token token, const NodeStreams& root, const TreeWires& wires);
 
-  /// What is at the node of a level on the way to that leaf, in a lane, in a clock in which that token and those bits
-  /// are at the root.
+  /// Signals at the node of a level on the path to a leaf, in one lane, in a clock with that token and those bits at
+  /// the root.
   [[nodiscard]] LevelProbe probe(unsigned level, std::uint32_t leaf, std::size_t lane, Token token,
                                  const NodeStreams& root, const TreeWires& wires) const;
 
  private:
   struct Level {
-    unsigned below = 0;  ///< levels under its children
+    unsigned below = 0;  ///< levels below its children
     std::size_t nodes = 0;
-    std::size_t pairs = 0;  ///< the nodes, from the first on, that have a right child
+    std::size_t pairs = 0;  ///< number of nodes with a right child; these come first
     Words value_carry;
     Words step_carry;
     Words slope_carry;
     Words row_carry;
-    std::vector<NodeBits> delayed;  ///< a ring of the slopes that are on their way to the adders, a clock's each
+    std::vector<NodeBits> delayed;  ///< ring of slopes on their way to the adders, one entry per clock
     std::size_t oldest = 0;
     NodeStreams out;  ///< the children's registers
   };
 
-  /// A clock's bits of a node's streams in a lane.
+  /// The bits of a node's streams in one lane and clock.
   struct LaneBits {
     std::uint32_t value = 0;
     std::uint32_t slope = 0;
@@ -119,7 +121,7 @@ class SteppedTree {
   void act(unsigned k, Token here, const NodeStreams& in, const TreeWires& wires);
   void add_squares(unsigned k, Token here, const NodeStreams& in, const TreeWires& wires);
   void pass(const Level& level, Token here, const NodeBits& in, NodeBits& out) const;
-  /// A bit of a slope on its way to the adders: clocks since it entered the ring, and which of that clock's bits.
+  /// A slope bit on its way to the adders: clocks since it entered the ring, and its index among that clock's bits.
   struct Delayed {
     std::size_t clocks = 0;
     std::size_t plane = 0;
@@ -133,7 +135,7 @@ class SteppedTree {
   TreeForm form_;
   bool has_rows_;
   TreeDepth depth_;
-  std::vector<Token> tokens_;  ///< at the registers
+  std::vector<Token> tokens_;  ///< tokens at the registers
   std::vector<Level> levels_;
 };
 

@@ -1,3 +1,5 @@
+// Bits of an expression's stream on wires and in registers.
+// Used by hw/array.
 #pragma once
 
 #include <cstdint>
@@ -6,14 +8,14 @@
 
 namespace csgsim::array {
 
-/// Which bits of an instruction's stream are on the wires that carry it.
+/// The bits of an instruction's stream that are on a set of wires.
 struct Token {
   static constexpr std::int16_t idle = -1;
-  std::int16_t bit = idle;  ///< the first of them
-  std::uint16_t bits = 1;   ///< 1 to 32; fewer than there are wires where the stream ends
+  std::int16_t bit = idle;  ///< index of the first bit
+  std::uint16_t bits = 1;   ///< number of bits, 1 to 32; less than the number of wires at the end of a stream
 
   [[nodiscard]] constexpr bool active() const { return bit != idle; }
-  /// The bits of that value, if it is active; the first is the lowest.
+  /// The token's bits of a value, the first lowest; the token must be active.
   [[nodiscard]] constexpr std::uint32_t of(std::uint64_t value) const {
     return static_cast<std::uint32_t>(value >> bit & low_bits(bits));
   }
@@ -26,10 +28,10 @@ constexpr std::uint64_t value_at(const Coefficients& of, std::uint64_t x, std::u
   return (of.xx * x + of.xy * y + of.a) * x + (of.yy * y + of.b) * y + of.c;
 }
 
-/// The token's bits (of 0 to 63) of xx*x*x + xy*x*y + yy*y*y + a*x + b*y + c in registers that every pixel, or every
-/// node of a tree, has: as all of them follow from the coefficients, these stand for the bits. Of the coefficients at
-/// least the bits up to the token's last are there, and they depend on no others. Without an active token the bits are
-/// 0. Below trees of degree 1 the first three are 0.
+/// The token's bits (of 0 to 63) of xx*x*x + xy*x*y + yy*y*y + a*x + b*y + c in registers at every pixel or at every
+/// node of a tree. The coefficients represent the bits of all of them. At least the coefficient bits up to the token's
+/// last are valid, and the result depends on no others. Without an active token the bits are 0. The first three
+/// coefficients are 0 for trees of degree 1.
 struct StreamBit {
   Token token;
   std::uint64_t a = 0;
@@ -39,7 +41,7 @@ struct StreamBit {
   std::uint64_t xy = 0;
   std::uint64_t yy = 0;
 
-  /// The first is the lowest.
+  /// The token's bits at a pixel, the first lowest.
   [[nodiscard]] constexpr std::uint32_t at(Place pixel) const {
     return token.active() ? token.of(value_at(*this, pixel.x, pixel.y)) : 0;
   }

@@ -1,6 +1,8 @@
+// Detects builds with AddressSanitizer.
+// Used by hw/systemc, sim/pictures and tests.
 #pragma once
 
-/// Whether the address sanitizer watches, 1 or 0: clang and GCC tell it in different ways.
+/// CSGSIM_ADDRESS_SANITIZER: 1 if the build uses the address sanitizer, else 0. GCC and clang report it differently.
 #if defined(__SANITIZE_ADDRESS__)
 #define CSGSIM_ADDRESS_SANITIZER 1
 #elif defined(__has_feature)

@@ -1,10 +1,12 @@
+// Blocks signals in a thread for a scope.
+// Used by OutputFolder, sim/system and sim/waves.
 #pragma once
 
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): pthread_sigmask is POSIX
 
 namespace csgsim {
 
-/// This thread lets no signals through until the object goes.
+/// Blocks all signals in this thread during the object's lifetime.
 class BlockedSignals {
  public:
   BlockedSignals() {

@@ -1,3 +1,5 @@
+// Owner of a POSIX file descriptor, with read, write and sync functions.
+// Used for files in hw/base and host/read, and by sim/system, sim/session, sim/studies and sim/web.
 #pragma once
 
 #include <string>
@@ -7,10 +9,10 @@
 
 namespace csgsim {
 
-/// What errno says now.
+/// The current value of errno as an error code.
 std::error_code last_error();
 
-/// An open file of the system, closed at its end.
+/// An open file descriptor. The destructor closes it.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -27,20 +29,20 @@ class Descriptor {
   [[nodiscard]] int number() const { return number_; }
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
 
-  /// Closes it if it is open, and says what went wrong: a network's disk may tell only then that a write failed.
+  /// Closes the descriptor if it is open. The error matters: a network file system may report a failed write only here.
   std::error_code close();
 
  private:
   int number_ = -1;
 };
 
-/// Writes all the bytes, at the descriptor's place.
+/// Writes all the bytes at the descriptor's current position.
 std::error_code write_all(const Descriptor& descriptor, std::string_view bytes);
 
-/// Has all that was written on the disk itself, where there is one.
+/// Flushes everything written to the disk. Succeeds on files that have no disk, such as pipes.
 std::error_code sync(const Descriptor& descriptor);
 
-/// Appends at most `most` of the bytes from the descriptor's place to its end; more is not read.
+/// Appends at most `most` bytes to `bytes`, from the descriptor's current position to its end.
 std::error_code read_to_end(const Descriptor& descriptor, std::string& bytes, std::size_t most);
 
 }  // namespace csgsim

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What tells a file from all others; one that is not there yet is told by its folder and name.
+/// Identifies a file. A file that does not exist yet is identified by its folder and name.
 struct Identity {
   dev_t device = 0;
   ino_t inode = 0;
@@ -27,7 +27,7 @@ struct Identity {
   }
 };
 
-/// Nothing where not even the folder is there.
+/// Empty if not even the folder exists.
 std::optional<Identity> identity(const fs::path& path) {
   struct stat status {};
   if (is_standard_output(path)) return Identity{0, 0, std::string(standard_stream), false};

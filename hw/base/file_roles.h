@@ -1,3 +1,5 @@
+// Detects outputs that would overwrite inputs or other outputs.
+// Used by the options of sim/session and by inputs_kept.cpp.
 #pragma once
 
 #include <filesystem>
@@ -6,17 +8,17 @@
 
 namespace csgsim {
 
-/// An output that is the same file as another one.
+/// An output that is the same file as an input or as another output.
 struct Clash {
   std::filesystem::path output;
   std::filesystem::path other;
-  bool is_input = false;  ///< the other is read, else it is an output too
+  bool is_input = false;  ///< `other` is an input; otherwise it is also an output
 };
 
-/// Whether writing would destroy what is read, or what was just written: compares files, not names, so links and
-/// different ways to a folder are seen through. Character devices take any number of outputs, standard output by one of
-/// its names takes one; `-` among the inputs is none of them. Throws InputError where
-/// links lead in a circle.
+/// Finds the first output that would overwrite an input or another output. Compares files, not names: it follows links
+/// and resolves different paths to one folder. Any number of outputs may name a character device. Standard output may
+/// be named once, under any of its names; `-` among the inputs is standard input and never clashes. Throws InputError
+/// for a cycle of symbolic links.
 std::optional<Clash> find_clash(std::span<const std::filesystem::path> inputs,
                                 std::span<const std::filesystem::path> outputs);
 

@@ -9,7 +9,7 @@ namespace csgsim {
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(folder.native() + ": cannot be made a folder (" + error.message() + ")");
+  if (error) throw InputError(folder.native() + ": cannot create this folder (" + error.message() + ")");
 }
 
 }  // namespace csgsim

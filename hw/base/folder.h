@@ -1,10 +1,12 @@
+// Creates folders.
+// Used by OutputFolder and sim/studies.
 #pragma once
 
 #include <filesystem>
 
 namespace csgsim {
 
-/// Makes a folder, with those that it is in, where there is none. Throws InputError.
+/// Creates the folder and its missing parents. Throws InputError.
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace csgsim

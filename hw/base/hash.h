@@ -1,3 +1,5 @@
+// 64-bit FNV-1a hash.
+// Used by OutputFolder, hw/machines, and several rooms of sim for keys and checks of contents.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,14 +11,14 @@
 
 namespace csgsim {
 
-/// A 64-bit hash of bytes, to tell contents apart (FNV-1a); no defence against forgery.
+/// A 64-bit hash of bytes (FNV-1a) that distinguishes contents; not secure against forgery.
 class Hash {
  public:
   void add(std::string_view bytes) {
     for (const char byte : bytes) add_byte(static_cast<unsigned char>(byte));
   }
 
-  /// Low bytes first, on every machine.
+  /// Hashes each word with its low byte first, so the result does not depend on the byte order of the computer.
   void add(std::span<const std::uint32_t> words) {
     for (const std::uint32_t word : words) add_word(word);
   }
@@ -31,7 +33,7 @@ class Hash {
 
   void add_byte(unsigned char byte) { state_ = (state_ ^ byte) * prime; }
 
-  /// High bytes that are 0 multiply alone, all at once.
+  /// Same result as four calls of add_byte(): all high bytes that are 0 take one multiplication.
   void add_word(std::uint32_t word) {
     constexpr std::uint64_t powers[] = {prime * prime * prime, prime * prime, prime, 1};
     unsigned bytes = 0;

@@ -1,3 +1,5 @@
+// Member definitions of Indirect.
+// Used by hw/isa/program.cpp, which instantiates them.
 #pragma once
 
 #include <memory>

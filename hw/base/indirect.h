@@ -1,13 +1,15 @@
+// A value on the heap with value semantics.
+// Used by hw/isa/program.h.
 #pragma once
 
 #include <memory>
 
 namespace csgsim {
 
-/// A value of type T on the heap, copied and compared as a T is. A header can have one as a member with T declared
-/// only, so that files which do not use the member need not include T's header. A value that was never written is T{}
-/// and takes no memory; so is one that was moved from. The file that defines T instantiates the members, which
-/// hw/base/indirect-inl.h has: `template class Indirect<T>`.
+/// A value of type T on the heap, copied and compared like a T. A header can have such a member while T is only
+/// declared, so that files which do not use the member need not include T's header. A value that was never written, or
+/// was moved from, equals T{} and takes no memory. The file that defines T includes hw/base/indirect-inl.h and
+/// instantiates the members: `template class Indirect<T>`.
 template <class T>
 class Indirect {
  public:

@@ -24,12 +24,12 @@ namespace {
   throw InputError(fmt::format("{}: cannot be read: {}", path.native(), why));
 }
 
-/// The system would take what is before it.
+/// The system calls would end the name at the zero byte.
 void refuse_zero_byte(const std::filesystem::path& path) {
-  if (path.native().find('\0') != std::string::npos) fail(path, "its name has a zero byte; leave it out");
+  if (path.native().find('\0') != std::string::npos) fail(path, "its name contains a zero byte; remove it");
 }
 
-std::string all_of(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
+std::string read_all(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
   struct stat status {};
   if (!file.is_open() || ::fstat(file.number(), &status) != 0)
     fail(path, last_error().message() + "; check the path and its permissions");
@@ -39,7 +39,7 @@ std::string all_of(const Descriptor& file, const std::filesystem::path& path, co
   std::string bytes;
   try {
     bytes.reserve(expected);
-    // One more tells that it is longer, where there can be more.
+    // One byte more than the limit shows that the file is too long; max() guards against overflow.
     const std::size_t most = std::max(kind.most_bytes, kind.most_bytes + 1);
     if (const std::error_code error = read_to_end(file, bytes, most)) fail(path, error.message());
   } catch (const std::bad_alloc&) {
@@ -53,8 +53,8 @@ std::string all_of(const Descriptor& file, const std::filesystem::path& path, co
 }  // namespace
 
 std::string read_file(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
-  std::string bytes = all_of(file, path, kind);
-  if (!kind.is_continued) keep_input(path);
+  std::string bytes = read_all(file, path, kind);
+  if (!kind.is_continued) record_input(path);
   return bytes;
 }
 
@@ -65,8 +65,8 @@ std::string read_file(const std::filesystem::path& path, const InputKind& kind) 
   static std::optional<std::string> kept;
   if (kept) check_length("standard input", kept->size(), kind);
   if (!kept) {
-    kept = all_of(Descriptor(::dup(STDIN_FILENO)), "standard input", kind);
-    keep_input(standard_input_file);
+    kept = read_all(Descriptor(::dup(STDIN_FILENO)), "standard input", kind);
+    record_input(standard_input_file);
   }
   return *kept;
 }
@@ -84,7 +84,7 @@ void require_regular(const Descriptor& file, const std::filesystem::path& path, 
 
 Descriptor open_regular_file(const std::filesystem::path& path, const InputKind& kind) {
   refuse_zero_byte(path);
-  // What is there is looked at before it is opened: that of a device may have effects.
+  // The file is examined before it is opened: opening a device may have side effects.
   const Descriptor seen(::open(path.c_str(), O_PATH | O_CLOEXEC));
   if (!seen.is_open()) {
     if (errno == ENOENT || errno == ENOTDIR) return {};

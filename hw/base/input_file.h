@@ -1,3 +1,5 @@
+// Reads input files with a size limit.
+// Used by all readers of files in hw, host and sim.
 #pragma once
 
 #include <cstddef>
@@ -9,28 +11,28 @@
 
 namespace csgsim {
 
-/// What is read, for messages, and how much of it at most.
+/// Name, size limit and advice for one kind of input file.
 struct InputKind {
-  std::string_view what;  ///< as in "name a .csg file"
+  std::string_view what;  ///< name in messages, as in "name a .csg file"
   std::size_t most_bytes = 0;
-  std::string_view advice;    ///< for a longer one, as in "split the model"
-  bool is_continued = false;  ///< the command goes on with it: what it writes may replace it (inputs_kept.h)
+  std::string_view advice;    ///< what to do if the file is too long, as in "split the model"
+  bool is_continued = false;  ///< the command continues this file, so its output may replace it (inputs_kept.h)
 };
 
-/// All of a file, which may also be a pipe or a device; `-` is standard input, which is kept to be read again. Throws
-/// InputError if it cannot be read, is longer than allowed or does not fit into memory.
+/// Reads a whole file, which may be a pipe or a device. `-` is standard input, which is cached so that it can be read
+/// again. Throws InputError if the file cannot be read, is longer than the limit or does not fit into memory.
 std::string read_file(const std::filesystem::path& path, const InputKind& kind);
 
-/// The same of a file whose name no person gave on a command line: what is no regular file, as a pipe or a device, is
-/// refused at once, without waiting for what it has to say.
+/// Reads a whole regular file whose name did not come from the command line. Rejects pipes and devices at once instead
+/// of waiting for their data.
 std::string read_regular_file(const std::filesystem::path& path, const InputKind& kind);
 
-/// The parts of that. None if there is no such file, nor anything else under that name. Throws InputError if it is not
-/// a regular file, or cannot be opened.
+/// The two steps of read_regular_file(). The descriptor is closed if nothing has that name. Throws InputError if the
+/// path is not a regular file or cannot be opened.
 Descriptor open_regular_file(const std::filesystem::path& path, const InputKind& kind);
 std::string read_file(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind);
 
-/// What read_file says of a text of so many bytes, if it is too long. Throws InputError.
+/// Throws the InputError of read_file() if `bytes` exceeds the limit of the kind.
 void check_length(std::string_view name, std::size_t bytes, const InputKind& kind);
 
 }  // namespace csgsim

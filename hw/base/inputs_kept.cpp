@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 struct Kept {
   std::mutex mutex;
   bool is_on = false;
-  std::set<fs::path> files;  ///< complete
+  std::set<fs::path> files;  ///< absolute paths
 };
 
 Kept& kept() {
@@ -26,18 +26,18 @@ Kept& kept() {
 
 }  // namespace
 
-void keep_inputs() {
+void protect_inputs() {
   const std::lock_guard lock(kept().mutex);
   kept().is_on = true;
 }
 
-void keep_input(const fs::path& file) {
+void record_input(const fs::path& file) {
   const std::lock_guard lock(kept().mutex);
   std::error_code error;
   if (kept().is_on) kept().files.insert(fs::absolute(file, error));
 }
 
-std::optional<fs::path> kept_input(const fs::path& output) {
+std::optional<fs::path> recorded_input(const fs::path& output) {
   const std::lock_guard lock(kept().mutex);
   const std::vector<fs::path> files(kept().files.begin(), kept().files.end());
   const std::optional<Clash> clash = find_clash(files, std::span(&output, 1));

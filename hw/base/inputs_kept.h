@@ -1,3 +1,5 @@
+// Protects files that a command has read from being overwritten by its outputs.
+// Used by sim/app, sim/session and OutputFile.
 #pragma once
 
 #include <filesystem>
@@ -5,16 +7,16 @@
 
 namespace csgsim {
 
-/// By which standard input can be told from other files.
+/// The path under which standard input is compared with other files.
 inline constexpr const char* standard_input_file = "/dev/stdin";
 
-/// From now on nothing that this process reads is replaced by what it writes: OutputFile refuses to.
-void keep_inputs();
+/// Protects all inputs read from now on: OutputFile refuses to replace them.
+void protect_inputs();
 
-/// Says that the file has been read. Of files that read_file() reads it is known.
-void keep_input(const std::filesystem::path& file);
+/// Records a file as read. read_file() records its files automatically.
+void record_input(const std::filesystem::path& file);
 
-/// The file that has been read, if the output is the same one. See find_clash().
-std::optional<std::filesystem::path> kept_input(const std::filesystem::path& output);
+/// The recorded input that is the same file as `output`, if any. See find_clash().
+std::optional<std::filesystem::path> recorded_input(const std::filesystem::path& output);
 
 }  // namespace csgsim

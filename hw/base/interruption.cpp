@@ -19,6 +19,6 @@ void end_if_interrupted() {
   if (innermost != nullptr && innermost->stop_.stop_requested()) throw Interrupted();
 }
 
-std::stop_token stop_of_thread() { return innermost == nullptr ? std::stop_token() : innermost->stop_; }
+std::stop_token thread_stop_token() { return innermost == nullptr ? std::stop_token() : innermost->stop_; }
 
 }  // namespace csgsim

@@ -1,3 +1,5 @@
+// Cooperative cancellation of long work.
+// Used by the engines, sim/studies, sim/system, sim/viewer and sim/python.
 #pragma once
 
 #include <exception>
@@ -5,13 +7,13 @@
 
 namespace csgsim {
 
-/// Work ended since somebody asked it to stop. No error: nothing is wrong with what it worked on.
+/// Work ended early because a stop was requested. Not an error: the input may be fine.
 class Interrupted : public std::exception {
  public:
   [[nodiscard]] const char* what() const noexcept override { return "the work was interrupted"; }
 };
 
-/// While it lives, this thread's work looks now and then whether it is to stop.
+/// Makes the work of this thread interruptible by `stop` during the object's lifetime.
 class Interruptible {
  public:
   explicit Interruptible(std::stop_token stop) noexcept;
@@ -21,17 +23,17 @@ class Interruptible {
 
  private:
   friend void end_if_interrupted();
-  friend std::stop_token stop_of_thread();
+  friend std::stop_token thread_stop_token();
 
   std::stop_token stop_;
   const Interruptible* before_;
 };
 
-/// Throws Interrupted where this thread's work is to stop. Called where nothing is lost by it: between instructions of
-/// a run, between steps of reading and compiling.
+/// Throws Interrupted if a stop of this thread's work was requested. Called where no state is lost: between the
+/// instructions of a run, and between steps of reading and compiling.
 void end_if_interrupted();
 
-/// By what this thread's work is asked to stop, for threads that share it; by nothing where nobody does.
-std::stop_token stop_of_thread();
+/// The current thread's stop_token, for threads that share its work; empty if the work is not interruptible.
+std::stop_token thread_stop_token();
 
 }  // namespace csgsim

@@ -1,3 +1,5 @@
+// Escapes text for HTML and XML.
+// Used by sim/report and sim/plots.
 #pragma once
 
 #include <string>
@@ -5,8 +7,8 @@
 
 namespace csgsim {
 
-/// Bytes from outside as text of an element of HTML or XML, or of an attribute in quotes: printable (hw/base/text.h),
-/// and no markup.
+/// Escapes untrusted bytes for the text of an HTML or XML element or a quoted attribute. The result is printable
+/// (hw/base/text.h) and contains no markup.
 std::string markup_text(std::string_view bytes);
 
 }  // namespace csgsim

@@ -12,21 +12,21 @@ namespace csgsim {
 
 namespace {
 
-thread_local KeptLines* keeper = nullptr;
+thread_local CollectedLines* keeper = nullptr;
 
 }  // namespace
 
-KeptLines::KeptLines() noexcept : before_(std::exchange(keeper, this)) {}
+CollectedLines::CollectedLines() noexcept : before_(std::exchange(keeper, this)) {}
 
-KeptLines::~KeptLines() { keeper = before_; }
+CollectedLines::~CollectedLines() { keeper = before_; }
 
 void tell(std::string_view text) noexcept {
-  std::fflush(stdout);  // where both go to one file, what was printed before stands before
+  std::fflush(stdout);  // keeps the order if both streams go to one file
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }
 
-void tell_line(std::string_view line) noexcept {
+void report_line(std::string_view line) noexcept {
   try {
     if (keeper != nullptr) {
       keeper->lines_.emplace_back(line);
@@ -41,7 +41,7 @@ void tell_line(std::string_view line) noexcept {
 void keep_standard_numbers() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(number, F_GETFD) >= 0) continue;
-    // The lowest free number is this one. What is read from it is empty, and writing to it is an error.
+    // open() returns the lowest free number, which is this one. Reading it yields nothing, and writing to it fails.
     static_cast<void>(::open("/dev/null", O_RDONLY));
   }
 }

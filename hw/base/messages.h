@@ -1,3 +1,5 @@
+// Writes messages to standard error.
+// Used by host/read and the rooms of sim.
 #pragma once
 
 #include <string>
@@ -6,31 +8,30 @@
 
 namespace csgsim {
 
-/// Writes to standard error as it is; where that cannot be written nothing happens.
+/// Writes the text unchanged to standard error; write errors are ignored.
 void tell(std::string_view text) noexcept;
 
-/// One line on standard error, made harmless by printable().
-void tell_line(std::string_view line) noexcept;
+/// Writes one line to standard error, after printable().
+void report_line(std::string_view line) noexcept;
 
-/// While it lives, the lines that this thread tells are kept instead, as they are.
-class KeptLines {
+/// Collects the lines that this thread passes to report_line(), unchanged, instead of writing them.
+class CollectedLines {
  public:
-  KeptLines() noexcept;
-  ~KeptLines();
-  KeptLines(const KeptLines&) = delete;
-  KeptLines& operator=(const KeptLines&) = delete;
+  CollectedLines() noexcept;
+  ~CollectedLines();
+  CollectedLines(const CollectedLines&) = delete;
+  CollectedLines& operator=(const CollectedLines&) = delete;
 
   [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
 
  private:
-  friend void tell_line(std::string_view line) noexcept;
+  friend void report_line(std::string_view line) noexcept;
 
   std::vector<std::string> lines_;
-  KeptLines* before_;
+  CollectedLines* before_;
 };
 
-/// Standard input, output and error that are closed are opened so that they cannot be used: a file that is opened later
-/// must not take their numbers.
+/// Opens closed standard streams on an unusable file, so that a file opened later does not get their numbers.
 void keep_standard_numbers();
 
 }  // namespace csgsim

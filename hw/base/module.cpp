@@ -17,10 +17,9 @@ namespace csgsim {
 
 namespace {
 
-/// The folders in which the dynamic linker looks for libraries of the object that this code is part of: those of
-/// LD_LIBRARY_PATH, of its own run path, and the system's. It is asked for them, not for the module: a sanitizer that
-/// stands between would make it look for those of the sanitizer's library. The folder that happens to be the current
-/// one is not among them.
+/// The dynamic linker's search path for the object that contains this code: LD_LIBRARY_PATH, its run path and the
+/// system's folders. The linker is queried for folders, not for the module, because a sanitizer that intercepts dlopen
+/// would search the sanitizer's run path. Relative folders are dropped, so the current folder is never searched.
 std::vector<std::filesystem::path> library_folders() {
   Dl_info unused{};
   void* object = nullptr;
@@ -49,22 +48,22 @@ std::filesystem::path find_module(const char* file) {
   return {};
 }
 
-std::string no_module(const ModuleRole& role) {
+std::string module_missing_text(const ModuleRole& role) {
   return std::string(role.file) + ", the part of csgsim that " + role.does +
-         ", is in no folder where libraries are looked for; install csgsim whole (cmake --install)" + role.instead +
-         ", or name its folder in LD_LIBRARY_PATH";
+         ", was not found in the library search path; install csgsim completely (cmake --install)" + role.instead +
+         ", or add its folder to LD_LIBRARY_PATH";
 }
 
-std::string unusable_module(const ModuleRole& role, const std::filesystem::path& file, const std::string& error) {
+std::string module_unusable_text(const ModuleRole& role, const std::filesystem::path& file, const std::string& error) {
   return file.native() + ", the part of csgsim that " + role.does + ", cannot be opened: " + error +
-         "; install csgsim whole (cmake --install)" + role.instead;
+         "; install csgsim completely (cmake --install)" + role.instead;
 }
 
-const void* module_symbol_of(const ModuleRole& role) {
+const void* load_module_symbol(const ModuleRole& role) {
   const std::filesystem::path file = find_module(role.file);
-  if (file.empty()) throw InputError(no_module(role));
+  if (file.empty()) throw InputError(module_missing_text(role));
   const OpenedModule opened = open_module(file, role.symbol);
-  if (opened.symbol == nullptr) throw InputError(unusable_module(role, file, opened.error));
+  if (opened.symbol == nullptr) throw InputError(module_unusable_text(role, file, opened.error));
   return opened.symbol;
 }
 
@@ -72,7 +71,7 @@ OpenedModule open_module(const std::filesystem::path& file, const char* symbol) 
   void* const library = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (library == nullptr) return {nullptr, ::dlerror()};
   const void* const address = ::dlsym(library, symbol);
-  if (address == nullptr) return {nullptr, "it is of another version"};
+  if (address == nullptr) return {nullptr, "it belongs to another version of csgsim"};
   return {address, {}};
 }
 

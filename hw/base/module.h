@@ -1,3 +1,5 @@
+// Loads csgsim's own shared libraries on demand.
+// Used by host/flat, sim/pictures, sim/viewer and sim/web.
 #pragma once
 
 #include <filesystem>
@@ -5,33 +7,33 @@
 
 namespace csgsim {
 
-// Modules are shared libraries of csgsim's own, of the same build as what opens them: for what is seldom asked for, and
-// whose libraries take longer to load than most runs take.
+// Modules are csgsim's own shared libraries, of the same build as the program that opens them. They hold features that
+// are rarely used and whose libraries take longer to load than most runs take.
 
-/// Where the dynamic linker looks for libraries of this program; empty if the module is in none of those folders.
+/// The module's path in the dynamic linker's search path for this program; empty if it is not found there.
 std::filesystem::path find_module(const char* file);
 
 struct OpenedModule {
-  const void* symbol = nullptr;  ///< null if it could not be opened, or has no such symbol
-  std::string error;             ///< why
+  const void* symbol = nullptr;  ///< null if the module could not be opened or does not define the symbol
+  std::string error;             ///< reason if `symbol` is null
 };
 
-/// The symbol that the module has for others.
+/// Opens a module and looks up the symbol it exports.
 OpenedModule open_module(const std::filesystem::path& file, const char* symbol);
 
-/// A module and what it is for, for messages.
+/// A module and its purpose, for messages.
 struct ModuleRole {
   const char* file = nullptr;
   const char* symbol = nullptr;
-  const char* does = nullptr;  ///< the part of csgsim that ...
-  const char* instead = "";    ///< what else could be done, if there is something: ", or write .png"
+  const char* does = nullptr;  ///< completes "the part of csgsim that ..."
+  const char* instead = "";    ///< an alternative, as in ", or write .png"; may be empty
 };
 
-/// Why it cannot be used, and what to do: that it is nowhere, or that it could not be opened.
-std::string no_module(const ModuleRole& role);
-std::string unusable_module(const ModuleRole& role, const std::filesystem::path& file, const std::string& error);
+/// Error texts for a module that was not found or could not be opened: the cause and what to do.
+std::string module_missing_text(const ModuleRole& role);
+std::string module_unusable_text(const ModuleRole& role, const std::filesystem::path& file, const std::string& error);
 
-/// Its symbol. Throws InputError with one of these.
-const void* module_symbol_of(const ModuleRole& role);
+/// The module's exported symbol. Throws InputError with one of these texts.
+const void* load_module_symbol(const ModuleRole& role);
 
 }  // namespace csgsim

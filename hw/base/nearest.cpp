@@ -13,7 +13,7 @@ namespace csgsim {
 
 namespace {
 
-/// Of longer words only so many bytes are compared: the time goes with the product of the lengths.
+/// Length limit of compared words: the time grows with the product of the lengths.
 constexpr std::size_t compared_bytes = 256;
 
 char lower(char letter) { return static_cast<char>(std::tolower(static_cast<unsigned char>(letter))); }
@@ -42,7 +42,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
   return found == candidates.end() ? std::string_view{} : *found;
 }
 
-std::string_view nearest_alike(std::string_view word, std::span<const std::string_view> candidates) {
+std::string_view nearest_similar(std::string_view word, std::span<const std::string_view> candidates) {
   const std::string_view one = nearest(word, candidates);
   const std::size_t characters = word.size() - std::min(word.find_first_not_of('-'), word.size());
   return !one.empty() && edit_distance(word, one) * 2 <= characters ? one : std::string_view{};
@@ -60,7 +60,7 @@ std::string plural(std::string_view kind) {
 }  // namespace
 
 std::string no_such(std::string_view kind, std::string_view word, std::span<const std::string_view> known) {
-  const std::string_view near = nearest_alike(word, known);
+  const std::string_view near = nearest_similar(word, known);
   const std::string question = near.empty() ? " the" : fmt::format(" did you mean {}? The", near);
   return fmt::format("there is no {} '{}';{} {} are {}", kind, word, question, plural(kind), fmt::join(known, ", "));
 }

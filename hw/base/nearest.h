@@ -1,3 +1,5 @@
+// Suggestions for misspelled words.
+// Used wherever names, keys and options are looked up.
 #pragma once
 
 #include <cstddef>
@@ -7,19 +9,19 @@
 
 namespace csgsim {
 
-/// Insertions, deletions and replacements of characters that turn one word into the other (Levenshtein's distance);
-/// upper and lower case are the same.
+/// Levenshtein distance: the number of insertions, deletions and replacements that turn one word into the other.
+/// Ignores case.
 std::size_t edit_distance(std::string_view from, std::string_view to);
 
-/// The candidate that the fewest insertions, deletions and replacements of characters turn into the word; the first of
-/// those equally near, empty if there are no candidates. Of words longer than 256 bytes only the beginnings count.
+/// The candidate with the smallest edit distance to the word, the first of several; empty if there are no candidates.
+/// Only the first 256 bytes of each word are compared.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
-/// The same if the word is like it, that is, if at least half its characters stay, leading dashes aside; else empty.
-std::string_view nearest_alike(std::string_view word, std::span<const std::string_view> candidates);
+/// nearest(), but empty unless at least half of the word's characters, without leading dashes, remain unchanged.
+std::string_view nearest_similar(std::string_view word, std::span<const std::string_view> candidates);
 
-/// What to say of a word that is none of the known ones, and the mend: `there is no strategy 'stak'; did you mean
-/// stack? The strategies are stack, list`. `kind` is what one of them is called.
+/// Error text for an unknown word, with a suggestion: `there is no strategy 'stak'; did you mean stack? The strategies
+/// are stack, list`. `kind` is the singular noun for the known words.
 std::string no_such(std::string_view kind, std::string_view word, std::span<const std::string_view> known);
 std::string no_such(std::string_view kind, std::string_view word, std::span<const std::string> known);
 

@@ -22,30 +22,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_links = 40;
+constexpr int max_links = 40;
 
 void check(const fs::path& path, const std::error_code& error) {
   if (error) fail_to_write(path, error);
 }
 
-/// Throws if there is a file that may not be written, though its folder would let it be replaced; or no name can be so.
-void check_place(const fs::path& asked, const fs::path& place) {
+/// Throws if the place has a file without write permission, even if its folder would permit a replacement, or if no
+/// file can have that name.
+void check_place(const fs::path& requested, const fs::path& place) {
   const bool is_there = ::faccessat(AT_FDCWD, place.c_str(), F_OK, AT_EACCESS) == 0;
-  if (!is_there && errno != ENOENT) fail_to_write(asked, last_error());
-  if (is_there && ::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0) fail_to_write(asked, last_error());
+  if (!is_there && errno != ENOENT) fail_to_write(requested, last_error());
+  if (is_there && ::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0) fail_to_write(requested, last_error());
 }
 
-/// Throws if this process has read what is there.
-void refuse_kept_input(const fs::path& asked, const fs::path& place) {
-  const std::optional<fs::path> input = kept_input(place);
+/// Throws if this process has read the file at that place.
+void refuse_kept_input(const fs::path& requested, const fs::path& place) {
+  const std::optional<fs::path> input = recorded_input(place);
   if (!input) return;
-  throw InputError(fmt::format("{}: it is the same file as {}, which is read; name another output", asked.native(),
-                               input->native()));
+  throw InputError(
+      fmt::format("{}: it is the same file as the input {}; name another output", requested.native(), input->native()));
 }
 
-fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+fs::path parent_folder(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-/// A stream that standard output or error is connected to is written to through these, at their place in it.
+/// Duplicates standard output or error if the path names the same stream, which keeps its position; else opens the
+/// path.
 Descriptor open_stream(const fs::path& path) {
   struct stat wanted {};
   if (::stat(path.c_str(), &wanted) != 0) return {};
@@ -58,20 +60,21 @@ Descriptor open_stream(const fs::path& path) {
 }
 
 [[noreturn]] void fail_on_terminal(const fs::path& path) {
-  throw InputError(path.native() + ": a terminal cannot show binary data; name a file, or lead it into a pipe");
+  throw InputError(path.native() +
+                   ": a terminal cannot show binary data; name a file, or pipe the output to a program");
 }
 
-/// The file's name is on the disk when its folder is.
+/// Makes the file's name durable: the folder's entry has to reach the disk, too.
 std::error_code sync_folder(const fs::path& folder) {
   const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // A folder that may be written to need not be readable.
+  // The user may write to a folder without being allowed to read it.
   return descriptor.is_open() ? sync(descriptor) : std::error_code{};
 }
 
 }  // namespace
 
 void fail_to_write(const fs::path& path, const std::error_code& error) {
-  throw InputError(fmt::format("{}: cannot write it: {}; check the path, its permissions and the room on the disk",
+  throw InputError(fmt::format("{}: cannot be written: {}; check the path, its permissions and the free disk space",
                                path.native(), error.message()));
 }
 
@@ -88,7 +91,7 @@ bool is_stream(const fs::path& path) {
 fs::path without_links(const fs::path& path) {
   fs::path place = path;
   std::error_code error;
-  for (int link = 0; link < most_links; ++link) {
+  for (int link = 0; link < max_links; ++link) {
     if (!fs::is_symlink(fs::symlink_status(place, error))) return place;
     const fs::path target = fs::read_symlink(place, error);
     check(path, error);
@@ -97,31 +100,31 @@ fs::path without_links(const fs::path& path) {
   fail_to_write(path, std::make_error_code(std::errc::too_many_symbolic_link_levels));
 }
 
-OutputFile::OutputFile(fs::path path) : asked_(std::move(path)), final_(asked_) {
-  if (asked_.empty()) throw InputError("an output has an empty name; name the file");
-  if (asked_.native().find('\0') != std::string::npos)
-    throw InputError(asked_.native() + ": an output's name has a zero byte; leave it out");
-  is_stream_ = is_stream(asked_);
-  if (is_standard_output(asked_)) standard_output_ = take_standard_output();
+OutputFile::OutputFile(fs::path path) : requested_(std::move(path)), final_(requested_) {
+  if (requested_.empty()) throw InputError("an output has an empty name; name the file");
+  if (requested_.native().find('\0') != std::string::npos)
+    throw InputError(requested_.native() + ": the name of an output contains a zero byte; remove it");
+  is_stream_ = is_stream(requested_);
+  if (is_standard_output(requested_)) standard_output_ = take_standard_output();
   std::error_code error;
   if (!is_stream_) {
-    final_ = without_links(asked_);
-    check_place(asked_, final_);
-    refuse_kept_input(asked_, final_);
+    final_ = without_links(requested_);
+    check_place(requested_, final_);
+    refuse_kept_input(requested_, final_);
   }
-  const fs::path folder = is_stream_ ? fs::temp_directory_path(error) : folder_of(final_);
-  check(asked_, error);
+  const fs::path folder = is_stream_ ? fs::temp_directory_path(error) : parent_folder(final_);
+  check(requested_, error);
   create(folder);
 }
 
-/// What replaces a file may be read and written by those who could before.
+/// The new file gets the permissions of the file that it replaces.
 void OutputFile::create(const fs::path& folder) {
   partial_ = folder / unused_name();
   registered_.emplace(partial_);
   file_ = Descriptor(::open(partial_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (!file_.is_open()) {
     partial_.clear();
-    fail_to_write(asked_, last_error());
+    fail_to_write(requested_, last_error());
   }
   struct stat replaced {};
   if (!is_stream_ && ::stat(final_.c_str(), &replaced) == 0)
@@ -133,13 +136,13 @@ OutputFile::~OutputFile() {
   if (!partial_.empty()) fs::remove(partial_, ignored);
 }
 
-void OutputFile::write(std::string_view content) { check(asked_, write_all(file_, content)); }
+void OutputFile::write(std::string_view content) { check(requested_, write_all(file_, content)); }
 
 void OutputFile::finish() {
   if (std::exchange(is_finished_, true) || is_stream_) return;
-  refuse_kept_input(asked_, final_);  // it may have been read since
-  check(asked_, sync(file_));
-  check(asked_, file_.close());
+  refuse_kept_input(requested_, final_);  // the file may have been read since the constructor's check
+  check(requested_, sync(file_));
+  check(requested_, file_.close());
 }
 
 void OutputFile::commit() {
@@ -147,25 +150,25 @@ void OutputFile::commit() {
   if (is_stream_) return copy_to_stream();
   std::error_code error;
   fs::rename(partial_, final_, error);
-  check(asked_, error);
+  check(requested_, error);
   registered_.reset();
   partial_.clear();
-  check(asked_, sync_folder(folder_of(final_)));
+  check(requested_, sync_folder(parent_folder(final_)));
 }
 
 void OutputFile::copy_to_stream() {
   std::fflush(stdout);
-  const bool is_ours = is_standard_output(asked_);
+  const bool is_ours = is_standard_output(requested_);
   const Descriptor stream = is_ours ? std::move(standard_output_) : open_stream(final_);
-  if (!stream.is_open() || ::lseek(file_.number(), 0, SEEK_SET) != 0) fail_to_write(asked_, last_error());
+  if (!stream.is_open() || ::lseek(file_.number(), 0, SEEK_SET) != 0) fail_to_write(requested_, last_error());
   const bool is_seen = ::isatty(stream.number()) != 0;
   constexpr std::size_t block = std::size_t{1} << 16U;
   std::string bytes;
   do {
     bytes.clear();
-    check(asked_, read_to_end(file_, bytes, block));
-    if (is_seen && bytes.find('\0') != std::string::npos) fail_on_terminal(asked_);
-    check(asked_, write_all(stream, bytes));
+    check(requested_, read_to_end(file_, bytes, block));
+    if (is_seen && bytes.find('\0') != std::string::npos) fail_on_terminal(requested_);
+    check(requested_, write_all(stream, bytes));
   } while (!bytes.empty());
 }
 

@@ -1,3 +1,5 @@
+// Writes output files atomically.
+// Used by all writers of files.
 #pragma once
 
 #include <filesystem>
@@ -11,60 +13,60 @@
 
 namespace csgsim {
 
-/// A file being written beside its final place, so that nobody ever sees part of it. It is deleted unless committed.
-/// Symbolic links are followed; what goes to a device or a pipe is written elsewhere, and copied to it when committed.
-/// Standard output, which `-` names too, belongs to the file from then on: take_standard_output(). A terminal is not
-/// given binary data.
-/// Each function throws InputError, with the path as it was asked for, if it cannot do all of its work: what was at the
-/// final place is still there then, whole.
+/// A file that is written next to its final place and moved there by commit(), so that no reader sees part of it. It is
+/// deleted unless committed. Symbolic links are followed. Data for a device or a pipe goes to a temporary file, which
+/// commit() copies. Standard output, also named `-`, is reserved for the file by take_standard_output(). Binary data is
+/// not written to a terminal.
+/// Each function throws InputError with the requested path if it cannot do all of its work; the previous content of the
+/// final place is then still intact.
 class OutputFile {
  public:
-  /// Fails too for a folder, a file that must not be written, and a name that cannot be.
+  /// Also throws for a folder, for a file without write permission and for an impossible name.
   explicit OutputFile(std::filesystem::path path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// The place as it was asked for.
-  [[nodiscard]] const std::filesystem::path& asked() const { return asked_; }
+  /// The path as requested, before links are followed.
+  [[nodiscard]] const std::filesystem::path& asked() const { return requested_; }
 
-  /// Adds to what has been written.
+  /// Appends to the content.
   void write(std::string_view content);
 
-  /// Sees to it that all of it is on the disk. Nothing can be written after that.
+  /// Flushes the content to the disk. Nothing can be written afterwards.
   void finish();
 
-  /// Finishes it and puts it in its final place.
+  /// Finishes the file and moves it to its final place.
   void commit();
 
  private:
   void create(const std::filesystem::path& folder);
   void copy_to_stream();
 
-  std::filesystem::path asked_;
+  std::filesystem::path requested_;
   std::filesystem::path final_;
-  bool is_stream_ = false;  ///< a device or a pipe, which no file may replace
+  bool is_stream_ = false;  ///< a device or a pipe, which must not be replaced by a file
   std::filesystem::path partial_;
   std::optional<PartialFile> registered_;
   Descriptor file_;
-  Descriptor standard_output_;  ///< if it is the one that is written to
+  Descriptor standard_output_;  ///< open if the file goes to standard output
   bool is_finished_ = false;
 };
 
-/// Is it something to write to that is not a file of its own: standard output (`-`), a device, a pipe? Throws
+/// Whether the path names a stream instead of a regular file: standard output (`-`), a device or a pipe. Throws
 /// InputError for a folder.
 bool is_stream(const std::filesystem::path& path);
 
-/// Throws InputError that says why a file cannot be written, and what to look at.
+/// Throws an InputError with the reason and what to check.
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::error_code& error);
 
-/// Puts all files that there are in their places, none of them before all are finished. Throws InputError.
+/// Commits all files as a group: flushes all, then renames all. Null pointers are skipped. Throws InputError.
 void commit_all(std::span<OutputFile* const> files);
 
-/// Writes a whole file, or none. Throws InputError.
+/// Writes a whole file, or nothing. Throws InputError.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// What the path's symbolic links lead to, there or not. Throws InputError where they lead in a circle.
+/// The target of the path's symbolic links; it need not exist. Throws InputError for a cycle of links.
 std::filesystem::path without_links(const std::filesystem::path& path);
 
 }  // namespace csgsim

@@ -35,17 +35,17 @@ void require_done(const fs::path& path, const std::error_code& error) {
   if (error) fail_to_write(path, error);
 }
 
-std::string hash_of(std::string_view content) {
+std::string content_hash(std::string_view content) {
   Hash hash;
   hash.add(content);
   return hash.text();
 }
 
 [[noreturn]] void refuse_folder(const fs::path& path, std::string_view why) {
-  throw InputError(fmt::format("{}: {}; name a folder that is empty or not there", printable(path.native()), why));
+  throw InputError(fmt::format("{}: {}; name an empty folder or a new one", printable(path.native()), why));
 }
 
-/// The hashes of the files in a folder's list, by name; of a folder without one, none.
+/// Hashes of the files in a folder's list, by name; empty for a folder without a list.
 std::map<fs::path, std::string> listed(const fs::path& folder) {
   std::map<fs::path, std::string> files;
   if (!fs::exists(fs::symlink_status(folder / list_name))) return files;
@@ -57,40 +57,40 @@ std::map<fs::path, std::string> listed(const fs::path& folder) {
   return files;
 }
 
-/// Throws if an edit would be lost.
-void check_unedited(const fs::path& asked, const fs::path& folder) {
+/// Throws if a listed file was edited: the edit would be lost.
+void check_unedited(const fs::path& requested, const fs::path& folder) {
   for (const auto& [name, hash] : listed(folder)) {
     const fs::path path = folder / name;
-    if (fs::is_regular_file(fs::symlink_status(path)) && hash_of(read_regular_file(path, listed_kind)) != hash)
-      refuse_folder(asked / name, "it has been edited, and would be replaced");
+    if (fs::is_regular_file(fs::symlink_status(path)) && content_hash(read_regular_file(path, listed_kind)) != hash)
+      refuse_folder(requested / name, "it has been edited and would be overwritten");
   }
 }
 
-void require_replaceable(const fs::path& asked, const fs::path& place) {
+void require_replaceable(const fs::path& requested, const fs::path& place) {
   std::error_code error;
   const fs::file_status status = fs::status(place, error);
   if (!fs::exists(status)) return;
-  if (!fs::is_directory(status)) refuse_folder(asked, "it is not a folder");
+  if (!fs::is_directory(status)) refuse_folder(requested, "it is not a folder");
   const auto [end, ignored] = std::ranges::mismatch(place, fs::current_path());
-  if (end == place.end()) refuse_folder(asked, "the current folder is in it, so no other can take its place");
+  if (end == place.end()) refuse_folder(requested, "it contains the current folder and cannot be replaced");
   const bool is_empty = fs::is_empty(place, error);
-  require_done(asked, error);
+  require_done(requested, error);
   if (!is_empty && !fs::exists(fs::symlink_status(place / list_name)))
-    refuse_folder(asked, "it has files that csgsim did not write");
-  check_unedited(asked, place);
+    refuse_folder(requested, "it contains files that csgsim did not write");
+  check_unedited(requested, place);
 }
 
 }  // namespace
 
-OutputFolder::OutputFolder(fs::path folder) : asked_(std::move(folder)) {
+OutputFolder::OutputFolder(fs::path folder) : requested_(std::move(folder)) {
   std::error_code error;
-  final_ = fs::weakly_canonical(fs::absolute(without_links(asked_)), error);
-  require_done(asked_, error);
+  final_ = fs::weakly_canonical(fs::absolute(without_links(requested_)), error);
+  require_done(requested_, error);
   if (!final_.has_filename()) final_ = final_.parent_path();
-  require_replaceable(asked_, final_);
+  require_replaceable(requested_, final_);
   make_folder(final_.parent_path());
   const fs::path partial = final_.parent_path() / unused_name();
-  if (::mkdir(partial.c_str(), 0777) != 0) fail_to_write(asked_, last_error());
+  if (::mkdir(partial.c_str(), 0777) != 0) fail_to_write(requested_, last_error());
   partial_ = partial;
 }
 
@@ -102,43 +102,43 @@ OutputFolder::~OutputFolder() {
 void OutputFolder::write(const fs::path& name, std::string_view content) {
   make_folder((partial_ / name).parent_path());
   write_file(partial_ / name, content);
-  list_ += fmt::format("{} {}\n", hash_of(content), name.native());
+  list_ += fmt::format("{} {}\n", content_hash(content), name.native());
 }
 
 void OutputFolder::commit() {
   write_file(partial_ / list_name, list_);
   std::error_code error;
   if (!fs::exists(final_) || fs::is_empty(final_, error)) {
-    require_done(asked_, error);
+    require_done(requested_, error);
     fs::rename(partial_, final_, error);
-    require_done(asked_, error);
+    require_done(requested_, error);
     partial_.clear();
   } else {
     exchange();
-    take_others_back();
+    keep_unlisted_files();
   }
   const Descriptor parent(::open(final_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (parent.is_open()) require_done(asked_, sync(parent));
+  if (parent.is_open()) require_done(requested_, sync(parent));
 }
 
-/// Exchanges the folders; a file system that cannot do so has neither in the place for a moment.
+/// Exchanges the two folders. Without RENAME_EXCHANGE the place is empty for a moment between two renames.
 void OutputFolder::exchange() {
   struct stat old {};
   if (::stat(final_.c_str(), &old) == 0) static_cast<void>(::chmod(partial_.c_str(), old.st_mode & 0777U));
   if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, final_.c_str(), RENAME_EXCHANGE) == 0) return;
-  if (errno != EINVAL && errno != ENOSYS) fail_to_write(asked_, last_error());
+  if (errno != EINVAL && errno != ENOSYS) fail_to_write(requested_, last_error());
   const fs::path away = final_.parent_path() / unused_name();
   std::error_code error;
   fs::rename(final_, away, error);
-  require_done(asked_, error);
+  require_done(requested_, error);
   fs::rename(partial_, final_, error);
   std::error_code ignored;
   if (error) fs::rename(away, final_, ignored);
-  require_done(asked_, error);
+  require_done(requested_, error);
   partial_ = away;
 }
 
-void OutputFolder::take_others_back() {
+void OutputFolder::keep_unlisted_files() {
   const std::map<fs::path, std::string> ours = listed(partial_);
   std::error_code error;
   for (auto entry = fs::recursive_directory_iterator(partial_, error); !error && entry != fs::end(entry);
@@ -149,9 +149,9 @@ void OutputFolder::take_others_back() {
       continue;
     make_folder((final_ / name).parent_path());
     fs::rename(entry->path(), final_ / name, error);
-    require_done(asked_, error);
+    require_done(requested_, error);
   }
-  require_done(asked_, error);
+  require_done(requested_, error);
 }
 
 }  // namespace csgsim

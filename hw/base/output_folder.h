@@ -1,3 +1,5 @@
+// Writes a folder of files atomically.
+// Used by csgsim rtl.
 #pragma once
 
 #include <filesystem>
@@ -8,35 +10,35 @@
 
 namespace csgsim {
 
-/// A folder of files that is written beside its final place and takes that as a whole, whatever ends the process: the
-/// old folder is there or the new one. It has a list of its files, by which the next OutputFolder at that place knows
-/// it. While it lives this thread lets no signals through. Each function throws InputError, with the path as it was
-/// asked for, if it cannot do all of its work.
+/// A folder of files that is written next to its final place and moved there as a whole: whatever ends the process,
+/// either the old or the new folder is in place. The folder contains a list of its files, which identifies it to the
+/// next OutputFolder at that place. Signals are blocked in this thread during the object's lifetime. Each function
+/// throws InputError with the requested path if it cannot do all of its work.
 class OutputFolder {
  public:
-  /// Fails where a file is, or a folder that is not empty and has no list or has a listed file that has been edited
-  /// since; and for the current folder and those that it is in, which no other can take the place of.
+  /// Throws if the place is a file, a non-empty folder without a list, or a folder with a listed file that was edited
+  /// since. Throws also for the current folder and its parents, which cannot be replaced.
   explicit OutputFolder(std::filesystem::path folder);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Writes a file of the folder, or of one in it.
+  /// Writes a file of the folder or of one of its subfolders.
   void write(const std::filesystem::path& name, std::string_view content);
 
-  /// Puts the folder in its place. Files of the old one that are not in its list, such as what was made of those that
-  /// are, are in the new one then.
+  /// Moves the folder to its place. Files of the old folder that are not in its list, such as build products of listed
+  /// files, are moved to the new folder.
   void commit();
 
  private:
   void exchange();
-  void take_others_back();
+  void keep_unlisted_files();
 
   BlockedSignals blocked_;
-  std::filesystem::path asked_;
+  std::filesystem::path requested_;
   std::filesystem::path final_;
-  std::filesystem::path partial_;  ///< the new folder; after commit() what is left of the old one
-  std::string list_;               ///< of the files written: a hash and a name a line
+  std::filesystem::path partial_;  ///< the new folder; after commit() the remains of the old one
+  std::string list_;               ///< list of the files written: one hash and name per line
 };
 
 }  // namespace csgsim

@@ -16,30 +16,30 @@ namespace csgsim {
 namespace {
 
 constexpr std::uintptr_t page = 4096;
-/// Fewer come sooner by themselves than by a call.
+/// Below this number, page faults are cheaper than a system call.
 constexpr std::uintptr_t few_pages = 16;
 constexpr std::uintptr_t large_page = std::uintptr_t{1} << 21U;
 
 }  // namespace
 
-void have_pages(void* memory, std::size_t bytes) {
+void prefault_pages(void* memory, std::size_t bytes) {
   const auto address = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t first = (address + page - 1) / page * page;
   const std::uintptr_t end = (address + bytes) / page * page;
   if (end < first + few_pages * page) return;
   auto* const pages = reinterpret_cast<void*>(first);  // NOLINT(performance-no-int-to-ptr)
-  // Both are advice: who does not take it has the pages later.
+  // Both calls are advice: if the system ignores them, it maps the pages later.
   if (end - first >= 2 * large_page) ::madvise(pages, end - first, MADV_HUGEPAGE);
   ::madvise(pages, end - first, MADV_POPULATE_WRITE);
 }
 
 #else
 
-void have_pages(void* /*memory*/, std::size_t /*bytes*/) {}
+void prefault_pages(void* /*memory*/, std::size_t /*bytes*/) {}
 
 #endif
 
-void give_back_memory() {
+void release_free_memory() {
 #ifdef __GLIBC__
   ::malloc_trim(0);
 #endif

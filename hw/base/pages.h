@@ -1,3 +1,5 @@
+// Requests and releases pages of memory in bulk.
+// Used by sim/observe and host/emit.
 #pragma once
 
 #include <cstddef>
@@ -5,20 +7,19 @@
 
 namespace csgsim {
 
-/// Asks the system at once for all pages of memory that is about to be written, in large ones if it has them: page by
-/// page, as they are touched, takes some times as long. What cannot be had so comes as it is touched.
-void have_pages(void* memory, std::size_t bytes);
+/// Requests all pages of memory that is about to be written from the system at once, as huge pages if available:
+/// faulting them in one by one is several times slower. Pages that are not granted are mapped on first access.
+void prefault_pages(void* memory, std::size_t bytes);
 
-/// Gives memory that was freed back to the system, even where it lies between what is in use. For the end of work of
-/// which little stays.
-void give_back_memory();
+/// Returns freed memory to the system, even between blocks in use. Called after work that leaves few allocations.
+void release_free_memory();
 
-/// So many elements of that value.
+/// A vector of `count` copies of `value`, with its pages requested in advance.
 template <class Element>
 std::vector<Element> filled(std::size_t count, const Element& value) {
   std::vector<Element> elements;
   elements.reserve(count);
-  have_pages(elements.data(), count * sizeof(Element));
+  prefault_pages(elements.data(), count * sizeof(Element));
   elements.assign(count, value);
   return elements;
 }

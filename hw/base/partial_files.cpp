@@ -13,14 +13,14 @@ namespace csgsim {
 
 namespace {
 
-/// A path where a signal handler can read it.
+/// A path in storage that a signal handler can read.
 struct Slot {
-  std::atomic<bool> taken = false;  ///< by an object
+  std::atomic<bool> taken = false;  ///< reserved by a PartialFile
   std::atomic<bool> valid = false;  ///< the path is complete
   std::array<char, 4096> path{};
 };
 
-/// More than any command writes at once; files beyond have no slot.
+/// More files than any command writes at once; files without a slot are not deleted.
 constexpr std::size_t slot_count = 32;
 
 std::array<Slot, slot_count>& slots() {
@@ -40,12 +40,12 @@ std::optional<std::size_t> take_slot(const std::string& path) {
   return std::nullopt;
 }
 
-/// All that end a process unless it handles them, but for SIGKILL and those that tell of a fault in the program.
+/// All signals that end a process by default, except SIGKILL and those that report a fault in the program.
 constexpr auto ending_signals =
     std::to_array({SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2, SIGIO, SIGPROF, SIGVTALRM,
                    SIGXCPU, SIGXFSZ, SIGSTKFLT, SIGPWR, SIGSYS, SIGABRT});
 
-/// Calls only what a signal handler may call.
+/// Async-signal-safe.
 extern "C" void delete_partial_files(int signal) {
   for (const Slot& slot : slots()) {
     if (slot.valid) ::unlink(slot.path.data());

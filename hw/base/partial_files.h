@@ -1,3 +1,5 @@
+// Deletes unfinished files when a signal ends the process.
+// Used by OutputFile, sim/app and sim/system.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +9,11 @@
 
 namespace csgsim {
 
-/// A name that no other file of this process or another has, on this machine or on others that share the folder, with
-/// the ending.
+/// A file name with that ending that no other file has, in this process, in others on this machine, or on other
+/// machines that share the folder.
 std::filesystem::path unused_name(std::string_view ending = {});
 
-/// A file that must not outlive this process unfinished, as long as the object lives.
+/// Registers a file for deletion if a signal ends the process during the object's lifetime.
 class PartialFile {
  public:
   explicit PartialFile(const std::filesystem::path& path);
@@ -23,8 +25,8 @@ class PartialFile {
   std::optional<std::size_t> slot_;
 };
 
-/// From now on a signal that ends the process and can be caught (an interrupt, a limit on time or on the size of files,
-/// a broken pipe, an alarm, ...) first deletes all partial files. Signals that are ignored stay ignored.
+/// Installs handlers that delete all registered files before a catchable signal ends the process (interrupt, CPU time
+/// or file size limit, broken pipe, alarm, ...). Ignored signals stay ignored.
 void delete_partial_files_on_signals();
 
 }  // namespace csgsim

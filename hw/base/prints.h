@@ -1,13 +1,15 @@
+// Prints results to standard output, unless the thread silences them.
+// Used by sim/studies, sim/session and sim/python.
 #pragma once
 
 #include <string_view>
 
 namespace csgsim {
 
-/// Prints text of a result on standard output, as it is.
+/// Prints text of a result to standard output, unchanged.
 void print_text(std::string_view text);
 
-/// While it lives, what this thread prints so goes nowhere: its caller gets the result itself.
+/// Discards what this thread passes to print_text() during the object's lifetime; the caller uses the result itself.
 class SilentPrints {
  public:
   SilentPrints() noexcept;

@@ -1,3 +1,5 @@
+// Integer division with rounding up or down.
+// Used throughout hw and by host/view.
 #pragma once
 
 #include <concepts>
@@ -5,13 +7,13 @@
 
 namespace csgsim {
 
-/// How many pieces of that size, 1 at least, hold the amount: the quotient, rounded up.
+/// amount / piece, rounded up: how many pieces hold the amount. `piece` is at least 1.
 template <std::unsigned_integral Amount, std::unsigned_integral Piece>
 constexpr std::common_type_t<Amount, Piece> quotient_up(Amount amount, Piece piece) {
   return amount / piece + (amount % piece == 0 ? 0U : 1U);
 }
 
-/// The quotient of numbers with a sign, rounded down; the divisor is not 0.
+/// Quotient of signed numbers, rounded towards minus infinity; `divisor` is not 0.
 template <class Integer>
 constexpr Integer quotient_down(Integer dividend, Integer divisor) {
   const Integer quotient = dividend / divisor;

@@ -16,7 +16,7 @@ namespace {
 constexpr auto standard_output_names =
     std::to_array<std::string_view>({standard_stream, "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"});
 
-/// Standard output is 1 while it is printed to, and kept under another number afterwards.
+/// Standard output is descriptor 1 while text is printed to it, and is kept under another number afterwards.
 struct State {
   int output = STDOUT_FILENO;
   bool is_silent = false;
@@ -27,7 +27,7 @@ State& state() {
   return one;
 }
 
-/// What has been printed so far still goes to where it went.
+/// Redirects printed text to `number`. Text printed before still goes to the old target.
 void print_to(int number) {
   std::cout.flush();
   std::fflush(stdout);

@@ -1,3 +1,5 @@
+// Names and redirection of the standard streams.
+// Used by input and output files, hw/isa, and several rooms of sim.
 #pragma once
 
 #include <filesystem>
@@ -7,27 +9,27 @@
 
 namespace csgsim {
 
-/// The name of an input that stands for standard input, and of an output that stands for standard output. A file of
-/// that name is `./-`.
+/// The name that stands for standard input as an input and for standard output as an output. A file of that name is
+/// written `./-`.
 inline constexpr std::string_view standard_stream = "-";
 
-/// `-`, or a name that the system has for standard output.
+/// Whether the path is `-` or one of the system's names for standard output.
 bool is_standard_output(const std::filesystem::path& path);
 
-/// Does what is written to the path appear on a terminal?
+/// Whether output written to the path appears on a terminal.
 bool is_terminal(const std::filesystem::path& path);
 
-/// Standard output for the data of an output, each time a new number for it. From now on what is printed goes to
-/// standard error, so that it does not get among the data.
+/// Reserves standard output for the data of an output file; each call returns a new descriptor. From then on printed
+/// text goes to standard error, so that it does not mix with the data.
 Descriptor take_standard_output();
 
-/// From now on what is printed goes nowhere; what is told on standard error is not concerned.
+/// Discards all printed text from now on; messages on standard error are not affected.
 void silence_prints();
 
-/// Nothing of the two above has been asked for.
+/// Whether neither take_standard_output() nor silence_prints() has been called.
 bool prints_to_standard_output();
 
-/// silence_prints() was called.
+/// Whether silence_prints() has been called.
 bool is_silent();
 
 }  // namespace csgsim

@@ -17,8 +17,8 @@ struct Range {
   utf::code_point last;
 };
 
-/// Control characters of ASCII and Latin-1; line and paragraph separators; marks, embeddings, overrides and isolates of
-/// direction.
+/// Control characters of ASCII and Latin-1, line and paragraph separators, and the marks, embeddings, overrides and
+/// isolates that change the writing direction.
 constexpr Range not_shown[] = {{0x00, 0x1f},     {0x7f, 0x9f},     {0x061c, 0x061c},
                                {0x200e, 0x200f}, {0x2028, 0x202e}, {0x2066, 0x2069}};
 

@@ -1,3 +1,5 @@
+// Formats untrusted text, shell words and numbers for messages and tables.
+// Used in all rooms.
 #pragma once
 
 #include <cstdint>
@@ -6,22 +8,21 @@
 
 namespace csgsim {
 
-/// Bytes from outside (names of files, keys, values) as text that does no harm where people read it: line breaks, other
-/// control characters, those that turn the direction of writing, and bytes that are not UTF-8 become `\n`, `\r`, `\t`
-/// or `\xHH`. Doing it twice changes nothing more.
+/// Untrusted bytes (file names, keys, values) as harmless text: line breaks, other control characters, characters that
+/// change the writing direction, and invalid UTF-8 become `\n`, `\r`, `\t` or `\xHH`. Idempotent.
 std::string printable(std::string_view bytes);
 
-/// The same with every backslash doubled, and `\x3d` for a first character that a spreadsheet would take for a formula
-/// (= + - @): different names stay different, so this is how names are stored in tables.
+/// printable() with every backslash doubled, and `\x3d` and the like for a first character that a spreadsheet would
+/// take for a formula (= + - @). Different names stay different; tables store names in this form.
 std::string escaped(std::string_view bytes);
 
-/// A word that a POSIX shell reads as these bytes again, to be copied from a message.
+/// A word that a POSIX shell reads back as these bytes, for commands to be copied from a message.
 std::string shell_word(std::string_view bytes);
 
 /// 1234567 as `1,234,567`.
 std::string grouped(std::uint64_t value);
 
-/// A limit as people say it: whole KiB, MiB or GiB (`64 KiB`, `16 MiB`, `1 GiB`); what is left over is dropped.
+/// A size limit in whole KiB, MiB or GiB (`64 KiB`, `16 MiB`, `1 GiB`), rounded down.
 std::string binary_size(std::uint64_t bytes);
 
 }  // namespace csgsim

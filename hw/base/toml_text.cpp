@@ -10,19 +10,19 @@ namespace csgsim {
 
 namespace {
 
-/// Parts of a dotted key are tables in tables, which toml++ destroys by recursion: each may take stack.
-constexpr std::ptrdiff_t most_dots = 50;
+/// toml++ destroys nested tables by recursion, and each part of a dotted key is a table: this bounds the stack.
+constexpr std::ptrdiff_t max_dots = 50;
 
 void check_dots(std::string_view text, std::string_view file) {
   std::size_t line = 1;
   for (std::size_t begin = 0; begin < text.size(); ++line) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string_view content = text.substr(begin, end - begin);
-    if (std::count(content.begin(), content.end(), '.') > most_dots)
+    if (std::count(content.begin(), content.end(), '.') > max_dots)
       throw InputError(
-          fmt::format("{}:{}:1: more than {} dots in a line; no key has so many parts, and a long text goes "
-                      "over several lines in triple quotes",
-                      file, line, most_dots));
+          fmt::format("{}:{}:1: more than {} dots in a line; use keys with fewer parts, and split a long text over "
+                      "several lines in triple quotes",
+                      file, line, max_dots));
     begin = end + 1;
   }
 }

@@ -1,3 +1,5 @@
+// Parses TOML with errors at their position.
+// Used by hw/machines, host/scene and sim/shell.
 #pragma once
 
 #include <toml++/toml.h>
@@ -5,16 +7,16 @@
 #include <string>
 #include <string_view>
 
-/// TOML that people write. The header behind this one takes seconds to compile: for source files.
+// TOML files written by users. toml++ takes seconds to compile: include this header in source files only.
 namespace csgsim {
 
-/// What a node is, as messages say it: "an integer".
+/// The type of a node for messages, with its article: "an integer".
 std::string_view type_name(const toml::node& node);
 
-/// `file:line:column` of a place in a text; before its first character is 1:1.
+/// `file:line:column` of a position in a text; a position before the first character is shown as 1:1.
 std::string show(const toml::source_position& place, std::string_view file);
 
-/// Throws InputError that says where the text is no TOML; `file` is its name in messages.
+/// Throws InputError with the position of the first syntax error; `file` is the name in messages.
 toml::table parse_toml(std::string_view text, std::string_view file);
 
 }  // namespace csgsim

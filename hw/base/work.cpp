@@ -24,8 +24,8 @@ void Work::charge(std::uint64_t steps, std::string_view doing) const {
   }
   count.done = count.limit;
   throw WorkError(
-      fmt::format("{} takes more work than the limit of {} million steps; give the model fewer or coarser "
-                  "parts, or allow more by --limit",
+      fmt::format("{} takes more work than the limit of {} million steps; use fewer or coarser parts in the model, or "
+                  "raise --limit",
                   doing, static_cast<double>(count.limit) / static_cast<double>(million)));
 }
 

@@ -1,3 +1,5 @@
+// Counts the work of reading and compiling a model against a limit.
+// Used throughout host and by sim/software.
 #pragma once
 
 #include <cstdint>
@@ -8,28 +10,28 @@
 
 namespace csgsim {
 
-/// Work has reached its limit.
+/// The work limit was reached.
 class WorkError : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// Counts the steps that a model takes to read or to compile, against a limit. Some numbers in a small file ask for
-/// work that does not end in any time worth waiting for; no count of its parts, known beforehand, tells them all. A
-/// step is about as much as holding one point against one plane, and is counted, not timed: a model that is drawn on
-/// one machine is drawn on all. Copies count together.
+/// Counts the steps of reading or compiling a model against a limit. Some numbers in a small file request practically
+/// endless work, which cannot be predicted from the size of the model. One step costs about as much as testing a point
+/// against a plane. Steps are counted, not timed, so that a model accepted on one computer is accepted on all. Copies
+/// share one count.
 class Work {
  public:
-  Work() = default;  ///< without a limit
+  Work() = default;  ///< unlimited
   explicit Work(std::uint64_t limit);
 
-  /// Throws WorkError where the limit is passed, which says what was done: "cutting a solid into convex pieces".
+  /// Throws WorkError if the limit is exceeded; `doing` names the activity: "cutting a solid into convex pieces".
   void charge(std::uint64_t steps, std::string_view doing) const;
 
-  /// Nothing counted yet, and the same limit.
+  /// A new count of 0 with the same limit.
   [[nodiscard]] Work afresh() const;
 
-  /// So far; 0 without a limit.
+  /// Steps charged until now; 0 without a limit.
   [[nodiscard]] std::uint64_t done() const;
 
  private:

@@ -9,7 +9,7 @@
 #include "hw/bit_serial_memory/controller.h"
 #include "hw/bit_serial_memory/memory_view.h"
 #include "hw/isa/program.h"
-#include "hw/machines/told.h"
+#include "hw/machines/run_outcome.h"
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::bit_serial_memory {

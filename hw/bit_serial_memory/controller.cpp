@@ -112,7 +112,7 @@ void Controller::begin(const isa::Instruction& instruction) {
   const bool is_squares = isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::squares);
   squares_ = is_squares ? instruction.linear : isa::Linear{};
   carry_out(micro_program(instruction, map_, micro_design(figures_)));
-  if (isa::is_question(instruction.opcode)) return answer_question(instruction, start_clock, refreshing);
+  if (isa::needs_global_or(instruction.opcode)) return answer_question(instruction, start_clock, refreshing);
   const std::uint64_t clocks = edge() - start_clock - (account_.refreshing - refreshing);
   account_.issuing += clocks;
   progress->after_instruction(clocks, std::nullopt, 0);

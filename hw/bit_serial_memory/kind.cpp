@@ -52,34 +52,39 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                                                        "bits that the host computes, or converts to pixels, per clock"),
              1U << 30U),
     own_figure<Figures, &Figures::command, &CommandClocks::restore>(
-        "timing.restore", "clocks", 1, machines::most_clocks, "tRAS: from an activation until its row is restored"),
+        "timing.restore", "clocks", 1, machines::max_parameter_clocks,
+        "tRAS: from an activation until its row is restored"),
     own_figure<Figures, &Figures::command, &CommandClocks::precharge>(
-        "timing.precharge", "clocks", 1, machines::most_clocks,
+        "timing.precharge", "clocks", 1, machines::max_parameter_clocks,
         "tRP: from the end of tRAS until the bank's next activation"),
     own_figure<Figures, &Figures::command, &CommandClocks::second>(
-        "timing.second", "clocks", 1, machines::most_clocks,
+        "timing.second", "clocks", 1, machines::max_parameter_clocks,
         "clocks from the first activation of a copy to the second"),
-    own_figure<Figures, &Figures::command, &CommandClocks::logic>("timing.logic", "clocks", 1, machines::most_clocks,
-                                                                  "clocks of gates at the sense amplifiers"),
+    own_figure<Figures, &Figures::command, &CommandClocks::logic>(
+        "timing.logic", "clocks", 1, machines::max_parameter_clocks, "clocks of gates at the sense amplifiers"),
     own_figure<Figures, &Figures::command, &CommandClocks::column>(
-        "timing.column", "clocks", 1, machines::most_clocks, "tRCD and CL: from an activation to its row's first bits"),
-    own_figure<Figures, &Figures::command, &CommandClocks::recovery>(
-        "timing.recovery", "clocks", 0, machines::most_clocks, "tWR: from the last bits until the row is closed"),
-    own_figure<Figures, &Figures::command, &CommandClocks::leaf>("timing.leaf", "clocks", 1, machines::most_clocks,
+        "timing.column", "clocks", 1, machines::max_parameter_clocks,
+        "tRCD and CL: from an activation to its row's first bits"),
+    own_figure<Figures, &Figures::command, &CommandClocks::recovery>("timing.recovery", "clocks", 0,
+                                                                     machines::max_parameter_clocks,
+                                                                     "tWR: from the last bits until the row is closed"),
+    own_figure<Figures, &Figures::command, &CommandClocks::leaf>("timing.leaf", "clocks", 1,
+                                                                 machines::max_parameter_clocks,
                                                                  "clocks between two bits from the multiplier trees"),
     own_figure<Figures, &Figures::command, &CommandClocks::global_or>(
-        "timing.global_or", "clocks", 1, machines::most_clocks, "clocks until the wired OR settles"),
+        "timing.global_or", "clocks", 1, machines::max_parameter_clocks, "clocks until the wired OR settles"),
     own_figure<Figures, &Figures::rank, &RankClocks::activation_gap>(
-        "timing.activation_gap", "clocks", 1, machines::most_clocks, "tRRD: from one activation to the next"),
+        "timing.activation_gap", "clocks", 1, machines::max_parameter_clocks, "tRRD: from one activation to the next"),
     or_ideal(own_figure<Figures, &Figures::rank, &RankClocks::window>(
-                 "timing.window", "clocks", 0, machines::most_clocks,
+                 "timing.window", "clocks", 0, machines::max_parameter_clocks,
                  "tFAW: window in which at most four rows are activated"),
              0),
-    or_ideal(own_figure<Figures, &Figures::rank, &RankClocks::refresh_interval>(
-                 "timing.refresh_interval", "clocks", 0, machines::most_clocks, "tREFI: from one refresh to the next"),
+    or_ideal(own_figure<Figures, &Figures::rank, &RankClocks::refresh_interval>("timing.refresh_interval", "clocks", 0,
+                                                                                machines::max_parameter_clocks,
+                                                                                "tREFI: from one refresh to the next"),
              0),
-    own_figure<Figures, &Figures::rank, &RankClocks::refresh>("timing.refresh", "clocks", 0, machines::most_clocks,
-                                                              "tRFC: duration of a refresh"),
+    own_figure<Figures, &Figures::rank, &RankClocks::refresh>(
+        "timing.refresh", "clocks", 0, machines::max_parameter_clocks, "tRFC: duration of a refresh"),
     own_figure<Figures, &Figures::energy, &Energies::activation_fj>(
         "energy.activation", "fJ", 0, max_fj, "activation of a row of a chip, including its precharge"),
     own_figure<Figures, &Figures::energy, &Energies::further_row_permille>(

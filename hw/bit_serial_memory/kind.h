@@ -21,9 +21,10 @@ class Kind final : public machines::KindOf<Figures> {
   void check(const Program& program, const Machine& machine) const override;
   /// One clock to take the instruction, and those of its row commands in all subarrays that hold pixels.
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
-  machines::FrameTiming time(const Program& program, const Machine& machine, const Told& outcomes) const override;
+  machines::FrameTiming time(const Program& program, const Machine& machine, const RunOutcome& outcomes) const override;
   /// Clocks in which the row commands of an instruction execute, at all pixels.
-  std::optional<Timeline> timeline(const Program& program, const Machine& machine, const Told& outcomes) const override;
+  std::optional<Timeline> timeline(const Program& program, const Machine& machine,
+                                   const RunOutcome& outcomes) const override;
   Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
                  std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;

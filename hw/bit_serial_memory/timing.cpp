@@ -46,9 +46,9 @@ std::vector<Task> tasks_of(const isa::Program& program, const Machine& machine, 
     tasks.push_back({Task::Kind::clear, clocks(isa::SegmentStart{segment.region}), nullptr, 0});
     for (std::uint32_t i = 0; i < segment.instructions.size(); ++i) {
       const isa::Instruction& instruction = segment.instructions[i];
-      const bool is_question = isa::is_question(instruction.opcode);
+      const bool needs_global_or = isa::needs_global_or(instruction.opcode);
       tasks.push_back(
-          {is_question ? Task::Kind::question : Task::Kind::instruction, clocks(instruction), &instruction, 0});
+          {needs_global_or ? Task::Kind::question : Task::Kind::instruction, clocks(instruction), &instruction, 0});
       if (skips.empty() || skips.front() != machines::Skip{s, i}) continue;
       tasks.back().jumps_over = static_cast<std::size_t>(instruction.constant);
       skips = skips.subspan(1);
@@ -179,13 +179,14 @@ std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& m
                              .clocks(micro_program(instruction, map_of(machine), micro_design(figures)));
 }
 
-machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine, const Told& outcomes) const {
+machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
+                                 const RunOutcome& outcomes) const {
   const Machine one = drawing(program, machine);
   return FrameModel(program, one, outcomes.skips).time(shown_field(program));
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
-                                                 const Told& outcomes) const {
+                                                 const RunOutcome& outcomes) const {
   const Machine one = drawing(program, machine);
   FrameModel model(program, one, outcomes.skips);
   model.time(shown_field(program));

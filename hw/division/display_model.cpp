@@ -24,13 +24,13 @@ void check_sampling(const DisplayModel& model) {
   require(model.width >= 1 && model.width <= isa::max_array_side && model.height >= 1 &&
               model.height <= isa::max_array_side,
           "the picture has {}x{} pixels; each side must be 1 to {}", model.width, model.height, isa::max_array_side);
-  require(model.z_bits >= fewest_z_bits && model.z_bits <= most_z_bits, "depth has {} bits; it must have {} to {}",
-          model.z_bits, fewest_z_bits, most_z_bits);
-  require(model.fraction_bits <= most_fraction_bits, "depth has {} fraction bits; it must have 0 to {}",
-          model.fraction_bits, most_fraction_bits);
-  require(model.colour_bits >= isa::fewest_colour_bits && model.colour_bits <= isa::most_colour_bits,
-          "colour has {} bits; it must have {} to {}", model.colour_bits, isa::fewest_colour_bits,
-          isa::most_colour_bits);
+  require(model.z_bits >= min_z_bits && model.z_bits <= max_z_bits, "depth has {} bits; it must have {} to {}",
+          model.z_bits, min_z_bits, max_z_bits);
+  require(model.fraction_bits <= max_fraction_bits, "depth has {} fraction bits; it must have 0 to {}",
+          model.fraction_bits, max_fraction_bits);
+  require(model.colour_bits >= isa::minimum_colour_bits && model.colour_bits <= isa::max_colour_bits,
+          "colour has {} bits; it must have {} to {}", model.colour_bits, isa::minimum_colour_bits,
+          isa::max_colour_bits);
   require(model.background >> model.colour_bits == 0, "the background does not fit {} bits", model.colour_bits);
 }
 

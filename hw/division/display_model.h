@@ -14,9 +14,9 @@ namespace csgsim::division {
 // The host's input to the divider, once per frame: the model as seen by the camera, in integers. Widths on a link are
 // defined in hw/division/encoding.h, semantics in docs/machines/pixel-square.md.
 
-inline constexpr unsigned fewest_z_bits = 4;
-inline constexpr unsigned most_z_bits = 30;
-inline constexpr unsigned most_fraction_bits = 20;
+inline constexpr unsigned min_z_bits = 4;
+inline constexpr unsigned max_z_bits = 30;
+inline constexpr unsigned max_fraction_bits = 20;
 inline constexpr std::size_t max_records = (std::size_t{1} << 31U) - 1;  ///< maximum number of planes, primitives or
                                                                          ///< nodes
 

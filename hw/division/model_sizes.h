@@ -7,7 +7,8 @@
 
 namespace csgsim::division {
 
-/// Counts and widths in bits from the header of a display model (docs/machines/pixel-square.md), read without decoding it.
+/// Counts and widths in bits from the header of a display model (docs/machines/pixel-square.md), read without decoding
+/// it.
 struct ModelSizes {
   std::uint64_t planes = 0;
   std::uint64_t primitives = 0;

@@ -23,15 +23,15 @@ namespace {
 
 using processors::Operations;
 
-/// The most clocks of a frame that are told: a double holds them.
-constexpr double most_clocks = 9e15;
+/// Maximum clocks of a frame; a double represents it exactly.
+constexpr double max_clocks = 9e15;
 
 void add(const isa::Preparation& preparation, Operations& all) {
   for (const Recipe& recipe : recipes()) all += preparation.*recipe.count * recipe.each;
 }
 
-/// Read once: it is asked for each frame.
-const processors::Processor& processor_of(const machines::Machine& machine) {
+/// Reads the processor's description once, because it is needed for each frame.
+const processors::Processor& load_host_processor(const machines::Machine& machine) {
   constexpr std::size_t all = machines::host_processor_names.size();
   static std::array<std::once_flag, all> once;
   static std::array<processors::Processor, all> read;
@@ -44,12 +44,12 @@ const processors::Processor& processor_of(const machines::Machine& machine) {
 
 }  // namespace
 
-Operations operations_of(const isa::Program& program, const machines::Machine& machine) {
+Operations count_operations(const isa::Program& program, const machines::Machine& machine) {
   constexpr std::uint64_t bytes_of_long = 4;
   Operations all;
   add(*program.preparation, all);
   if (machines::division(machine)) {
-    all += quotient_up(std::uint64_t{program.display_model.size()}, bytes_of_long) * of_model_long();
+    all += quotient_up(std::uint64_t{program.display_model.size()}, bytes_of_long) * model_long_operations();
     return all;
   }
   Written written;
@@ -57,18 +57,18 @@ Operations operations_of(const isa::Program& program, const machines::Machine& m
     add(*segment.preparation, all);
     for (const isa::Instruction& instruction : segment.instructions) written.add(instruction, machine.link.width);
   }
-  all += operations_of(written);
+  all += count_operations(written);
   return all;
 }
 
 std::uint64_t compile_clocks(const isa::Program& program, const machines::Machine& machine) {
   if (machine.host.processor == machines::ideal_processor) return 0;
-  const double seconds = processors::seconds(operations_of(program, machine), processor_of(machine));
+  const double seconds = processors::seconds(count_operations(program, machine), load_host_processor(machine));
   const double clocks = std::ceil(seconds * static_cast<double>(machine.clock_hz) / machine.kind->hosts(machine));
-  if (!(clocks <= most_clocks)) {
+  if (!(clocks <= max_clocks)) {
     throw InputError(
-        fmt::format("the host {} takes {:.3g} clocks for the frame, more than can be told; take a faster "
-                    "one, by host.processor",
+        fmt::format("the host {} takes {:.3g} clocks for the frame, more than the limit of 9e15; choose a faster "
+                    "host.processor",
                     machines::host_processor_names.at(machine.host.processor), clocks));
   }
   return static_cast<std::uint64_t>(clocks);
@@ -82,8 +82,8 @@ machines::FrameTiming with_host(machines::FrameTiming timing, const isa::Program
 }
 
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
-                                 const machines::Told& told) {
-  return with_host(machine.kind->time(program, machine, told), program, machine);
+                                 const machines::RunOutcome& outcome) {
+  return with_host(machine.kind->time(program, machine, outcome), program, machine);
 }
 
 }  // namespace csgsim::host

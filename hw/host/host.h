@@ -1,3 +1,5 @@
+// Work and clocks of the host for a frame.
+// Used by the engines, sim/observe, sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +12,20 @@
 
 namespace csgsim::host {
 
-/// What the machine's host does for a frame: of a machine that divides the model itself, it makes that; else it
-/// compiles every segment.
-processors::Operations operations_of(const isa::Program& program, const machines::Machine& machine);
+/// Work of the machine's host for a frame: it prepares the display model for a machine that divides the model itself,
+/// and otherwise compiles every segment.
+processors::Operations count_operations(const isa::Program& program, const machines::Machine& machine);
 
-/// Clocks of the machine in which its host does that, rounded up; 0 for an ideal one. Throws InputError where they are
-/// more than can be told.
+/// Clocks of the machine until its host has finished that work, rounded up; 0 for an ideal host. Throws InputError
+/// above 9e15.
 std::uint64_t compile_clocks(const isa::Program& program, const machines::Machine& machine);
 
-/// The same frame with its host, and with_pace.
+/// The timing with the host's clocks, completed by machines::with_pace().
 machines::FrameTiming with_host(machines::FrameTiming timing, const isa::Program& program,
                                 const machines::Machine& machine);
 
-/// As machines::time_frame, with the host.
+/// Same as machines::time_frame(), with the host.
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
-                                 const machines::Told& told = {});
+                                 const machines::RunOutcome& outcome = {});
 
 }  // namespace csgsim::host

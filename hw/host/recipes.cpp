@@ -22,7 +22,7 @@ constexpr Operations made(std::initializer_list<std::pair<Operation, std::uint64
   return operations;
 }
 
-/// A number of the model, and of a matrix, is a long.
+// Recipes. Numbers of the model and of matrices are longs.
 constexpr Operations plane = made({{Operation::load_long, 20},
                                    {Operation::multiply_long, 16},
                                    {Operation::add_long, 12},
@@ -93,7 +93,7 @@ constexpr auto rows = std::to_array<Recipe>({
     {"nodes", &isa::Preparation::nodes, node},
 });
 
-/// It is decided what comes next, and a procedure is called that puts it together.
+/// Selection of the next instruction and the call of the procedure that assembles it.
 constexpr Operations any_instruction = made({{Operation::load, 2},
                                              {Operation::move, 2},
                                              {Operation::compare, 2},
@@ -101,25 +101,25 @@ constexpr Operations any_instruction = made({{Operation::load, 2},
                                              {Operation::call, 1},
                                              {Operation::come_back, 1}});
 
-/// Another number behind those that are there: brought to its place.
+/// Another number shifted to its place behind the previous numbers.
 constexpr Operations packed = made({{Operation::load_long, 1},
                                     {Operation::shift_long, 1},
                                     {Operation::shifted_bit, 16},
                                     {Operation::logic_long, 2},
                                     {Operation::add, 1}});
 
-/// The constant moved to the segment's corner by two products of long and word.
+/// The constant moved to the segment's corner, by two products of a long and a word.
 constexpr Operations moved =
     made({{Operation::load_long, 3}, {Operation::load, 2}, {Operation::multiply, 4}, {Operation::add_long, 4}});
 
-/// Zeros that the coefficients share, and a width, each by five halvings of a long.
+/// Common trailing zeros of the coefficients, and a width, each found by five halvings of a long.
 constexpr Operations fitted = made({{Operation::logic_long, 6},
                                     {Operation::compare_long, 5},
                                     {Operation::branch, 10},
                                     {Operation::shift_long, 3},
                                     {Operation::shifted_bit, 24}});
 
-/// A quadratic expression moved to the corner: its linear part changes too.
+/// A quadratic expression moved to the corner, which also changes its linear part.
 constexpr Operations squares_moved =
     made({{Operation::load_long, 6}, {Operation::load, 2}, {Operation::multiply, 16}, {Operation::add_long, 16}});
 
@@ -128,8 +128,8 @@ constexpr Operations long_stored = made(
 
 constexpr unsigned long_bits = 32;
 
-/// Numbers that follow the command's own: of a field its base and width, of an expression width, shift and
-/// coefficients, those in as many longs as they need.
+/// The numbers of a command after its opcode: base and width of a field; width, shift and coefficients of an
+/// expression, where each coefficient counts as the longs it needs.
 std::uint64_t numbers_in(const isa::Instruction& instruction) {
   const std::uint64_t longs = quotient_up(unsigned{instruction.linear.width}, long_bits);
   std::uint64_t numbers = 0;
@@ -160,7 +160,7 @@ void Written::add(const isa::Instruction& instruction, unsigned link_width) {
   longs += std::uint64_t{isa::wire_words(instruction, link_width)} * quotient_up(link_width, long_bits);
 }
 
-Operations operations_of(const Written& written) {
+Operations count_operations(const Written& written) {
   Operations all = written.instructions * any_instruction;
   all += (written.instructions + written.numbers) * packed;
   for (const Operations& each : {moved, halfspace, fitted}) all += written.linear * each;
@@ -169,13 +169,13 @@ Operations operations_of(const Written& written) {
   return all;
 }
 
-Operations operations_of(const isa::Instruction& instruction, unsigned link_width) {
+Operations count_operations(const isa::Instruction& instruction, unsigned link_width) {
   Written written;
   written.add(instruction, link_width);
-  return operations_of(written);
+  return count_operations(written);
 }
 
-Operations of_model_long() {
+Operations model_long_operations() {
   Operations all = 2 * packed;
   all += long_stored;
   return all;

@@ -1,3 +1,5 @@
+// Processor operations per task of the host.
+// Used by host.cpp and tests.
 #pragma once
 
 #include <cstdint>
@@ -8,36 +10,36 @@
 #include "hw/isa/program.h"
 #include "hw/processors/operations.h"
 
-/// What a host's processor does for a frame (docs/host.md). How often each thing is done is counted; what each takes is
-/// assumed, written out for longs of 32 bits, as a careful programmer would.
+// Operations of a host's processor for a frame (docs/host.md). The frequency of each task is counted; the operations
+// per task are assumed, as a careful programmer would write them for longs of 32 bits.
 namespace csgsim::host {
 
-/// Something that is counted, and what it takes each time.
+/// A counted task with its operations.
 struct Recipe {
-  std::string_view name;  ///< as Programs have it
+  std::string_view name;  ///< name in Programs
   std::uint64_t isa::Preparation::*count;
   processors::Operations each;
 };
 
 std::span<const Recipe> recipes();
 
-/// What is written, as far as it says what that takes.
+/// Counts of the written instructions that determine the work of writing them.
 struct Written {
   std::uint64_t instructions = 0;
-  std::uint64_t numbers = 0;  ///< that they have behind the commands' own
-  std::uint64_t linear = 0;   ///< of the instructions, those with a linear expression
-  std::uint64_t squares = 0;  ///< the same with squares
-  std::uint64_t longs = 0;    ///< that are stored for their words
+  std::uint64_t numbers = 0;  ///< numbers after the opcodes
+  std::uint64_t linear = 0;   ///< instructions with a linear expression
+  std::uint64_t squares = 0;  ///< instructions with squares
+  std::uint64_t longs = 0;    ///< longs stored for the words
 
-  /// In words of a link of that many bits.
+  /// Counts an instruction in words of a link of that width.
   void add(const isa::Instruction& instruction, unsigned link_width);
 };
 
-/// Expressions are moved to their segments and made as short as they can be, and instructions put together and stored.
-processors::Operations operations_of(const Written& written);
-processors::Operations operations_of(const isa::Instruction& instruction, unsigned link_width);
+/// Operations to move expressions to their segments, minimize their widths, and assemble and store the instructions.
+processors::Operations count_operations(const Written& written);
+processors::Operations count_operations(const isa::Instruction& instruction, unsigned link_width);
 
-/// Of a long of the display model, which is put together from its numbers.
-processors::Operations of_model_long();
+/// Operations for one long of the display model, assembled from its numbers.
+processors::Operations model_long_operations();
 
 }  // namespace csgsim::host

@@ -22,11 +22,11 @@ namespace {
 
 constexpr std::array<std::uint8_t, 4> magic{'C', 'S', 'G', 'T'};
 constexpr std::uint8_t version = 4;
-constexpr std::uint8_t first_version = 2;  ///< that can be read: it does not name its machine
+constexpr std::uint8_t first_version = 2;  ///< oldest readable version; it does not name its machine
 constexpr std::size_t checksum_size = 4;
-constexpr std::size_t usual_bytes = 32;  ///< that an instruction takes at most, but for the widest
+constexpr std::size_t usual_bytes = 32;  ///< upper bound for an instruction, except the widest
 constexpr std::uint8_t same_origin = 0x80;
-constexpr std::uint8_t has_effect = 0x80;  ///< in a purpose's byte: an effect's index follows
+constexpr std::uint8_t has_effect = 0x80;  ///< flag in the purpose byte: an effect index follows
 static_assert(purpose_table.size() <= has_effect);
 static_assert(opcode_numbers <= same_origin);
 static_assert(no_primitive + 1 == 0 && no_node + 1 == 0);
@@ -78,7 +78,7 @@ void pass(ByteReader& in, Number& number) {
   }
 }
 
-/// Writes or reads an operand: the one list of its numbers, in their order.
+/// Writes or reads an operand; the only place that lists its numbers in order.
 template <class Bytes, Any<Instruction> T>
 void pass_operand(Bytes& bytes, T& instruction, std::size_t operand) {
   const auto pass_all = [&](auto&... numbers) { (pass(bytes, numbers), ...); };
@@ -119,14 +119,14 @@ Instruction read_instruction(ByteReader& in, Origin& before) {
   return instruction;
 }
 
-/// What stands between the version and the checksum, after a check of all.
+/// The bytes between version and checksum, after all checks.
 std::span<const std::byte> checked_body(std::span<const std::byte> bytes) {
   if (!is_binary(bytes)) throw MalformedBytes("does not begin with CSGT");
   if (bytes.size() < magic.size() + 1 + checksum_size) throw MalformedBytes("ends too soon");
   const auto found_version = std::to_integer<unsigned>(bytes[magic.size()]);
   if (found_version < first_version || found_version > version)
     throw MalformedBytes(
-        fmt::format("has format version {}, and this csgsim reads {} to {}", found_version, first_version, version));
+        fmt::format("has format version {}, but this csgsim reads {} to {}", found_version, first_version, version));
   const auto summed = bytes.first(bytes.size() - checksum_size);
   std::uint32_t expected = 0;
   for (std::size_t i = 0; i < checksum_size; ++i)
@@ -146,7 +146,7 @@ Program decode_body(std::span<const std::byte> body, bool names_machine) {
   auto [program, counts] = decode_metadata(in.block(in.varint()), names_machine);
   Origin before;
   for (std::size_t s = 0; s < counts.size(); ++s) {
-    // An instruction takes a byte at least: a count beyond the bytes is a lie, and nothing is reserved for it.
+    // Each instruction takes at least one byte, so a larger count is wrong, and nothing is reserved for it.
     if (counts[s] > in.left()) throw MalformedBytes("ends too soon");
     auto& instructions = program.segments[s].instructions;
     instructions.reserve(static_cast<std::size_t>(counts[s]));
@@ -167,7 +167,7 @@ bool is_binary(std::span<const std::byte> bytes) {
 
 std::vector<std::byte> encode(const Program& program) {
   ByteWriter out;
-  out.reserve(usual_bytes * instructions_in(program));
+  out.reserve(usual_bytes * total_instructions(program));
   out.block(magic);
   out.byte(version);
   const std::vector<std::uint8_t> metadata = encode_metadata(program);

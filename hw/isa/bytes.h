@@ -1,3 +1,5 @@
+// Byte streams with varint and zigzag numbers.
+// Used by hw/isa and sim/checkpoint.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +10,7 @@
 
 namespace csgsim::isa {
 
-/// Bytes that end too soon or hold a number that does not fit.
+/// Bytes that end too soon or contain a number out of range.
 class MalformedBytes : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -26,7 +28,7 @@ constexpr std::int64_t unzigzag(std::uint64_t code) {
 /// Appends bytes to a vector.
 class ByteWriter {
  public:
-  /// Room for so many: what is never written takes no memory but addresses.
+  /// Reserves address space; memory that is never written is not committed.
   void reserve(std::size_t count) { bytes_.reserve(count); }
 
   void byte(std::uint8_t value) { bytes_.push_back(std::byte{value}); }
@@ -35,7 +37,7 @@ class ByteWriter {
     for (const std::uint8_t value : values) byte(value);
   }
 
-  /// LEB128: seven bits a byte, the least significant first.
+  /// LEB128: seven bits per byte, least significant first.
   void varint(std::uint64_t value) {
     for (; value >= 0x80U; value >>= 7U) byte(static_cast<std::uint8_t>(0x80U | (value & 0x7fU)));
     byte(static_cast<std::uint8_t>(value));
@@ -48,7 +50,7 @@ class ByteWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Reads what a ByteWriter wrote. Throws MalformedBytes.
+/// Reads the output of a ByteWriter. Throws MalformedBytes.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -76,7 +78,7 @@ class ByteReader {
     throw MalformedBytes("holds a number of more than 64 bits");
   }
 
-  /// A varint no greater than `most`.
+  /// A varint of at most `most`.
   template <class Unsigned>
   Unsigned varint_to(std::uint64_t most) {
     const std::uint64_t value = varint();

@@ -1,3 +1,5 @@
+// Packs RGB colours into fields of 3 to 24 bits.
+// Used by host/emit, host/effects, hw/division, and several rooms of sim.
 #pragma once
 
 #include <algorithm>
@@ -7,16 +9,16 @@
 
 namespace csgsim::isa {
 
-inline constexpr unsigned fewest_colour_bits = 3;
-inline constexpr unsigned most_colour_bits = 24;
+inline constexpr unsigned minimum_colour_bits = 3;
+inline constexpr unsigned max_colour_bits = 24;
 
-/// Widths of red, green and blue in a colour field, red in the highest bits. What three does not divide goes to green
-/// first, then to red.
+/// Widths of red, green and blue in a colour field, red in the highest bits. If 3 does not divide the width, green gets
+/// the first extra bit and red the second.
 constexpr std::array<unsigned, 3> channel_widths(unsigned bits) {
   return {bits / 3 + (bits % 3 == 2 ? 1 : 0), bits / 3 + (bits % 3 != 0 ? 1 : 0), bits / 3};
 }
 
-/// A colour as a field of that many bits holds it; components in [0, 1], clamped, rounded to nearest.
+/// A colour as stored in a field of `bits` bits; components in [0, 1], clamped, rounded to nearest.
 inline std::uint32_t pack_colour(const std::array<double, 3>& colour, unsigned bits) {
   std::uint32_t packed = 0;
   const std::array<unsigned, 3> widths = channel_widths(bits);
@@ -28,7 +30,7 @@ inline std::uint32_t pack_colour(const std::array<double, 3>& colour, unsigned b
   return packed;
 }
 
-/// Red, green and blue of such a colour, 0 to 255, rounded to nearest.
+/// Red, green and blue of a packed colour, 0 to 255, rounded to nearest.
 constexpr std::array<std::uint8_t, 3> unpack_colour(std::uint32_t packed, unsigned bits) {
   std::array<std::uint8_t, 3> colour{};
   const std::array<unsigned, 3> widths = channel_widths(bits);

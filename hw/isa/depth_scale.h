@@ -1,3 +1,5 @@
+// Converts between depth integers and distances.
+// Used by host/view, host/emit, sim/judges and other rooms that interpret depths.
 #pragma once
 
 #include <cmath>
@@ -6,10 +8,10 @@
 
 namespace csgsim::isa {
 
-/// How the integers of the depth field stand for distances from the eye along the view axis, in model units.
+/// Maps distances from the eye along the view axis (d, model units) to the integers z of an n-bit depth field.
 /// Orthographic: z = 1 + (d - near) * (2^n - 4) / (far - near).
 /// Perspective:  z = 1 + (1/near - 1/d) * (2^n - 4) / (1/near - 1/far).
-/// 0 is the near cap, 2^n - 1 is "nothing".
+/// 0 is the near cap; 2^n - 1 means "nothing".
 struct DepthScale {
   bool perspective = false;
   double near = 0;  ///< model units
@@ -18,10 +20,10 @@ struct DepthScale {
   bool operator==(const DepthScale&) const = default;
 };
 
-/// Depth steps between the near and the far plane of a depth field of that many bits.
+/// Depth steps between the near and the far plane in a depth field of `bits` bits.
 inline double depth_steps(unsigned bits) { return std::ldexp(1.0, static_cast<int>(bits)) - 4.0; }
 
-/// The depth of a distance from the eye, before rounding; see DepthScale.
+/// Depth value of a distance from the eye, before rounding; see DepthScale.
 inline double depth_of(const DepthScale& scale, unsigned bits, double distance) {
   const double part = scale.perspective ? (1.0 / scale.near - 1.0 / distance) / (1.0 / scale.near - 1.0 / scale.far)
                                         : (distance - scale.near) / (scale.far - scale.near);
@@ -35,7 +37,7 @@ inline double distance_at(const DepthScale& scale, unsigned bits, double depth) 
   return 1.0 / (1.0 / scale.near - part * (1.0 / scale.near - 1.0 / scale.far));
 }
 
-/// The same of a depth in memory; infinite for "nothing" (all ones).
+/// distance_at() for a depth value in memory; infinite for "nothing" (all ones).
 inline double distance_of(const DepthScale& scale, unsigned bits, std::uint32_t step) {
   if (step == (1ULL << bits) - 1) return std::numeric_limits<double>::infinity();
   return distance_at(scale, bits, step);

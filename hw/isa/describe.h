@@ -1,3 +1,5 @@
+// Lists the members of each record of a Program.
+// Used by the binary and text forms, validation and the manual in hw/isa.
 #pragma once
 
 #include <concepts>
@@ -12,8 +14,8 @@ namespace csgsim::isa {
 template <class T, class Record>
 concept Any = std::same_as<std::remove_const_t<T>, Record>;
 
-/// Calls visit(key, member) for each member of a record, in the order of the binary and text forms: the one list that
-/// both write and both read.
+/// Calls visit(key, member) for each member of a record, in the order of the binary and text forms. Readers and writers
+/// of both forms share these lists.
 template <Any<ArrayShape> T, class Visit>
 void describe(T& shape, Visit&& visit) {
   visit("width", shape.width);
@@ -45,14 +47,14 @@ void describe(T& machine, Visit&& visit) {
   visit("figures", machine.figures);
 }
 
-/// What of a Program is shown.
+/// The members of a Program that describe the displayed frame.
 template <Any<Program> T>
-struct ShownRecord {
+struct FrameRecord {
   T& program;
 };
 
 template <class T, class Visit>
-void describe(const ShownRecord<T>& record, Visit&& visit) {
+void describe(const FrameRecord<T>& record, Visit&& visit) {
   visit("colour_base", record.program.colour.base);
   visit("colour_bits", record.program.colour.width);
   visit("background", record.program.background);
@@ -79,7 +81,7 @@ void describe(T& compile, Visit&& visit) {
   visit("effects", compile.effects);
 }
 
-/// A segment but for its instructions.
+/// A segment without its instructions.
 template <Any<Segment> T, class Visit>
 void describe(T& segment, Visit&& visit) {
   visit("x", segment.region.x);
@@ -115,7 +117,7 @@ void describe(T& preparation, Visit&& visit) {
   visit("nodes", preparation.nodes);
 }
 
-/// But for its steps.
+/// The group's counts, without the steps.
 template <Any<DivisionCounts> T, class Visit>
 void describe(T& division, Visit&& visit) {
   visit("group_boxes", division.group_boxes);
@@ -125,7 +127,7 @@ void describe(T& division, Visit&& visit) {
   visit("group_entries", division.group_entries);
 }
 
-/// A segment but for its instructions, with what its group's division takes.
+/// A segment without its instructions, with the counts of its group's division.
 template <Any<Segment> T>
 struct DividedSegment {
   T& segment;
@@ -137,12 +139,12 @@ void describe(const DividedSegment<T>& divided, Visit&& visit) {
   describe(*divided.segment.division, visit);
 }
 
-/// Calls visit(name, record) for each record of a Program that stands once.
+/// Calls visit(name, record) for each record that a Program contains once.
 template <Any<Program> T, class Visit>
 void describe_header(T& program, Visit&& visit) {
   visit("array", program.shape);
   visit("machine", program.machine);
-  const ShownRecord<T> shown{program};
+  const FrameRecord<T> shown{program};
   visit("frame", shown);
   visit("depth", program.facts->depth_scale);
   visit("model", program.facts->model);

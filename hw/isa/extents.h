@@ -1,3 +1,5 @@
+// Row extents of pieces, computed from instructions.
+// Used by host/emit and by the reader of old files.
 #pragma once
 
 #include <span>
@@ -7,7 +9,7 @@
 
 namespace csgsim::isa {
 
-/// Of every piece that an instruction of the lines serves, in the order of the pieces.
+/// The row extent of each piece that occurs in the lines' instructions, in the order of the pieces.
 std::vector<RowExtent> extents_of(std::span<const Segment> lines);
 
 }  // namespace csgsim::isa

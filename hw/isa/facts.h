@@ -1,3 +1,5 @@
+// Names and statistics of a Program.
+// Used by hw/isa and by sim, for reports, waves and debugging.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +12,7 @@
 
 namespace csgsim::isa {
 
-/// Counts of the model, for the stats.
+/// Counts of the model, for the statistics.
 struct ModelFacts {
   std::string file;
   std::uint64_t primitives = 0;
@@ -22,28 +24,29 @@ struct ModelFacts {
   bool operator==(const ModelFacts&) const = default;
 };
 
-/// The options and results of compiling, for the stats.
+/// The options and results of compiling, for the statistics.
 struct CompileFacts {
   std::string strategy;
   std::string colouring;
   std::uint32_t z_bits = 0;
   std::uint32_t fraction_bits = 0;
-  double edge_on_fraction = 0;       ///< of a pixel
+  double edge_on_fraction = 0;       ///< fraction of a pixel
   std::uint32_t stack_bits = 0;      ///< bits of pixel memory that the classification uses
   std::uint32_t tree_depth = 0;      ///< levels of the deepest active tree
-  std::uint64_t rendered = 0;        ///< scan-conversions: primitives whose surface goes into Z1
-  std::uint64_t classified = 0;      ///< scan-conversions: primitives of active trees compared with Z1
+  std::uint64_t rendered = 0;        ///< scan-conversions of primitives whose surface goes into Z1
+  std::uint64_t classified = 0;      ///< scan-conversions of active-tree primitives that are compared with Z1
   std::uint64_t depth_tests = 0;     ///< comparisons of Z1 with Z2
-  std::vector<std::string> effects;  ///< flat shading first, then those that the scene calls for
+  std::vector<std::string> effects;  ///< flat shading first, then the effects that the scene uses
 
   bool operator==(const CompileFacts&) const = default;
 };
 
-/// Names and figures of a Program for stats, pictures and waves. No hardware reads them.
+/// Names and parameters of a Program for statistics, pictures and waves. No hardware reads them.
 struct Facts {
   std::vector<NamedField> fields;
-  std::vector<std::string> primitives;  ///< a name for each
-  /// The primitive of each piece, in order (hw/isa/pieces.h); origins name pieces. Empty: each primitive is one piece.
+  std::vector<std::string> primitives;  ///< one name per primitive
+  /// The primitive of each piece, in order (hw/isa/pieces.h); origins name pieces. Empty if each primitive is one
+  /// piece.
   std::vector<std::uint32_t> primitive_of_piece{};
   DepthScale depth_scale;
   ModelFacts model;
@@ -52,7 +55,7 @@ struct Facts {
   bool operator==(const Facts&) const = default;
 };
 
-/// The first named field of that role, or one of width 0 if there is none.
+/// The first named field with that role; its width is 0 if there is none.
 Field field_of(const Program& program, FieldRole role);
 
 }  // namespace csgsim::isa

@@ -1,3 +1,5 @@
+// Roles and names of fields of pixel memory.
+// Used by hw/isa, host/emit, host/effects and sim/story.
 #pragma once
 
 #include <array>
@@ -10,8 +12,8 @@
 
 namespace csgsim::isa {
 
-/// What a field of pixel memory holds, for pictures, stats and waves.
-// While surfaces are drawn; then all.
+/// The content of a field of pixel memory, for pictures, statistics and waves. The first list holds the roles in use
+/// while surfaces are drawn, the second all roles.
 #define CSGSIM_SURFACE_ROLES(R) \
   R(scratch) R(candidate_depth) R(depth) R(colour) R(candidate_colour) R(mask) R(stack) R(product) R(label) R(stored)
 #define CSGSIM_FIELD_ROLES(R) CSGSIM_SURFACE_ROLES(R) R(shown) R(owner) R(effect)

@@ -1,3 +1,5 @@
+// PEGTL rules and error handling shared by two grammars.
+// Used by the text form of Programs and by sim/debug.
 #pragma once
 
 #include <string_view>
@@ -6,10 +8,10 @@
 
 #include "hw/base/error.h"
 
-/// What the text form of a Program and the commands of the debugger have in common.
+/// Grammar rules shared by the text form of a Program and the debugger's commands.
 namespace csgsim::isa::grammar {
 
-using namespace tao::pegtl;  // the vocabulary of rules
+using namespace tao::pegtl;
 
 struct gap : star<blank> {};
 struct word_part : ranges<'a', 'z', 'A', 'Z', '0', '9', '_', '_', '.', '.'> {};
@@ -26,7 +28,7 @@ struct field_end : seq<gap, one<']'>> {};
 struct field_place
     : if_must<one<'['>, gap, field_base, opt<if_must<seq<gap, string<'+', ':'>>, gap, field_width>>, field_end> {};
 
-/// What is said where one of these rules has to match and does not; null for other rules.
+/// Error text where one of these rules must match but does not; null for other rules.
 template <class Rule>
 constexpr const char* message_of_part() {
   if (std::is_same_v<Rule, hexadecimal>) return "expected hexadecimal digits after 0x";
@@ -36,7 +38,7 @@ constexpr const char* message_of_part() {
   return nullptr;
 }
 
-/// An action that calls Does::read(text, reading), and puts the place before an InputError.
+/// An action that calls Does::read(text, reading) and adds the position to an InputError.
 template <class Does>
 struct Located {
   template <typename ActionInput, class Reading>
@@ -49,7 +51,7 @@ struct Located {
   }
 };
 
-/// Throws InputError, `name:line:column: what, and what to do`.
+/// Parses the input. Throws InputError of the form `name:line:column: what is wrong; what to do`.
 template <class Rule, template <typename...> class Action, template <typename...> class Control, class Input,
           class Reading>
 void read(Input& in, Reading& reading) {
@@ -62,7 +64,7 @@ void read(Input& in, Reading& reading) {
 
 }  // namespace csgsim::isa::grammar
 
-/// The body of what is done with the text that a rule has `matched`, by actions of the template Action, on a Reading.
+/// Begins the body of the action for a rule; `matched` is the text that the rule has matched.
 #define CSGSIM_WHEN(rule)                                                                 \
   template <>                                                                             \
   struct Action<grammar::rule> : ::csgsim::isa::grammar::Located<Action<grammar::rule>> { \

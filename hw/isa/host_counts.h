@@ -1,3 +1,5 @@
+// Counts of host and division work for a Program.
+// Used by host/emit, host/csg, hw/host, hw/division and the machines with dividers.
 #pragma once
 
 #include <cstdint>
@@ -5,28 +7,28 @@
 
 namespace csgsim::isa {
 
-/// Counts of the part of the model in a region, for the stats.
+/// Counts of the part of the model in a region, for the statistics.
 struct SegmentFacts {
-  std::uint32_t primitives = 0;       ///< active in the region
-  std::uint32_t halfspaces = 0;       ///< of those primitives
-  std::uint32_t kept_primitives = 0;  ///< of the primitives, those that pruning leaves to be drawn
-  std::uint32_t kept_halfspaces = 0;  ///< of the half-spaces, those that pruning leaves to those primitives' surfaces
-  std::uint32_t comparisons = 0;      ///< of primitives with Z1, to classify it
+  std::uint32_t primitives = 0;       ///< primitives that are active in the region
+  std::uint32_t halfspaces = 0;       ///< half-spaces of those primitives
+  std::uint32_t kept_primitives = 0;  ///< primitives that remain after pruning
+  std::uint32_t kept_halfspaces = 0;  ///< half-spaces of those primitives' surfaces that remain after pruning
+  std::uint32_t comparisons = 0;      ///< comparisons of primitives with Z1, to classify it
 
   constexpr bool operator==(const SegmentFacts&) const = default;
 };
 
-/// What the host does before it writes instructions, as it counts it itself; docs/host.md has the rules. Of a whole
-/// frame at most most_prepared of each.
+/// Work of the host before it writes instructions, counted by the host itself; docs/host.md has the rules. A whole
+/// frame has at most max_prepared of each.
 struct Preparation {
-  std::uint64_t planes = 0;      ///< transformed to the picture
-  std::uint64_t points = 0;      ///< of solids, transformed to the picture
-  std::uint64_t colours = 0;     ///< worked out
-  std::uint64_t boxes = 0;       ///< held against another
-  std::uint64_t halfspaces = 0;  ///< held against the corners of a rectangle
-  std::uint64_t values = 0;      ///< of planes at single pixels, held against another
-  std::uint64_t supports = 0;    ///< points held against a direction in space
-  std::uint64_t nodes = 0;       ///< of the tree, looked at
+  std::uint64_t planes = 0;      ///< planes transformed to the picture
+  std::uint64_t points = 0;      ///< points of solids transformed to the picture
+  std::uint64_t colours = 0;     ///< colours computed
+  std::uint64_t boxes = 0;       ///< tests of a box against another
+  std::uint64_t halfspaces = 0;  ///< tests of a half-space against the corners of a rectangle
+  std::uint64_t values = 0;      ///< comparisons of plane values at single pixels
+  std::uint64_t supports = 0;    ///< tests of a point against a direction in space
+  std::uint64_t nodes = 0;       ///< visits of tree nodes
 
   Preparation& operator+=(const Preparation& more) {
     planes += more.planes;
@@ -42,18 +44,18 @@ struct Preparation {
   constexpr bool operator==(const Preparation&) const = default;
 };
 
-inline constexpr std::uint64_t most_prepared = std::uint64_t{1} << 48;
+inline constexpr std::uint64_t max_prepared = std::uint64_t{1} << 48;
 
-/// The work of a machine that divides the model itself, for one surface in a region, or for several surfaces whose
-/// boxes alone are tested; docs/machines/pixel-square.md has the rules. Each count has 64 bits. The machine tests
-/// first, then writes.
+/// The work of a machine that divides the model itself, for one surface in a region or for several surfaces where only
+/// the boxes are tested; docs/machines/pixel-square.md has the rules. Each count has 64 bits. The machine tests first,
+/// then writes.
 struct DivisionStep {
-  std::uint64_t boxes = 0;         ///< of primitives, held against the region's
-  std::uint64_t lists = 0;         ///< of half-spaces that are read, empty ones left out
-  std::uint64_t halfspaces = 0;    ///< in them, each tested at the four corners of a rectangle
-  std::uint64_t cells = 0;         ///< times that a half-space of a side is held against the leaders of a cell
-  std::uint64_t nodes = 0;         ///< of the tree, looked at
-  std::uint64_t instructions = 0;  ///< of the region, those that come next
+  std::uint64_t boxes = 0;         ///< tests of a primitive's box against the region's
+  std::uint64_t lists = 0;         ///< lists of half-spaces read, without empty lists
+  std::uint64_t halfspaces = 0;    ///< half-spaces in those lists, each tested at the four corners of a rectangle
+  std::uint64_t cells = 0;         ///< tests of a side's half-space against the leaders of a cell
+  std::uint64_t nodes = 0;         ///< visits of tree nodes
+  std::uint64_t instructions = 0;  ///< instructions of the region that this step writes
 
   DivisionStep& operator+=(const DivisionStep& more) {
     boxes += more.boxes;
@@ -67,16 +69,16 @@ struct DivisionStep {
   constexpr bool operator==(const DivisionStep&) const = default;
 };
 
-/// What such a machine does for a region, as the host counts it.
+/// The work of such a machine for a region, as counted by the host.
 struct DivisionCounts {
   std::vector<DivisionStep> steps;
-  std::uint64_t group_boxes = 0;       ///< before the first region of a group
-  std::uint64_t group_lists = 0;       ///< the same
-  std::uint64_t group_halfspaces = 0;  ///< the same
-  std::uint64_t group_cells = 0;       ///< the same
-  std::uint64_t group_entries = 0;     ///< primitives and half-spaces that the group leaves, with its first region
+  std::uint64_t group_boxes = 0;       ///< boxes tested before the first region of a group
+  std::uint64_t group_lists = 0;       ///< lists read before the first region of a group
+  std::uint64_t group_halfspaces = 0;  ///< half-spaces tested before the first region of a group
+  std::uint64_t group_cells = 0;       ///< cell tests before the first region of a group
+  std::uint64_t group_entries = 0;     ///< primitives and half-spaces kept for the group, counted with its first region
 
-  /// All steps together.
+  /// The sum of all steps.
   [[nodiscard]] DivisionStep sum() const {
     DivisionStep all;
     for (const DivisionStep& step : steps) all += step;

@@ -1,3 +1,5 @@
+// Fields, linear expressions, origins and instructions.
+// Used by all engines and machines.
 #pragma once
 
 #include <array>
@@ -9,13 +11,13 @@
 namespace csgsim::isa {
 
 inline constexpr unsigned max_field_width = 32;        ///< bits
-inline constexpr unsigned max_wide_field_width = 62;   ///< bits, where takes_wide_field says so
+inline constexpr unsigned max_wide_field_width = 62;   ///< bits, for opcodes with takes_wide_field()
 inline constexpr unsigned max_linear_width = 62;       ///< bits streamed by the linear expression evaluator
-inline constexpr unsigned max_memory_bits = 4096;      ///< bits a pixel
-inline constexpr unsigned max_count = 0xffffffffU;     ///< instructions that one skips
+inline constexpr unsigned max_memory_bits = 4096;      ///< bits per pixel
+inline constexpr unsigned max_count = 0xffffffffU;     ///< instructions skipped by one instruction
 inline constexpr unsigned max_array_side = 1U << 14U;  ///< pixels
 
-/// `width` consecutive bits of pixel memory, the least significant at `base`.
+/// `width` consecutive bits of pixel memory with the least significant bit at `base`.
 struct Field {
   std::uint16_t base = 0;
   std::uint16_t width = 0;
@@ -25,8 +27,8 @@ struct Field {
   constexpr bool operator==(const Field&) const = default;
 };
 
-/// A*x + B*y + C, streamed LSB first over `width` bits; the low `shift` bits are the fraction. F has width - shift
-/// bits.
+/// A*x + B*y + C, streamed over `width` bits, least significant first; the low `shift` bits are the fraction. F has
+/// width - shift bits.
 struct Linear {
   std::int64_t a = 0;
   std::int64_t b = 0;
@@ -37,15 +39,15 @@ struct Linear {
   constexpr bool operator==(const Linear&) const = default;
 };
 
-/// Why an instruction is broadcast.
-#define CSGSIM_PURPOSES(P)                                          \
-  P(setup, "clear the frame: background depth and colour")          \
-  P(render, "a primitive's visible surface into Z1")                \
-  P(classify, "a primitive of an active tree compared with Z1")     \
-  P(stack, "combine classifications by the operators of the tree")  \
-  P(merge, "depth test against Z2, and the copy of what is nearer") \
-  P(shade, "colour of the facets that were merged")                 \
-  P(effect, "what an effect does that no surface asks for")
+/// The reason why an instruction is broadcast.
+#define CSGSIM_PURPOSES(P)                                         \
+  P(setup, "clear the frame: background depth and colour")         \
+  P(render, "a primitive's visible surface into Z1")               \
+  P(classify, "a primitive of an active tree compared with Z1")    \
+  P(stack, "combine classifications by the operators of the tree") \
+  P(merge, "depth test against Z2 and copy of the nearer surface") \
+  P(shade, "colour of the facets that were merged")                \
+  P(effect, "work of an effect that belongs to no surface")
 
 enum class Purpose : std::uint8_t {
 #define CSGSIM_PURPOSE_ENUMERATOR(name, meaning) name,
@@ -70,20 +72,20 @@ inline constexpr std::uint32_t no_primitive = 0xffffffffU;
 inline constexpr std::uint32_t no_node = 0xffffffffU;
 inline constexpr std::uint8_t no_effect = 0xffU;
 
-/// Whom an instruction serves; stats and waves show it, machines ignore it.
+/// What an instruction is for. Statistics and waves show it; machines ignore it.
 struct Origin {
   Purpose purpose = Purpose::setup;
   std::uint32_t primitive = no_primitive;  ///< number of the piece (hw/isa/pieces.h) whose surface is drawn
-  std::uint32_t node = no_node;            ///< the piece it is compared with while classifying; the first of
-                                 ///< several that are drawn as one solid, for its merge and shading; else no_node
-  std::uint8_t effect = no_effect;  ///< index into CompileFacts::effects: what is paid for; else no_effect
+  std::uint32_t node = no_node;     ///< piece that is compared while classifying; for merging and shading a solid
+                                    ///< drawn in several pieces, its first piece; otherwise no_node
+  std::uint8_t effect = no_effect;  ///< index into CompileFacts::effects of the effect it is charged to, or no_effect
 
   constexpr bool operator==(const Origin&) const = default;
 };
 
 /// One broadcast instruction. Operand i of the opcode's row is fields[i] if it is a target or source, `linear` if it is
-/// linear, `constant` if it is a constant or a count; members that the row does not name are zero. Squares are in
-/// `linear`: its a, b and c are the factors of x*x, x*y and y*y, its shift is 0.
+/// a linear expression or squares, `constant` if it is a constant or a count; members that the row does not use are
+/// zero. Squares have the coefficients of x*x, x*y and y*y in a, b and c, and shift 0.
 struct Instruction {
   Opcode opcode{};  ///< enable_all
   std::array<Field, max_operands> fields{};

@@ -1,3 +1,5 @@
+// Numbers of instructions within a Program.
+// Used by hw/wave, several machines, sim/engine, sim/story, sim/waves and sim/python.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +10,8 @@
 
 namespace csgsim::isa {
 
-/// Numbers of a Program's instructions, `i123` for people: from 0 on through all segments in order, whether or not an
-/// instruction is carried out. For each segment that of its first; the last entry is the number of all.
+/// The number of the first instruction of each segment, and as last entry the total. Users see `i123`: instructions are
+/// numbered from 0 through all segments in order, whether or not they are executed.
 inline std::vector<std::uint64_t> first_numbers(const Program& program) {
   std::vector<std::uint64_t> numbers{0};
   numbers.reserve(program.segments.size() + 1);

@@ -1,3 +1,5 @@
+// A word of up to 256 bits on a link.
+// Used by the encoding (wire.h), hw/link and all machines.
 #pragma once
 
 #include <algorithm>
@@ -6,13 +8,14 @@
 
 namespace csgsim::isa {
 
-/// What a link carries in a clock: up to 256 bits, bit 0 on its first wire. Bits beyond the link's width are 0.
+/// The word that a link carries in one clock: up to 256 bits, bit 0 on its first wire. Bits beyond the link's width are
+/// 0.
 struct LinkWord {
   static constexpr unsigned most_bits = 256;
 
   std::array<std::uint64_t, most_bits / 64> bits{};
 
-  /// `count` bits (0 to 64) from `first` on, as an unsigned number. They end within most_bits.
+  /// `count` bits (0 to 64) from bit `first`, as an unsigned number. They must end within most_bits.
   [[nodiscard]] constexpr std::uint64_t number(unsigned first, unsigned count) const {
     if (count == 0) return 0;
     const unsigned place = first % 64;
@@ -21,7 +24,7 @@ struct LinkWord {
     return count == 64 ? value : value & ((std::uint64_t{1} << count) - 1);
   }
 
-  /// Puts a number of `count` bits (0 to 64) where only zeros are.
+  /// Stores a number of `count` bits (0 to 64) at bits that are all zero.
   constexpr void put(unsigned first, unsigned count, std::uint64_t value) {
     if (count == 0) return;
     const unsigned place = first % 64;
@@ -29,7 +32,7 @@ struct LinkWord {
     if (place + count > 64) bits[first / 64 + 1] |= value >> (64 - place);
   }
 
-  /// `count` bits from `first` on, as a word of their own; bits beyond most_bits are 0.
+  /// `count` bits from bit `first`, moved down to bit 0; bits beyond most_bits are 0.
   [[nodiscard]] constexpr LinkWord slice(unsigned first, unsigned count) const {
     LinkWord out;
     const unsigned end = std::min(first + count, most_bits);
@@ -40,7 +43,7 @@ struct LinkWord {
     return out;
   }
 
-  /// Puts the first `count` bits of a word where only zeros are; those that end up beyond most_bits are lost.
+  /// Stores the first `count` bits of a word at bits that are all zero; bits beyond most_bits are lost.
   constexpr void put(unsigned first, unsigned count, const LinkWord& word) {
     const unsigned room = std::min(count, most_bits - first);
     for (unsigned at = 0; at < room; at += 64) {

@@ -29,35 +29,36 @@ constexpr std::string_view introduction = R"(# The instruction set
 
 This page is generated from the tables in `hw/isa/` that the machines and the host use.
 
-A **Program** is all that crosses from the host to a machine. It is a list of **segments**, each a rectangle of the
-picture and the instructions broadcast to its pixels: the whole screen on Pixel-planes, a line on the scan-line array,
-a square on the pixel-square renderer. Every pixel of the segment gets the same instructions; what differs is whether it
-takes part. The only jump is forward, over instructions for which no pixel is left: `skip_if_none`.
+A **Program** is everything that crosses from the host to a machine. It is a list of **segments**, each a rectangle of
+the picture and the instructions broadcast to its pixels: the whole screen on Pixel-planes, a line on the scan-line
+array, a square on the pixel-square renderer. Every pixel of the segment receives the same instructions; its enable bit
+decides whether it takes part. The only jump goes forward, over instructions for which no pixel is enabled:
+`skip_if_none`.
 
 ## The state of a pixel
 
 - **Memory**: the same number of bits at every pixel. A **field** is a run of consecutive bits, an unsigned number,
   written `[base+:width]` with the least significant bit at `base`.
-- **Enable**, E: one bit. An instruction writes memory only where E is 1, but for `enable_store`, which writes E
+- **Enable**, E: one bit. An instruction writes memory only where E is 1, except `enable_store`, which writes E
   everywhere. Comparisons and edge tests only clear E, so a test for each edge leaves a convex region; `enable_all`
-  begins anew.
+  enables every pixel again.
 - Memory and E are 0 at every pixel when a segment begins.
 
 Pixel x counts from the segment's left and y from its top, both from 0.
 
 ## Linear expressions
 
-The evaluator gives every pixel its own A\*x + B\*y + C, one bit a clock, least significant bit first, for integers A, B
-and C. An instruction says two things about it:
+The evaluator gives every pixel its own A\*x + B\*y + C, one bit per clock, least significant bit first, for integers A,
+B and C. An instruction adds two numbers:
 
-- **width**: how many bits are streamed, of a two's complement number. The host asks for no more than the range over
-  the segment takes; if the sum needs more, its high bits are lost, and a run counts an overflow. Only `stripe` loses
-  them on purpose: its pattern repeats every 2^width of the sum.
-- **shift**: how many of the low bits are the fraction.
+- **width**: the number of bits streamed, as a two's complement number. The host chooses no more bits than the range
+  over the segment needs; if the sum needs more, its high bits are lost, and a run counts an overflow. Only `stripe`
+  drops them by design: its pattern repeats every 2^width of the sum.
+- **shift**: the number of low bits that are the fraction.
 
 **F** is that number shifted right by `shift`, rounded towards minus infinity: it has width - shift bits and a sign.
-Where F meets a field, it needs one bit more than that. Where F is written and does not fit the field, negative or too
-large, its low bits are written and the pixel is disabled.
+Where F is compared or combined with a field, it needs one bit more than the field. Where F is written and does not fit
+the field, negative or too large, its low bits are written and the pixel is disabled.
 
 Example: `keep_max Z1, 12*x - 7*y + 991 (w35 >> 12)` streams 35 bits of 12x - 7y + 991 twice and drops 12 fraction bits.
 Where E is 1 and the 23 bits of F that remain exceed Z1, it writes them to Z1.
@@ -65,35 +66,35 @@ Where E is 1 and the 23 bits of F that remain exceed Z1, it writes them to Z1.
 ## Quadratic expressions
 
 `squares` carries three more coefficients, those of x\*x, x\*y and y\*y. They are streamed together with those of the
-instruction right after it, which has a linear expression of the same width and the same meaning of width, shift and
-overflow: its sum is A\*x\*x + B\*x\*y + C\*y\*y of the squares and A\*x + B\*y + C of its own. No skip may end between
-the two. Not every machine's evaluator has squares.
+next instruction, which must have a linear expression of the same width. Its sum is then A\*x\*x + B\*x\*y + C\*y\*y
+from the squares plus its own A\*x + B\*y + C; width, shift and overflow keep their meaning. No skip may end between
+the two. Not every machine's evaluator supports squares.
 
 Example: `squares 3*x*x - 2*x*y + 5*y*y (w35)`, then `edge_not_negative 40*x - 3*y - 812 (w35)` disables the pixels
 where 3xx - 2xy + 5yy + 40x - 3y - 812 is negative.
 
 ## Roots
 
-`root` takes the square root of a field in place. Of a field of 2w + 1 bits all but the top bit are D, an unsigned
-number. The upper w bits become q, the root of D rounded down. The lower w + 1 become the low bits of what the steps
-leave of D: D - q\*q if q is odd, D - (q + 1)\*(q + 1) if it is even. The steps are those of non-restoring
-division: each takes two more bits of D to the remainder R, subtracts 4q + 1 from it, or adds 4q + 3 where R was
-negative, and the next bit of q is 1 where R is not negative then. q grows downwards from the top bit of the field, in
-bits that R no longer needs.
+`root` takes the square root of a field in place. In a field of 2w + 1 bits, all bits except the top bit are D, an
+unsigned number. The upper w bits become q, the root of D rounded down. The lower w + 1 become the low bits of the
+remainder: D - q\*q if q is odd, D - (q + 1)\*(q + 1) if it is even. The steps are those of non-restoring
+division: each appends two more bits of D to the remainder R and subtracts 4q + 1 from it, or adds 4q + 3 if R was
+negative; the next bit of q is 1 if R is then not negative. q grows downwards from the top bit of the field, in bits
+that R no longer needs.
 
 )";
 
 constexpr std::string_view clocks_text = R"(## How clocks are counted
 
-Each bit step takes one clock. A machine's ALU works on one bit of a field in a clock, or on several adjacent ones
-(`alu.bits`); of a linear expression its trees bring one bit in a clock, or several (`evaluator.bits`). Instructions
-follow back to back: while the last bits of one expression run down the multiplier trees the first of the next enter at
-the root. So a frame takes at least the sum of the table below over its instructions, plus the latency of the trees
-once, at the end; what a machine waits for besides, its page says. The latency is one clock a level: ceil(log2 width) +
-ceil(log2 height) of the machine's array, or less where registers lie behind every r-th level alone
-(`evaluator.register_levels`). `global_or` and `skip_if_none` wait for the answer, a latency and a clock for each level
-of the global OR; instructions that are skipped take no clock, the jump over them a request on the link. Both need a
-machine with a global OR.
+Each bit step takes one clock. In each clock a machine's ALU processes one bit of a field or several adjacent bits
+(`alu.bits`), and its trees deliver one bit of a linear expression or several (`evaluator.bits`). Instructions
+follow back to back: while the last bits of one expression run down the multiplier trees, the first bits of the next
+enter at the root. So a frame takes at least the sum of the table below over its instructions, plus the latency of the
+trees once, at the end; each machine's page lists its other waits. The latency is one clock per level: ceil(log2 width)
++ ceil(log2 height) of the machine's array, or less if only every r-th level has registers
+(`evaluator.register_levels`). `global_or` and `skip_if_none` wait for the answer: the latency plus one clock for each
+level of the global OR. Skipped instructions take no clock; the jump over them takes a request on the link. Both
+instructions need a machine with a global OR.
 
 | clocks | instructions |
 |---|---|
@@ -106,9 +107,9 @@ std::string_view clocks_of(ClockClass clock_class) {
     case ClockClass::linear_twice: return "twice as many: to compare, then to write";
     case ClockClass::field: return "width of the field, over the width of the ALU, rounded up";
     case ClockClass::two_fields:
-      return "twice as many for the width of the wider field; once on machines that read twice a clock";
+      return "twice as many for the width of the wider field; once on machines that read twice per clock";
     case ClockClass::root:
-      return "w\\*w + 2w for a root of w bits; (w\\*w + 5w) / 2 on machines that read twice a clock";
+      return "w\\*w + 2w for a root of w bits; (w\\*w + 5w) / 2 on machines that read twice per clock";
     case ClockClass::answer: return "1 + latency of the trees + levels of the global OR";
   }
   return {};
@@ -144,8 +145,8 @@ std::string operands_of(const OpcodeInfo& row) {
   return out;
 }
 
-/// The bits of an instruction on a link, by the width w of its linear expression and n of its target.
-std::string wire_bits_of(Opcode opcode) {
+/// Bits of an instruction on a link, as a formula in the width w of its linear expression and n of its target.
+std::string wire_bits_formula(Opcode opcode) {
   const unsigned fixed = wire_bits(Instruction{opcode, {}, {}, 0, {}});
   const unsigned a_linear_bit = wire_bits(Instruction{opcode, {}, {0, 0, 0, 1, 0}, 0, {}}) - fixed;
   const unsigned a_target_bit = wire_bits(Instruction{opcode, {{{0, 1}}}, {}, 0, {}}) - fixed;
@@ -163,7 +164,7 @@ void put_opcodes(std::string& page) {
       "| number | instruction | operands | fields | bits on a link | meaning |\n|---|---|---|---|---|---|\n");
   for (const OpcodeInfo& row : opcode_table)
     put(page, "| {} | `{}` | {} | {} | {} | {} |\n", static_cast<unsigned>(row.opcode), row.name, operands_of(row),
-        widths_of(row), wire_bits_of(row.opcode), row.meaning);
+        widths_of(row), wire_bits_formula(row.opcode), row.meaning);
   put(page,
       "\nThe fields of one instruction do not overlap, except that those of the `bit_` instructions may be the "
       "same.\n\n");
@@ -173,8 +174,8 @@ void put_link(std::string& page) {
   put(page,
       "## On a link\n\n"
       "Over a link of 1 to {} bits the stream travels as **commands**: the instructions, and three more. A command is "
-      "its\nnumber in {} bits, then its operands in their order, each with its least significant bit first. It "
-      "begins at\na new word of the link, and takes ceil(bits / width of the link) words, filled up with 0.\n\n"
+      "its\nnumber in {} bits, then its operands in order, each with its least significant bit first. It "
+      "begins at\na new word of the link and takes ceil(bits / width of the link) words, padded with 0.\n\n"
       "| operand | bits on a link |\n|---|---|\n"
       "| target, source | base {}, width {} |\n"
       "| linear | width {}, shift {}, then A, B and C in `width` bits each |\n"
@@ -184,20 +185,20 @@ void put_link(std::string& page) {
       LinkWord::most_bits, opcode_bits, wire_base_bits, wire_field_width_bits, wire_linear_width_bits, wire_shift_bits,
       wire_linear_width_bits, wire_count_bits);
   put(page,
-      "A, B and C travel as two's complement numbers modulo 2^width: more of them has no part in F. Origins do not "
-      "travel.\n\n"
+      "A, B and C travel as two's complement numbers modulo 2^width, because higher bits do not affect F. Origins "
+      "are not sent.\n\n"
       "| number | command | bits on a link | meaning |\n|---|---|---|---|\n"
       "| {} | segment | {} | x, y, width and height of a segment, {} bits each: memory and E become 0 there; "
-      "the instructions to come are its pixels' |\n"
+      "the following instructions are for its pixels |\n"
       "| {} | end of segment | {} | the pixels of the segment are finished |\n"
-      "| {} | end of frame | {} | base and width of the colour field, {} and {} bits: what stands there is to be "
-      "shown, or nothing if the width is 0 |\n\n",
+      "| {} | end of frame | {} | base and width of the colour field, {} and {} bits: this field is displayed, "
+      "or nothing if the width is 0 |\n\n",
       SegmentStart::number, wire_bits(SegmentStart{}), wire_region_bits, SegmentEnd::number, wire_bits(SegmentEnd{}),
       FrameEnd::number, wire_bits(FrameEnd{}), wire_base_bits, wire_field_width_bits);
   put(page,
-      "Example: `set_constant [16+:8], 0xa5` is 18 in {} bits, 16 in {}, 8 in {} and 0xa5 in 8, {} bits in all: one "
-      "word "
-      "of a\nlink of 32 bits, four of a link of 10.\n\n",
+      "Example: `set_constant [16+:8], 0xa5` is 18 in {} bits, 16 in {}, 8 in {} and 0xa5 in 8, a total of {} bits: "
+      "one "
+      "word\nof a link of 32 bits, four of a link of 10.\n\n",
       opcode_bits, wire_base_bits, wire_field_width_bits,
       wire_bits(Instruction{Opcode::set_constant, {{{16, 8}}}, {}, 0xa5, {}}));
 }
@@ -217,8 +218,8 @@ void put_clocks(std::string& page) {
 void put_origins(std::string& page) {
   put(page,
       "\n## Origins\n\n"
-      "Each instruction says whom it serves: a purpose, the primitive whose surface is drawn, while classifying the\n"
-      "primitive it is compared with, and the effect that calls for it.\n\n"
+      "Each instruction records its origin: a purpose, the primitive whose surface is drawn, the primitive it is\n"
+      "compared with while classifying, and the effect it belongs to.\n\n"
       "| purpose | meaning |\n|---|---|\n");
   for (const PurposeInfo& row : purpose_table) put(page, "| `{}` | {} |\n", row.name, row.meaning);
 }
@@ -235,14 +236,14 @@ void put_limits(std::string& page) {
       "| width of a field | {} bits |\n"
       "| width of a field of `load_linear`, `linear_plus`, `linear_minus`, `root` | {} bits |\n"
       "| width of a linear expression | {} bits |\n"
-      "| instructions that one skips | {} |\n"
+      "| instructions skipped by one instruction | {} |\n"
       "| \\|A\\| \\* segment width + \\|B\\| \\* segment height + \\|C\\| | below 2^62 |\n"
       "| the same with \\|A\\| \\* width^2 + \\|B\\| \\* width \\* height + \\|C\\| \\* height^2 of squares | below "
       "2^62 |\n"
       "| memory of a pixel | {} bits |\n"
       "| side of the array | {} pixels |\n\n"
-      "A Program that breaks a rule of this page is refused, with the segment and instruction, or the line and "
-      "column.\n",
+      "A Program that breaks a rule of this page is rejected; the error names the segment and instruction, or the line "
+      "and column.\n",
       max_field_width, max_wide_field_width, max_linear_width, max_count, max_memory_bits, max_array_side);
 }
 
@@ -279,8 +280,8 @@ void put_text_form(std::string& page) {
   put(page,
       "\n## The text form\n\n"
       "`csgsim disasm` prints a Program as text, and a text file is run like a binary one. `#` begins a comment. "
-      "Comments\nhave the numbers of segments (`s0`) and of instructions through all of them (`i0`), by which other "
-      "commands name them.\n\n```\n");
+      "Printed\ncomments number the segments (`s0`) and, through all segments, the instructions (`i0`); other commands "
+      "use these numbers.\n\n```\n");
   std::ostringstream printed;
   print(printed, parse(sample, "sample"));
   page += printed.view();
@@ -291,27 +292,27 @@ void put_text_form(std::string& page) {
       "SHIFT)`.\n"
       "- Squares are a sum of A\\*x\\*x, B\\*x\\*y and C\\*y\\*y, each at most once, then `(wWIDTH)`.\n"
       "- A constant or a count is decimal, or hexadecimal after `0x`.\n"
-      "- After `;` stands the origin: the purpose, `pN` for a primitive, `against pN` for the one it is compared "
-      "with,\n  `for eN` for the effect that it serves, counted from 0 in the order of `.compile`'s `effects`.\n"
-      "  Primitives count from 0 in the order of the `.primitive` lines; where one is drawn in several convex pieces,\n"
-      "  which its line tells by `pieces=3`, `pN.K` is one of them, from 0. Without `;` the purpose is `{}`.\n"
+      "- The origin follows `;`: the purpose, `pN` for a primitive, `against pN` for the one it is compared "
+      "with,\n  `for eN` for the effect it belongs to, counted from 0 in the order of `.compile`'s `effects`.\n"
+      "  Primitives count from 0 in the order of the `.primitive` lines. If one is drawn in several convex pieces,\n"
+      "  as in `pieces=3` on its line, `pN.K` is one of them, from 0. Without `;` the purpose is `{}`.\n"
       "- In strings `\\\"` and `\\\\` stand for `\"` and `\\`, and `\\xNN` for the byte with that hexadecimal code.\n\n"
-      "`.array` comes first. `.field NAME PLACE ROLE`, `.primitive \"NAME\"` and `.extent` stand once for each, and "
-      "before the first\n`.segment`. The other directives take `key=value` pairs; what is left out is zero (`far`: "
+      "`.array` comes first. `.field NAME PLACE ROLE`, `.primitive \"NAME\"` and `.extent` appear once per item, "
+      "before the first\n`.segment`. The other directives take `key=value` pairs; missing values are zero (`far`: "
       "1).\n\n"
-      "What a machine acts on is in `.array`, `.frame`, `.extent`, `.display_model`, of a segment in its region and in "
-      "what its\ndivision takes, in `.prepare`, and in the instructions. All else is for people, origins too: without "
-      "it "
-      "clocks, counts of\ninstructions and picture are the same.\n\n"
-      "- `.machine` names the machine that the Program was compiled for, with the figures that were changed, and its "
-      "figures,\n  `\"KEY=VALUE\"` each; those left out are csgsim's. Commands run the Program on it and refuse "
+      "A machine acts only on `.array`, `.frame`, `.extent`, `.display_model`, `.prepare`, the region and division "
+      "counts "
+      "of a\nsegment, and the instructions. Everything else, including origins, is for users: without it clocks, "
+      "instruction counts and\npicture are the same.\n\n"
+      "- `.machine` names the machine that the Program was compiled for, with its changed parameters, and lists its "
+      "parameters,\n  `\"KEY=VALUE\"` each; the others have csgsim's values. Commands run the Program on it and reject "
       "another "
-      "kind of machine, or\n  one with less memory.\n"
-      "- `.frame` says where the colour stands that is shown; none if `colour_bits` is 0. Bases have 12 bits, widths "
+      "kind of machine\n  or one with less memory.\n"
+      "- `.frame` gives the field whose colour is displayed; none if `colour_bits` is 0. Bases have 12 bits, widths "
       "6.\n"
-      "- `.extent` lines, for a host that keeps a list of what is active on a line: the first and the last row with "
+      "- `.extent` lines are for a host that keeps an active list per line: the first and the last row with "
       "instructions\n  for each primitive's piece, 16 bits each.\n"
-      "- A number of a segment's region has 16 bits, each of what its division takes 64.\n\n"
+      "- The numbers of a segment's region have 16 bits each, its division counts 64.\n\n"
       "The keys:\n\n",
       info(Origin{}.purpose).name);
   const Program program;
@@ -319,16 +320,17 @@ void put_text_form(std::string& page) {
   put_keys(page, "extent", RowExtent{});
   put_keys(page, "segment", Segment{});
   put(page,
-      "\nFor a machine that divides the model itself `.display_model \"DIGITS\"` lines, before the first `.segment`, "
+      "\nFor a machine that divides the model itself, `.display_model \"DIGITS\"` lines before the first `.segment` "
       "hold "
-      "what\nit is sent, two hexadecimal digits a byte. Then there is more to say of a segment, what the division of "
-      "its group takes,\n\n");
+      "the data\nsent to it, two hexadecimal digits per byte. Segments then have more keys, for the work of dividing "
+      "their group,\n\n");
   put_keys(page, "segment", DivisionCounts{});
-  put(page, "\nand, on `.step` lines after it, what each of its surfaces takes:\n\n");
+  put(page, "\nand are followed by `.step` lines for the work of each surface:\n\n");
   put_keys(page, "step", DivisionStep{});
   put(page,
-      "\nWhat the host does before it writes instructions is on `.prepare` lines, one before the first `.segment` for "
-      "the frame,\nand one after the line of each segment that has some ([the host](host.md)):\n\n");
+      "\n`.prepare` lines count the work of the host before it writes instructions: one line before the first "
+      "`.segment` for "
+      "the\nframe, and one after the line of each segment with such work ([the host](host.md)):\n\n");
   put_keys(page, "prepare", Preparation{});
 }
 

@@ -1,10 +1,13 @@
+// Generates the manual of the instruction set.
+// Used by csgsim manual instructions.
 #pragma once
 
 #include <string>
 
 namespace csgsim::isa {
 
-/// The manual of the instruction set, in Markdown, made from the tables that the code uses: docs/instruction-set.md.
+/// The manual of the instruction set in Markdown, generated from the tables that the code uses:
+/// docs/instruction-set.md.
 std::string instruction_set_page();
 
 }  // namespace csgsim::isa

@@ -34,17 +34,17 @@ json field_row(const NamedField& named) {
 }
 
 template <class Record>
-json numbers_of(const Record& record) {
+json number_row(const Record& record) {
   json row = json::array();
   describe(record, [&](const char*, const auto& member) { row.push_back(member); });
   return row;
 }
 
-/// With what its group's division takes and the number of its steps, where there is a display model.
+/// A row that includes the counts of the group's division and the number of steps if there is a display model.
 json segment_row(const Segment& segment, bool divided) {
-  json row = numbers_of(segment);
+  json row = number_row(segment);
   if (divided) {
-    for (json& number : numbers_of(*segment.division)) row.push_back(std::move(number));
+    for (json& number : number_row(*segment.division)) row.push_back(std::move(number));
     row.push_back(segment.division->steps.size());
   }
   row.push_back(segment.instructions.size());
@@ -87,20 +87,20 @@ void read(const json& value, std::string_view what, FieldRole& member) {
   member = static_cast<FieldRole>(found - field_role_names.begin());
 }
 
-const json& member_of(const json& object, const char* key) {
+const json& require_member(const json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end()) throw MalformedBytes(fmt::format("has metadata without {}", key));
   return *found;
 }
 
-/// The elements of an array of exactly so many.
-const json& row_of(const json& value, std::string_view what, std::size_t size) {
+/// The elements of an array, which must have `size` elements.
+const json& require_row(const json& value, std::string_view what, std::size_t size) {
   if (!value.is_array() || value.size() != size) malformed(what, fmt::format("a list of {}", size));
   return value;
 }
 
 void read(const json& value, std::string_view what, NamedField& named) {
-  const json& row = row_of(value, what, 4);
+  const json& row = require_row(value, what, 4);
   read(row[0], what, named.name);
   read(row[1], what, named.field.base);
   read(row[2], what, named.field.width);
@@ -108,18 +108,18 @@ void read(const json& value, std::string_view what, NamedField& named) {
 }
 
 void read(const json& value, std::string_view what, RowExtent& extent) {
-  const json& row = row_of(value, what, 2);
+  const json& row = require_row(value, what, 2);
   read(row[0], what, extent.first);
   read(row[1], what, extent.last);
 }
 
-/// A record whose members stand in a row, in their order.
+/// A record stored as a row of its members in order.
 template <class Record>
 requires std::same_as<Record, DivisionStep> || std::same_as<Record, Preparation>
 void read(const json& value, std::string_view what, Record& record) {
   std::size_t members = 0;
   describe(record, [&](const char*, auto&) { ++members; });
-  const json& row = row_of(value, what, members);
+  const json& row = require_row(value, what, members);
   std::size_t column = 0;
   describe(record, [&](const char* key, auto& member) { read(row[column++], key, member); });
 }
@@ -130,18 +130,18 @@ void read(const json& value, std::string_view what, std::vector<Element>& member
   for (const json& element : value) read(element, what, member.emplace_back());
 }
 
-/// How many each primitive has.
+/// Reads the number of pieces of each primitive.
 void read_pieces(const json& value, Facts& facts) {
   std::vector<std::uint32_t> counts;
   read(value, "pieces", counts);
   const std::uint64_t all = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
   const bool has_none = std::find(counts.begin(), counts.end(), 0U) != counts.end();
-  if (has_none || counts.size() != facts.primitives.size() || all > most_pieces)
-    malformed("pieces", fmt::format("a number above 0 for each primitive, {} at most together", most_pieces));
+  if (has_none || counts.size() != facts.primitives.size() || all > max_pieces)
+    malformed("pieces", fmt::format("a number above 0 for each primitive, at most {} in total", max_pieces));
   set_piece_counts(counts, facts);
 }
 
-/// What a row tells besides the segment itself.
+/// Counts in a segment's row that are not stored in the segment.
 struct SegmentSizes {
   std::uint64_t steps = 0;
   std::uint64_t instructions = 0;
@@ -155,7 +155,7 @@ SegmentSizes read_segment(const json& value, bool divided, Segment& segment) {
     describe(*segment.division, add);
     ++members;
   }
-  const json& row = row_of(value, "segments", members + 1);
+  const json& row = require_row(value, "segments", members + 1);
   std::size_t column = 0;
   const auto take = [&](const char* key, auto& member) { read(row[column++], key, member); };
   describe(segment, take);
@@ -168,36 +168,37 @@ SegmentSizes read_segment(const json& value, bool divided, Segment& segment) {
   return sizes;
 }
 
-/// Gives each segment as many of the steps as its row says.
+/// Distributes the steps to the segments by the counts of their rows.
 void share_out(const std::vector<DivisionStep>& steps, std::span<const std::uint64_t> counts, Program& program) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] > steps.size() - next) malformed("steps", "as long as its segments say");
+    if (counts[i] > steps.size() - next) malformed("number of steps", "the sum of the segments' step counts");
     const auto first = steps.begin() + static_cast<std::ptrdiff_t>(next);
     program.segments[i].division->steps.assign(first, first + static_cast<std::ptrdiff_t>(counts[i]));
     next += static_cast<std::size_t>(counts[i]);
   }
-  if (next != steps.size()) malformed("steps", "as long as its segments say");
+  if (next != steps.size()) malformed("number of steps", "the sum of the segments' step counts");
 }
 
-/// Of the frame and of each segment; nothing where nobody has counted.
+/// One row for the frame and one per segment; null if nothing was counted.
 json preparation_rows(const Program& program) {
   bool any = *program.preparation != Preparation{};
-  json rows = json::array({numbers_of(*program.preparation)});
+  json rows = json::array({number_row(*program.preparation)});
   for (const Segment& segment : program.segments) {
     any = any || *segment.preparation != Preparation{};
-    rows.push_back(numbers_of(*segment.preparation));
+    rows.push_back(number_row(*segment.preparation));
   }
   return any ? rows : json();
 }
 
 void share_out(const std::vector<Preparation>& rows, Program& program) {
-  if (rows.size() != program.segments.size() + 1) malformed("preparation", "a row for the frame and each segment");
+  if (rows.size() != program.segments.size() + 1)
+    malformed("preparation", "one row for the frame and one for each segment");
   *program.preparation = rows.front();
   for (std::size_t i = 0; i < program.segments.size(); ++i) *program.segments[i].preparation = rows[i + 1];
 }
 
-/// Refuses nesting deeper than encode_metadata makes, which bounds the recursion of the reader of CBOR.
+/// Rejects deeper nesting than encode_metadata() writes, which bounds the recursion of the CBOR reader.
 class DepthGuard : public nlohmann::json_sax<json> {
  public:
   bool null() override { return true; }
@@ -219,21 +220,22 @@ class DepthGuard : public nlohmann::json_sax<json> {
   int depth_ = 0;
 };
 
-/// Refuses strings in pieces, which encode_metadata does not write: the reader of CBOR calls itself for each piece, and
-/// a piece may be in pieces again. Items stand one behind the other whatever they are part of.
-void refuse_strings_in_pieces(std::span<const std::byte> cbor) {
+/// Rejects indefinite-length strings, which encode_metadata() never writes: the CBOR reader recurses for each chunk,
+/// and chunks may nest. A flat scan suffices because the items of CBOR follow one another at any nesting depth.
+void refuse_indefinite_strings(std::span<const std::byte> cbor) {
   constexpr unsigned bytes_major = 2;
   constexpr unsigned text_major = 3;
   constexpr unsigned first_long = 24;  // the argument follows in 1, 2, 4 or 8 bytes
   constexpr unsigned last_long = 27;
-  constexpr unsigned in_pieces = 31;
+  constexpr unsigned indefinite_length = 31;
   ByteReader in(cbor);
   while (in.left() > 0) {
     const unsigned head = in.byte();
     const unsigned major = head >> 5U;
     std::uint64_t argument = head & 0x1fU;
     const bool is_string = major == bytes_major || major == text_major;
-    if (is_string && argument == in_pieces) throw MalformedBytes("has metadata with a string in pieces");
+    if (is_string && argument == indefinite_length)
+      throw MalformedBytes("has metadata with an indefinite-length string");
     if (argument >= first_long && argument <= last_long) {
       const unsigned size = 1U << (argument - first_long);
       argument = 0;
@@ -244,7 +246,7 @@ void refuse_strings_in_pieces(std::span<const std::byte> cbor) {
 }
 
 json parse_cbor(std::span<const std::byte> cbor) {
-  refuse_strings_in_pieces(cbor);
+  refuse_indefinite_strings(cbor);
   const auto* begin = reinterpret_cast<const std::uint8_t*>(cbor.data());
   const auto* end = begin + cbor.size();
   DepthGuard guard;
@@ -255,13 +257,14 @@ json parse_cbor(std::span<const std::byte> cbor) {
   return parsed;
 }
 
-/// Metadata of the first version that can be read, as this one has it: it names no machine, its background stands among
-/// the settings, and the field of role colour is shown.
+/// Converts metadata of the first readable version to the current one. The old version names no machine, keeps the
+/// background in the compile record, and displays the field with the role colour.
 json upgraded(json root) {
-  json shown{
-      {"colour_base", 0}, {"colour_bits", 0}, {"background", member_of(member_of(root, "compile"), "background")}};
+  json shown{{"colour_base", 0},
+             {"colour_bits", 0},
+             {"background", require_member(require_member(root, "compile"), "background")}};
   std::vector<NamedField> fields;
-  read(member_of(root, "fields"), "fields", fields);
+  read(require_member(root, "fields"), "fields", fields);
   const auto colour = std::ranges::find(fields, FieldRole::colour, &NamedField::role);
   if (colour != fields.end()) {
     shown["colour_base"] = colour->field.base;
@@ -292,7 +295,7 @@ std::vector<std::uint8_t> encode_metadata(const Program& program) {
     root["display_model"] = hexadecimal(program.display_model);
     json& steps = root["steps"] = json::array();
     for (const Segment& segment : program.segments)
-      for (const DivisionStep& step : segment.division->steps) steps.push_back(numbers_of(step));
+      for (const DivisionStep& step : segment.division->steps) steps.push_back(number_row(step));
   }
   if (json rows = preparation_rows(program); !rows.is_null()) root["preparation"] = std::move(rows);
   return json::to_cbor(root);
@@ -303,13 +306,13 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
   Metadata metadata;
   Program& program = metadata.program;
   describe_header(program, [&](const char* name, auto& record) {
-    const json& object = member_of(root, name);
+    const json& object = require_member(root, name);
     if (!object.is_object()) malformed(name, "a map");
-    describe(record, [&](const char* key, auto& member) { read(member_of(object, key), key, member); });
+    describe(record, [&](const char* key, auto& member) { read(require_member(object, key), key, member); });
   });
-  read(member_of(root, "primitives"), "primitives", program.facts->primitives);
+  read(require_member(root, "primitives"), "primitives", program.facts->primitives);
   if (const auto pieces = root.find("pieces"); pieces != root.end()) read_pieces(*pieces, *program.facts);
-  read(member_of(root, "fields"), "fields", program.facts->fields);
+  read(require_member(root, "fields"), "fields", program.facts->fields);
   if (const auto extents = root.find("extents"); extents != root.end()) read(*extents, "extents", program.extents);
   if (const auto model = root.find("display_model"); model != root.end()) {
     std::string digits;
@@ -318,7 +321,7 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
     if (!bytes || bytes->empty()) malformed("display_model", "hexadecimal digits, two a byte");
     program.display_model = *bytes;
   }
-  const json& segments = member_of(root, "segments");
+  const json& segments = require_member(root, "segments");
   if (!segments.is_array()) malformed("segments", "a list");
   const bool divided = !program.display_model.empty();
   std::vector<std::uint64_t> step_counts;
@@ -329,7 +332,7 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
   }
   if (divided) {
     std::vector<DivisionStep> steps;
-    read(member_of(root, "steps"), "steps", steps);
+    read(require_member(root, "steps"), "steps", steps);
     share_out(steps, step_counts, program);
   }
   if (const auto found = root.find("preparation"); found != root.end()) {

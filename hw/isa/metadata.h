@@ -1,3 +1,5 @@
+// CBOR metadata of the binary form.
+// Used by binary.cpp.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +11,16 @@
 
 namespace csgsim::isa {
 
-/// All of a Program but its instructions, with the number of them in each segment, as CBOR.
+/// Encodes a Program without its instructions, but with their number in each segment, as CBOR.
 std::vector<std::uint8_t> encode_metadata(const Program& program);
 
 struct Metadata {
-  Program program;                                ///< its segments have no instructions yet
-  std::vector<std::uint64_t> instruction_counts;  ///< of each segment; as claimed, not checked
+  Program program;                                ///< without instructions
+  std::vector<std::uint64_t> instruction_counts;  ///< one per segment, as claimed by the file
 };
 
-/// Metadata of before Programs named their machine and what is shown is told so; its rows' extents are left out. Throws
-/// MalformedBytes.
+/// Decodes metadata. `names_machine` is false for the old version, which names neither the machine nor the displayed
+/// field; the row extents of such a Program are left empty. Throws MalformedBytes.
 Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine);
 
 }  // namespace csgsim::isa

@@ -1,3 +1,5 @@
+// Opcode numbers and their properties.
+// Used by opcodes.h and instruction.h.
 #pragma once
 
 #include <array>
@@ -7,46 +9,46 @@
 
 namespace csgsim::isa {
 
-/// An instruction by its number. The names and all that holds of each stand in the table, hw/isa/opcodes.h; only what
-/// names instructions or reads whole rows needs it.
+/// The number of an instruction. Names and properties are in the table, hw/isa/opcodes.h; only code that names
+/// instructions or reads whole rows has to include it.
 enum class Opcode : std::uint8_t;
 
 inline constexpr unsigned opcode_bits = 6;
 inline constexpr std::size_t opcode_numbers = std::size_t{1} << opcode_bits;
 
-/// What an operand of an instruction is.
+/// Kinds of operands.
 enum class OperandKind : std::uint8_t {
   none,
   target,    ///< a field of pixel memory that is written
   source,    ///< a field of pixel memory that is read
   linear,    ///< A, B, C, width, shift of a linear expression
   constant,  ///< an unsigned constant as wide as the target field
-  count,     ///< a number of instructions, 1 at least
-  squares,   ///< A, B, C, width of what the next instruction's linear expression has besides
+  count,     ///< a number of instructions, at least 1
+  squares,   ///< A, B, C and width of the quadratic part of the next instruction's expression
 };
 
 inline constexpr std::size_t max_operands = 3;
 using Operands = std::array<OperandKind, max_operands>;
 
-/// Is there a row for it? A value read from a file or a link need not have one.
+/// Whether the opcode has a row in the table. A value from a file or a link may have none.
 bool in_table(Opcode opcode);
 
 std::string_view name_of(Opcode opcode);
 const Operands& operands_of(Opcode opcode);
 
-/// Does it need the global OR of the machine?
-bool is_question(Opcode opcode);
+/// Whether the instruction needs the machine's global OR.
+bool needs_global_or(Opcode opcode);
 
-/// Does what it writes to its target depend on what is there?
+/// Whether the value written to the target depends on its previous value.
 bool reads_target(Opcode opcode);
 
-/// May its field have up to max_wide_field_width bits?
+/// Whether the fields may have up to max_wide_field_width bits.
 bool takes_wide_field(Opcode opcode);
 
-/// Does the validity of an instruction depend on those that follow it?
+/// Whether the validity of the instruction depends on the instructions after it.
 bool looks_ahead(Opcode opcode);
 
-/// Is A*x + B*y + C meant to have more bits than the width, so that it is no overflow where it has?
+/// Whether A*x + B*y + C may exceed the width by design, which then is no overflow.
 bool cuts_sum(Opcode opcode);
 
 }  // namespace csgsim::isa

@@ -11,7 +11,7 @@ std::string_view name_of(Opcode opcode) { return info(opcode).name; }
 
 const Operands& operands_of(Opcode opcode) { return info(opcode).operands; }
 
-bool is_question(Opcode opcode) { return info(opcode).clock_class == ClockClass::answer; }
+bool needs_global_or(Opcode opcode) { return info(opcode).clock_class == ClockClass::answer; }
 
 bool reads_target(Opcode opcode) {
   return opcode == Opcode::keep_max || opcode == Opcode::keep_min || opcode == Opcode::xor_constant ||

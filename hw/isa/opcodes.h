@@ -1,3 +1,5 @@
+// The table of the instruction set.
+// Used by all engines, machines and emitters.
 #pragma once
 
 #include <array>
@@ -9,45 +11,43 @@
 
 namespace csgsim::isa {
 
-/// What an instruction asks of the widths of its fields.
+/// Constraints on the widths of an instruction's fields.
 enum class FieldWidths : std::uint8_t {
   free,         ///< any width
-  equal,        ///< all equally wide
-  elementwise,  ///< all equally wide; these alone may coincide, but overlap in whole only
+  equal,        ///< all of the same width
+  elementwise,  ///< all of the same width; only these fields may coincide, but not overlap in part
   one,          ///< one bit each
   narrower,     ///< the second no wider than the first
   wide,         ///< any width up to max_wide_field_width
   odd,          ///< an odd width from 3 up to max_wide_field_width
 };
 
-/// How many clocks an instruction takes (see hw/machines/clocks.h for the figures).
+/// The number of clocks of an instruction (hw/machines/clocks.h has the parameters).
 enum class ClockClass : std::uint8_t {
   one,           ///< one bit step
-  linear_once,   ///< the linear expression is streamed once: one bit step a bit, or for as many as the trees bring
+  linear_once,   ///< the linear expression is streamed once: one bit step per group of bits that the trees deliver
   linear_twice,  ///< streamed once to compare, once to write
-  field,         ///< one bit step a bit of the target field, or for as many as the ALU is wide
+  field,         ///< one bit step per group of field bits that the ALU processes in a clock
   two_fields,    ///< as `field`, with two memory reads of the source fields
-  answer,        ///< one bit step, then the controller waits for the answer
-  root,          ///< a bit of the root after the other, each against all that are there
+  answer,        ///< one bit step, then the controller waits for the global OR
+  root,          ///< one bit of the root after another, each against all root bits before it
 };
 
-/// What an instruction does to E.
+/// Effect of an instruction on E.
 enum class EnableEffect : std::uint8_t {
-  sets,     ///< whatever it was
+  sets,     ///< independent of the old value
   narrows,  ///< may clear it
   keeps,
 };
 
 /// The broadcast instruction set. Columns: number, name, operands (at most three), widths of the fields, clock class,
-/// what becomes of E, meaning. The numbers are what files and links carry: they stay as they are, and the rows may
-/// stand in any order.
+/// effect on E, meaning. Files and links carry the numbers, so a number never changes; the order of the rows is free.
 ///
 /// In the meanings E is the pixel's enable bit, t a target field, s and r source fields, k a constant or a count, and
 /// F the pixel's value of the linear expression: the low `width` bits of A*x + B*y + C as a two's complement number,
-/// shifted right by `shift` with floor; x and y are the pixel's column and row in its segment. Where `squares` is the
-/// instruction before, its A*x*x + B*x*y + C*y*y is a part of that sum. Fields are unsigned. Of a
-/// field of 2w + 1 bits D is the number without the top bit.
-/// Memory is written only where E is 1, but for enable_store.
+/// shifted right by `shift` with floor; x and y are the pixel's column and row in its segment. After `squares` the sum
+/// also contains A*x*x + B*x*y + C*y*y with the coefficients of the squares. Fields are unsigned. D is the value of a
+/// field of 2w + 1 bits without its top bit. Memory is written only where E is 1, except by enable_store.
 // clang-format off
 #define CSGSIM_OPCODES(OP)                                                                                             \
   OP( 0, enable_all,        none,   none,     none,   one,         one,         sets,    "E := 1")                     \
@@ -88,17 +88,17 @@ enum class EnableEffect : std::uint8_t {
   OP(27, bit_not,           target, source,   none,   elementwise, field,       keeps,                                 \
      "where E: t := not s, bit by bit")                                                                                \
   OP(28, global_or,         none,   none,     none,   free,        answer,      keeps,                                 \
-     "the host is told whether E is 1 at any pixel")                                                                   \
+     "the host receives whether E is 1 at any pixel")                                                                  \
   OP(29, xor_constant,      target, constant, none,   free,        field,       keeps,                                 \
      "where E: t := t xor k, bit by bit")                                                                              \
   OP(30, skip_if_none,      count,  none,     none,   free,        answer,      keeps,                                 \
-     "if E is 1 at no pixel, the next k instructions of the segment are not carried out")                              \
+     "if E is 1 at no pixel, the next k instructions of the segment are not executed")                                 \
   OP(31, add,               target, source,   none,   narrower,    two_fields,  keeps,                                 \
      "where E: t := the low bits of t + s; the carry out of the top bit is lost")                                      \
   OP(32, stripe,            linear, none,     none,   free,        linear_once, narrows,                               \
      "E := E and the top bit of F; bits of the sum above it are cut off on purpose, which is no overflow")             \
   OP(33, squares,           squares, none,    none,   free,        one,         keeps,                                 \
-     "the sum of the next instruction has A x^2 + B xy + C y^2 besides")                                               \
+     "adds A x^2 + B xy + C y^2 to the sum of the next instruction")                                                   \
   OP(34, linear_plus,       target, linear,   none,   wide,        linear_once, keeps,                                 \
      "where E: t := the low bits of F + t")                                                                            \
   OP(35, linear_minus,      target, linear,   none,   wide,        linear_once, keeps,                                 \
@@ -134,7 +134,7 @@ inline constexpr auto opcode_table = std::to_array<OpcodeInfo>({
 #undef CSGSIM_OPCODE_ROW
 });
 
-/// For each number the place of its row, opcode_table.size() where there is none.
+/// The row index for each number; opcode_table.size() for unused numbers.
 inline constexpr auto opcode_rows = [] {
   std::array<std::uint8_t, opcode_numbers> rows{};
   rows.fill(static_cast<std::uint8_t>(opcode_table.size()));
@@ -143,10 +143,10 @@ inline constexpr auto opcode_rows = [] {
   return rows;
 }();
 
-/// The row of an opcode that has one.
+/// The row of an opcode in the table.
 constexpr const OpcodeInfo& info(Opcode opcode) { return opcode_table[opcode_rows[static_cast<std::size_t>(opcode)]]; }
 
-/// Whether it may change E or memory of a pixel that is not enabled.
+/// Whether the instruction may change E or memory of a disabled pixel.
 constexpr bool acts_on_disabled(Opcode opcode) {
   return info(opcode).enable_effect == EnableEffect::sets || opcode == Opcode::enable_store;
 }

@@ -1,3 +1,5 @@
+// Queries about operands of instructions.
+// Used by hw/isa, several machines and rooms of sim.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +16,7 @@ constexpr bool has_operand(const Operands& operands, OperandKind kind) {
   return std::find(operands.begin(), operands.end(), kind) != operands.end();
 }
 
-/// May it write to the field?
+/// Whether the instruction may write to bits of the field.
 inline bool may_write(const Instruction& instruction, Field field) {
   const Operands& operands = operands_of(instruction.opcode);
   for (std::size_t i = 0; i < max_operands; ++i)
@@ -22,21 +24,21 @@ inline bool may_write(const Instruction& instruction, Field field) {
   return false;
 }
 
-/// Instructions after this one that are not carried out, if so many pixels are enabled.
+/// The number of instructions that this instruction skips if `enabled_pixels` pixels are enabled.
 inline std::uint64_t skipped_after(const Instruction& instruction, std::uint64_t enabled_pixels) {
   return enabled_pixels == 0 && has_operand(operands_of(instruction.opcode), OperandKind::count) ? instruction.constant
                                                                                                  : 0;
 }
 
-/// The squares right before the instruction of that number in its segment, if there are any: a run that begins with
-/// that instruction has to carry them out first.
+/// The squares right before instruction `index` of the segment, if any. A run that begins with that instruction has to
+/// execute them first.
 inline const Instruction* pending_squares(const Segment& segment, std::size_t index) {
   if (index == 0) return nullptr;
   const Instruction& before = segment.instructions[index - 1];
   return has_operand(operands_of(before.opcode), OperandKind::squares) ? &before : nullptr;
 }
 
-/// Is there a row for it? A value read from a file need not have one.
+/// Whether the purpose has a row in the table. A value from a file may have none.
 constexpr bool in_table(Purpose purpose) { return static_cast<std::size_t>(purpose) < purpose_table.size(); }
 
 }  // namespace csgsim::isa

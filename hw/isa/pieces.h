@@ -1,3 +1,5 @@
+// Maps convex pieces to primitives of the model.
+// Used by hw/isa, hw/wave, host/emit and the reports of sim.
 #pragma once
 
 #include <cstdint>
@@ -9,36 +11,36 @@
 
 namespace csgsim::isa {
 
-// A primitive, a node of the model's file, is drawn as one convex piece or as several. Origins name pieces, which are
-// numbered through, primitive after primitive; people are told of primitives.
+// A primitive (a node of the model's file) is drawn as one or several convex pieces. Origins name pieces, which are
+// numbered consecutively through all primitives; messages for users name primitives.
 
-inline constexpr std::uint32_t most_pieces = 16'000'000;
+inline constexpr std::uint32_t max_pieces = 16'000'000;
 
-/// Pieces of all primitives.
+/// Number of pieces of all primitives.
 std::uint32_t piece_count(const Facts& facts);
 
-/// The primitive that a piece belongs to. A number past the last piece is its own.
+/// The primitive of a piece. A number past the last piece is returned unchanged.
 std::uint32_t primitive_of(const Facts& facts, std::uint32_t piece);
 
-/// Pieces that follow each other.
+/// A range of consecutive pieces.
 struct PieceRange {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
 };
 
-/// Those of a primitive that there is.
+/// The pieces of an existing primitive.
 PieceRange pieces_of(const Facts& facts, std::uint32_t primitive);
 
 /// `p4`, or `p4.2` for the third of several pieces.
 std::string piece_label(const Facts& facts, std::uint32_t piece);
 
-/// `p4 cylinder@9:9` or `p4.2 text@9:9`; the label alone where there is no such piece.
+/// `p4 cylinder@9:9` or `p4.2 text@9:9`; only the label if there is no such piece.
 std::string piece_name(const Facts& facts, std::uint32_t piece);
 
-/// How many pieces each primitive has; none if each has one.
+/// Number of pieces of each primitive; empty if each has one.
 std::vector<std::uint32_t> piece_counts(const Facts& facts);
 
-/// Says how many pieces each primitive has, one at least.
+/// Sets the number of pieces of each primitive, at least one each.
 void set_piece_counts(const std::vector<std::uint32_t>& counts, Facts& facts);
 
 }  // namespace csgsim::isa

@@ -25,7 +25,7 @@ Field field_of(const Program& program, FieldRole role) {
 
 FrameHeader frame_header(const Program& program) { return {program.shape, program.colour, program.background}; }
 
-std::size_t instructions_in(const Program& program) {
+std::size_t total_instructions(const Program& program) {
   std::size_t count = 0;
   for (const Segment& segment : program.segments) count += segment.instructions.size();
   return count;

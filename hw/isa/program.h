@@ -1,3 +1,5 @@
+// Programs: segments of instructions with a frame header.
+// Used by the host, all engines and all machines.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +13,8 @@
 namespace csgsim::isa {
 
 struct SegmentFacts;    // hw/isa/host_counts.h
-struct DivisionCounts;  // the same
-struct Preparation;     // the same
+struct DivisionCounts;  // hw/isa/host_counts.h
+struct Preparation;     // hw/isa/host_counts.h
 struct Facts;           // hw/isa/facts.h
 
 }  // namespace csgsim::isa
@@ -35,35 +37,35 @@ struct Region {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
 
-  /// Whether that pixel of the picture is in it.
+  /// Whether the pixel of the picture is inside.
   [[nodiscard]] constexpr bool holds(std::uint32_t column, std::uint32_t row) const {
     return column >= x && column - x < width && row >= y && row - y < height;
   }
   constexpr bool operator==(const Region&) const = default;
 };
 
-/// The instructions broadcast to one region. Linear expressions count x and y from the region's top left pixel. Without
-/// instructions the region shows the background, and no pixel processor works on it.
+/// The instructions broadcast to one region. Linear expressions count x and y from the region's top left pixel. A
+/// region without instructions shows the background, and no pixel processor works on it.
 struct Segment {
   Region region;
   std::vector<Instruction> instructions;
   Indirect<SegmentFacts> facts{};
   Indirect<DivisionCounts> division{};  ///< all 0 without a display model
-  Indirect<Preparation> preparation{};  ///< of the host, for these instructions
+  Indirect<Preparation> preparation{};  ///< work of the host for these instructions
 
   bool operator==(const Segment&) const = default;
 };
 
-/// Pixels, of an array or of the picture that a Program draws, and the memory of each.
+/// Size of an array, or of the picture that a Program draws, and memory per pixel.
 struct ArrayShape {
   std::uint32_t width = 0;        ///< pixels
   std::uint32_t height = 0;       ///< pixels
-  std::uint32_t memory_bits = 0;  ///< a pixel
+  std::uint32_t memory_bits = 0;  ///< bits per pixel
 
   constexpr bool operator==(const ArrayShape&) const = default;
 };
 
-/// The rows of the picture from the first to the last that have instructions for a primitive's piece.
+/// The first and last row of the picture with instructions for one piece.
 struct RowExtent {
   std::uint16_t first = 0;
   std::uint16_t last = 0;
@@ -71,38 +73,38 @@ struct RowExtent {
   constexpr bool operator==(const RowExtent&) const = default;
 };
 
-/// The machine that a Program was compiled for. All empty: it does not say.
+/// The machine that a Program was compiled for. All members are empty if it is not recorded.
 struct MachineRecord {
-  std::string name;                  ///< as machines are named, with changed figures behind it
-  std::string kind;                  ///< empty: the one of the machine of that name that comes with csgsim
-  std::vector<std::string> figures;  ///< KEY=VALUE; those that are left out are as that machine has them
+  std::string name;                  ///< name of the machine, followed by its changed parameters
+  std::string kind;                  ///< empty: the kind of the built-in machine with that name
+  std::vector<std::string> figures;  ///< KEY=VALUE; parameters not listed have the built-in machine's values
 
   bool operator==(const MachineRecord&) const = default;
 };
 
-/// All that crosses from host to machine, with the counts and facts that the host adds.
+/// Everything that crosses from host to machine, with the counts and facts that the host adds.
 struct Program {
   MachineRecord machine{};
   ArrayShape shape;              ///< the whole picture
-  Field colour{};                ///< of pixel memory, which is shown; of width 0 where nothing is
-  std::uint32_t background = 0;  ///< colour where nothing is seen, as the colour field holds it
+  Field colour{};                ///< displayed field of pixel memory; width 0 if nothing is displayed
+  std::uint32_t background = 0;  ///< colour where nothing is seen, in the format of the colour field
   std::vector<Segment> segments;
-  /// What a host that keeps a list of the pieces on a line sorts into buckets, a piece each, in no order that matters;
-  /// none for other machines.
+  /// One extent per piece, in any order, for a host that keeps an active list of pieces per line and sorts them into
+  /// buckets; empty for other machines.
   std::vector<RowExtent> extents{};
-  /// What a machine that divides the model itself is sent in place of the segments, the first bit in the lowest of the
-  /// first byte; none for other machines. The segments are what it has to make of that.
+  /// Bit stream that replaces the segments on the link of a machine that divides the model itself; the first bit is the
+  /// lowest of the first byte. Empty for other machines. The segments then are the expected result of the division.
   std::vector<std::uint8_t> display_model{};
-  Indirect<Preparation> preparation{};  ///< of the host, for the frame, before the first segment
+  Indirect<Preparation> preparation{};  ///< work of the host for the frame, before the first segment
   Indirect<Facts> facts{};
 
   bool operator==(const Program&) const = default;
 };
 
-/// What a machine is told of a frame besides its segments.
+/// The frame data that a machine receives in addition to the segments.
 struct FrameHeader {
   ArrayShape shape;              ///< the whole picture
-  Field colour;                  ///< of pixel memory, which is shown; of width 0 where nothing is
+  Field colour;                  ///< displayed field of pixel memory; width 0 if nothing is displayed
   std::uint32_t background = 0;  ///< colour of a region without instructions
 
   constexpr bool operator==(const FrameHeader&) const = default;
@@ -110,16 +112,16 @@ struct FrameHeader {
 
 FrameHeader frame_header(const Program& program);
 
-/// How many all its segments have.
-std::size_t instructions_in(const Program& program);
+/// The number of instructions in all segments.
+std::size_t total_instructions(const Program& program);
 
-/// Throws InputError unless the instruction can run on an array of that memory: opcode in the table, fields inside the
-/// memory and of the widths the opcode asks for, fields of one instruction disjoint (single bits may coincide), linear
-/// width and shift in range and wide enough for the field it meets, constant no wider than its target, count not 0,
-/// unused operands zero.
+/// Throws InputError unless the instruction can run on an array with that memory: the opcode is in the table; fields
+/// lie inside the memory, have widths that the opcode permits, and are disjoint (single bits may coincide); linear
+/// width and shift are in range and wide enough for the compared field; a constant is no wider than its target; a count
+/// is not 0; unused operands are zero.
 void validate(const Instruction& instruction, std::uint32_t memory_bits);
 
-/// Throws InputError unless every part of the Program is sound; says which segment and instruction is not.
+/// Throws InputError with the number of the segment and instruction unless every part of the Program is valid.
 void validate(const Program& program);
 
 }  // namespace csgsim::isa

@@ -20,7 +20,7 @@ namespace {
 
 constexpr InputKind program_file{"a .csgt file", std::size_t{1} << 30U, "draw a smaller picture, or fewer primitives"};
 
-/// Without blank lines and comments before it.
+/// The text after its leading blank lines and comments.
 std::string_view first_statement(std::string_view text) {
   while (true) {
     const std::size_t begin = text.find_first_not_of(" \t\r\n");

@@ -1,3 +1,5 @@
+// Loads and saves Program files.
+// Used by sim/session, sim/python and csgsim.h.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +13,11 @@ namespace csgsim::isa {
 
 enum class ProgramForm : std::uint8_t { binary, text };
 
-/// Is what begins so a Program? In text form its first directive tells, behind blank lines and comments.
+/// Whether a file with these first bytes is a Program. Text form is recognized by its first directive, after blank
+/// lines and comments.
 bool begins_as_program(std::span<const std::byte> bytes);
 
-/// Reads a Program in either form; its first bytes tell which. Throws InputError.
+/// Reads a Program in either form, recognized by its first bytes. Throws InputError.
 Program load_program(const std::filesystem::path& path);
 
 /// Writes the whole Program or nothing (see OutputFile). Throws InputError.

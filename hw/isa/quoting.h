@@ -1,3 +1,5 @@
+// Quoted strings and hexadecimal digits of the text form.
+// Used by hw/isa and sim/debug.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +11,19 @@
 
 namespace csgsim::isa {
 
-/// The text as a string of the text form: in quotes, on one line, control characters as \xNN.
+/// The text as a quoted string of the text form, on one line, with control characters as \xNN.
 std::string in_quotes(std::string_view text);
 
-/// What stands between the quotes of a string, its escapes replaced.
+/// The body of a quoted string with its escapes replaced.
 std::string unescaped(std::string_view body);
 
-/// The text bare if it is a word of the text form, else quoted.
+/// The text unchanged if it is a word of the text form, otherwise quoted.
 std::string word_or_quoted(std::string_view text);
 
-/// Two digits a byte.
+/// Two hexadecimal digits per byte.
 std::string hexadecimal(std::span<const std::uint8_t> bytes);
 
-/// Of such digits; none, if they are not.
+/// Bytes of such digits; empty if the text is malformed.
 std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view digits);
 
 }  // namespace csgsim::isa

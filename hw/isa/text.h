@@ -1,3 +1,5 @@
+// Prints and parses the text form of Programs.
+// Used by csgsim disasm, sim/debug, sim/story, sim/viewer and sim/python.
 #pragma once
 
 #include <iosfwd>
@@ -10,7 +12,7 @@
 
 namespace csgsim::isa {
 
-/// The text form of a Program: one directive or instruction a line.
+/// The text form of a Program, with one directive or instruction per line:
 ///
 ///     # csgsim program
 ///     .array width=512 height=512 memory_bits=72
@@ -30,42 +32,43 @@ namespace csgsim::isa {
 ///       enable_store in                              ; classify p0 against p1  # i4
 ///       set_constant [41+:8], 0xff                   ; shade p0                # i5
 ///
-/// - `#` begins a comment, which ends with its line. Blanks separate; how many does not matter. print writes the
-///   numbers of segments and of instructions (hw/isa/instruction_numbers.h) as comments.
-/// - Directives that begin with a dot come first, `.array` before all others, and then the segments. `key=value` pairs
-///   come in any order; what is left out is zero (near 0, far 1). Values are numbers, `true` or `false`, strings, and
+/// - `#` begins a comment, which ends with its line. Words are separated by any number of blanks. print writes the
+///   numbers of segments and instructions (hw/isa/instruction_numbers.h) as comments.
+/// - Directives begin with a dot and come first, `.array` before all others; then come the segments. `key=value` pairs
+///   may be in any order; missing values are zero (near 0, far 1). Values are numbers, `true` or `false`, strings, and
 ///   lists of strings.
-/// - `.frame` says which field is shown, before a `.field` of role colour, which has to be that. `.extent first=3
-///   last=40` lines say the rows of a piece each, for a host that keeps an active list.
-/// - `.display_model` lines hold hexadecimal digits, two a byte, for machines that divide the model themselves.
-///   Segments then have keys for what a group of them takes, and `.step` lines after them for what each takes.
-/// - A field is the name of a `.field`, `[bit]`, or `[base+:width]`: width bits of pixel memory, the least significant
-///   at base.
-/// - A linear expression is a sum of A*x, B*y and C, each once at most, then `(wWIDTH)` or `(wWIDTH >> SHIFT)`.
-/// - Squares are a sum of A*x*x, B*x*y and C*y*y, each once at most, then `(wWIDTH)`.
+/// - `.frame` names the displayed field, before any `.field` with the role colour, which must be the same field.
+///   `.extent first=3 last=40` lines give the rows of one piece each, for a host that keeps an active list.
+/// - `.display_model` lines hold hexadecimal digits, two per byte, for machines that divide the model themselves.
+///   Segments then have keys for the work of their group, followed by `.step` lines for the work of each step.
+/// - A field is the name of a `.field`, `[bit]`, or `[base+:width]`: `width` bits of pixel memory with the least
+///   significant bit at `base`.
+/// - A linear expression is a sum of A*x, B*y and C, each at most once, then `(wWIDTH)` or `(wWIDTH >> SHIFT)`.
+/// - Squares are a sum of A*x*x, B*x*y and C*y*y, each at most once, then `(wWIDTH)`.
 /// - A constant or a count is decimal, or hexadecimal after `0x`.
-/// - After `;` stands the origin: a purpose, `pN` for the primitive with index N, counted from 0 in the order of the
-///   `.primitive` lines, and `against pN` for the one it is compared with. Without `;` it is `setup`.
-/// - Words are letters, digits, `_` and `.`, not beginning with a digit or dot. Names of fields that are no words are
-///   strings. In strings `\"` and `\\` stand for `"` and `\`, and `\xNN` for the byte with that hexadecimal code.
+/// - The origin follows `;`: a purpose, `pN` for the primitive with index N, counted from 0 in the order of the
+///   `.primitive` lines, and `against pN` for the primitive it is compared with. Without `;` the purpose is `setup`.
+/// - Words are letters, digits, `_` and `.`, not beginning with a digit or dot. Field names that are not words are
+///   written as strings. In strings `\"` and `\\` stand for `"` and `\`, and `\xNN` for the byte with that hexadecimal
+///   code.
 ///
-/// print writes it so that parse reads the same Program back, doubles bit by bit.
+/// parse() restores the printed Program exactly, including every bit of its doubles.
 void print(std::ostream& out, const Program& program);
 
-/// An instruction as the text form has it, without its origin; `fields` give names.
+/// An instruction in text form without its origin; `fields` supplies the names.
 std::string text_of(const Instruction& instruction, std::span<const NamedField> fields);
 
-/// A linear expression as the text form has it.
+/// A linear expression in text form.
 std::string text_of(const Linear& linear);
 
-/// A field's place as the text form has it.
+/// A field's place in text form.
 std::string text_of(Field field);
 
-/// Whom an instruction serves, as the text form has it behind a `;`.
+/// An origin in text form, as after a `;`.
 std::string text_of(const Origin& origin, const Facts& facts);
 
-/// Reads the text form; `name` is the file's in errors. The result is valid. Throws InputError, `name:line:column:
-/// what, and what to do`; unknown words name the nearest known one.
+/// Reads the text form; `name` is the file's name in errors. The result is valid. Throws InputError of the form
+/// `name:line:column: what is wrong; what to do`; for an unknown word it suggests the nearest known one.
 Program parse(std::string_view text, std::string_view name);
 
 }  // namespace csgsim::isa

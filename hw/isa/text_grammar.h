@@ -1,3 +1,5 @@
+// PEGTL grammar of the text form.
+// Used by text_parse.cpp.
 #pragma once
 
 #include <type_traits>
@@ -5,8 +7,8 @@
 #include "hw/isa/grammar_parts.h"
 #include "hw/isa/text_reading.h"
 
-/// The grammar of the text form, of which hw/isa/text.h tells. What operands an instruction takes, and what a directive
-/// holds, the tables decide while it is read.
+/// The grammar of the text form (hw/isa/text.h). Tables determine at parse time which operands an instruction takes and
+/// what a directive holds.
 namespace csgsim::isa::grammar {
 
 struct comment : seq<one<'#'>, until<at<eolf>>> {};
@@ -18,7 +20,7 @@ struct string_body : star<sor<if_must<one<'\\'>, escape_code>, not_one<'"', '\\'
 struct string_end : one<'"'> {};
 struct quoted_string : if_must<one<'"'>, string_body, string_end> {};
 
-// Operands.
+// Operands
 struct field_name : sor<word, quoted_string> {};
 struct field_operand : sor<field_place, field_name> {};
 
@@ -47,7 +49,7 @@ struct instruction_count : seq<constant_operand> {};
 
 struct comma : seq<gap, one<','>> {};
 
-/// The operands that the instruction's row in the opcode table asks for.
+/// The operands listed in the instruction's row of the opcode table.
 struct operands {
   using rule_t = operands;
   using subs_t =
@@ -79,7 +81,7 @@ struct operands {
   }
 };
 
-// Instructions.
+// Instructions
 struct mnemonic : word {};
 struct purpose : word {};
 struct piece : seq<plus<digit>, opt<one<'.'>, plus<digit>>> {};
@@ -92,7 +94,7 @@ struct origin : if_must<one<';'>, gap, purpose, opt<blanks, one<'p'>, primitive>
                         opt<if_must<serves, effect>>> {};
 struct instruction : seq<mnemonic, operands, gap, opt<origin>> {};
 
-// Directives.
+// Directives
 struct key : word {};
 struct equals : one<'='> {};
 struct list_item : seq<quoted_string> {};
@@ -108,7 +110,7 @@ struct pair : if_must<key, equals, value> {};
 struct new_field_name : sor<word, quoted_string> {};
 struct role : word {};
 
-/// What the directive holds whose name has been read.
+/// The body of the directive whose name has been read.
 struct directive_body {
   using rule_t = directive_body;
   using subs_t = type_list<blanks, new_field_name, field_place, role, quoted_string, pair>;
@@ -141,7 +143,7 @@ struct statement : sor<directive, instruction> {};
 struct line : seq<gap, sor<seq<opt<comment>, eolf>, must<statement, line_end>>> {};
 struct file : until<eof, line> {};
 
-/// What is said where a rule that has to match does not.
+/// Error text where a rule must match but does not.
 template <class Rule>
 constexpr const char* message() {
   if (std::is_same_v<Rule, line_end>) return "unexpected text; end the line here, or begin a comment with #";
@@ -179,7 +181,7 @@ constexpr const char* message() {
 struct Messages {
   template <typename Rule>
   static constexpr const char* message = grammar::message<Rule>();
-  /// Only where it has to match; elsewhere another rule may.
+  /// Raises errors only where a rule must match; elsewhere an alternative may match.
   template <typename Rule>
   static constexpr bool raise_on_failure = false;
 };

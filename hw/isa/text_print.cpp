@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t origin_column = 56;
 constexpr std::size_t number_column = 84;
-constexpr std::size_t model_line = 48;  ///< bytes of a display model in a line
+constexpr std::size_t model_line = 48;  ///< bytes of a display model per line
 
 using Buffer = fmt::memory_buffer;
 
@@ -54,7 +54,7 @@ void put_record(Buffer& out, std::string_view name, const Record& record, std::s
   put(out, "{}\n", comment);
 }
 
-/// The names of fields; of several names of one field the first.
+/// Names of fields; for a field with several names, the first.
 class FieldNames {
  public:
   explicit FieldNames(std::span<const NamedField> fields) {
@@ -77,7 +77,7 @@ class FieldNames {
   std::map<Key, std::string_view> names_;
 };
 
-/// A, B and C, each before its variables.
+/// Prints A, B and C, each with its variables.
 void put_sum(Buffer& out, const Linear& linear, const std::array<std::string_view, 3>& variables,
              std::string_view if_zero) {
   bool first = true;
@@ -133,7 +133,7 @@ void put_operation(Buffer& out, const Instruction& instruction, const FieldNames
   for (std::size_t i = 0; i < max_operands; ++i) put_operand(out, instruction, i, names);
 }
 
-/// Blanks up to a column of the line that begins there, two at least.
+/// Pads the line that begins at `begin` with blanks up to a column, at least two.
 void put_blanks(Buffer& out, std::size_t begin, std::size_t column) {
   const std::size_t length = out.size() - begin;
   put(out, "{:{}}", "", length + 2 < column ? column - length : 2);

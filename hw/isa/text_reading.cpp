@@ -37,11 +37,11 @@ template <class... Args>
 }
 
 [[noreturn]] void refuse_word(std::string_view what, std::string_view word, std::span<const std::string_view> known) {
-  if (known.empty()) refuse("unknown {} '{}'; there is none yet", what, word);
+  if (known.empty()) refuse("unknown {} '{}'; none is defined yet", what, word);
   refuse("unknown {} '{}'; the nearest is '{}'", what, word, nearest(word, known));
 }
 
-/// The index in a table of the row with that name.
+/// Index of the table row with that name.
 template <class Table>
 std::size_t index_in(const Table& table, std::string_view what, std::string_view word) {
   std::vector<std::string_view> names;
@@ -107,7 +107,7 @@ bool has_key(Record& record, std::string_view key) {
   return has;
 }
 
-/// Of the records that stand once, the one that has the key; empty if none has.
+/// The name of the header record that has the key; empty if none has it.
 std::string_view record_with(std::string_view key, Program& program) {
   std::string_view found;
   describe_header(program, [&](std::string_view name, auto& record) {
@@ -159,7 +159,7 @@ void Reading::begin_directive(const std::string& name) {
     refuse(".{} comes after a .segment; put it before the first", name);
   }
   if (directive == Directive::record && !records_seen_.insert(name).second)
-    refuse(".{} stands twice; keep one of them", name);
+    refuse(".{} appears twice; keep one of them", name);
 }
 
 void Reading::begin_step() {
@@ -173,16 +173,16 @@ void Reading::begin_step() {
 
 void Reading::begin_preparation() {
   if (!prepared_.insert(program_.segments.size()).second)
-    refuse(".prepare stands twice for {}; keep one of them", program_.segments.empty() ? "the frame" : "this segment");
+    refuse(".prepare appears twice for {}; keep one of them", program_.segments.empty() ? "the frame" : "this segment");
   if (!program_.segments.empty() && !program_.segments.back().instructions.empty())
     refuse(".prepare comes after an instruction; put it after its .segment line");
 }
 
-/// What the directives of the primitives have said.
+/// Applies the piece counts of the .primitive directives.
 void Reading::set_pieces() {
   std::uint64_t all = 0;
   for (const std::uint32_t count : piece_counts_) all += count;
-  if (all > most_pieces) refuse("the primitives have {} pieces; there are {} at most", all, most_pieces);
+  if (all > max_pieces) refuse("the primitives have {} pieces; at most {} are possible", all, max_pieces);
   set_piece_counts(piece_counts_, *program_.facts);
 }
 
@@ -201,7 +201,7 @@ std::uint32_t Reading::piece(std::string_view label) const {
   const bool is_one = point == std::string_view::npos;
   const std::uint32_t number = is_one ? 0 : index(label.substr(point + 1));
   if (primitive >= facts.primitives.size() || number >= range.count)
-    refuse("the origin's p{} is none of the pieces that the Program lists", label);
+    refuse("the origin's p{} is not one of the pieces that the Program lists", label);
   if (is_one && range.count > 1)
     refuse("p{0} has {1} pieces; name one of p{0}.0 to p{0}.{2}", primitive, range.count, range.count - 1);
   return range.first + number;
@@ -210,11 +210,11 @@ std::uint32_t Reading::piece(std::string_view label) const {
 void Reading::set_value() {
   if (!keys_seen_.insert(key).second) refuse("{} is given twice; keep one of them", key);
   if (directive == Directive::primitive) {
-    if (key != "pieces") refuse("a primitive has no {}, but pieces", key);
+    if (key != "pieces") refuse("a primitive has no key {}; its only key is pieces", key);
     piece_counts_.resize(program_.facts->primitives.size() + 1, 1);
     std::uint32_t& count = piece_counts_.back();
     assign(value, key, count);
-    if (count == 0) refuse("a primitive has one piece at least");
+    if (count == 0) refuse("a primitive has at least one piece");
     return;
   }
   if (directive == Directive::extent) return assign_member(program_.extents.back(), key, value);
@@ -246,7 +246,7 @@ void Reading::end_directive() {
       return;
     case Directive::display_model: {
       const auto bytes = bytes_of(text);
-      if (!bytes) refuse("a display model is hexadecimal digits, two a byte");
+      if (!bytes) refuse("a display model consists of hexadecimal digits, two per byte");
       program_.display_model.insert(program_.display_model.end(), bytes->begin(), bytes->end());
       return;
     }
@@ -258,7 +258,7 @@ void Reading::end_directive() {
       named_.field = field;
       validate_field(named_, program_);
       if (!fields_.emplace(named_.name, named_.field).second)
-        refuse("field {} is named twice; give each field a name of its own", in_quotes(named_.name));
+        refuse("field {} is named twice; give each field its own name", in_quotes(named_.name));
       program_.facts->fields.push_back(named_);
       return;
   }
@@ -283,7 +283,7 @@ void Reading::set_purpose(std::string_view name) {
 
 void Reading::set_effect(std::string_view number) {
   const std::uint32_t named = index(number);
-  if (named >= no_effect) refuse("effect e{} is not one of the Program's; it has fewer than {}", named, no_effect);
+  if (named >= no_effect) refuse("the Program has no effect e{}; it has fewer than {}", named, no_effect);
   instruction.origin.effect = static_cast<std::uint8_t>(named);
 }
 
@@ -291,11 +291,11 @@ void Reading::end_term() { add_term("xy1", "A*x + B*y + C"); }
 
 void Reading::end_square_term() { add_term("xby", "A*x*x + B*x*y + C*y*y"); }
 
-/// Of the sum that has these variables, the first before a.
+/// Adds a term to the sum with these variables, in the order of a, b and c.
 void Reading::add_term(std::string_view variables, std::string_view sum) {
   const Term term = std::exchange(term_, Term{});
   if (terms_seen_.find(term.variable) != std::string::npos)
-    refuse("two terms of one kind; add their coefficients, {} has each once", sum);
+    refuse("two terms of one kind; add their coefficients: {} has each term once", sum);
   terms_seen_ += term.variable;
   constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   if (term.magnitude > most) refuse("coefficient {} is out of range; keep it below 2^62", term.magnitude);
@@ -332,7 +332,7 @@ Program Reading::finish(std::string_view name) {
   try {
     validate_preparations(program_);
   } catch (const InputError& error) {
-    refuse("{}: all .prepare together: {}", name, error.what());
+    refuse("{}: sum of all .prepare: {}", name, error.what());
   }
   for (std::size_t s = 0; s < program_.segments.size(); ++s) {
     try {

@@ -1,3 +1,5 @@
+// Semantic actions of the text form's grammar.
+// Used by text_grammar.h and text_reading.cpp.
 #pragma once
 
 #include <charconv>
@@ -18,7 +20,7 @@
 
 namespace csgsim::isa {
 
-/// What a directive of the text form holds.
+/// Kinds of directives of the text form.
 enum class Directive : std::uint8_t { record, field, primitive, extent, display_model, segment, step, preparation };
 
 /// A value that is neither string nor list: a number, true or false.
@@ -28,10 +30,11 @@ struct Bare {
 
 using Value = std::variant<Bare, std::string, std::vector<std::string>>;
 
-/// A Program while its text form is read: what the words of the grammar mean. Members throw InputError without a place.
+/// Builds a Program from its text form: the semantic actions of the grammar. Members throw InputError without a
+/// position.
 class Reading {
  public:
-  // What the rules of the grammar have read last.
+  // The last values read by the rules of the grammar.
   std::string text;  ///< a word, or a string without its quotes and escapes
   std::string key;
   Value value;
@@ -40,7 +43,7 @@ class Reading {
   Directive directive = Directive::record;
 
   void begin_directive(const std::string& name);
-  void set_value();  ///< of the key
+  void set_value();  ///< assigns `value` to the member named `key`
   void name_field() { named_.name = text; }
   void set_role(std::string_view name);
   void end_directive();
@@ -50,10 +53,10 @@ class Reading {
   void set_purpose(std::string_view name);
   void set_effect(std::string_view number);
   void end_instruction();
-  /// Where the instruction stands that has just ended.
+  /// Records the position of the instruction that has just ended.
   void place_instruction(std::size_t line, std::size_t column);
 
-  /// The terms of the linear expression or of the squares: sign, magnitude and variables, then the end of the term.
+  /// Terms of the linear expression or squares: sign, magnitude and variables, then the end of the term.
   void set_negative() { term_.negative = true; }
   void set_magnitude(std::uint64_t magnitude) { term_.magnitude = magnitude; }
   void set_variable(char variable) { term_.variable = variable; }
@@ -70,11 +73,10 @@ class Reading {
     return value;
   }
 
-  /// The Program, once all of it has been read; the file's name and the place stand before an error that shows only
-  /// then.
+  /// The complete Program. Errors that only the whole text reveals are reported with the file's name and the position.
   Program finish(std::string_view name);
 
-  /// The number of a piece, from 4.2 for the third of primitive 4, or from 4 where that has one piece.
+  /// The number of a piece from its label: 4.2 for the third piece of primitive 4, or 4 if that has one piece.
   [[nodiscard]] std::uint32_t piece(std::string_view label) const;
 
  private:
@@ -84,7 +86,7 @@ class Reading {
   void set_pieces();
   void begin_step();
   void begin_preparation();
-  /// Of the segment at hand, or the frame's before the first.
+  /// The preparation of the current segment, or of the frame before the first segment.
   Preparation& preparation() {
     return program_.segments.empty() ? *program_.preparation : *program_.segments.back().preparation;
   }
@@ -92,10 +94,10 @@ class Reading {
   struct Term {
     bool negative = false;
     std::uint64_t magnitude = 1;
-    char variable = '1';  ///< also of a square; `b` of both variables' product
+    char variable = '1';  ///< x, y, '1' for the constant term; of squares x, y, or `b` for the product x*y
   };
 
-  /// An instruction that looks ahead.
+  /// Position of an instruction that looks ahead.
   struct Placed {
     std::size_t segment = 0;
     std::size_t index = 0;  ///< within the segment
@@ -104,16 +106,16 @@ class Reading {
   };
 
   Program program_;
-  std::map<std::string, Field, std::less<>> fields_;  ///< of the Program, by name
+  std::map<std::string, Field, std::less<>> fields_;  ///< the Program's fields by name
   std::vector<Placed> look_ahead_;
   std::set<std::string> records_seen_;
-  std::set<std::size_t> prepared_;   ///< how many segments there were at each .prepare
-  std::string name_;                 ///< of the directive
-  std::set<std::string> keys_seen_;  ///< of the directive
+  std::set<std::size_t> prepared_;   ///< number of segments at each .prepare
+  std::string name_;                 ///< name of the directive
+  std::set<std::string> keys_seen_;  ///< keys of the directive
   NamedField named_;
   Term term_;
-  std::vector<std::uint32_t> piece_counts_;  ///< of the primitives so far
-  std::string terms_seen_;                   ///< the variables of the expression
+  std::vector<std::uint32_t> piece_counts_;  ///< pieces of each primitive read
+  std::string terms_seen_;                   ///< variables of the expression's terms
 };
 
 }  // namespace csgsim::isa

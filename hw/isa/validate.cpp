@@ -18,7 +18,7 @@
 #include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
 
-/// `[20+:22]`; where it stands in a message that is not thrown nothing is written.
+/// Formats as `[20+:22]`. fmt formats only the messages that are thrown.
 template <>
 struct fmt::formatter<csgsim::isa::Field> : fmt::formatter<std::string_view> {
   auto format(csgsim::isa::Field field, fmt::format_context& context) const {
@@ -47,7 +47,7 @@ void check_field(Field field, std::uint32_t memory_bits, unsigned most = max_fie
 void check_operand(Field field, const OpcodeInfo& row, std::uint32_t memory_bits) {
   check_field(field, memory_bits, takes_wide_field(row.opcode) ? max_wide_field_width : max_field_width);
   require(row.widths != FieldWidths::odd || (field.width % 2 == 1 && field.width >= 3),
-          "{}: field {} is {} bits wide; give it an odd number of bits, 3 at least: twice the root's and one more",
+          "{}: field {} is {} bits wide; give it an odd number of bits, at least 3: twice the root's width plus 1",
           row.name, field, field.width);
 }
 
@@ -73,7 +73,7 @@ void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::ui
       }
       if (widths == FieldWidths::elementwise) {
         require(field == other || !field.overlaps(other),
-                "{}: fields {} and {} overlap in part; take the same field or keep them apart", row.name, other, field);
+                "{}: fields {} and {} overlap in part; use the same field or separate fields", row.name, other, field);
       } else {
         require(!field.overlaps(other), "{}: fields {} and {} overlap; keep them apart", row.name, other, field);
       }
@@ -81,8 +81,8 @@ void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::ui
   }
 }
 
-/// The width of the first field, if the instruction has any: what F or the constant meets.
-std::optional<unsigned> met_width(const Instruction& instruction, const OpcodeInfo& row) {
+/// The width of the field that F or the constant is combined with, which is the first field, if any.
+std::optional<unsigned> combined_width(const Instruction& instruction, const OpcodeInfo& row) {
   if (!is_field(row.operands[0])) return std::nullopt;
   return instruction.fields[0].width;
 }
@@ -98,10 +98,10 @@ void check_linear(const Instruction& instruction, const OpcodeInfo& row) {
           row.name, has_squares ? "squares are" : "linear expression is", linear.width, has_squares ? "them" : "it",
           max_linear_width);
   require(!has_squares || linear.shift == 0, "{}: squares have no shift; leave it zero", row.name);
-  require(linear.shift < linear.width, "{}: shift {} leaves nothing of the {} bits; shift by less", row.name,
+  require(linear.shift < linear.width, "{}: shift {} drops all of the {} bits; use a smaller shift", row.name,
           linear.shift, linear.width);
   const unsigned kept = static_cast<unsigned>(linear.width) - linear.shift;
-  const std::optional<unsigned> met = met_width(instruction, row);
+  const std::optional<unsigned> met = combined_width(instruction, row);
   require(!met || kept > *met,
           "{}: F has {} bits and meets a field of {}; it needs one more than the field for its sign", row.name, kept,
           met.value_or(0));
@@ -109,8 +109,8 @@ void check_linear(const Instruction& instruction, const OpcodeInfo& row) {
 
 void check_constant(const Instruction& instruction, const OpcodeInfo& row) {
   if (has_operand(row.operands, OperandKind::count)) {
-    require(instruction.constant >= 1, "{} 0 skips nothing; skip an instruction at least, or leave it out", row.name);
-    require(instruction.constant <= max_count, "{} {}: it can skip {} instructions at most; divide the skip", row.name,
+    require(instruction.constant >= 1, "{} 0 skips nothing; skip at least one instruction, or remove it", row.name);
+    require(instruction.constant <= max_count, "{} {}: it can skip at most {} instructions; split the skip", row.name,
             instruction.constant, max_count);
     return;
   }
@@ -118,7 +118,7 @@ void check_constant(const Instruction& instruction, const OpcodeInfo& row) {
     require(instruction.constant == 0, "{} has no constant; leave it zero", row.name);
     return;
   }
-  const unsigned width = met_width(instruction, row).value_or(0);
+  const unsigned width = combined_width(instruction, row).value_or(0);
   require(instruction.constant >> width == 0, "{}: constant {} does not fit {} bits; widen the field", row.name,
           instruction.constant, width);
 }
@@ -134,7 +134,7 @@ void check_range(const Instruction& instruction, const Region& region) {
           name_of(instruction.opcode), region.width, region.height);
 }
 
-/// Of squares, and of the linear expression that comes after them.
+/// Checks the sum of squares and the linear expression after them.
 void check_sum(const Linear& squares, const Linear& linear, const Region& region) {
   const Wide width = region.width;
   const Wide height = region.height;
@@ -147,14 +147,14 @@ void check_sum(const Linear& squares, const Linear& linear, const Region& region
           region.width, region.height);
 }
 
-/// `following`: the instructions after the squares.
+/// Checks squares against `following`, the instructions after them.
 void check_squares(const Instruction& squares, std::span<const Instruction> following, const Region& region) {
   require(!following.empty(),
           "squares are the last instruction of the segment; put one with a linear expression "
           "after them");
   const Instruction& next = following.front();
   require(has_operand(operands_of(next.opcode), OperandKind::linear),
-          "squares come before {}, which has no linear expression; put one that has right after them",
+          "squares come before {}, which has no linear expression; put an instruction that has one right after them",
           name_of(next.opcode));
   require(next.linear.width == squares.linear.width,
           "squares of {} bits come before a linear expression of {}; give them the same width", squares.linear.width,
@@ -168,7 +168,7 @@ void check_index(std::uint32_t index, std::uint32_t none, const Program& program
           piece_count(*program.facts));
 }
 
-/// Runs a check; what it throws gets the place in front.
+/// Runs a check and adds the place to its error text.
 template <class Check, class... Args>
 void at(const Check& check, fmt::format_string<Args...> place, Args&&... args) {
   try {
@@ -231,7 +231,7 @@ void validate_field(const NamedField& named, const Program& program) {
 
 void validate_extent(const RowExtent& extent, const ArrayShape& shape) {
   require(extent.first <= extent.last && extent.last < shape.height,
-          "the extent from row {} to row {} is none of a picture of {} rows; its first is not below its last",
+          "the extent from row {} to row {} is not possible in a picture of {} rows; give rows of the picture in order",
           extent.first, extent.last, shape.height);
 }
 
@@ -256,15 +256,15 @@ void validate_header(const Program& program) {
   require(!depth.perspective || (depth.near > 0 && std::isfinite(1.0 / depth.near)),
           "near is {} in perspective; put it before the eye, far enough above 0 for a reciprocal", depth.near);
   if (program.colour != Field{}) at([&] { check_field(program.colour, shape.memory_bits); }, "the colour shown");
-  require(program.background < 1U << most_colour_bits, "background is {}; a colour has at most {} bits",
-          program.background, most_colour_bits);
+  require(program.background < 1U << max_colour_bits, "background is {}; a colour has at most {} bits",
+          program.background, max_colour_bits);
   require(std::isfinite(program.facts->compile.edge_on_fraction),
           "edge_on_fraction is {}; give a finite fraction of a pixel", program.facts->compile.edge_on_fraction);
 }
 
 void validate_preparation(const Preparation& preparation) {
   describe(preparation, [](std::string_view key, std::uint64_t count) {
-    require(count <= most_prepared, "{}={} is more than a host prepares for a frame, {}", key, count, most_prepared);
+    require(count <= max_prepared, "{}={} exceeds the limit for a frame, {}", key, count, max_prepared);
   });
 }
 
@@ -282,7 +282,7 @@ void validate_steps(const Segment& segment, const Program& program) {
   if (program.display_model.empty()) return;
   const std::uint64_t written = segment.division->sum().instructions;
   require(written == segment.instructions.size(),
-          "its steps write {} instructions, and it has {}; compile the model again", written,
+          "its steps write {} instructions, but it has {}; compile the model again", written,
           segment.instructions.size());
 }
 
@@ -291,8 +291,7 @@ void validate(const Program& program) {
   std::set<std::string_view> names;
   for (const NamedField& named : program.facts->fields) {
     at([&] { validate_field(named, program); }, "field '{}'", named.name);
-    require(names.insert(named.name).second, "field '{}' is named twice; give each field a name of its own",
-            named.name);
+    require(names.insert(named.name).second, "field '{}' is named twice; give each field its own name", named.name);
   }
   for (const RowExtent& extent : program.extents) validate_extent(extent, program.shape);
   validate_preparations(program);
@@ -300,7 +299,7 @@ void validate(const Program& program) {
     const Segment& segment = program.segments[s];
     at([&] { validate_region(segment.region, program.shape); }, "segment {}", s);
     require(!program.display_model.empty() || *segment.division == DivisionCounts{},
-            "segment {} says what its division takes, but there is no display model", s);
+            "segment {} has division counts, but the Program has no display model; compile the model again", s);
     at([&] { validate_steps(segment, program); }, "segment {}", s);
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
       const auto check = [&] { validate_placed(segment.instructions[i], segment.region, program); };

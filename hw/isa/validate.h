@@ -1,3 +1,5 @@
+// Validation of the parts of a Program.
+// Used by the text reader, wire.cpp and tests.
 #pragma once
 
 #include <cstddef>
@@ -8,35 +10,35 @@
 
 namespace csgsim::isa {
 
-/// The parts of validate(Program), for readers that can point at the place. Each throws InputError.
+// The parts of validate(Program), for readers that can point at the position of an error. Each throws InputError.
 
-/// Shape, what is shown, depth scale and facts.
+/// Checks shape, displayed field, background, depth scale and facts.
 void validate_header(const Program& program);
 
-/// One named field, but for the uniqueness of its name: it lies in memory, and if it is said to be the colour, it is
-/// the one that is shown.
+/// Checks one named field, except that its name is unique: it lies in memory, and a field with the role colour is the
+/// displayed field.
 void validate_field(const NamedField& named, const Program& program);
 
-/// Rows of the picture, the last not above the first.
+/// Checks that both rows are in the picture and in order.
 void validate_extent(const RowExtent& extent, const ArrayShape& shape);
 
-/// The segment's region, not its instructions.
+/// Checks the segment's region, not its instructions.
 void validate_region(const Region& region, const ArrayShape& shape);
 
-/// An instruction where it stands: also the primitives of its origin and the range of its linear expression.
+/// Checks an instruction in its segment, including the primitives of its origin and the range of its linear expression.
 void validate_placed(const Instruction& instruction, const Region& region, const Program& program);
 
-/// What the instruction of that number in its segment asks of those that follow it: that a skip stays in the segment
-/// and does not end behind squares; that a linear expression of the same width and a sum in range follow on squares.
+/// Checks instruction `index` of the segment against those after it: a skip ends within the segment and not behind
+/// squares; squares are followed by a linear expression of the same width with the sum in range.
 void validate_ahead(const Segment& segment, std::size_t index);
 
-/// That the counts are no more than most_prepared.
+/// Checks that no count exceeds max_prepared.
 void validate_preparation(const Preparation& preparation);
 
-/// The same of all that a Program has, and of their sum.
+/// Checks all preparations of the Program and their sum.
 void validate_preparations(const Program& program);
 
-/// That the steps of a segment write its instructions, in a Program with a display model.
+/// Checks that the steps of a segment write all its instructions, in a Program with a display model.
 void validate_steps(const Segment& segment, const Program& program);
 
 }  // namespace csgsim::isa

@@ -35,8 +35,8 @@ constexpr std::uint8_t number_of(const Control& /*control*/) {
   return Control::number;
 }
 
-// pass(stream, operands) calls stream(bits, member) for each number of a command after the command's own, in the order
-// of the link: the one list by which a command is written, read and measured.
+// pass(stream, operands) calls stream(bits, member) for each number of a command after its opcode, in link order.
+// Encoder, decoder and length computation share these lists.
 
 template <class Stream, Any<Field> T>
 constexpr void pass(Stream& stream, T& field) {
@@ -116,20 +116,20 @@ constexpr std::uint64_t low_bits(std::uint64_t number, unsigned count) {
   return count == 0 ? 0 : number << (64 - count) >> (64 - count);
 }
 
-/// The number of `count` bits (0 to 64) in two's complement.
+/// The low `count` bits (0 to 64) as a two's complement number.
 constexpr std::int64_t sign_extended(std::uint64_t number, unsigned count) {
   return count == 0 ? 0 : static_cast<std::int64_t>(number << (64 - count)) >> (64 - count);
 }
 
 class Packer {
  public:
-  /// Of a coefficient the low bits; other numbers have to fit.
+  /// Appends the low bits of a coefficient; other numbers must fit.
   template <class Number>
   void operator()(unsigned count, Number number) {
     const auto all = static_cast<std::uint64_t>(number);
     if (count > 64 || packed_ + count > LinkWord::most_bits ||
         (std::is_unsigned_v<Number> && all != low_bits(all, count)))
-      throw std::invalid_argument("a command for the link is not valid: a number of it has too many bits");
+      throw std::invalid_argument("invalid command for the link: one of its numbers has too many bits");
     word_.put(packed_, count, low_bits(all, count));
     packed_ += count;
   }
@@ -141,7 +141,7 @@ class Packer {
   unsigned packed_ = 0;
 };
 
-/// Reads until a number is not wholly in.
+/// Reads numbers up to the first that has not arrived completely.
 class Unpacker {
  public:
   Unpacker(const LinkWord& word, unsigned gathered) : word_(word), gathered_(gathered) {}
@@ -152,7 +152,7 @@ class Unpacker {
     const unsigned first = wanted_;
     wanted_ += count;
     if (wanted_ > LinkWord::most_bits)
-      throw InputError(fmt::format("a command goes on beyond {} bits", LinkWord::most_bits));
+      throw InputError(fmt::format("a command is longer than {} bits", LinkWord::most_bits));
     if (wanted_ > gathered_) return;
     if constexpr (std::is_signed_v<Number>) {
       number = sign_extended(word_.number(first, count), count);
@@ -161,7 +161,7 @@ class Unpacker {
     }
   }
 
-  /// Bits up to the end of the number that is not in, or of the last.
+  /// Bits up to the end of the first incomplete number, or of the last number.
   [[nodiscard]] unsigned wanted() const { return wanted_; }
 
  private:
@@ -178,7 +178,7 @@ Command command_of(std::uint8_t number) {
     default: break;
   }
   const auto opcode = static_cast<Opcode>(number);
-  if (!in_table(opcode)) throw InputError(fmt::format("{} is the number of no command", number));
+  if (!in_table(opcode)) throw InputError(fmt::format("unknown command number {}", number));
   Instruction instruction;
   instruction.opcode = opcode;
   return instruction;
@@ -190,8 +190,8 @@ void check(const SegmentEnd& /*end*/) {}
 void check(const FrameEnd& end) {
   if (end.colour.width > max_field_width || end.colour.end() > max_memory_bits)
     throw InputError(
-        fmt::format("the frame ends with a colour of {} bits from bit {} on; a field has at most {} bits, "
-                    "of the {} of a pixel",
+        fmt::format("the frame ends with a colour field of {} bits from bit {}; a field has at most {} bits, within "
+                    "the {} bits of a pixel",
                     end.colour.width, end.colour.base, max_field_width, max_memory_bits));
 }
 
@@ -230,7 +230,7 @@ unsigned wire_words(const Command& command, unsigned link_width) {
 
 LinkWord packed(const Command& command) {
   if (const auto* instruction = std::get_if<Instruction>(&command); instruction && !in_table(instruction->opcode))
-    throw std::invalid_argument("a command for the link is not valid: its opcode is not in the table");
+    throw std::invalid_argument("invalid command for the link: its opcode is not in the table");
   Packer packer;
   std::visit(
       [&](const auto& one) {
@@ -264,7 +264,7 @@ std::optional<Command> WireDecoder::take(const LinkWord& word) {
   }
 }
 
-/// The command in the register, if it is whole.
+/// The command in the register, if it is complete.
 std::optional<Command> WireDecoder::look() {
   Unpacker unpacker(register_, gathered_);
   std::uint8_t number = 0;

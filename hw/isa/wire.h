@@ -1,3 +1,5 @@
+// Encodes commands for the link and decodes them.
+// Used by hw/link, hw/division and all machines.
 #pragma once
 
 #include <array>
@@ -12,24 +14,24 @@
 #include "hw/isa/link_word.h"
 #include "hw/isa/program.h"
 
-/// The instruction stream as it crosses the link from host to machine.
+/// The encoding of the instruction stream on the link from host to machine.
 ///
-/// A command is its number, then its operands, each number with its least significant bit first: bit 0 of the command
-/// is bit 0 of its first link word. A command begins at a new word, and the unused bits of its last word are 0.
+/// A command is its number followed by its operands, each with its least significant bit first; bit 0 of the command is
+/// bit 0 of its first link word. Each command begins at a new word, and unused bits of its last word are 0.
 namespace csgsim::isa {
 
-// Widths on the link, in bits; that of a command's number is opcode_bits.
+// Widths on the link, in bits; a command's number has opcode_bits.
 inline constexpr unsigned wire_base_bits = 12;         ///< base of a field
 inline constexpr unsigned wire_field_width_bits = 6;   ///< width of a field
 inline constexpr unsigned wire_linear_width_bits = 6;  ///< width of a linear expression or of squares
-inline constexpr unsigned wire_shift_bits =
-    6;  ///< its shift; then come A, B and C, each in `width` bits; squares have none
+// Squares have no shift. A, B and C follow the shift or the width of squares, with `width` bits each.
+inline constexpr unsigned wire_shift_bits = 6;    ///< shift of a linear expression
 inline constexpr unsigned wire_count_bits = 32;   ///< a count; a constant is as wide as its target
-inline constexpr unsigned wire_region_bits = 16;  ///< x, y, width and height of a segment, each
+inline constexpr unsigned wire_region_bits = 16;  ///< each of x, y, width and height of a segment
 
-// Commands other than instructions; their numbers are no opcodes.
+// Commands other than instructions. Their numbers are not opcodes.
 
-/// The instructions to come are for these pixels, whose memory and enable become 0.
+/// The following instructions are for these pixels; memory and enable bits of the pixels are cleared.
 struct SegmentStart {
   static constexpr std::uint8_t number = 61;
   Region region;
@@ -47,27 +49,26 @@ struct SegmentEnd {
 /// The picture is finished.
 struct FrameEnd {
   static constexpr std::uint8_t number = 63;
-  Field colour;  ///< of pixel memory, which is to be shown; of width 0 where nothing is
+  Field colour;  ///< displayed field of pixel memory; width 0 if nothing is displayed
 
   constexpr bool operator==(const FrameEnd&) const = default;
 };
 
 using Command = std::variant<SegmentStart, Instruction, SegmentEnd, FrameEnd>;
 
-/// The same F at every pixel from coefficients of `width` bits: each reduced modulo 2^width, to the number of that many
-/// bits in two's complement. Whether A*x + B*y + C itself fits the width, which counts as an overflow where it does
-/// not, can change if a coefficient did not fit.
+/// The same F at every pixel with coefficients of `width` bits: each is reduced modulo 2^width to a two's complement
+/// number. If a coefficient did not fit, A*x + B*y + C may fit the width only before or only after the reduction, so
+/// overflow counts may differ.
 Linear reduced(const Linear& linear);
 
-/// What arrives of a valid instruction: no origin, and its linear expression or squares reduced.
+/// A valid instruction as received: without origin, and with its linear expression or squares reduced.
 Instruction as_received(const Instruction& instruction);
 
-/// Bits of a command, and words that it takes on a link of that many bits.
+/// Length of a command in bits, and in words of a link of that width.
 unsigned wire_bits(const Command& command);
 unsigned wire_words(const Command& command, unsigned link_width);
 
-/// Bits of the numbers of an instruction that is on a link or kept as it came, in order, its own number first; numbers
-/// of no bits are left out.
+/// Widths of the numbers of an instruction in link format, in order, its opcode first; numbers of no bits are omitted.
 class WireFields {
  public:
   static constexpr std::size_t most = 13;
@@ -81,10 +82,10 @@ class WireFields {
   std::size_t count_ = 0;
 };
 
-/// All bits of a command as one word. Throws std::invalid_argument unless it is valid.
+/// All bits of a command as one word. Throws std::invalid_argument for an invalid command.
 LinkWord packed(const Command& command);
 
-/// Throws InputError unless a link can have that many bits, 1 to LinkWord::most_bits.
+/// Throws InputError unless the link width is 1 to LinkWord::most_bits.
 void check_link_width(unsigned link_width);
 
 /// Calls sink(word) for each word of a valid command.
@@ -96,20 +97,20 @@ void encode(const Command& command, unsigned link_width, Sink&& sink) {
   for (unsigned first = 0; first < count; first += link_width) sink(bits.slice(first, link_width));
 }
 
-/// The receiving end: a shift register that gathers words until the command in it is whole. What is in tells how much
-/// is to come: the number which operands, a linear expression's width how long A, B and C are, a target's how long its
-/// constant.
+/// The receiving end: a shift register collects words until its command is complete. The bits received determine how
+/// many follow: the number determines the operands, the width of a linear expression the length of A, B and C, the
+/// width of a target the length of its constant.
 class WireDecoder {
  public:
-  /// Throws InputError as check_link_width does.
+  /// Throws InputError for an invalid width, see check_link_width().
   explicit WireDecoder(unsigned link_width);
 
-  /// The next word, of which only the link's width is looked at. Returns the command that ends with it, if one does;
-  /// its instruction is valid on the largest memory. Throws InputError for a number that is no command's, for a command
-  /// that is not valid, and for unused bits that are not 0; the word after that begins a command.
+  /// Takes the next word; bits beyond the link's width are ignored. Returns the command that ends with this word, if
+  /// any; an instruction is valid for the largest memory. Throws InputError for an unknown command number, an invalid
+  /// command, or unused bits that are not 0; the next word then begins a command.
   std::optional<Command> take(const LinkWord& word);
 
-  /// Is the next word the first of a command?
+  /// Whether the next word is the first of a command.
   [[nodiscard]] bool between_commands() const { return gathered_ == 0; }
 
  private:
@@ -120,7 +121,7 @@ class WireDecoder {
   LinkWord register_;
   unsigned gathered_ = 0;          ///< bits in the register
   unsigned wanted_ = opcode_bits;  ///< bits known to belong to the command
-  bool lost_ = false;              ///< has a bit beyond the register been 1?
+  bool lost_ = false;              ///< whether a 1 bit arrived beyond the end of the register
 };
 
 }  // namespace csgsim::isa

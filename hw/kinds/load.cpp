@@ -20,7 +20,7 @@ using machines::BuiltIn;
 namespace {
 
 constexpr InputKind machine_file{"a machine file, which ends in .toml", std::size_t{1} << 20U,
-                                 "a machine is described in far less"};
+                                 "a machine file is much shorter"};
 
 }  // namespace
 
@@ -42,7 +42,7 @@ machines::Machine read(const BuiltIn& machine, std::span<const std::string> chan
   return machines::read_description(machine.text, fmt::format("{}.toml", machine.name), all(), changes);
 }
 
-machines::Machine read_file_of(const std::string& file, std::span<const std::string> changes) {
+machines::Machine load_file(const std::string& file, std::span<const std::string> changes) {
   const std::string text = read_file(file, machine_file);
   machines::Machine machine = machines::read_description(text, file, all(), changes);
   const std::string name = changes.empty() ? machine.name : machines::read_description(text, file, all()).name;
@@ -51,8 +51,8 @@ machines::Machine read_file_of(const std::string& file, std::span<const std::str
   const machines::Machine original = read(*known, {});
   if (machine.kind != original.kind) {
     throw InputError(
-        fmt::format("{}: the name '{}' is that of a machine of another kind, which comes with csgsim; give "
-                    "this one a name of its own",
+        fmt::format("{}: '{}' is the name of a built-in machine of another kind; give this machine another "
+                    "name",
                     file, name));
   }
   machine.name = name + machines::name_of_edits(machine.figures, original.figures);
@@ -61,7 +61,7 @@ machines::Machine read_file_of(const std::string& file, std::span<const std::str
 
 }  // namespace
 
-// Every start needs these names, and reading nine descriptions takes three times as long as all else of it.
+// Runs at every start; it searches the texts, because parsing nine descriptions would quadruple the start-up time.
 std::vector<std::string_view> studied_names() {
   const auto is_costly = [](std::string_view name) {
     const BuiltIn& machine = *built_in_named(name);
@@ -78,12 +78,12 @@ namespace {
 
 std::string_view key_of(std::string_view figure) { return figure.substr(0, figure.find('=')); }
 
-/// Of the record's figures those that the machine has otherwise.
+/// The figures of the record that differ from the machine's.
 std::vector<std::string> other_figures(const isa::MachineRecord& record, const machines::Machine& machine) {
   std::vector<std::string> others;
-  for (const std::string& said : record.figures) {
-    const auto same = [&](const machines::Figure& one) { return said == one.key + "=" + one.value; };
-    if (std::none_of(machine.figures.begin(), machine.figures.end(), same)) others.push_back(said);
+  for (const std::string& recorded : record.figures) {
+    const auto same = [&](const machines::Figure& one) { return recorded == one.key + "=" + one.value; };
+    if (std::none_of(machine.figures.begin(), machine.figures.end(), same)) others.push_back(recorded);
   }
   return others;
 }
@@ -93,7 +93,7 @@ machines::Machine read_built_in(const BuiltIn& known, const isa::MachineRecord& 
   std::vector<std::string> all_changes = machines::changes_of(record.name);
   machines::Machine machine = read(known, all_changes);
   if (!record.kind.empty() && record.kind != machine.kind->name) {
-    throw InputError(fmt::format("the machine '{}' is of the kind {}, and not {}; name one by --machine",
+    throw InputError(fmt::format("the machine '{}' has the kind {}, not {}; choose a machine with --machine",
                                  printable(record.name), machine.kind->name, printable(record.kind)));
   }
   const std::vector<std::string> others = other_figures(record, machine);
@@ -102,18 +102,18 @@ machines::Machine read_built_in(const BuiltIn& known, const isa::MachineRecord& 
   return read(known, all_changes);
 }
 
-/// One that does not come with csgsim: the figures of another of its kind make way for its own.
+/// Builds a machine that is not built in from a built-in machine of its kind, by replacing all parameters.
 machines::Machine read_foreign(const isa::MachineRecord& record, const std::vector<std::string>& changes) {
   const auto of_kind = [&](const BuiltIn& one) { return read(one, {}).kind->name == record.kind; };
   const auto other = std::find_if(built_in().begin(), built_in().end(), of_kind);
   if (other == built_in().end())
-    throw InputError(no_such("machine", record.name, built_in_names()) + "; name one by --machine");
+    throw InputError(no_such("machine", record.name, built_in_names()) + "; choose one with --machine");
   std::vector<std::string> all_changes = record.figures;
   for (const machines::Figure& figure : read(*other, {}).figures) {
-    const bool is_said = std::any_of(record.figures.begin(), record.figures.end(),
-                                     [&](const std::string& said) { return key_of(said) == figure.key; });
-    if (!is_said) {
-      throw InputError(fmt::format("the figure {} of the machine '{}' is not said; name a machine by --machine",
+    const bool is_recorded = std::any_of(record.figures.begin(), record.figures.end(),
+                                         [&](const std::string& recorded) { return key_of(recorded) == figure.key; });
+    if (!is_recorded) {
+      throw InputError(fmt::format("the parameter {} of the machine '{}' is missing; choose a machine with --machine",
                                    figure.key, printable(record.name)));
     }
   }
@@ -136,7 +136,7 @@ machines::Machine load(const std::string& machine, const std::vector<std::string
   const std::string name(machines::base_of(machine));
   std::vector<std::string> all_changes = machines::changes_of(machine);
   all_changes.insert(all_changes.end(), changes.begin(), changes.end());
-  if (!file_of(machine).empty()) return read_file_of(name, all_changes);
+  if (!file_of(machine).empty()) return load_file(name, all_changes);
   if (const BuiltIn* const found = built_in_named(name)) return read(*found, all_changes);
   throw InputError(no_such("machine", name, built_in_names()) + ", or a file, whose name ends in .toml");
 }

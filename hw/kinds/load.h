@@ -1,3 +1,5 @@
+// Loads machines by name, file or Program record.
+// Used by sim/session, sim/studies, sim/shell, sim/viewer and tests.
 #pragma once
 
 #include <string>
@@ -9,24 +11,25 @@
 
 namespace csgsim::kinds {
 
-/// Names of the machines that come with csgsim.
+/// Names of the built-in machines.
 std::vector<std::string_view> built_in_names();
 
-/// Of these, the ones on which studies of several machines draw where none is named.
+/// Names of the built-in machines on which studies of several machines run by default.
 std::vector<std::string_view> studied_names();
 
-/// The file that describes the machine; empty if it is built in.
+/// The file of a machine description; empty if the machine is built in.
 using machines::file_of;
 
-/// A built-in machine by name, or one described in a file (anything ending in .toml). Figures may be changed behind it:
-/// `NAME+KEY=VALUE+KEY=VALUE`, and `changes` are more of these. A file that gives a built-in machine's name to one of
-/// other figures is an edited one: its name tells them too. Throws InputError: an unknown name (with the nearest one),
-/// unknown key, wrong type, value out of range, each with file:line:column, or machines::ChangeError.
+/// Loads a built-in machine by name, or a description file (any name that ends in .toml). Changed parameters may
+/// follow, `NAME+KEY=VALUE+KEY=VALUE`; `changes` are appended to these. A file with the name of a built-in machine but
+/// other parameters is an edited machine: its name lists the edits. Throws InputError for an unknown name (with the
+/// nearest one), an unknown key, a wrong type or a value out of range, each with file:line:column, or
+/// machines::ChangeError.
 machines::Machine load(const std::string& machine, const std::vector<std::string>& changes = {});
 
-/// The machine that a Program names, without the files that it may have come from: one that comes with csgsim, with the
-/// figures that the Program says, or one of the kind that it says, of which it has to say all figures. `changes` are
-/// made behind it. Throws as load does.
+/// The machine recorded in a Program, without its original file: a built-in machine with the recorded parameters, or a
+/// machine of the recorded kind, for which all parameters must be recorded. `changes` are applied last. Throws like
+/// load().
 machines::Machine load(const isa::MachineRecord& record, const std::vector<std::string>& changes = {});
 
 }  // namespace csgsim::kinds

@@ -1,3 +1,5 @@
+// Makes the SystemC model of a machine.
+// Used by sim/cycle and sim/waves.
 #pragma once
 
 #include <memory>
@@ -9,20 +11,20 @@
 
 namespace csgsim::kinds {
 
-/// The SystemC model of the machine, of whatever kind it is. Throws std::logic_error for a kind that is not in the
-/// table, and InputError for one whose trees, if it has any, cannot be of that form.
+/// The SystemC model of a machine of any kind. Throws std::logic_error for a kind that is not in the table, and
+/// InputError if its trees cannot have that form.
 std::unique_ptr<systemc::ClockedMachine> make_clocked_machine(
     const machines::Machine& machine, systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
 
-/// Whether the trees of a machine of that kind can be stepped.
+/// Whether the machine's trees can be stepped.
 bool can_be_stepped(const machines::Machine& machine);
 
-/// Whether some pixels of a machine of that kind can be built alone.
+/// Whether some pixels of the machine can be built without the others.
 bool can_be_probed(const machines::Machine& machine);
 
-/// The SystemC model of such a machine, of which the foretold pixels alone are built.
+/// The SystemC model with only the foretold pixels; requires can_be_probed().
 std::unique_ptr<systemc::ClockedMachine> make_probed_machine(const machines::Machine& machine,
-                                                             const systemc::Foretold& foretold,
+                                                             const systemc::EarlierRun& foretold,
                                                              systemc::EvaluatorForm form);
 
 }  // namespace csgsim::kinds

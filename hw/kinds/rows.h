@@ -1,3 +1,5 @@
+// Tables of all kinds and built-in machines.
+// Used by hw/kinds, sim/session and sim/studies.
 #pragma once
 
 #include <span>
@@ -7,10 +9,10 @@
 
 namespace csgsim::kinds {
 
-/// Every kind of machine that comes with csgsim.
+/// All kinds of machines.
 std::span<const machines::Kind* const> all();
 
-/// The machines' descriptions that come with csgsim.
+/// Descriptions of the built-in machines.
 std::span<const machines::BuiltIn> built_in();
 
 }  // namespace csgsim::kinds

@@ -1,3 +1,5 @@
+// A frame as words of a link.
+// Used by LinkSource, the machines and sim/rtl.
 #pragma once
 
 #include <cstddef>
@@ -9,26 +11,26 @@
 
 namespace csgsim::isa {
 
-/// For the FIFOs of links, though nobody calls it (hw/systemc/wire.h).
+/// Required by sc_fifo; never called (hw/systemc/wire.h).
 inline std::ostream& operator<<(std::ostream& stream, const LinkWord& /*word*/) { return stream; }
 
 }  // namespace csgsim::isa
 
 namespace csgsim::link {
 
-/// A frame as it lies in the host's memory: for each segment its SegmentStart and its instructions, then FrameEnd.
+/// A frame in the host's memory: for each segment a SegmentStart and its instructions, then FrameEnd.
 struct FrameWords {
   std::vector<isa::LinkWord> words;
-  /// For each instruction of the frame, and one more, the word at which the host goes on when all before it are over:
-  /// its own first word, or that of the SegmentStart or FrameEnd that comes before it.
+  /// The word at which the host continues after all previous instructions, for each instruction of the frame and one
+  /// past the last: the instruction's first word, or that of a SegmentStart or FrameEnd before it.
   std::vector<std::size_t> begins;
 };
 
-/// The Program, which has to be valid, in words of that many bits.
+/// The words of a valid Program for a link of that width.
 FrameWords frame_words(const isa::Program& program, unsigned link_width);
 
-/// The same, of which only the words of the instructions with those numbers, and of what stands around them, are made:
-/// `first` to before `end`. The others are 0.
+/// The words of the instructions `first` to before `end` and of the other commands; the words of other instructions
+/// are 0.
 FrameWords frame_words(const isa::Program& program, unsigned link_width, std::uint64_t first, std::uint64_t end);
 
 }  // namespace csgsim::link

@@ -15,7 +15,7 @@ void LinkSource::end_of_elaboration() {
   room_or_request_ |= requests.data_written_event();
 }
 
-/// Since the machine was built.
+/// Clock edges since construction.
 std::uint64_t LinkSource::edges() const { return systemc::edges(period_); }
 
 void LinkSource::load(FrameWords frame) {
@@ -56,21 +56,21 @@ machines::LinkAccount LinkSource::account() const {
   return account;
 }
 
-/// Sleeps while nothing but its clocks has to be counted.
+/// Sleeps while only clocks have to be counted.
 void LinkSource::on_clock() {
   if (!clock.posedge()) return;
   const std::uint64_t now = edges();
   const std::uint64_t clocks = now - std::exchange(counted_at_, now);
   clocks_of(state_, account_) += clocks;
   if (std::uint64_t instruction = 0; requests.nb_read(instruction)) {
-    go_on_from(instruction);
+    continue_from(instruction);
   } else {
-    go_on(clocks);
+    advance(clocks);
   }
   sleep();
 }
 
-/// A request that comes meanwhile is taken at the edge after that.
+/// A request that arrives during sleep is read at the next edge.
 void LinkSource::sleep() {
   switch (state_) {
     case State::waiting:
@@ -83,7 +83,7 @@ void LinkSource::sleep() {
   }
 }
 
-void LinkSource::go_on_from(std::uint64_t instruction) {
+void LinkSource::continue_from(std::uint64_t instruction) {
   if (instruction == 0) account_ = {.waiting = 1};
   next_ = frame_.begins.at(instruction);
   state_ = State::latent;
@@ -91,7 +91,7 @@ void LinkSource::go_on_from(std::uint64_t instruction) {
   if (left_ == 0) begin_word();
 }
 
-void LinkSource::go_on(std::uint64_t clocks) {
+void LinkSource::advance(std::uint64_t clocks) {
   switch (state_) {
     case State::waiting:
     case State::done: break;

@@ -1,3 +1,5 @@
+// The machine's end of a link.
+// Used by hw/pixel_planes, hw/pixel_square and hw/scan_line.
 #pragma once
 
 #include <optional>
@@ -8,27 +10,27 @@
 
 namespace csgsim::link {
 
-/// The machine's end of a link: a shift register that gathers words until the command in it is whole, and holds it
-/// until it is taken. Whoever owns the port clocks it, after having looked at the command: then a command whose last
-/// word came at an edge can be taken at the next, and the edge at which it is taken makes room for a word.
+/// The machine's end of a link: a shift register that collects words until its command is complete, and holds the
+/// command until it is taken. The owner of the port must call clock() after examining the command: a command whose last
+/// word arrived at an edge can then be taken at the next, and the edge at which it is taken makes room for a word.
 class Receiver {
  public:
   explicit Receiver(unsigned link_width) : decoder_(link_width), link_width_(link_width) {}
 
-  /// Is a whole command in the register?
+  /// Whether the register contains a complete command.
   [[nodiscard]] bool holds() const { return command_.has_value(); }
 
   /// Puts a command into the empty register.
   void put(const isa::Command& command) { command_ = command; }
 
-  /// The command in the register, which becomes empty.
+  /// Removes and returns the command in the register.
   isa::Command take();
 
-  /// An edge: takes a word if there is one and no whole command is held.
+  /// A clock edge: reads a word, if available, unless a complete command is held.
   void clock(sc_core::sc_fifo_in<isa::LinkWord>& link);
 
-  /// Empties the FIFO and the register. After a request for other words it has to be done at the edge of the request
-  /// and at the next, instead of clock: then no word is left that was sent before the host knew of it.
+  /// Empties the FIFO and the register. After a request for other words it must be called, in place of clock(), at the
+  /// edge of the request and at the next, which removes all words sent before the host received the request.
   void drop(sc_core::sc_fifo_in<isa::LinkWord>& link);
 
  private:

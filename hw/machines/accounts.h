@@ -1,3 +1,5 @@
+// Statistics of a frame by part and activity.
+// Used by all kinds of machines and by sim/observe.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +9,7 @@
 
 namespace csgsim::machines {
 
-/// Clocks that a part of a machine spent on one activity.
+/// Clocks that a part of a machine spent in one activity.
 struct ActivityClocks {
   std::string_view activity;
   std::uint64_t clocks = 0;
@@ -15,7 +17,7 @@ struct ActivityClocks {
   constexpr bool operator==(const ActivityClocks&) const = default;
 };
 
-/// Where one part of a machine spent the frame: every clock of it is in one of these.
+/// Activities of one part of a machine. Each clock of the frame counts for exactly one.
 struct PartAccount {
   std::string part;
   std::vector<ActivityClocks> clocks;
@@ -23,6 +25,7 @@ struct PartAccount {
   bool operator==(const PartAccount&) const = default;
 };
 
+/// A named count.
 struct Count {
   std::string name;
   std::uint64_t value = 0;
@@ -30,7 +33,7 @@ struct Count {
   bool operator==(const Count&) const = default;
 };
 
-/// A part of a whole; of nothing it is 0.
+/// A ratio of two counts; 0 if `whole` is 0.
 struct Share {
   std::string_view name;
   std::uint64_t part = 0;
@@ -43,7 +46,7 @@ struct Share {
   }
 };
 
-/// How a frame went by on a machine, besides its clocks: what its kind has to tell.
+/// Statistics of a frame on a machine in addition to its clocks, defined by the machine's kind.
 struct Account {
   std::vector<Count> counts;
   std::vector<Share> shares;
@@ -51,7 +54,7 @@ struct Account {
 
   bool operator==(const Account&) const = default;
 
-  /// The count of that name. Throws std::out_of_range if there is none.
+  /// The count with that name. Throws std::out_of_range if there is none.
   [[nodiscard]] std::uint64_t count(std::string_view name) const;
 };
 

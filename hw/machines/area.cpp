@@ -11,11 +11,11 @@ namespace csgsim::machines {
 
 namespace {
 
-constexpr double register_transistors = 16;  ///< as Yosys counts them
+constexpr double register_transistors = 16;  ///< number counted by Yosys
 
 }  // namespace
 
-/// Level k has 2^k nodes.
+/// Level k of the tree has 2^k nodes.
 double registered_nodes(const Machine& machine) {
   const std::uint32_t levels = tree_levels(machine.array.height);
   if (levels == 0) return 1;

@@ -1,13 +1,15 @@
+// Synthesised transistor counts.
+// Used by area.cpp and hw/process.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-/// Written by tests/rtl/area.py from what Yosys makes of the Verilog in hw/rtl: transistors of static CMOS.
+// Written by tests/rtl/area.py from Yosys's synthesis of the Verilog in hw/rtl: transistors of static CMOS.
 namespace csgsim::machines {
 
-/// A pixel processor with its registers and the turning of its memory ports, without its memory; where expressions are
-/// of degree 2, with a flag for roots.
+/// A pixel processor with its registers and the rotators of its memory ports, without its memory; in degree 2 with the
+/// flag for roots.
 struct PixelLogic {
   std::uint32_t alu_bits;
   std::uint32_t memory_reads;
@@ -44,8 +46,7 @@ inline constexpr auto pixel_logic_table = std::to_array<PixelLogic>({
 });
 // clang-format on
 
-/// A node of the multiplier trees for expressions of that degree, 1 or 2, whose streams are so many bits wide; there is
-/// one a pixel.
+/// A node of the multiplier trees with that degree (1 or 2) and stream width; there is one per pixel.
 struct NodeLogic {
   std::uint32_t bits;
   std::uint32_t degree;
@@ -69,7 +70,7 @@ inline constexpr auto node_logic_table = std::to_array<NodeLogic>({
 });
 // clang-format on
 
-/// The controller with its receiver, and the link's FIFO of so many bits, with the figures of pixel-planes-4.
+/// The controller with its receiver, and the link's FIFO with fifo_bits bits, for the parameters of pixel-planes-4.
 inline constexpr std::uint32_t controller_transistors = 37802;
 inline constexpr std::uint32_t fifo_transistors = 19644;
 inline constexpr std::uint32_t fifo_bits = 512;

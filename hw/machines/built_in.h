@@ -1,13 +1,15 @@
+// A built-in description.
+// Used by hw/kinds, hw/processors and hw/process.
 #pragma once
 
 #include <string_view>
 
 namespace csgsim::machines {
 
-/// A description that comes with csgsim.
+/// A built-in description.
 struct BuiltIn {
   std::string_view name;
-  std::string_view text;  ///< of NAME.toml
+  std::string_view text;  ///< content of NAME.toml
 };
 
 }  // namespace csgsim::machines

@@ -1,3 +1,5 @@
+// Loads descriptions by name or file.
+// Used by hw/processors and hw/process.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,11 +19,11 @@
 
 namespace csgsim::machines {
 
-/// Things that files of figures describe, with a `name` and `figures`: those that come with csgsim, and any file. For
-/// source files, as {fmt} is.
+/// Descriptions in parameter files, with a `name` and `figures`: the built-in ones, and any file. Include it in source
+/// files only, because of {fmt}.
 template <class Described>
 struct Catalogue {
-  std::string_view what;  ///< one of them is called, for messages
+  std::string_view what;  ///< singular noun for messages
   std::span<const BuiltIn> built_in;
   Described (*read)(std::string_view text, std::string_view file, std::span<const std::string> changes);
 
@@ -31,12 +33,12 @@ struct Catalogue {
     return all;
   }
 
-  /// One by name, or in a file; an edited file of one that comes with csgsim tells what is edited. Throws InputError,
-  /// or ChangeError.
-  [[nodiscard]] Described load(const std::string& said) const {
-    const std::string name(base_of(said));
-    const std::vector<std::string> changes = changes_of(said);
-    if (!file_of(said).empty()) return read_file_of(name, changes);
+  /// Loads a built-in description by name, or a file. An edited file of a built-in description gets a name that lists
+  /// the edits. Throws InputError or ChangeError.
+  [[nodiscard]] Described load(const std::string& spec) const {
+    const std::string name(base_of(spec));
+    const std::vector<std::string> changes = changes_of(spec);
+    if (!file_of(spec).empty()) return load_file(name, changes);
     if (const BuiltIn* const found = named(name)) return read_built_in(*found, changes);
     throw InputError(no_such(what, name, names()) + ", or a file, whose name ends in .toml");
   }
@@ -51,9 +53,9 @@ struct Catalogue {
     return read(known.text, fmt::format("{}.toml", known.name), changes);
   }
 
-  [[nodiscard]] Described read_file_of(const std::string& file, std::span<const std::string> changes) const {
+  [[nodiscard]] Described load_file(const std::string& file, std::span<const std::string> changes) const {
     const std::string kind = fmt::format("a {} file, which ends in .toml", what);
-    const std::string advice = fmt::format("a {} is described in far less", what);
+    const std::string advice = fmt::format("a {} file is much shorter", what);
     const std::string text = read_file(file, InputKind{kind, std::size_t{1} << 20U, advice});
     Described described = read(text, file, changes);
     const std::string name = changes.empty() ? described.name : read(text, file, {}).name;

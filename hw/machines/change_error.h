@@ -1,10 +1,12 @@
+// The exception for wrong parameter changes.
+// Used by hw/machines and by callers that change parameters.
 #pragma once
 
 #include "hw/base/error.h"
 
 namespace csgsim::machines {
 
-/// What is wrong with a change of a figure that was asked for, where the description itself is right.
+/// A requested change of a parameter is wrong, while the description itself is valid.
 class ChangeError : public InputError {
  public:
   using InputError::InputError;

@@ -1,3 +1,5 @@
+// Counts clocks by activity.
+// Used by hw/multi_processor, hw/pixel_square and hw/scan_line.
 #pragma once
 
 #include <array>
@@ -13,8 +15,7 @@
 
 namespace csgsim::machines {
 
-/// Clocks of one part of a machine by what it did in them. `Activity` is an enum whose values are 0 to `activities`
-/// - 1.
+/// Clocks of one part of a machine by activity. `Activity` is an enum with the values 0 to `activities` - 1.
 template <class Activity, std::size_t activities>
 struct ClockTally {
   std::array<std::uint64_t, activities> clocks{};
@@ -32,14 +33,15 @@ struct ClockTally {
   constexpr bool operator==(const ClockTally&) const = default;
 };
 
-/// As it is told of that part: these activities, or all if none is named.
+/// The account of that part: the activities in `listed`, or all if it is empty.
 template <class Activity, std::size_t activities>
 PartAccount part_of(std::string part, const ClockTally<Activity, activities>& tally,
-                    const std::array<std::string_view, activities>& names, std::initializer_list<Activity> told = {}) {
+                    const std::array<std::string_view, activities>& names,
+                    std::initializer_list<Activity> listed = {}) {
   PartAccount account{std::move(part), {}};
-  const auto tell = [&](std::size_t i) { account.clocks.push_back({names.at(i), tally.clocks.at(i)}); };
-  for (const Activity activity : told) tell(static_cast<std::size_t>(activity));
-  for (std::size_t i = 0; told.size() == 0 && i < activities; ++i) tell(i);
+  const auto append = [&](std::size_t i) { account.clocks.push_back({names.at(i), tally.clocks.at(i)}); };
+  for (const Activity activity : listed) append(static_cast<std::size_t>(activity));
+  for (std::size_t i = 0; listed.size() == 0 && i < activities; ++i) append(i);
   return account;
 }
 

@@ -10,18 +10,18 @@ namespace csgsim::machines {
 
 namespace {
 
-/// Clocks in which every bit of the widest memory operand has passed the ALU.
+/// Clocks until every bit of the widest memory operand has passed the ALU.
 std::uint64_t field_clocks(const isa::Instruction& instruction, const Machine& machine) {
   return quotient_up(field_width(instruction), machine.alu_bits);
 }
 
-/// Clocks in which every bit of the expression has reached the pixels once.
+/// Clocks until every bit of the expression has reached the pixels once.
 std::uint64_t linear_clocks(const isa::Instruction& instruction, const Machine& machine) {
   return quotient_up(std::uint64_t{instruction.linear.width}, std::uint64_t{machine.evaluator_bits});
 }
 
-/// The bit of number k of the root takes 3 clocks, and for each of the k before it one, or two where the root's bits
-/// and the remainder's are read through one port.
+/// Bit k of the root takes 3 clocks plus one for each of the k bits before it, or two if the root and the remainder
+/// share one read port.
 std::uint64_t root_clocks(std::uint64_t bits, const Machine& machine) {
   return machine.memory_reads >= 2 ? (bits * bits + 5 * bits) / 2 : bits * bits + 2 * bits;
 }

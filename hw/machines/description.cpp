@@ -19,16 +19,16 @@ namespace {
 
 constexpr std::string_view machine_words[] = {"name", "description", "kind"};
 
-const Kind& kind_of(const FigureFile& file, std::span<const Kind* const> kinds) {
+const Kind& find_kind(const FigureFile& file, std::span<const Kind* const> kinds) {
   const std::string kind = file.text("kind");
   const auto found = std::ranges::find(kinds, kind, &Kind::name);
   if (found != kinds.end()) return **found;
   std::vector<std::string_view> names;
   for (const Kind* one : kinds) names.push_back(one->name);
-  file.fail("kind", fmt::format("unknown kind '{}'; there are {}", kind, fmt::join(names, ", ")));
+  file.fail("kind", fmt::format("unknown kind '{}'; the kinds are {}", kind, fmt::join(names, ", ")));
 }
 
-std::vector<FigureForm> forms_of(std::span<const FigureSchema> schema) {
+std::vector<FigureForm> make_forms(std::span<const FigureSchema> schema) {
   std::vector<FigureForm> forms;
   forms.reserve(schema.size());
   for (const FigureSchema& figure : schema)
@@ -37,11 +37,11 @@ std::vector<FigureForm> forms_of(std::span<const FigureSchema> schema) {
 }
 
 Machine read_machine(const FigureFile& file, std::span<const Kind* const> kinds) {
-  const Kind& kind = kind_of(file, kinds);
+  const Kind& kind = find_kind(file, kinds);
   Machine machine = blank(kind);
   machine.name = file.text("name");
   machine.description = file.text("description");
-  for (ReadFigure& read : file.figures(forms_of(kind.schema), machine_words)) {
+  for (ReadFigure& read : file.figures(make_forms(kind.schema), machine_words)) {
     kind.schema[read.form].store(machine, read.value);
     machine.figures.push_back(std::move(read.figure));
   }
@@ -60,8 +60,8 @@ Machine read_machine(const FigureFile& file, std::span<const Kind* const> kinds)
 
 Machine read_description(std::string_view text, std::string_view file, std::span<const Kind* const> kinds,
                          std::span<const std::string> changes) {
-  return read_changed(text, file, changes, [&](const toml::table& root, const std::string& said) {
-    return read_machine(FigureFile(root, file, said), kinds);
+  return read_changed(text, file, changes, [&](const toml::table& root, const std::string& spec) {
+    return read_machine(FigureFile(root, file, spec), kinds);
   });
 }
 

@@ -1,3 +1,5 @@
+// Reads machine descriptions.
+// Used by hw/kinds and sim/session.
 #pragma once
 
 #include <span>
@@ -9,9 +11,9 @@
 
 namespace csgsim::machines {
 
-/// Reads a description (TOML) of a machine of one of the kinds; `file` is its name in messages. Throws InputError, with
-/// file:line:column. Then each of `changes`, KEY=VALUE, takes the place of a figure's value, which is assumed from then
-/// on; the machine's name tells them: `NAME+KEY=VALUE`, each figure once, with its last value. Throws ChangeError.
+/// Reads a description (TOML) of a machine of one of the kinds; `file` is its name in messages. Throws InputError with
+/// file:line:column. Each of `changes`, KEY=VALUE, then replaces a parameter's value, which is assumed from then on.
+/// The machine's name lists the changes, `NAME+KEY=VALUE`, each parameter once with its last value. Throws ChangeError.
 Machine read_description(std::string_view text, std::string_view file, std::span<const Kind* const> kinds,
                          std::span<const std::string> changes = {});
 

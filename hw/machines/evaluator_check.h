@@ -1,11 +1,12 @@
+// Consistency check of evaluator parameters.
+// Used by hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include "hw/machines/machine.h"
 
 namespace csgsim::machines {
 
-/// For kinds whose pixels are below multiplier trees: throws FigureError if these bring the ALU more bits in a clock
-/// than it takes.
+/// Throws FigureError if the multiplier trees deliver more bits per clock than the ALU processes.
 void check_evaluator(const Machine& machine);
 
 }  // namespace csgsim::machines

@@ -15,7 +15,7 @@ namespace csgsim::machines {
 
 namespace {
 
-/// Every figure of a description, by key: tables that hold a value.
+/// Collects the parameters of a description by key: tables that contain a value.
 void collect_figures(toml::table& table, const std::string& prefix, std::map<std::string, toml::table*>& figures) {
   for (auto&& [key, node] : table) {
     toml::table* const inner = node.as_table();
@@ -26,11 +26,11 @@ void collect_figures(toml::table& table, const std::string& prefix, std::map<std
   }
 }
 
-/// Changes the figure, and returns its key.
+/// Applies one change and returns the key of the parameter.
 std::string put_change(toml::table& root, const std::string& change, std::string_view file) {
   const std::size_t equals = change.find('=');
   if (equals == change.npos) {
-    throw ChangeError(fmt::format("{}: '{}' changes no figure; say KEY=VALUE", file, printable(change)));
+    throw ChangeError(fmt::format("{}: '{}' changes no parameter; write KEY=VALUE", file, printable(change)));
   }
   std::map<std::string, toml::table*> figures;
   collect_figures(root, "", figures);
@@ -40,7 +40,7 @@ std::string put_change(toml::table& root, const std::string& change, std::string
     std::vector<std::string_view> known;
     known.reserve(figures.size());
     for (const auto& [name, table] : figures) known.push_back(name);
-    throw ChangeError(fmt::format("{}: unknown figure '{}'; the nearest known is '{}'", file, printable(key),
+    throw ChangeError(fmt::format("{}: unknown parameter '{}'; the nearest known is '{}'", file, printable(key),
                                   known.empty() ? "none" : nearest(key, known)));
   }
   const std::string value = change.substr(equals + 1);
@@ -52,7 +52,7 @@ std::string put_change(toml::table& root, const std::string& change, std::string
     found->second->insert_or_assign("value", value);
   }
   found->second->insert_or_assign("provenance", "assumed");
-  found->second->insert_or_assign("source", "said with the machine's name");
+  found->second->insert_or_assign("source", "set with the machine's name");
   return key;
 }
 
@@ -62,7 +62,7 @@ ChangesMade make_changes(toml::table& root, std::span<const std::string> changes
   ChangesMade made{{}, std::string(file)};
   for (const std::string& change : changes) {
     made.keys.push_back(put_change(root, change, file));
-    made.said += "+" + printable(change);
+    made.spec += "+" + printable(change);
   }
   return made;
 }

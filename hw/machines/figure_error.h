@@ -1,3 +1,5 @@
+// The exception for inconsistent parameters.
+// Used by hw/machines and hw/bit_serial_memory.
 #pragma once
 
 #include <string>
@@ -7,7 +9,7 @@
 
 namespace csgsim::machines {
 
-/// A figure that does not fit the others of its machine.
+/// A parameter that is not consistent with others of its machine.
 class FigureError : public InputError {
  public:
   FigureError(std::string_view key, std::string_view message) : InputError(message), key_(key) {}

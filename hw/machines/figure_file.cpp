@@ -25,7 +25,7 @@ class FigureReader {
  public:
   FigureReader(std::string_view file, const std::string& changed) : file_(file), changed_(changed) {}
 
-  /// Where each figure stands, with it.
+  /// A parameter and its position in the file.
   struct Placed {
     toml::source_position place;
     ReadFigure read;
@@ -41,11 +41,11 @@ class FigureReader {
     if (node == nullptr) fail(table.source().begin, fmt::format("key '{0}' is missing; add {0} = \"...\"", key));
     const toml::value<std::string>* const text = node->as_string();
     if (text == nullptr) fail(node->source().begin, fmt::format("'{}' is {}; make it a string", key, type_name(*node)));
-    if (text->get().empty()) fail(node->source().begin, fmt::format("'{}' is empty; say it", key));
+    if (text->get().empty()) fail(node->source().begin, fmt::format("'{}' is empty; give a value", key));
     return printable(text->get());
   }
 
-  /// The tables above the figures: prefix is "" or a group's name and a dot.
+  /// Reads the tables above the parameters; `prefix` is "" or a group's name and a dot.
   void read_group(const toml::table& table, const std::string& prefix, std::span<const FigureForm> forms,
                   std::span<const std::string_view> words, std::vector<Placed>& figures) const {
     std::vector<std::string_view> known(words.begin(), words.end());
@@ -96,13 +96,13 @@ class FigureReader {
     Figure figure{std::string(form.key), text, form.unit.empty() ? "" : text_of(table, "unit"),
                   text_of(table, "provenance"), text_of(table, "source")};
     if (form.unit.empty() && table.contains("unit"))
-      fail(table.get("unit")->source().begin, fmt::format("{} has no unit; leave it out", form.key));
+      fail(table.get("unit")->source().begin, fmt::format("{} has no unit; remove the key 'unit'", form.key));
     if (figure.unit != form.unit)
       fail(table.get("unit")->source().begin,
-           fmt::format("unit '{}' of {}; it counts in '{}'", figure.unit, form.key, form.unit));
+           fmt::format("unit '{}' of {}; its unit is '{}'", figure.unit, form.key, form.unit));
     if (!is_one_of(figure.provenance, provenances))
       fail(table.get("provenance")->source().begin,
-           fmt::format("provenance '{}' of {}; say 'published' or 'assumed'", figure.provenance, form.key));
+           fmt::format("provenance '{}' of {}; write 'published' or 'assumed'", figure.provenance, form.key));
     return {0, value, std::move(figure)};
   }
 
@@ -111,7 +111,7 @@ class FigureReader {
     return form.ideal && text != nullptr && text->get() == ideal_value;
   }
 
-  /// Which of its names the value is.
+  /// Index of the value among its names.
   [[nodiscard]] std::int64_t choice_of(const toml::table& table, const FigureForm& form) const {
     const std::string name = text_of(table, "value");
     const auto found = std::ranges::find(form.names, name);
@@ -132,7 +132,7 @@ class FigureReader {
     if (value->get() < form.least || value->get() > form.most)
       fail(node->source().begin,
            form.least == form.most
-               ? fmt::format("{} is {}; the simulator knows {} only", form.key, value->get(), form.least)
+               ? fmt::format("{} is {}; the simulator supports only {}", form.key, value->get(), form.least)
                : fmt::format("{} is {}; it takes {} to {}{}{}", form.key, value->get(), form.least, form.most,
                              form.unit.empty() ? "" : " ", form.unit));
     return value->get();

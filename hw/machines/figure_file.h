@@ -1,3 +1,5 @@
+// Reads parameters from TOML.
+// Used by the readers of machines, processors and processes.
 #pragma once
 
 #include <toml++/toml.h>
@@ -15,39 +17,39 @@
 
 namespace csgsim::machines {
 
-/// One key of a file of figures: a table with `value`, `unit`, `provenance` and `source`.
+/// Schema of one key of a parameter file: a table with `value`, `unit`, `provenance` and `source`.
 struct FigureForm {
   std::string_view key;
   std::string_view unit;
-  std::int64_t least = 0;                     ///< of the value
-  std::int64_t most = 0;                      ///< of the value
-  std::span<const std::string_view> names{};  ///< the value is one of these strings, counted from 0
-  std::optional<std::int64_t> ideal{};        ///< what `value = "ideal"` stands for, where it may be said
+  std::int64_t least = 0;                     ///< minimum value
+  std::int64_t most = 0;                      ///< maximum value
+  std::span<const std::string_view> names{};  ///< if not empty, the value is one of these strings, counted from 0
+  std::optional<std::int64_t> ideal{};        ///< meaning of `value = "ideal"`, if that is allowed
 };
 
-/// A figure as a file gives it.
+/// A parameter as read from a file.
 struct ReadFigure {
-  std::size_t form = 0;    ///< which of the forms it has
-  std::int64_t value = 0;  ///< within its range
+  std::size_t form = 0;    ///< index of its form
+  std::int64_t value = 0;  ///< within the range of the form
   Figure figure;
 };
 
-/// A description in TOML: words, and figures, each of which says where it comes from. Errors are InputErrors with
-/// file:line:column. For source files, as toml_text.h.
+/// A description in TOML: texts and parameters, each with its provenance. Errors are InputErrors with file:line:column.
+/// Include it in source files only, like toml_text.h.
 class FigureFile {
  public:
-  /// Where `changed` says something, the file is known to be right, and what is wrong is what was changed: errors are
-  /// ChangeErrors that begin with it.
+  /// If `changed` is not empty, the file itself is valid, and errors come from the changes: they are ChangeErrors whose
+  /// text begins with `changed`.
   FigureFile(const toml::table& root, std::string_view file, std::string changed = {});
 
-  /// The string at that key, not empty, as people may see it.
+  /// The non-empty string at that key, made printable().
   [[nodiscard]] std::string text(std::string_view key) const;
 
-  /// Every figure, each form's once, in the order of the file. Besides there are the words alone.
+  /// All parameters in the order of the file. Each form must occur once, and other keys must be in `words`.
   [[nodiscard]] std::vector<ReadFigure> figures(std::span<const FigureForm> forms,
                                                 std::span<const std::string_view> words) const;
 
-  /// Throws what is wrong with the value at the key, or with the whole file where there is no such key.
+  /// Throws an error at the value of the key, or at the beginning of the file if there is no such key.
   [[noreturn]] void fail(std::string_view key, std::string_view message) const;
 
  private:

@@ -1,3 +1,5 @@
+// Hash of a machine's parameters.
+// Used by sim/session and sim/studies for keys of results.
 #pragma once
 
 #include <string>
@@ -6,7 +8,7 @@
 
 namespace csgsim::machines {
 
-/// Of all figures of a machine's description, in whatever order and with whatever comments it is written.
+/// Hash of all parameters of a machine, independent of the order and comments of its description.
 std::string hash_of(const Machine& machine);
 
 }  // namespace csgsim::machines

@@ -1,3 +1,5 @@
+// Parameters of a machine's host.
+// Used by machine.h.
 #pragma once
 
 #include <array>
@@ -6,17 +8,16 @@
 
 namespace csgsim::machines {
 
-/// What Host::processor counts: the processors that come with csgsim (hw/processors), behind the one that takes no
-/// time.
+/// Names of the values of Host::processor: the processor without delay, then the built-in processors (hw/processors).
 inline constexpr auto host_processor_names = std::to_array<std::string_view>({"ideal", "i486dx2", "i860", "mc68000"});
 
-/// As Host::processor: compiling takes no time.
+/// Value of Host::processor for a host that compiles in no time.
 inline constexpr std::uint32_t ideal_processor = 0;
 
-/// Who compiles the frames that a machine draws (docs/host.md).
+/// The host that compiles the frames for a machine (docs/host.md).
 struct Host {
-  std::uint32_t processor = ideal_processor;  ///< which of host_processor_names
-  std::uint32_t count = 1;                    ///< processors that share the work evenly
+  std::uint32_t processor = ideal_processor;  ///< index into host_processor_names
+  std::uint32_t count = 1;                    ///< number of processors that share the work evenly
 
   constexpr bool operator==(const Host&) const = default;
 };

@@ -12,7 +12,7 @@ namespace csgsim::machines {
 Machine blank(const Kind& kind) {
   Machine machine;
   machine.kind = &kind;
-  kind.give_figures(machine);
+  kind.init_own_figures(machine);
   return machine;
 }
 
@@ -28,7 +28,7 @@ void adopt(Machine& machine, const isa::Program& program) {
   machine.array.memory_bits = program.shape.memory_bits;
 }
 
-std::vector<std::string> idealisable(const Machine& machine) {
+std::vector<std::string> ideal_candidates(const Machine& machine) {
   std::vector<std::string> keys;
   for (const FigureSchema& figure : machine.kind->schema) {
     if (figure.ideal && figure.load(machine) != *figure.ideal) keys.emplace_back(figure.key);
@@ -36,7 +36,7 @@ std::vector<std::string> idealisable(const Machine& machine) {
   return keys;
 }
 
-void idealise(Machine& machine, std::string_view key) {
+void make_ideal(Machine& machine, std::string_view key) {
   const auto row = std::find_if(machine.kind->schema.begin(), machine.kind->schema.end(),
                                 [&](const FigureSchema& figure) { return figure.key == key && figure.ideal; });
   if (row == machine.kind->schema.end()) throw std::out_of_range(std::string(key) + " is never ideal");
@@ -114,8 +114,8 @@ FrameTiming with_pace(FrameTiming timing) {
   return timing;
 }
 
-FrameTiming time_frame(const isa::Program& program, const Machine& machine, const Told& told) {
-  return with_pace(machine.kind->time(program, machine, told));
+FrameTiming time_frame(const isa::Program& program, const Machine& machine, const RunOutcome& outcome) {
+  return with_pace(machine.kind->time(program, machine, outcome));
 }
 
 }  // namespace csgsim::machines

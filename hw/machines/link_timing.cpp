@@ -24,7 +24,7 @@ void LinkTiming::request(std::uint64_t edge) {
   read_place_ = 0;
 }
 
-/// From that edge on there is room for the next word.
+/// The first edge at which the FIFO has room for the next word.
 std::uint64_t LinkTiming::room_edge() const { return sent_ < link_.fifo_depth ? 0 : read_edges_[sent_place_] + 1; }
 
 void LinkTiming::store(std::uint64_t edge) {

@@ -1,3 +1,5 @@
+// Analytic timing of a link.
+// Used by hw/pixel_planes and hw/link.
 #pragma once
 
 #include <cstdint>
@@ -9,48 +11,48 @@
 
 namespace csgsim::machines {
 
-/// Where the host's end of a link spent its clocks: each is in one of these.
+/// Clocks of the host's end of a link by activity; each clock counts for exactly one.
 struct LinkAccount {
-  std::uint64_t words = 0;    ///< that went into the FIFO, those included that a jump left there in vain
+  std::uint64_t words = 0;    ///< words written to the FIFO, including words discarded by a jump
   std::uint64_t sending = 0;  ///< clocks in which a word was on the link
-  std::uint64_t blocked = 0;  ///< clocks in which a word that had been sent found no room
+  std::uint64_t blocked = 0;  ///< clocks in which a transmitted word waited for room in the FIFO
   std::uint64_t waiting = 0;  ///< clocks before a request, and from a request to the first word
   std::uint64_t done = 0;     ///< clocks after the last word
 
   constexpr bool operator==(const LinkAccount&) const = default;
 };
 
-/// As it is told.
+/// The account in general form.
 PartAccount part_of(const LinkAccount& account, std::string name);
 
-/// Works out when words get through a link, without stepping. Words are counted from the last request on. Edges are
-/// numbered from the frame's first, 0; clock c is from edge c to c + 1.
+/// Computes when words pass a link, without stepping. Words are counted from the last request. Edges are numbered from
+/// the frame's first, 0; clock c lasts from edge c to edge c + 1.
 class LinkTiming {
  public:
   explicit LinkTiming(const Link& link);
 
-  /// A request has come to the host at that edge. The FIFO is empty then.
+  /// A request reaches the host at that edge. The FIFO is then empty.
   void request(std::uint64_t edge);
 
-  /// The edge at which the next word goes into the FIFO, from the next on it can be read. The word `fifo_depth` before
-  /// it has to be read already.
+  /// Returns the edge at which the next word enters the FIFO; it can be read from the next edge on. The word
+  /// `fifo_depth` before it must have been read.
   std::uint64_t send();
 
-  /// Sends the next word if it goes into the FIFO before that edge. Words that nobody has read leave no room.
+  /// Sends the next word if it enters the FIFO before that edge. Unread words leave no room.
   bool send_before(std::uint64_t edge, std::uint64_t& stored);
 
-  /// The oldest word in the FIFO is read at that edge.
+  /// Reads the oldest word in the FIFO at that edge.
   void read(std::uint64_t edge);
 
-  /// What the host's end does from the last word on until that edge: sending, or, if no words are left, nothing.
+  /// Accounts for the host's clocks from the last word until that edge: sending if words are left, otherwise done.
   void stop(std::uint64_t edge, bool words_left);
 
   [[nodiscard]] const LinkAccount& account() const { return account_; }
 
-  // Since the last request.
-  [[nodiscard]] std::uint64_t sent() const { return sent_; }  ///< words that went into the FIFO
+  // Counts since the last request.
+  [[nodiscard]] std::uint64_t sent() const { return sent_; }  ///< words that entered the FIFO
   [[nodiscard]] std::uint64_t words_read() const { return read_; }
-  /// Before that edge, clocks that the word on the link has still to be there; 0 if it waits for room.
+  /// Remaining clocks, before that edge, of the word on the link; 0 if it waits for room.
   [[nodiscard]] std::uint32_t clocks_left(std::uint64_t edge) const {
     const std::uint64_t over = since_ + link_.word_clocks + 1;
     return over > edge ? static_cast<std::uint32_t>(over - edge) : 0;
@@ -62,12 +64,12 @@ class LinkTiming {
   [[nodiscard]] std::size_t after(std::size_t place) const { return place + 1 == read_edges_.size() ? 0 : place + 1; }
 
   Link link_;
-  std::uint64_t since_ = 0;  ///< the next word is on the link from that edge on
+  std::uint64_t since_ = 0;  ///< edge from which the next word is on the link
   std::uint64_t sent_ = 0;
   std::uint64_t read_ = 0;
-  std::vector<std::uint64_t> read_edges_;  ///< of the last words read, a ring
-  std::size_t sent_place_ = 0;             ///< in the ring, of the next word to be sent
-  std::size_t read_place_ = 0;             ///< in the ring, of the next word to be read
+  std::vector<std::uint64_t> read_edges_;  ///< ring of the edges of the last reads
+  std::size_t sent_place_ = 0;             ///< place in the ring of the next word to send
+  std::size_t read_place_ = 0;             ///< place in the ring of the next word to read
   LinkAccount account_;
 };
 

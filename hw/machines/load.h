@@ -1,3 +1,5 @@
+// Work of a machine's parts, to find the limit of the frame rate.
+// Used by Kind and its implementations.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +10,14 @@
 
 namespace csgsim::machines {
 
-/// How much a part of a machine has to do for a frame.
+/// Work of a part of a machine for one frame.
 struct Load {
-  std::string part;          ///< for people, as `link from the host`
-  std::string_view does;     ///< while it works, as `sends`
-  std::uint64_t clocks = 0;  ///< in which it works
+  std::string part;          ///< name for users, such as `link from the host`
+  std::string_view does;     ///< verb for its work, such as `sends`
+  std::uint64_t clocks = 0;  ///< clocks in which it works
 };
 
-/// Clocks that a part spent on an activity; 0 where the account does not tell of them.
+/// Clocks that a part spent in an activity; 0 if the account does not list it.
 std::uint64_t clocks_of(const Account& account, std::string_view part, std::string_view activity);
 
 }  // namespace csgsim::machines

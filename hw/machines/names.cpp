@@ -12,19 +12,19 @@ constexpr std::string_view file_ending = ".toml";
 
 }  // namespace
 
-std::string_view file_of(std::string_view said) {
-  if (said.ends_with(file_ending)) return said;
-  const std::size_t end = said.rfind(std::string(file_ending) + "+");
-  return end == said.npos ? std::string_view() : said.substr(0, end + file_ending.size());
+std::string_view file_of(std::string_view spec) {
+  if (spec.ends_with(file_ending)) return spec;
+  const std::size_t end = spec.rfind(std::string(file_ending) + "+");
+  return end == spec.npos ? std::string_view() : spec.substr(0, end + file_ending.size());
 }
 
-std::string_view base_of(std::string_view said) {
-  const std::string_view file = file_of(said);
-  return file.empty() ? said.substr(0, said.find('+')) : file;
+std::string_view base_of(std::string_view spec) {
+  const std::string_view file = file_of(spec);
+  return file.empty() ? spec.substr(0, spec.find('+')) : file;
 }
 
-std::vector<std::string> changes_of(std::string_view said) {
-  std::string_view rest = said.substr(base_of(said).size());
+std::vector<std::string> changes_of(std::string_view spec) {
+  std::string_view rest = spec.substr(base_of(spec).size());
   std::vector<std::string> changes;
   while (!rest.empty()) {
     rest.remove_prefix(1);

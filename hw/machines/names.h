@@ -1,3 +1,5 @@
+// Names with parameter changes.
+// Used by hw/kinds and sim/studies.
 #pragma once
 
 #include <span>
@@ -9,19 +11,19 @@
 
 namespace csgsim::machines {
 
-// What files of figures describe is named NAME+KEY=VALUE+KEY=VALUE: NAME comes with csgsim, or is a file, which ends in
-// .toml; then figures that are changed.
+// Machines, processors and processes are named NAME+KEY=VALUE+KEY=VALUE: NAME is built in, or a file that ends in
+// .toml; changed parameters follow.
 
-/// The file; empty where the name is none.
-std::string_view file_of(std::string_view said);
+/// The file in such a name; empty if it names no file.
+std::string_view file_of(std::string_view spec);
 
-/// What comes with csgsim, or the file.
-std::string_view base_of(std::string_view said);
+/// The name without changes: a built-in name or a file.
+std::string_view base_of(std::string_view spec);
 
-/// KEY=VALUE of each change.
-std::vector<std::string> changes_of(std::string_view said);
+/// The changes in the name, KEY=VALUE each.
+std::vector<std::string> changes_of(std::string_view spec);
 
-/// `+KEY=VALUE` of each figure that is other than the original's.
+/// `+KEY=VALUE` for each parameter that differs from the original's.
 std::string name_of_edits(std::span<const Figure> figures, std::span<const Figure> original);
 
 }  // namespace csgsim::machines

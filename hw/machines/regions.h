@@ -1,3 +1,5 @@
+// Regions of the picture and properties of a machine that the host needs.
+// Used by host/emit, hw/host, and several machines and studies.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +15,28 @@ namespace csgsim::machines {
 std::vector<isa::Region> regions(const Machine& machine);
 
 /// How a machine divides the model itself, by the rules of docs/machines/pixel-square.md: the host sends it the model
-/// as the camera sees it, and it makes the instructions of each region.
+/// as seen by the camera, and the machine makes the instructions of each region.
 struct Division {
-  /// Regions of a group, along a row and down, for the first of two levels; 0 if there is one level.
+  /// Side of a group in regions, for the first of two levels; 0 for a single level.
   std::uint32_t group_side = 0;
-  std::uint64_t list_entries = 0;  ///< that what a group leaves has to fit
-  /// The groups themselves, in the order in which the machine draws them, where they are no such squares of regions.
+  std::uint64_t list_entries = 0;  ///< maximum number of entries that remain after the first level
+  /// Explicit groups, in the order in which the machine draws them, if they are not squares of regions.
   std::vector<isa::Region> groups{};
 
   bool operator==(const Division&) const = default;
 };
 
-/// None, if the host divides the model.
+/// Empty if the host divides the model.
 std::optional<Division> division(const Machine& machine);
 
-/// The field of pixel memory into which a finished picture of so many bits of colour is copied, to be shown while the
-/// next is drawn; of width 0, if it is shown from where it was drawn.
+/// The field of pixel memory into which a finished picture with that many colour bits is copied, to be displayed while
+/// the next is drawn; its width is 0 if the picture is displayed from the field in which it was drawn.
 isa::Field second_buffer(std::uint32_t colour_bits, const Machine& machine);
 
-/// Whether its host keeps a list of what is active on a line: its Programs say the rows of each piece.
+/// Whether the host keeps an active list per line; Programs then contain the row extent of each piece.
 bool keeps_active_list(const Machine& machine);
 
-/// Whether the controller learns if any pixel is enabled.
+/// Whether the controller can test if any pixel is enabled.
 bool has_global_or(const Machine& machine);
 
 }  // namespace csgsim::machines

@@ -20,10 +20,10 @@ void check_questions(const isa::Program& program, const Machine& machine) {
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const std::vector<isa::Instruction>& instructions = program.segments[s].instructions;
     for (std::size_t i = 0; i < instructions.size(); ++i) {
-      if (!isa::is_question(instructions[i].opcode)) continue;
+      if (!isa::needs_global_or(instructions[i].opcode)) continue;
       throw InputError(
           fmt::format("segment {}, instruction {}: {} needs a global OR, which the machine {} does not have; compile "
-                      "the model for this machine, or take one whose global_or.present is 1",
+                      "the model for this machine, or use one with global_or.present = 1",
                       s, i, isa::name_of(instructions[i].opcode), machine.name));
     }
   }
@@ -37,7 +37,7 @@ void check_squares(const isa::Program& program, const Machine& machine) {
     if (found == instructions.end()) continue;
     throw InputError(
         fmt::format("segment {}, instruction {}: {} needs quadratic expressions, which the machine {} does not have; "
-                    "compile the model for this machine, or take one whose evaluator.degree is 2, as pixel-powers",
+                    "compile the model for this machine, or use one with evaluator.degree = 2, such as pixel-powers",
                     s, found - instructions.begin(), isa::name_of(found->opcode), machine.name));
   }
 }
@@ -46,7 +46,7 @@ void check_squares(const isa::Program& program, const Machine& machine) {
 
 void check_parts(const isa::Program& program, const Machine& machine) {
   if (program.shape.memory_bits > machine.array.memory_bits) {
-    throw InputError(fmt::format("the Program is for pixels of {} bits, {} has {}; compile it for this machine",
+    throw InputError(fmt::format("the Program needs pixels with {} bits, but {} has {}; compile it for this machine",
                                  program.shape.memory_bits, machine.name, machine.array.memory_bits));
   }
   Machine drawing = machine;
@@ -56,7 +56,7 @@ void check_parts(const isa::Program& program, const Machine& machine) {
                                 [](const isa::Region& part, const isa::Segment& one) { return part == one.region; });
   if (!alike) {
     throw InputError(
-        fmt::format("the Program's segments are not the {} regions in which {} draws a picture of {}x{}; "
+        fmt::format("the Program's segments are not the {} regions that {} uses for a picture of {}x{}; "
                     "compile it for this machine",
                     parts.size(), machine.name, program.shape.width, program.shape.height));
   }

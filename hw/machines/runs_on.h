@@ -1,3 +1,5 @@
+// Checks that a machine can run a Program.
+// Used by several machines, sim/functional and sim/cycle.
 #pragma once
 
 #include "hw/isa/program.h"
@@ -5,12 +7,12 @@
 
 namespace csgsim::machines {
 
-/// Throws InputError, which says where and what to do, if the machine cannot run the Program: it asks whether any pixel
-/// is enabled, and the machine has no global OR; it has squares, and the machine's expressions are of degree 1; or what
-/// its kind checks.
+/// Throws InputError, with place and advice, if the machine cannot run the Program: the Program tests whether any pixel
+/// is enabled, and the machine has no global OR; it has squares, and the machine's expressions are of degree 1; or a
+/// check of the machine's kind fails.
 void check_runs_on(const isa::Program& program, const Machine& machine);
 
-/// For kinds that work on parts of the picture: throws InputError unless the Program's segments are the machine's
+/// Used by kinds that draw parts of the picture. Throws InputError unless the Program's segments are the machine's
 /// regions and its pixels have no more memory than the machine's.
 void check_parts(const isa::Program& program, const Machine& machine);
 

@@ -1,3 +1,5 @@
+// Schema of machine parameters.
+// Used by the kinds of machines and sim/session.
 #pragma once
 
 #include <cstdint>
@@ -10,37 +12,37 @@
 
 namespace csgsim::machines {
 
-/// One key of a machine description: a table with `value`, `unit`, `provenance` and `source`.
+/// Schema of one parameter of a machine description: a table with `value`, `unit`, `provenance` and `source`.
 struct FigureSchema {
   std::string_view key;
   std::string_view unit;
-  std::int64_t least;  ///< of the value
-  std::int64_t most;   ///< of the value
+  std::int64_t least;  ///< minimum value
+  std::int64_t most;   ///< maximum value
   std::string_view meaning;
-  void (*store)(Machine& machine, std::int64_t value);  ///< puts a value within range where the simulator looks
-  std::int64_t (*load)(const Machine& machine);         ///< from there
-  std::span<const std::string_view> names{};            ///< the value is one of these strings, counted from 0
-  std::optional<std::int64_t> ideal{};                  ///< what `value = "ideal"` stands for, where it may be said
+  void (*store)(Machine& machine, std::int64_t value);  ///< stores a value within the range in the machine
+  std::int64_t (*load)(const Machine& machine);         ///< returns the stored value
+  std::span<const std::string_view> names{};            ///< if not empty, the value is one of these, counted from 0
+  std::optional<std::int64_t> ideal{};                  ///< meaning of `value = "ideal"`, if that is allowed
 };
 
-/// As a value: a figure that no hardware limits, at no cost.
+/// Value of a parameter without hardware limit and cost.
 inline constexpr std::string_view ideal_value = "ideal";
 
-/// The same figure, which may be ideal.
+/// The same parameter, which may be ideal.
 constexpr FigureSchema or_ideal(FigureSchema figure, std::int64_t ideal) {
   figure.ideal = ideal;
   return figure;
 }
 
-/// The same figure, whose values have these names, counted from 0.
+/// The same parameter with named values, counted from 0.
 constexpr FigureSchema named(FigureSchema figure, std::span<const std::string_view> names) {
   figure.names = names;
   return figure;
 }
 
-inline constexpr std::int64_t most_clocks = 1'000'000;  ///< of a figure
+inline constexpr std::int64_t max_parameter_clocks = 1'000'000;  ///< maximum of parameters in clocks
 
-/// A figure that stands in a member of the machine, or in a member of one of its parts.
+/// A parameter stored in a member of the machine, or in a member of one of its parts.
 template <auto... members>
 constexpr FigureSchema figure(std::string_view key, std::string_view unit, std::int64_t least, std::int64_t most,
                               std::string_view meaning) {
@@ -56,7 +58,7 @@ constexpr FigureSchema figure(std::string_view key, std::string_view unit, std::
           [](const Machine& machine) { return static_cast<std::int64_t>((machine.*....*members)); }};
 }
 
-/// A figure that only one kind has, a member of its Figures, or of one of their parts.
+/// A parameter that only one kind has, stored in a member of its Figures or of one of their parts.
 template <class Figures, auto... members>
 constexpr FigureSchema own_figure(std::string_view key, std::string_view unit, std::int64_t least, std::int64_t most,
                                   std::string_view meaning, std::span<const std::string_view> names = {}) {
@@ -73,7 +75,7 @@ constexpr FigureSchema own_figure(std::string_view key, std::string_view unit, s
           names};
 }
 
-/// A figure that can have one value only, which the simulator builds in.
+/// A parameter with a single possible value, built into the simulator.
 constexpr FigureSchema built_in_figure(std::string_view key, std::string_view unit, std::int64_t value,
                                        std::string_view meaning) {
   return {key,

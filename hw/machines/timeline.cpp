@@ -10,14 +10,14 @@
 
 namespace csgsim::machines {
 
-Timeline timeline(const isa::Program& program, const Machine& machine, const Told& told_by_run) {
-  std::optional<Timeline> told = machine.kind->timeline(program, machine, told_by_run);
-  if (!told) {
-    throw InputError(fmt::format(
-        "machines of the kind {} do not tell when their instructions are carried out; take another --machine",
-        machine.kind->name));
+Timeline timeline(const isa::Program& program, const Machine& machine, const RunOutcome& outcome) {
+  std::optional<Timeline> found = machine.kind->timeline(program, machine, outcome);
+  if (!found) {
+    throw InputError(fmt::format("machines of the kind {} provide no instruction timeline; use another --machine",
+                                 machine.kind->name));
   }
-  return std::move(*told);
+
+  return std::move(*found);
 }
 
 std::vector<ClockSpan> at_pixel(const Timeline& timeline, const isa::Program& program, const Machine& machine,

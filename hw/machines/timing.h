@@ -1,3 +1,5 @@
+// Clocks of a frame.
+// Used by the kinds of machines, hw/host, sim/engine and sim/studies.
 #pragma once
 
 #include <cstdint>
@@ -5,34 +7,35 @@
 #include "hw/isa/program.h"
 #include "hw/machines/accounts.h"
 #include "hw/machines/machine.h"
-#include "hw/machines/told.h"
+#include "hw/machines/run_outcome.h"
 
 namespace csgsim::machines {
 
-/// The clocks of a frame and what they went into.
+/// Clocks of a frame and their account.
 struct FrameTiming {
-  std::uint64_t clocks = 0;           ///< from the frame's first until its picture stands in the memory that is shown
-  std::uint64_t shown_clocks = 0;     ///< from its first until its last pixel is shown: the frame's latency
-  std::uint64_t interval_clocks = 0;  ///< from one frame to the next, where the same is drawn again and again, and the
+  std::uint64_t clocks = 0;           ///< from the frame's first clock until its picture is in the displayed memory
+  std::uint64_t shown_clocks = 0;     ///< from its first clock until its last pixel is shown: the frame's latency
+  std::uint64_t interval_clocks = 0;  ///< from one frame to the next if the same frame is drawn repeatedly and the
                                       ///< host keeps up
-  std::uint64_t latency_clocks = 0;   ///< of `clocks`, for the last instruction to reach the pixels of a whole picture
+  std::uint64_t latency_clocks = 0;   ///< part of `clocks`: time for the last instruction to reach all pixels
   Account account;
-  std::uint64_t host_clocks = 0;  ///< in which the host compiles the frame; 0 for an ideal one (hw/host)
+  std::uint64_t host_clocks = 0;  ///< clocks to compile the frame on the host; 0 for an ideal host (hw/host)
 
   bool operator==(const FrameTiming&) const = default;
 };
 
-/// From one frame to the next: the host compiles a frame while the one before is drawn, so that the longer counts.
+/// Clocks per frame: the host compiles a frame while the previous one is drawn, so the longer time counts.
 constexpr std::uint64_t paced_clocks(std::uint64_t interval_clocks, std::uint64_t host_clocks) {
   return interval_clocks < host_clocks ? host_clocks : interval_clocks;
 }
 
-/// A timing that does not tell when the frame is shown, or the interval (both 0), shows it when it is drawn, and then
-/// begins the next.
+/// Fills in missing values: a frame without shown_clocks is shown when it is drawn, and one without interval_clocks is
+/// followed by the next when it has been shown.
 FrameTiming with_pace(FrameTiming timing);
 
-/// Of any kind, with_pace. `told`: of a run of the Program; without it no instruction is skipped, and of a kind that
-/// asks for pixels (Kind::asks_for_pixels) the clocks are a bound that no run exceeds.
-FrameTiming time_frame(const isa::Program& program, const Machine& machine, const Told& told = {});
+/// Timing for a machine of any kind, completed by with_pace(). `outcome` comes from a run of the Program; without it no
+/// instruction is skipped, and for a kind that depends on pixels (Kind::depends_on_pixels) the clocks are an upper
+/// bound.
+FrameTiming time_frame(const isa::Program& program, const Machine& machine, const RunOutcome& outcome = {});
 
 }  // namespace csgsim::machines

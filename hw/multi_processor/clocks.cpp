@@ -30,7 +30,7 @@ std::uint64_t outer_clocks(const NodePixels& own, const Figures& figures) {
 constexpr std::uint64_t bits_a_word = 64;  ///< bits in a word of a plane
 
 /// Mask for each word of a plane's row that selects the pixels of the node's first `columns` columns.
-std::vector<std::uint64_t> row_mask(const machines::MetPixels& met, const NodePixels& own, std::uint64_t columns,
+std::vector<std::uint64_t> row_mask(const machines::PixelActivity& met, const NodePixels& own, std::uint64_t columns,
                                     const isa::ArrayShape& nodes) {
   std::vector<std::uint64_t> mask(met.row_words);
   for (std::uint64_t column = 0; column < columns; ++column) {
@@ -44,7 +44,7 @@ std::vector<std::uint64_t> row_mask(const machines::MetPixels& met, const NodePi
 class PlaneCounts {
  public:
   /// `nodes`: array of nodes over which the pixels are interleaved.
-  PlaneCounts(const machines::MetPixels& met, const NodePixels& own, const isa::ArrayShape& nodes)
+  PlaneCounts(const machines::PixelActivity& met, const NodePixels& own, const isa::ArrayShape& nodes)
       : met_(met), own_(own), nodes_(nodes), row_(row_mask(met, own, own.columns, nodes)) {}
 
   /// Number of set pixels in [begin, end).
@@ -71,7 +71,7 @@ class PlaneCounts {
     return sum;
   }
 
-  const machines::MetPixels& met_;
+  const machines::PixelActivity& met_;
   const NodePixels own_;
   const isa::ArrayShape nodes_;
   std::vector<std::uint64_t> row_;
@@ -88,12 +88,12 @@ std::uint64_t pixel_clocks(const isa::Instruction& instruction, const Machine& m
 }
 
 machines::PixelClocks all_pixel_clocks(const isa::Segment& segment, std::size_t index, const Machine& machine,
-                                       const machines::MetPixels* met) {
+                                       const machines::PixelActivity* met) {
   const PixelCosts costs = pixel_costs(segment.instructions[index], machines::own<Figures>(machine));
   const NodePixels own{0, 0, segment.region.width, segment.region.height};
   if (met == nullptr) return {own.count() * costs.maximum(), own.count() * costs.maximum()};
   const PlaneCounts counts(*met, own, {1, 1, 0});
-  const machines::MetPixels::Planes planes = met->instructions[index];
+  const machines::PixelActivity::Planes planes = met->instructions[index];
   const std::uint64_t enabled = counts.all(planes.enabled);
   const std::uint64_t clocks = at_enabled(enabled, counts.all(planes.chosen), costs);
   return {(own.count() - enabled) * costs.disabled + clocks, clocks};
@@ -122,7 +122,7 @@ RenderingClocks::RenderingClocks(const ListPart& part, const Machine& machine)
 void RenderingClocks::compute_weights() {
   std::vector<std::uint64_t> weights(part_.met->planes.size());
   for (std::size_t i = 0; i < costs_.size(); ++i) {
-    const machines::MetPixels::Planes planes = part_.met->instructions[part_.first + i];
+    const machines::PixelActivity::Planes planes = part_.met->instructions[part_.first + i];
     const PixelCosts& costs = costs_[i].at_pixel;
     weights[planes.enabled] += costs.unselected - costs.disabled;
     weights[planes.chosen] += costs.full - costs.unselected;
@@ -161,7 +161,7 @@ std::vector<machines::ClockSpan> RenderingClocks::spans_at(const NodePixels& own
   const auto at_pixels = [&](std::size_t i, std::uint64_t begin, std::uint64_t end) {
     const PixelCosts& costs = costs_[i].at_pixel;
     if (!counts) return (end - begin) * costs.maximum();
-    const machines::MetPixels::Planes planes = part_.met->instructions[part_.first + i];
+    const machines::PixelActivity::Planes planes = part_.met->instructions[part_.first + i];
     const std::uint64_t enabled = counts->between(planes.enabled, begin, end);
     const std::uint64_t chosen = planes.chosen == planes.enabled ? enabled : counts->between(planes.chosen, begin, end);
     return (end - begin - enabled) * costs.disabled + at_enabled(enabled, chosen, costs);

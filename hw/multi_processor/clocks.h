@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "hw/machines/machine.h"
+#include "hw/machines/run_outcome.h"
 #include "hw/machines/timeline.h"
-#include "hw/machines/told.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/list_form.h"
 #include "hw/multi_processor/prices.h"
@@ -22,7 +22,7 @@ std::uint64_t pixel_clocks(const isa::Instruction& instruction, const machines::
 
 /// Clocks of an instruction of a subsegment at all its pixels, over all nodes. `met`: as in ListPart.
 machines::PixelClocks all_pixel_clocks(const isa::Segment& segment, std::size_t index, const machines::Machine& machine,
-                                       const machines::MetPixels* met);
+                                       const machines::PixelActivity* met);
 
 /// The list of a subsegment, or the part of it that is rendered at once.
 struct ListPart {
@@ -31,7 +31,7 @@ struct ListPart {
   bool ends = true;    ///< no part of the list follows
   /// Pixels of the subsegment that each instruction of the whole list met in a run; null without a run: then each
   /// instruction is charged its maximum at each pixel.
-  const machines::MetPixels* met = nullptr;
+  const machines::PixelActivity* met = nullptr;
   std::size_t first = 0;  ///< number of instructions of the list before this part
   ListForm form{};
 };

@@ -84,13 +84,13 @@ MergedView view_of(const isa::Region& region, const isa::ArrayShape& nodes, std:
 Collector::Collector(sc_core::sc_module_name name, const machines::Machine& machine, const systemc::SegmentNames& names)
     : sc_core::sc_module(name),
       nodes_(machine.array),
-      branches_(machine.kind->asks_for_pixels(machine)),
+      branches_(machine.kind->depends_on_pixels(machine)),
       names_(names),
       reported_(std::size_t{nodes_.width} * nodes_.height),
       ends_(reported_.size()) {}
 
-systemc::Keep Collector::keeps_after(const isa::Region& region, std::uint32_t index) {
-  return retirement->keeps_after(names_.segment_of(region), index);
+systemc::Keep Collector::required_after(const isa::Region& region, std::uint32_t index) {
+  return retirement->required_after(names_.segment_of(region), index);
 }
 
 void Collector::after_instruction(std::uint32_t node, NodeState state) {

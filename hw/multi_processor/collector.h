@@ -15,7 +15,7 @@ namespace csgsim::multi_processor {
 /// Port through which nodes report what they have executed.
 class CollectorPort : virtual public sc_core::sc_interface {
  public:
-  [[nodiscard]] virtual systemc::Keep keeps_after(const isa::Region& region, std::uint32_t index) = 0;
+  [[nodiscard]] virtual systemc::Keep required_after(const isa::Region& region, std::uint32_t index) = 0;
   /// Called for each instruction of the subsegment, in order.
   virtual void after_instruction(std::uint32_t node, NodeState state) = 0;
   virtual void after_subsegment(std::uint32_t node, const isa::Region& region, NodeState end) = 0;
@@ -31,7 +31,7 @@ class Collector final : public sc_core::sc_module, public CollectorPort {
 
   Collector(sc_core::sc_module_name name, const machines::Machine& machine, const systemc::SegmentNames& names);
 
-  [[nodiscard]] systemc::Keep keeps_after(const isa::Region& region, std::uint32_t index) override;
+  [[nodiscard]] systemc::Keep required_after(const isa::Region& region, std::uint32_t index) override;
   void after_instruction(std::uint32_t node, NodeState state) override;
   void after_subsegment(std::uint32_t node, const isa::Region& region, NodeState end) override;
   void after_clear(const isa::Region& segment) override;

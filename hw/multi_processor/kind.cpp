@@ -16,7 +16,7 @@ namespace {
 
 using machines::FigureSchema;
 using machines::Machine;
-using machines::most_clocks;
+using machines::max_parameter_clocks;
 using machines::own_figure;
 namespace shared = machines::shared;
 
@@ -26,7 +26,7 @@ constexpr std::int64_t max_memory_words = std::int64_t{1} << 31U;
 
 template <auto part, auto member>
 constexpr FigureSchema part_clocks(std::string_view key, std::string_view meaning) {
-  return own_figure<Figures, part, member>(key, "clocks", 0, most_clocks, meaning);
+  return own_figure<Figures, part, member>(key, "clocks", 0, max_parameter_clocks, meaning);
 }
 
 constexpr auto schema = std::to_array<FigureSchema>({
@@ -45,13 +45,13 @@ constexpr auto schema = std::to_array<FigureSchema>({
                                          "loop order of a node over pixels and instructions", rendering_order_names),
     own_figure<Figures, &Figures::host, &HostLink::width>("host.link_width", "bits", 1, isa::LinkWord::most_bits,
                                                           "bits of a word of the host's link"),
-    own_figure<Figures, &Figures::host, &HostLink::word_clocks>("host.link_word_clocks", "clocks", 1, most_clocks,
-                                                                "clocks between two words of the host's link"),
+    own_figure<Figures, &Figures::host, &HostLink::word_clocks>(
+        "host.link_word_clocks", "clocks", 1, max_parameter_clocks, "clocks between two words of the host's link"),
     part_clocks<&Figures::host, &HostLink::latency>("host.link_latency",
                                                     "clocks from the start of the frame to its first word"),
     own_figure<Figures, &Figures::display_memory_words>("display.memory_words", "words", 1, max_memory_words,
                                                         "memory for the model and the survivors of a segment"),
-    own_figure<Figures, &Figures::transform_clocks>("display.transform_clocks", "clocks", 0, most_clocks,
+    own_figure<Figures, &Figures::transform_clocks>("display.transform_clocks", "clocks", 0, max_parameter_clocks,
                                                     "clocks to transform a plane of the model"),
     part_clocks<&Figures::display_tests, &TestClocks::primitive>(
         "display.primitive_clocks", "clocks to compare the bounds of a primitive with a segment"),
@@ -66,7 +66,7 @@ constexpr auto schema = std::to_array<FigureSchema>({
     shared::link_width,
     shared::link_word_clocks,
     shared::link_latency,
-    own_figure<Figures, &Figures::barrier_clocks>("barrier.clocks", "clocks", 0, most_clocks,
+    own_figure<Figures, &Figures::barrier_clocks>("barrier.clocks", "clocks", 0, max_parameter_clocks,
                                                   "clocks from the last node's arrival to the release of all nodes"),
     machines::or_ideal(own_figure<Figures, &Figures::refresh, &RefreshFigures::rate>(
                            "refresh.rate", "Hz", 1, 1000, "pictures shown per second; ideal: refresh takes no clocks"),
@@ -93,7 +93,7 @@ constexpr auto schema = std::to_array<FigureSchema>({
                        0),
     machines::or_ideal(
         own_figure<Figures, &Figures::field_clocks>(
-            "node.field_clocks", "clocks", 0, most_clocks,
+            "node.field_clocks", "clocks", 0, max_parameter_clocks,
             "clocks to extract a number from packed bits, in addition to its shifts and mask; ideal: each number "
             "arrives in separate words"),
         unpacked),
@@ -124,7 +124,7 @@ constexpr auto schema = std::to_array<FigureSchema>({
     part_clocks<&Figures::node_tests, &TestClocks::instruction>("node.list_clocks",
                                                                 "clocks to append an instruction to the list"),
     own_figure<Figures, &Figures::number_clocks>(
-        "node.number_clocks", "clocks", 0, most_clocks,
+        "node.number_clocks", "clocks", 0, max_parameter_clocks,
         "clocks to append an instruction with a half-space number to the list"),
     shared::host_processor,
     shared::host_count,
@@ -149,7 +149,7 @@ void Kind::check(const isa::Program& program, const Machine& machine) const {
   check_fits(program, machine);
 }
 
-bool Kind::asks_for_pixels(const Machine& machine) const {
+bool Kind::depends_on_pixels(const Machine& machine) const {
   return figures_of(machine).branches.over == Branches::pixels;
 }
 
@@ -158,7 +158,7 @@ std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& m
 }
 
 machines::PixelClocks Kind::clocks_at_pixels(const isa::Segment& segment, std::size_t index, const Machine& machine,
-                                             const machines::MetPixels* met) const {
+                                             const machines::PixelActivity* met) const {
   return all_pixel_clocks(segment, index, machine, met);
 }
 

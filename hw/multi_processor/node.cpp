@@ -290,7 +290,7 @@ void Node::render(const List& list) {
   }
   std::vector<systemc::Keep> keeps;
   for (std::size_t i = 0; i < list.instructions.size(); ++i) {
-    keeps.push_back(collector->keeps_after(list.region, static_cast<std::uint32_t>(list.first + i)));
+    keeps.push_back(collector->required_after(list.region, static_cast<std::uint32_t>(list.first + i)));
   }
   const PixelMemory before = std::exchange(saved_, {}).pixels;
   ListRenderer renderer(figures_, nodes_, list.instructions, list.form, keeps, own, before);

@@ -32,7 +32,7 @@ struct Requested {
   std::vector<StartedPart>* parts = nullptr;
 };
 
-using Met = std::span<const machines::MetPixels>;
+using Met = std::span<const machines::PixelActivity>;
 
 /// Converts clocks of a rendering that begins in clock `begin` of the frame to timeline clocks: clock 0 of a timeline
 /// begins one clock after the frame, at the first possible clock edge.
@@ -333,13 +333,13 @@ std::vector<StartedPart> started_parts(const isa::Program& program, const Machin
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
-                                 const machines::Told& outcomes) const {
+                                 const machines::RunOutcome& outcomes) const {
   const FrameClocks timing = time_stages(program, machine, outcomes.met);
   return {.clocks = timing.clocks, .account = account(timing.account, machine.array)};
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
-                                                 const machines::Told& outcomes) const {
+                                                 const machines::RunOutcome& outcomes) const {
   check_fits(program, machine);
   machines::Timeline timeline = machines::blank_timeline(program);
   timeline.met.assign(outcomes.met.begin(), outcomes.met.end());
@@ -359,7 +359,7 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   std::vector<StartedPart> parts;
   if (const std::optional<ListForm> form = form_of_whole(program, machine, segment)) {
     // The timeline holds the first clock in which a node executes the list.
-    const machines::MetPixels* const met = timeline.met.empty() ? nullptr : &timeline.met[segment];
+    const machines::PixelActivity* const met = timeline.met.empty() ? nullptr : &timeline.met[segment];
     parts.push_back(
         {{.instructions = part.instructions, .met = met, .form = *form}, timeline.cleared[segment].begin + 1, 0});
   } else {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hw/machines/machine.h"
-#include "hw/machines/told.h"
+#include "hw/machines/run_outcome.h"
 #include "hw/multi_processor/account.h"
 #include "hw/multi_processor/clocks.h"
 
@@ -21,10 +21,10 @@ struct FrameClocks {
   FrameAccount account;
 };
 
-/// Computes the timing stage by stage; the clocked modules count the same. `met`: as in machines::Told; if it is empty
-/// and nodes branch, the result is an upper bound.
+/// Computes the timing stage by stage; the clocked modules count the same. `met`: as in machines::RunOutcome; if it is
+/// empty and nodes branch, the result is an upper bound.
 FrameClocks time_stages(const isa::Program& program, const machines::Machine& machine,
-                        std::span<const machines::MetPixels> met = {});
+                        std::span<const machines::PixelActivity> met = {});
 
 /// Part of a subsegment's list, and the clocks of the frame from its start on the nodes until the slowest node has
 /// rendered it.
@@ -36,6 +36,6 @@ struct StartedPart {
 
 /// Parts of a subsegment, in order. `met`: as in time_stages; it must outlive the result.
 std::vector<StartedPart> started_parts(const isa::Program& program, const machines::Machine& machine,
-                                       std::uint32_t segment, std::span<const machines::MetPixels> met = {});
+                                       std::uint32_t segment, std::span<const machines::PixelActivity> met = {});
 
 }  // namespace csgsim::multi_processor

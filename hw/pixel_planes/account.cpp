@@ -10,25 +10,25 @@ machines::Account account(const ControllerAccount& controller, const machines::L
   const std::uint64_t clocks = working + controller.starved + controller.answering + controller.jumping +
                                controller.draining + controller.refreshing + controller.holding;
   const std::uint64_t bits = link.words * machine.link.width;
-  machines::Account told{.counts = {{"link_words", link.words}, {"link_bits", bits}},
-                         .shares = {{"link_bits_per_instruction", bits, instructions},
-                                    {"controller_utilisation", working, clocks},
-                                    {"link_utilisation", link.sending, clocks}},
-                         .parts = {{"controller",
-                                    {{"issuing", controller.issuing},
-                                     {"clearing", controller.clearing},
-                                     {"starved", controller.starved},
-                                     {"answering", controller.answering},
-                                     {"jumping", controller.jumping},
-                                     {"draining", controller.draining}}},
-                                   machines::part_of(link, "host link")}};
-  if (machines::own<Figures>(machine).scan_out_buffers < 2) return told;
-  told.counts.push_back({"refresh_waits", controller.refresh_waits});
-  std::vector<machines::ActivityClocks>& activities = told.parts.front().clocks;
+  machines::Account result{.counts = {{"link_words", link.words}, {"link_bits", bits}},
+                           .shares = {{"link_bits_per_instruction", bits, instructions},
+                                      {"controller_utilisation", working, clocks},
+                                      {"link_utilisation", link.sending, clocks}},
+                           .parts = {{"controller",
+                                      {{"issuing", controller.issuing},
+                                       {"clearing", controller.clearing},
+                                       {"starved", controller.starved},
+                                       {"answering", controller.answering},
+                                       {"jumping", controller.jumping},
+                                       {"draining", controller.draining}}},
+                                     machines::part_of(link, "host link")}};
+  if (machines::own<Figures>(machine).scan_out_buffers < 2) return result;
+  result.counts.push_back({"refresh_waits", controller.refresh_waits});
+  std::vector<machines::ActivityClocks>& activities = result.parts.front().clocks;
   activities.push_back({"refreshing", controller.refreshing});
   activities.push_back({"holding", controller.holding});
   activities.push_back({"copying", controller.copying});
-  return told;
+  return result;
 }
 
 }  // namespace csgsim::pixel_planes

@@ -1,3 +1,5 @@
+// Clock account of the Pixel-planes controller.
+// Used by the controller and the timing model.
 #pragma once
 
 #include <cstdint>
@@ -8,24 +10,24 @@
 
 namespace csgsim::pixel_planes {
 
-/// Where the controller spent its clocks: each is in one of these.
+/// Clocks of the controller by activity; each clock counts for exactly one, except refresh_waits.
 struct ControllerAccount {
   std::uint64_t issuing = 0;        ///< a bit step of an instruction was on the wires
   std::uint64_t clearing = 0;       ///< the pixels were being cleared for a segment
-  std::uint64_t starved = 0;        ///< no whole command had come
-  std::uint64_t answering = 0;      ///< an answer was waited for
-  std::uint64_t jumping = 0;        ///< the command that the host goes on with after a jump was waited for
+  std::uint64_t starved = 0;        ///< no complete command had arrived
+  std::uint64_t answering = 0;      ///< waited for the global OR
+  std::uint64_t jumping = 0;        ///< waited for the command after a jump
   std::uint64_t draining = 0;       ///< the last step was on its way to the pixels
-  std::uint64_t refreshing = 0;     ///< a refresh word was on the wires, whatever else was waited for
-  std::uint64_t holding = 0;        ///< the picture before was still to be latched, so that it could not be copied over
-  std::uint64_t copying = 0;        ///< the picture was copied to where it is shown
-  std::uint64_t refresh_waits = 0;  ///< no activity: clocks in which the scan-out waited for a refresh word
+  std::uint64_t refreshing = 0;     ///< a refresh word was on the wires, whatever else the controller waited for
+  std::uint64_t holding = 0;        ///< waited until the previous picture was latched, before copying over it
+  std::uint64_t copying = 0;        ///< copied the picture into the displayed buffer
+  std::uint64_t refresh_waits = 0;  ///< not an activity: clocks in which the scan-out waited for a refresh word
 
   constexpr bool operator==(const ControllerAccount&) const = default;
 };
 
-/// As it is told of a frame in which so many instructions were carried out. What has to do with a second buffer is told
-/// of machines that have one.
+/// The account of a frame that executed `instructions` instructions. Activities of the second buffer are listed only
+/// for machines with two buffers.
 machines::Account account(const ControllerAccount& controller, const machines::LinkAccount& link,
                           const machines::Machine& machine, std::uint64_t instructions);
 

@@ -1,3 +1,5 @@
+// Schedule of clearing pixel memory.
+// Used by the controllers of hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +10,8 @@
 
 namespace csgsim::pixel_planes {
 
-/// What is cleared in clock `clock`, from 0, of the `clocks` in which the memory of the pixels of a region becomes 0:
-/// its bits are spread evenly over the clocks; those from `end` on stay.
+/// The memory bits cleared in clock number `clock` (from 0) of the `clocks` clocks that clear a region. The bits are
+/// spread evenly over the clocks; bits from `end` on are kept.
 inline ClearStep clear_step(const isa::Region& region, std::uint32_t memory_bits, std::uint32_t clock,
                             std::uint32_t clocks, std::uint32_t end) {
   const auto up_to = [&](std::uint64_t elapsed) {

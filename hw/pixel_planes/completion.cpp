@@ -24,22 +24,22 @@ void Completion::resume(std::uint32_t segment, std::uint32_t index) {
   index_ = index;
 }
 
-/// A question is accounted for later than its step reaches the pixels; any other command before its last word does.
+/// The account of a question arrives after its step reaches the pixels; that of any other command before its last word.
 void Completion::complete() {
   Account account;
-  if (told_ == retired.read() || !accounts.nb_read(account)) return;
-  ++told_;
+  if (reported_ == retired.read() || !accounts.nb_read(account)) return;
+  ++reported_;
   if (account.cleared) {
     ++segments_begun_;
     index_ = 0;
   } else {
-    tell(account);
+    report(account);
   }
   enabled_ = enable->count_enabled();
   finish_segment();
 }
 
-void Completion::tell(const Account& account) {
+void Completion::report(const Account& account) {
   if (account.answered) answers_.push_back(account.answer);
   retirement->after_instruction({.segment = segments_begun_ - 1,
                                  .index = index_,

@@ -1,3 +1,5 @@
+// Reports executed instructions to the listener of a run.
+// Used by the Pixel-planes machine.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +15,9 @@
 
 namespace csgsim::pixel_planes {
 
-/// Tells who watches the run what the pixels have carried out, with what the controller counted for it. No part of the
-/// machine, and takes no clock: it acts between the edge that carries out an instruction and the next. It knows the
-/// Program, so that it can say of which segment an instruction is.
+/// Reports each executed instruction, with the controller's counts, to the listener of the run. Not hardware: it takes
+/// no clock and acts between the edge that executes an instruction and the next. It reads the Program to determine the
+/// segment of an instruction.
 class Completion final : public sc_core::sc_module {
  public:
   sc_core::sc_in<std::uint64_t> retired{"retired"};
@@ -25,26 +27,26 @@ class Completion final : public sc_core::sc_module {
 
   explicit Completion(sc_core::sc_module_name name);
 
-  /// The segments have to live until the program is done.
+  /// Begins a frame. The segments must outlive it.
   void begin(std::span<const isa::Segment> segments);
 
-  /// After begin: the next instruction to be carried out is that one.
+  /// Sets the next executed instruction; called after begin().
   void resume(std::uint32_t segment, std::uint32_t index);
 
-  /// Answers to the host's questions, in order, since begin.
+  /// Answers of the global OR to the host, in order, since begin().
   [[nodiscard]] const std::vector<bool>& answers() const { return answers_; }
 
-  /// Instructions that were not carried out, since begin, and the questions before them.
+  /// Number of skipped instructions since begin(), and the questions before them.
   [[nodiscard]] std::uint64_t skipped() const { return skipped_; }
   [[nodiscard]] const std::vector<machines::Skip>& skips() const { return skips_; }
 
  private:
   void complete();
-  void tell(const Account& account);
+  void report(const Account& account);
   void finish_segment();
 
   std::span<const isa::Segment> segments_;
-  std::uint64_t told_ = 0;  ///< commands, since the machine was built
+  std::uint64_t reported_ = 0;  ///< commands since construction
   std::uint32_t segments_begun_ = 0;
   std::uint32_t index_ = 0;
   std::uint64_t enabled_ = 0;

@@ -1,3 +1,5 @@
+// Values on the wires between the modules.
+// Used by the modules of hw/pixel_planes and by hw/pixel_square.
 #pragma once
 
 #include <concepts>
@@ -11,10 +13,10 @@
 #include "hw/isa/program.h"
 #include "hw/systemc/wire.h"
 
-/// What travels between the modules, one value a clock.
+// Values that travel between the modules, one per clock.
 namespace csgsim::pixel_planes {
 
-/// Clears so many memory bits of every pixel from that address on, and all registers. Pixels right of `width` or below
+/// Clears `bits` memory bits of every pixel from `address` on, and all registers. Pixels right of `width` or below
 /// `height` take no part until the next word that clears.
 struct ClearStep {
   std::uint16_t address = 0;
@@ -25,7 +27,7 @@ struct ClearStep {
   constexpr bool operator==(const ClearStep&) const = default;
 };
 
-/// A memory bit of a row of pixels.
+/// Addresses one memory bit of one row of pixels.
 struct RefreshStep {
   std::uint16_t address = 0;
   std::uint16_t row = 0;
@@ -33,21 +35,21 @@ struct RefreshStep {
   constexpr bool operator==(const RefreshStep&) const = default;
 };
 
-/// Controller, through a delay line, to the pixels.
+/// Word from the controller, through a delay line, to the pixels.
 struct ControlWord {
   array::ArrayStep step{};
-  bool steps = false;   ///< `step` is one of an instruction of the host's
-  bool clears = false;  ///< the pixels obey `clear` and not `step`
+  bool steps = false;   ///< whether `step` belongs to an instruction of the host
+  bool clears = false;  ///< whether the pixels execute `clear` instead of `step`
   ClearStep clear{};
-  bool refreshes = false;  ///< the scan-out latches the bit that `refresh` names; the pixels do nothing
+  bool refreshes = false;  ///< whether the scan-out latches the bit addressed by `refresh`; the pixels are idle
   RefreshStep refresh{};
-  bool last = false;          ///< word of its command
-  std::uint64_t ordinal = 0;  ///< of the instruction within the frame, those skipped included
+  bool last = false;          ///< whether this is the last word of its command
+  std::uint64_t ordinal = 0;  ///< number of the instruction within the frame, including skipped ones
 
   constexpr bool operator==(const ControlWord&) const = default;
 };
 
-/// Controller to the scan-out: these bits of every pixel hold a finished picture.
+/// Message from the controller to the scan-out: these bits of every pixel hold a finished picture.
 struct FinishedPicture {
   isa::Field colour;
 };
@@ -60,16 +62,16 @@ struct Answer {
   constexpr bool operator==(const Answer&) const = default;
 };
 
-/// What the controller counted for one instruction, or that a segment's pixels were cleared.
+/// Counts of the controller for one instruction, or a note that the pixels of a segment were cleared.
 struct Account {
   bool cleared = false;
   std::uint64_t clocks = 0;
-  bool answered = false;  ///< the instruction was a question of the host's
+  bool answered = false;  ///< whether the instruction sends the answer to the host
   bool answer = false;
-  std::uint64_t skipped = 0;  ///< instructions after it that are not carried out
+  std::uint64_t skipped = 0;  ///< number of instructions skipped after it
 };
 
-// Which nobody calls (hw/systemc/wire.h).
+// Required by sc_signal and sc_fifo; never called (hw/systemc/wire.h).
 template <systemc::OneOf<Answer, RefreshStep, FinishedPicture, Account> Value>
 std::ostream& operator<<(std::ostream& stream, const Value& /*value*/) {
   return stream;

@@ -20,7 +20,7 @@ Controller::Controller(sc_core::sc_module_name name, const sc_core::sc_time& per
       sequencer_(sequencer),
       receiver_(figures.link_width) {}
 
-/// Since the machine was built.
+/// Clock edges since construction.
 std::uint64_t Controller::edges() const { return systemc::edges(period_); }
 
 ControllerStatus Controller::status() const {
@@ -53,7 +53,7 @@ void Controller::end_of_elaboration() {
   begins_or_refreshes_ |= refreshes.data_written_event();
 }
 
-/// Sleeps while it is idle and nobody asks for anything, and while steps that have been put go by.
+/// Sleeps while idle without requests, and while steps already put on the wires pass.
 void Controller::on_clock() {
   if (!clock.posedge()) return;
   act();
@@ -84,12 +84,12 @@ void Controller::begin_frame() {
   instructions_ = 0;
 }
 
-/// With steps of its own, which no refresh word interrupts.
+/// Whether the controller sends its own steps, which no refresh word may interrupt.
 bool Controller::has_control_wires() const {
   return state_ == State::issuing || state_ == State::clearing || state_ == State::copying;
 }
 
-/// Puts a refresh word on the wires if the scan-out has asked for one.
+/// Puts a refresh word on the wires if the scan-out has requested one.
 bool Controller::refresh() {
   RefreshStep step;
   if (!refreshes.nb_read(step)) return false;
@@ -97,7 +97,7 @@ bool Controller::refresh() {
   return true;
 }
 
-/// For the clock period that begins now.
+/// Sets the wires for the clock period that begins now.
 void Controller::put_control_word() {
   if (!refreshed_ && refreshes.num_available() > 0) ++account_.refresh_waits;
   switch (state_) {
@@ -135,7 +135,7 @@ void Controller::put_control_word() {
   ++status_.clocks;
 }
 
-/// A clock without a step of the controller's own.
+/// Spends a clock without a step of the controller, counted as `waiting_for`, or sends a refresh word in it.
 void Controller::await(std::uint64_t& waiting_for) {
   if (!refreshed_) put({});
   ++(refreshed_ ? account_.refreshing : waiting_for);
@@ -168,7 +168,7 @@ void Controller::begin(const isa::SegmentStart& start) {
   status_.busy = false;
 }
 
-/// Nothing is to be done: where a segment ends the next begins.
+/// No action: the next command begins the next segment or ends the frame.
 void Controller::begin(const isa::SegmentEnd& /*end*/) {}
 
 void Controller::begin(const isa::FrameEnd& end) {
@@ -207,8 +207,8 @@ void Controller::put_step(std::uint64_t edge, const array::BitStep& step) {
   wires->put(edge, {.step = step.pixels, .steps = true, .last = step.last, .ordinal = status_.ordinal}, step.root);
 }
 
-/// When the command to come has been received, and no refresh word can be asked for, nothing happens to the controller
-/// until the last step of the instruction at hand: it sleeps until then, and puts what comes before on the wires.
+/// If the next command has been received and no refresh word can be requested, nothing affects the controller until the
+/// last step of the current instruction: it puts the steps before that on the wires and sleeps.
 void Controller::issue_ahead() {
   if (!receiver_.holds() || edges_to_drop_ > 0 || unlatched_) return;
   if (refreshes.num_available() > 0) return;
@@ -226,7 +226,7 @@ void Controller::issue_ahead() {
   if (ahead > 0) next_trigger(sc_core::sc_time::from_value((ahead + 1) * period_.value()));
 }
 
-/// A picture that is being shown stays.
+/// Clears the region, except the bits of a displayed picture.
 void Controller::clear() {
   const std::uint32_t clocks = std::max(figures_.clear_clocks, 1U);
   const std::uint32_t end = unlatched_ ? shown_.base : figures_.memory_bits;
@@ -239,7 +239,7 @@ void Controller::clear() {
   state_ = State::ready;
 }
 
-/// With the steps of enable_all and copy, so that every pixel of the picture takes part.
+/// Begins the copy with enable_all and copy, so that every pixel of the picture takes part.
 void Controller::begin_copy() {
   state_ = State::copying;
   shown_ = {static_cast<std::uint16_t>(figures_.memory_bits - colour_.width), colour_.width};
@@ -257,7 +257,7 @@ void Controller::copy() {
   }
 }
 
-/// The frame's last step has been carried out.
+/// Ends the frame after its last step has been executed.
 void Controller::finish() {
   if (!refreshed_) put({});
   state_ = State::idle;

@@ -1,3 +1,5 @@
+// The controller of Pixel-planes.
+// Used by the Pixel-planes machine.
 #pragma once
 
 #include <cstdint>
@@ -16,57 +18,57 @@
 
 namespace csgsim::pixel_planes {
 
-/// What the controller is at, for waves.
+/// State of the controller, for waves.
 struct ControllerStatus {
-  bool busy = false;          ///< with an instruction
-  std::uint64_t ordinal = 0;  ///< of the instruction within the frame, those skipped included
+  bool busy = false;          ///< whether it executes an instruction
+  std::uint64_t ordinal = 0;  ///< number of the instruction within the frame, including skipped ones
   isa::Instruction instruction;
-  std::uint32_t bit = 0;     ///< of the stream or field, the first of the step on the wires
-  std::uint32_t pass = 0;    ///< of a stream that is sent twice, or of a memory read
-  std::uint64_t clocks = 0;  ///< since the frame's first
+  std::uint32_t bit = 0;     ///< first stream or field bit of the step on the wires
+  std::uint32_t pass = 0;    ///< repetition of a stream that is sent twice, or of a memory read
+  std::uint64_t clocks = 0;  ///< clocks since the beginning of the frame
 };
 
-/// The sizes of what the controller is built of.
+/// Sizes of the controller.
 struct ControllerFigures {
   std::uint32_t link_width = 1;    ///< bits
   std::uint32_t latency = 0;       ///< clocks from the roots of the multiplier trees to the pixels
-  std::uint32_t memory_bits = 1;   ///< of a pixel
-  std::uint32_t clear_clocks = 0;  ///< in which these become 0; at least one is taken
-  bool two_buffers = false;        ///< a picture is copied into the topmost bits, and shown from there
+  std::uint32_t memory_bits = 1;   ///< memory bits per pixel
+  std::uint32_t clear_clocks = 0;  ///< clocks to clear these; at least one is taken
+  bool two_buffers = false;        ///< a finished picture is copied into the topmost bits and displayed from there
 };
 
-/// Takes commands from the link and puts a control word on the wires at each rising edge. A frame begins with the clock
-/// in which the controller asks the host for it: when the host has one, and, with one buffer, the last row of the
-/// picture before has been latched. An instruction's clocks are those in which one of its steps is on the
-/// wires, and, for a question, those until the answer has come. If instructions are to be skipped then, it drops what
-/// the link holds and asks the host to go on from another place. After the frame's last command it waits `latency`
-/// clocks for the last step to reach the pixels, and tells the scan-out what to show. With two buffers it first copies
-/// the picture, as soon as the last row of the one before has been latched. The refresh words that the scan-out asks
-/// for go before the next command, and wherever the controller waits for something.
+/// Reads commands from the link and puts a control word on the wires at each rising edge. A frame begins with the clock
+/// in which the controller requests it from the host: when the host has a frame and, with one buffer, the last row of
+/// the previous picture has been latched. The clocks of an instruction are those with one of its steps on the wires,
+/// and, for a question, those until the answer arrives. If the answer causes a skip, the controller drops the words on
+/// the link and requests the host to continue at another instruction. After the frame's last command it waits `latency`
+/// clocks until the last step has reached the pixels, and sends the scan-out the displayed field. With two buffers it
+/// first copies the picture, as soon as the last row of the previous one has been latched. Refresh words requested by
+/// the scan-out have priority over the next command, and are sent whenever the controller waits.
 class Controller final : public systemc::ClockedModule {
  public:
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
-  sc_core::sc_fifo_out<std::uint64_t> requests{"requests"};    ///< the instructions that the host has to go on from
-  sc_core::sc_fifo_in<bool> frames{"frames"};                  ///< for each frame that lies in the host's memory, one
-  sc_core::sc_fifo_in<RefreshStep> refreshes{"refreshes"};     ///< that the scan-out asks for
-  sc_core::sc_fifo_in<bool> latched{"latched"};                ///< one when it has latched a picture's last row
-  sc_core::sc_fifo_out<FinishedPicture> pictures{"pictures"};  ///< for the scan-out, one at a time
+  sc_core::sc_fifo_out<std::uint64_t> requests{"requests"};    ///< instruction at which the host has to continue
+  sc_core::sc_fifo_in<bool> frames{"frames"};                  ///< one token per frame in the host's memory
+  sc_core::sc_fifo_in<RefreshStep> refreshes{"refreshes"};     ///< requests of the scan-out
+  sc_core::sc_fifo_in<bool> latched{"latched"};                ///< one token when a picture's last row is latched
+  sc_core::sc_fifo_out<FinishedPicture> pictures{"pictures"};  ///< one finished picture at a time, for the scan-out
   sc_core::sc_in<Answer> answer{"answer"};
   sc_core::sc_port<PixelWires> wires{"wires"};
   sc_core::sc_fifo_out<Account> accounts{"accounts"};
-  sc_core::sc_out<std::uint64_t> programs{"programs"};  ///< carried out to their end
+  sc_core::sc_out<std::uint64_t> programs{"programs"};  ///< number of completed frames
 
-  /// `period`: of the clock.
+  /// `period`: clock period.
   Controller(sc_core::sc_module_name name, const sc_core::sc_time& period, const array::Sequencer& sequencer,
              const ControllerFigures& figures);
 
-  /// In the middle of a frame: the instruction is in the receiver and begins with that clock of the frame.
+  /// Resumes in the middle of a frame: the instruction is in the receiver and begins with clock `first_clock`.
   void resume(const isa::Instruction& instruction, std::uint64_t ordinal, std::uint64_t first_clock);
 
-  /// Clocks counted for the frame that is being drawn or was drawn last, the final latency included.
+  /// Clocks of the current or last frame, including the final latency.
   [[nodiscard]] std::uint64_t clocks() const { return status_.clocks; }
   [[nodiscard]] const ControllerAccount& account() const { return account_; }
-  [[nodiscard]] std::uint64_t instructions() const { return instructions_; }  ///< of that frame, carried out
+  [[nodiscard]] std::uint64_t instructions() const { return instructions_; }  ///< executed in that frame
   [[nodiscard]] bool idle() const { return state_ == State::idle; }
   [[nodiscard]] ControllerStatus status() const;
   [[nodiscard]] std::string_view state() const;
@@ -74,7 +76,7 @@ class Controller final : public systemc::ClockedModule {
  private:
   enum class State : std::uint8_t { idle, asking, ready, issuing, clearing, waiting, holding, copying, draining };
 
-  /// As in ControllerStatus.
+  /// Bit and pass as in ControllerStatus.
   struct Place {
     std::uint32_t bit = 0;
     std::uint32_t pass = 0;
@@ -120,21 +122,21 @@ class Controller final : public systemc::ClockedModule {
   link::Receiver receiver_;
   State state_ = State::idle;
   ControllerStatus status_;
-  std::uint64_t acted_at_ = 0;       ///< edge
-  std::vector<Place> ahead_;         ///< of steps that have been put on the wires for the edges from that one on
-  std::optional<Issued> last_step_;  ///< of the instruction, which is then still to be put
+  std::uint64_t acted_at_ = 0;       ///< edge of the last action
+  std::vector<Place> ahead_;         ///< places of steps already put on the wires, for the edges from acted_at_ on
+  std::optional<Issued> last_step_;  ///< last step of the instruction, if it is still to be put on the wires
   bool resting_ = false;             ///< the wires carry nothing
-  sc_core::sc_event_or_list begins_or_refreshes_;  ///< what an idle controller wakes for
+  sc_core::sc_event_or_list begins_or_refreshes_;  ///< events that wake an idle controller
   ControllerAccount account_;
-  std::uint64_t next_ordinal_ = 0;  ///< of the instruction that comes next
+  std::uint64_t next_ordinal_ = 0;  ///< ordinal of the next instruction
   std::uint64_t instructions_ = 0;
   std::uint64_t instruction_clocks_ = 0;
-  bool jumped_ = false;         ///< and no command has come since
-  unsigned edges_to_drop_ = 0;  ///< at which what the link holds has to be dropped
-  isa::Region region_;          ///< that is being cleared
-  std::uint32_t cleared_ = 0;   ///< clocks of that
-  isa::Field colour_;           ///< that the frame's end named
-  isa::Field shown_;            ///< that the scan-out was told of last
+  bool jumped_ = false;         ///< no command has arrived since the last jump
+  unsigned edges_to_drop_ = 0;  ///< edges at which the words on the link still have to be dropped
+  isa::Region region_;          ///< region being cleared
+  std::uint32_t cleared_ = 0;   ///< clocks spent on clearing it
+  isa::Field colour_;           ///< colour field of the frame's last command
+  isa::Field shown_;            ///< field last sent to the scan-out
   bool unlatched_ = false;      ///< rows of it are still to be latched
   bool refreshed_ = false;      ///< a refresh word is on the wires
   std::uint32_t drained_ = 0;

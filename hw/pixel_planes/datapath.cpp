@@ -49,7 +49,7 @@ void Datapath::clock_trees() {
   }
 }
 
-/// The output is a register too: the last of the delay.
+/// Shifts the delay line; its last register is the output.
 void Datapath::shift() {
   delay_[oldest_] = control_;
   oldest_ = oldest_ + 1 == delay_.size() ? 0 : oldest_ + 1;

@@ -1,3 +1,5 @@
+// Multiplier trees, delay line and pixel processors.
+// Used by PixelPipeline.
 #pragma once
 
 #include <cstddef>
@@ -13,45 +15,45 @@
 
 namespace csgsim::pixel_planes {
 
-/// What lies between a controller's wires and the pixels' memories, clock by clock: the two multiplier trees (thesis
-/// fig. 7.1), coefficient bits in at the roots and bits of F out at every pixel; as many registers as bits take to get
-/// through them, so that a control word arrives with the bits that entered in its clock; and the pixel processors,
-/// which carry out one control word a clock.
+/// The path from the controller's wires to the pixels' memories, clock by clock: the two multiplier trees (thesis
+/// fig. 7.1), with coefficient bits in at the roots and bits of F out at every pixel; a delay line as long as the
+/// trees, so that a control word arrives with the bits that entered in its clock; and the pixel processors, which
+/// execute one control word per clock.
 class Datapath {
  public:
-  /// `shape`: of the whole array. `adders`: where the trees are built adder by adder; else what comes out of them is
-  /// worked out of the coefficients, at the same clocks.
+  /// `shape` is that of the whole array. With `adders` the trees are simulated adder by adder; otherwise their outputs
+  /// are computed from the coefficients, in the same clocks.
   Datapath(array::PlaneShape shape, unsigned register_levels, std::optional<array::SteppedEvaluator> adders,
            array::PixelArray pixels);
 
-  /// From now on the wires carry this. Without a level of the trees they end at the pixels.
+  /// Sets the wires from now on. Without tree levels they end at the pixels.
   void put(const ControlWord& word, const array::RootBits& bits);
 
-  /// An edge.
+  /// Advances by one clock edge.
   void clock();
 
-  /// Is a word or a bit on the wires or in a register? If not, an edge changes nothing but carried_out().
+  /// Whether a word or a bit is on the wires or in a register. If not, an edge changes only carried_out().
   [[nodiscard]] bool is_active() const {
     return carries_ || idle_ < length_ || roots_.token.active() || trees_active();
   }
-  /// Edges go by while it is not active.
+  /// Advances by idle edges; requires !is_active().
   void rest() { carried_out_ = {}; }
 
-  [[nodiscard]] const ControlWord& control() const { return control_; }  ///< on the controller's wires
-  [[nodiscard]] const array::RootBits& roots() const { return roots_; }  ///< beside it
-  /// The one at the pixels, which carry it out at the next edge.
+  [[nodiscard]] const ControlWord& control() const { return control_; }  ///< word on the controller's wires
+  [[nodiscard]] const array::RootBits& roots() const { return roots_; }  ///< tree bits sent with it
+  /// The word at the pixels, which execute it at the next edge.
   [[nodiscard]] const ControlWord& at_pixels() const { return length_ == 0 ? control_ : delay_[oldest_]; }
-  [[nodiscard]] const ControlWord& carried_out() const { return carried_out_; }  ///< at the last edge
-  /// Last words of commands that have been carried out.
+  [[nodiscard]] const ControlWord& carried_out() const { return carried_out_; }  ///< executed at the last edge
+  /// Number of commands whose last word has been executed.
   [[nodiscard]] std::uint64_t retired() const { return retired_; }
 
   [[nodiscard]] const array::PixelArray& pixels() const { return pixels_; }
   [[nodiscard]] array::PixelProbe probe(std::uint32_t x, std::uint32_t y) const;
 
-  /// Pixels, and the bits of the trees there.
+  /// Sets the pixels and the tree bits at the pixels.
   void resume(const array::PixelArray& pixels, const array::StreamBit& tree);
 
-  // As array::LinearEvaluator.
+  // The same signals as in array::LinearEvaluator.
   [[nodiscard]] unsigned x_levels() const { return trees_.x_levels(); }
   [[nodiscard]] unsigned y_levels() const { return trees_.y_levels(); }
   [[nodiscard]] array::LevelProbe x_level(unsigned level, array::Place pixel) const {
@@ -68,16 +70,16 @@ class Datapath {
   void shift();
 
   array::LinearEvaluator trees_;
-  std::optional<array::SteppedEvaluator> adders_;  ///< in place of them
-  array::StreamBit leaves_;                        ///< the registers at the pixels
-  array::Words leaf_bits_;                         ///< when adders have brought some: the bits of all pixels, and of
-  bool has_leaf_bits_ = false;                     ///< `leaves_` the token alone
-  const unsigned length_;                          ///< of the delay
-  std::vector<ControlWord> delay_;                 ///< a ring
+  std::optional<array::SteppedEvaluator> adders_;  ///< replaces trees_ if present
+  array::StreamBit leaves_;                        ///< registers at the pixels
+  array::Words leaf_bits_;                         ///< tree bits of all pixels, if adders_ has produced them; then
+  bool has_leaf_bits_ = false;                     ///< only the token of `leaves_` is valid
+  const unsigned length_;                          ///< length of the delay line
+  std::vector<ControlWord> delay_;                 ///< ring
   std::size_t oldest_ = 0;
-  unsigned idle_ = 0;  ///< words without a step that have come into the delay one after another
+  unsigned idle_ = 0;  ///< number of idle words that have entered the delay since the last active one
   ControlWord control_;
-  bool carries_ = false;  ///< that is a word with a step
+  bool carries_ = false;  ///< whether control_ is not an idle word
   array::RootBits roots_;
   array::PixelArray pixels_;
   ControlWord carried_out_;

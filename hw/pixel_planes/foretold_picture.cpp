@@ -2,7 +2,7 @@
 
 namespace csgsim::pixel_planes {
 
-std::span<const std::uint64_t> ForetoldPicture::row(std::uint32_t address, std::uint32_t row) const {
+std::span<const std::uint64_t> EarlierPicture::row(std::uint32_t address, std::uint32_t row) const {
   row_.assign(shape_.row_words(), 0);
   const std::uint32_t bit = address - field_.base;
   for (std::uint32_t x = 0; x < shape_.width; ++x) {

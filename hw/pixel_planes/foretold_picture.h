@@ -1,3 +1,5 @@
+// A known picture served through the refresh port.
+// Used by PixelPipeline.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +10,15 @@
 
 namespace csgsim::pixel_planes {
 
-/// The picture that another run has left in a field of the pixels, as the refresh port delivers it.
-class ForetoldPicture {
+/// The picture that an earlier run left in a field of the pixels, in the format of the refresh port.
+class EarlierPicture {
  public:
-  /// The colours, in row order, have to live as long.
-  ForetoldPicture(array::PlaneShape shape, std::span<const std::uint32_t> colours) : shape_(shape), colours_(colours) {}
+  /// `colours` is in row order and must outlive this object.
+  EarlierPicture(array::PlaneShape shape, std::span<const std::uint32_t> colours) : shape_(shape), colours_(colours) {}
 
   void show(isa::Field field) { field_ = field; }
 
-  /// Valid until the next is asked for.
+  /// Valid until the next call.
   [[nodiscard]] std::span<const std::uint64_t> row(std::uint32_t address, std::uint32_t row) const;
 
  private:

@@ -12,7 +12,7 @@ GlobalOr::GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::u
   std::size_t lines = fan_in == 0 ? 1 : std::size_t{shape.width} * shape.height;
   while (lines > 1) {
     lines = quotient_up(lines, fan_in);
-    levels_.push_back({.asked = false, .bits = std::vector<bool>(lines)});
+    levels_.push_back({.pending = false, .bits = std::vector<bool>(lines)});
   }
   SC_HAS_PROCESS(GlobalOr);
   if (levels_.empty()) {
@@ -26,7 +26,7 @@ GlobalOr::GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::u
   }
 }
 
-void GlobalOr::foretell(std::vector<bool> answers) { foretold_.emplace(answers.begin(), answers.end()); }
+void GlobalOr::set_answers(std::vector<bool> answers) { foretold_.emplace(answers.begin(), answers.end()); }
 
 bool GlobalOr::any_enabled() {
   if (!foretold_) return enable->any_enabled();
@@ -35,29 +35,29 @@ bool GlobalOr::any_enabled() {
   return found;
 }
 
-/// No pixel's enable changes while a question is at the pixels, so that the wire need not be looked at again.
+/// Sensitive to the question only: no enable bit changes while a question is at the pixels.
 void GlobalOr::reduce() {
-  const bool asked = question.read();
-  answer.write({.valid = asked, .any_enabled = asked && any_enabled()});
+  const bool pending = question.read();
+  answer.write({.valid = pending, .any_enabled = pending && any_enabled()});
 }
 
-/// From the last level to the first, so that each takes what the one before it held. Bits that nobody asks for stay.
-/// Sleeps while nobody asks.
+/// Goes from the last level to the first, so that each reads the old value of the level before it. Registers without a
+/// question keep their bits. Sleeps while no question is pending.
 void GlobalOr::shift() {
   if (!clock.posedge()) return;
   for (std::size_t i = levels_.size() - 1; i > 0; --i) {
-    levels_[i].asked = levels_[i - 1].asked;
-    if (levels_[i].asked) gather(levels_[i - 1], levels_[i]);
+    levels_[i].pending = levels_[i - 1].pending;
+    if (levels_[i].pending) gather(levels_[i - 1], levels_[i]);
   }
-  levels_.front().asked = question.read();
-  if (levels_.front().asked) gather_enable(levels_.front());
+  levels_.front().pending = question.read();
+  if (levels_.front().pending) gather_enable(levels_.front());
   const Level& last = levels_.back();
-  answer.write({.valid = last.asked, .any_enabled = last.asked && last.bits.front()});
-  const bool rests = std::none_of(levels_.begin(), levels_.end(), [](const Level& level) { return level.asked; });
+  answer.write({.valid = last.pending, .any_enabled = last.pending && last.bits.front()});
+  const bool rests = std::none_of(levels_.begin(), levels_.end(), [](const Level& level) { return level.pending; });
   if (rests && !question.read()) next_trigger(question.value_changed_event());
 }
 
-/// A gate of the first level has pixels that follow each other in row order.
+/// Each gate of the first level combines consecutive pixels in row order.
 void GlobalOr::gather_enable(Level& level) {
   std::fill(level.bits.begin(), level.bits.end(), false);
   if (foretold_) {

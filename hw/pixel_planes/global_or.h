@@ -1,3 +1,5 @@
+// The global OR of the enable bits.
+// Used by hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +13,9 @@
 
 namespace csgsim::pixel_planes {
 
-/// The OR of all enable bits: a tree of gates with a register behind each, so that the answer to a question is at the
-/// controller a clock a level after the question is at the pixels. Without levels it is a wire, and the answer is there
-/// within the clock.
+/// The OR of all enable bits: a tree of gates, each followed by a register. The answer arrives at the controller one
+/// clock per level after the question is at the pixels. Without levels the OR is a wire, and the answer arrives within
+/// the clock.
 class GlobalOr final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
@@ -21,16 +23,16 @@ class GlobalOr final : public sc_core::sc_module {
   sc_core::sc_port<EnableLines> enable{"enable"};
   sc_core::sc_out<Answer> answer{"answer"};
 
-  /// `fan_in`: inputs of a gate; 0 for one gate that settles within the clock.
+  /// `fan_in`: inputs per gate; 0 for a single gate that settles within the clock.
   GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::uint32_t fan_in);
 
-  /// What it finds of the next questions, in order, where not all pixels are there to be looked at.
-  void foretell(std::vector<bool> answers);
+  /// Supplies the answers to the next questions, in order, for a machine in which only some pixels are built.
+  void set_answers(std::vector<bool> answers);
 
  private:
   /// The registers behind the gates of a level.
   struct Level {
-    bool asked = false;  ///< they hold what a question asks for
+    bool pending = false;  ///< whether they hold data of a question
     std::vector<bool> bits;
   };
 
@@ -42,7 +44,7 @@ class GlobalOr final : public sc_core::sc_module {
 
   array::PlaneShape shape_;
   std::uint32_t fan_in_;
-  std::vector<Level> levels_;  ///< from the pixels on
+  std::vector<Level> levels_;  ///< from the pixels to the controller
   std::optional<std::deque<bool>> foretold_;
 };
 

@@ -27,18 +27,18 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     shared::memory_writes,
     shared::alu_bits,
     machines::own_figure<Figures, &Figures::has_global_or>("global_or.present", "lines", 0, 1,
-                                                           "wired OR of all enable bits, back to the controller"),
+                                                           "wired OR of all enable bits, fed back to the controller"),
     machines::or_ideal(machines::own_figure<Figures, &Figures::or_fan_in>(
                            "global_or.fan_in", "lines", 2, 65536,
-                           "inputs of a gate of that OR, with a register behind each; ideal: it settles in a clock"),
+                           "inputs of each gate of that OR, followed by a register; ideal: it settles in a clock"),
                        0),
     machines::own_figure<Figures, &Figures::scan_out_pixels>("scan_out.pixels", "pixels", 1, isa::max_array_side,
-                                                             "that leave the video port in a clock"),
+                                                             "pixels shifted out of the video port per clock"),
     machines::own_figure<Figures, &Figures::scan_out_port>("scan_out.port", "", 0, 1,
                                                            "where a row's colour bits are read", scan_out_port_names),
     machines::own_figure<Figures, &Figures::scan_out_buffers>(
         "scan_out.buffers", "pictures", 1, 2,
-        "in pixel memory; with 2, a finished one is copied, and shown while the next is drawn"),
+        "pictures in pixel memory; with 2, a finished one is copied and displayed while the next is drawn"),
     shared::level_latency,
     shared::evaluator_degree,
     shared::evaluator_bits,
@@ -78,20 +78,20 @@ isa::Field Kind::second_buffer(std::uint32_t colour_bits, const Machine& machine
 
 namespace {
 
-bool meets(const isa::Instruction& instruction, const isa::Field& shown) {
+bool overlaps(const isa::Instruction& instruction, const isa::Field& shown) {
   return std::ranges::any_of(instruction.fields, [&](const isa::Field& field) { return field.overlaps(shown); });
 }
 
 [[noreturn]] void refuse(std::string_view what, const isa::Field& shown, const Machine& machine) {
   throw InputError(
-      fmt::format("{} meets the {} bits from bit {} on, from which {} shows a picture while the next is "
-                  "drawn; compile the model for this machine, or take one whose scan_out.buffers is 1",
+      fmt::format("{} overlaps the {} bits from bit {} on, from which {} displays a picture while it draws the "
+                  "next; compile the model for this machine, or use a machine with scan_out.buffers = 1",
                   what, shown.width, shown.base, machine.name));
 }
 
 }  // namespace
 
-/// Any segments will do: each is drawn in the array's corner.
+/// Segments may have any size: each is drawn in the corner of the array.
 void Kind::check(const isa::Program& program, const Machine& machine) const {
   const isa::Field colour = isa::frame_header(program).colour;
   const isa::Field shown = second_buffer(colour.width, machine);
@@ -99,7 +99,7 @@ void Kind::check(const isa::Program& program, const Machine& machine) const {
   if (colour.overlaps(shown)) refuse("the colour field", shown, machine);
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const std::vector<isa::Instruction>& instructions = program.segments[s].instructions;
-    const auto found = std::ranges::find_if(instructions, [&](const auto& one) { return meets(one, shown); });
+    const auto found = std::ranges::find_if(instructions, [&](const auto& one) { return overlaps(one, shown); });
     if (found == instructions.end()) continue;
     refuse(fmt::format("segment {}, instruction {}: {}", s, found - instructions.begin(), isa::name_of(found->opcode)),
            shown, machine);

@@ -1,3 +1,5 @@
+// The machine kind "frame-buffer".
+// Used by hw/kinds, sim/rtl and tests.
 #pragma once
 
 #include "hw/machines/kind.h"
@@ -5,7 +7,7 @@
 
 namespace csgsim::pixel_planes {
 
-/// A frame buffer: an array of pixels that holds the whole picture.
+/// Machine kind "frame-buffer": an array of pixels that holds the whole picture.
 class Kind final : public machines::KindOf<Figures> {
  public:
   using KindOf::KindOf;
@@ -16,13 +18,14 @@ class Kind final : public machines::KindOf<Figures> {
   bool has_global_or(const Machine& machine) const override;
   std::vector<isa::Region> regions(const Machine& machine) const override;
   void check(const Program& program, const Machine& machine) const override;
-  /// As bit_serial_clocks; a question waits for the levels of the global OR too.
+  /// Same as bit_serial_clocks(), plus the levels of the global OR for a question.
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
-  /// From the clock in which the controller asks for the frame (the modules count the same).
-  machines::FrameTiming time(const Program& program, const Machine& machine, const Told& told) const override;
-  /// When the controller has the steps of an instruction on its wires, or waits for an answer; and when the steps are
-  /// at the pixels, at all of them at once.
-  std::optional<Timeline> timeline(const Program& program, const Machine& machine, const Told& told) const override;
+  /// Counts from the clock in which the controller requests the frame, like the modules.
+  machines::FrameTiming time(const Program& program, const Machine& machine, const RunOutcome& outcome) const override;
+  /// Clocks in which the controller has the steps of an instruction on its wires or waits for an answer, and clocks in
+  /// which the steps are at the pixels, at all of them at once.
+  std::optional<Timeline> timeline(const Program& program, const Machine& machine,
+                                   const RunOutcome& outcome) const override;
   Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
                  std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;

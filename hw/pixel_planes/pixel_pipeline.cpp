@@ -12,14 +12,14 @@ namespace {
 array::PlaneShape whole_array(const machines::Machine& machine) { return {machine.array.width, machine.array.height}; }
 
 std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, systemc::EvaluatorForm form,
-                                              const systemc::Foretold* foretold) {
+                                              const systemc::EarlierRun* foretold) {
   if (form == systemc::EvaluatorForm::worked_out) return std::nullopt;
   const std::span<const array::Place> pixels = foretold == nullptr ? std::span<const array::Place>() : foretold->pixels;
   const array::TreeForm trees{machine.evaluator_degree, machine.evaluator_bits, machine.register_levels};
   return array::SteppedEvaluator(whole_array(machine), trees, pixels);
 }
 
-array::PixelArray pixels_of(const machines::Machine& machine, const systemc::Foretold* foretold) {
+array::PixelArray pixels_of(const machines::Machine& machine, const systemc::EarlierRun* foretold) {
   if (foretold == nullptr) return {machine.array, machine.alu_bits};
   return {foretold->pixels, machine.array.memory_bits, machine.alu_bits};
 }
@@ -27,7 +27,7 @@ array::PixelArray pixels_of(const machines::Machine& machine, const systemc::For
 }  // namespace
 
 PixelPipeline::PixelPipeline(sc_core::sc_module_name name, const machines::Machine& machine,
-                             systemc::EvaluatorForm form, const systemc::Foretold* foretold)
+                             systemc::EvaluatorForm form, const systemc::EarlierRun* foretold)
     : sc_core::sc_module(name),
       period_(systemc::period_of(machine)),
       latency_(machines::evaluator_latency(machine)),
@@ -41,12 +41,12 @@ PixelPipeline::PixelPipeline(sc_core::sc_module_name name, const machines::Machi
   sensitive << woken_;
 }
 
-/// Without a level of the trees the word is at the pixels at once.
+/// The word is at the pixels at once if the trees have no levels (latency 0).
 void PixelPipeline::put(std::uint64_t edge, const ControlWord& word, const array::RootBits& bits) {
   puts_.push_back({edge, word, bits});
-  const bool asked = asks_;
-  asks_ = word.step.function == array::AluFunction::answer;
-  if (asks_ || asked) wake_at(edge + latency_);
+  const bool requested_or = requests_or_;
+  requests_or_ = word.step.function == array::AluFunction::answer;
+  if (requests_or_ || requested_or) wake_at(edge + latency_);
   if (word.last) wake_at(edge + latency_ + 1);
 }
 
@@ -86,7 +86,7 @@ const Datapath& PixelPipeline::now() const {
   return datapath_;
 }
 
-/// What the wires carry from this edge on.
+/// Applies the values put on the wires up to this edge.
 void PixelPipeline::take_puts() const {
   for (; next_put_ < puts_.size() && puts_[next_put_].edge <= edge_; ++next_put_)
     datapath_.put(puts_[next_put_].word, puts_[next_put_].bits);

@@ -1,3 +1,5 @@
+// SystemC module of the datapath, simulated on demand.
+// Used by hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <cstddef>
@@ -20,19 +22,18 @@
 
 namespace csgsim::pixel_planes {
 
-/// The datapath between a controller and the memories of the pixels, clocked. Nothing comes into it but what the
-/// controller puts on its wires, so that its clocks need not be carried out one by one: whoever looks sees it as the
-/// edges so far leave it, and they are carried out only then. By itself it wakes at edges at which something leaves it:
-/// the last word of a command has been carried out, or a question is at the pixels.
+/// The clocked datapath from a controller to the pixel memories. Its only input is the controller's wires, so its
+/// clocks are deferred: reads force pending edges to complete. It wakes only at edges with an output: the last word of
+/// a command has been executed, or a question is at the pixels.
 class PixelPipeline final : public sc_core::sc_module, public PixelWires, public RefreshPort, public EnableLines {
  public:
-  sc_core::sc_out<std::uint64_t> retired{"retired"};  ///< commands whose last word has been carried out
-  sc_core::sc_out<bool> question{"question"};         ///< the word at the pixels asks for the wired OR
+  sc_core::sc_out<std::uint64_t> retired{"retired"};  ///< number of commands whose last word has been executed
+  sc_core::sc_out<bool> question{"question"};         ///< whether the word at the pixels requests the global OR
 
-  /// `foretold`, unless null: its pixels alone, side by side, so that (i, 0) is the place of the i-th. What the refresh
-  /// port delivers is foretold too.
+  /// If `foretold` is not null, only its pixels are built, side by side: pixel i is at (i, 0). The refresh port then
+  /// delivers the foretold picture.
   PixelPipeline(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form,
-                const systemc::Foretold* foretold = nullptr);
+                const systemc::EarlierRun* foretold = nullptr);
 
   void put(std::uint64_t edge, const ControlWord& word, const array::RootBits& bits) override;
 
@@ -42,18 +43,18 @@ class PixelPipeline final : public sc_core::sc_module, public PixelWires, public
   [[nodiscard]] std::uint64_t count_enabled() const override { return now().pixels().count_enabled(); }
   [[nodiscard]] const array::PixelArray& pixels() const override { return now().pixels(); }
 
-  /// The datapath as the last edge has left it.
+  /// The datapath after the last edge.
   [[nodiscard]] const Datapath& now() const;
   /// Registers of one pixel.
   [[nodiscard]] array::PixelProbe probe(std::uint32_t x, std::uint32_t y) const { return now().probe(x, y); }
 
-  /// Pixels, and the registers before them, as they are when an instruction begins.
+  /// Sets the pixels and the registers before them to their state at the beginning of an instruction.
   void resume(const array::PixelArray& pixels, const array::StreamBit& tree);
-  /// The field that the foretold picture is shown from, if there is one.
+  /// Sets the field from which the foretold picture, if present, is displayed.
   void show(isa::Field field);
 
  private:
-  /// What the wires carry from an edge on.
+  /// Values on the wires from an edge on.
   struct Put {
     std::uint64_t edge = 0;
     ControlWord word;
@@ -67,17 +68,17 @@ class PixelPipeline final : public sc_core::sc_module, public PixelWires, public
 
   const sc_core::sc_time period_;
   const unsigned latency_;
-  bool asks_ = false;  ///< the word that was put last
-  std::optional<ForetoldPicture> foretold_;
-  std::vector<std::uint64_t> due_;  ///< edges at which it wakes, the latest first
+  bool requests_or_ = false;  ///< whether the last word put requests the global OR
+  std::optional<EarlierPicture> foretold_;
+  std::vector<std::uint64_t> due_;  ///< edges at which to wake, the latest first
   sc_core::sc_event woken_{"woken"};
 
-  // What who looks brings up to date.
+  // Deferred state, brought up to date by reads.
   mutable Datapath datapath_;
-  mutable std::uint64_t edge_ = 0;    ///< the last that has been carried out
-  mutable std::vector<Put> puts_;     ///< that are to come, and before them some that have
-  mutable std::size_t next_put_ = 0;  ///< of these
-  mutable array::Words row_;          ///< that the refresh port was asked for last
+  mutable std::uint64_t edge_ = 0;    ///< last executed edge
+  mutable std::vector<Put> puts_;     ///< pending values, preceded by some that have been applied
+  mutable std::size_t next_put_ = 0;  ///< index of the first pending value
+  mutable array::Words row_;          ///< row last read through the refresh port
 };
 
 }  // namespace csgsim::pixel_planes

@@ -37,13 +37,13 @@ array::TreeForm tree_form(const machines::Machine& machine) {
   return {machine.evaluator_degree, machine.evaluator_bits, machine.register_levels};
 }
 
-/// The array holds the whole picture when the program is through.
+/// Whether the array holds the whole picture after the Program.
 bool fills_array(const isa::Program& program, array::PlaneShape shape) {
   const isa::Region whole{0, 0, shape.width, shape.height};
   return program.segments.size() == 1 && program.segments.front().region == whole;
 }
 
-/// Throws InputError unless the machine has the pixels and memory bits that the Program is for.
+/// Throws InputError unless the machine has enough pixels and memory bits for the Program.
 void check_fits(const isa::ArrayShape& program, const isa::ArrayShape& machine) {
   if (program.width <= machine.width && program.height <= machine.height &&
       program.memory_bits <= machine.memory_bits) {
@@ -60,7 +60,7 @@ void check_fits(const isa::ArrayShape& program, const isa::ArrayShape& machine) 
 }  // namespace
 
 PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form,
-                         const systemc::Foretold* foretold)
+                         const systemc::EarlierRun* foretold)
     : sc_core::sc_module(name),
       machine_(machine),
       foretold_(foretold == nullptr ? std::nullopt : std::optional(*foretold)),
@@ -118,13 +118,13 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
   sensitive << programs_ << frames_;
 }
 
-/// Gives control back to who started the simulation, when all that belongs to this edge has happened.
+/// Returns control to the caller of the simulation after all processes of this edge have run.
 void PixelPlanes::on_done() { sc_core::sc_pause(); }
 
-/// Clock edges since the machine was built.
+/// Clock edges since construction.
 std::uint64_t PixelPlanes::edges() const { return systemc::edges(clock_.period()); }
 
-/// What the scan-out has come to the end of belongs to the oldest frame that is being shown.
+/// Assigns a picture that the scan-out has completed to the oldest frame being shown.
 void PixelPlanes::collect() {
   if (std::exchange(shown_, frames_.read()) == frames_.read()) return;
   const Showing& one = showing_.front();
@@ -147,8 +147,9 @@ void PixelPlanes::check(std::span<const isa::Program> programs) const {
     check_fits(program.shape, {shape.width, shape.height, pipeline_.pixels().memory_bits()});
     const isa::Field colour = isa::frame_header(program).colour;
     if (machines::own<Figures>(machine_).scan_out_buffers < 2 || colour.width == first.width) continue;
-    throw InputError("frames with colours of " + std::to_string(first.width) + " and " + std::to_string(colour.width) +
-                     " bits follow each other on a machine of two buffers; compile all with the same --colour-bits");
+    throw InputError(
+        "frames with colours of " + std::to_string(first.width) + " and " + std::to_string(colour.width) +
+        " bits are drawn in sequence on a machine with two buffers; compile all with the same --colour-bits");
   }
 }
 
@@ -202,19 +203,19 @@ void PixelPlanes::draw(const isa::Program& program, systemc::RunListener& listen
 void PixelPlanes::start(const isa::Program& program) {
   if (foretold_) pipeline_.show(shown_field(program, machine_));
   if (start_) return resume(program, *std::exchange(start_, std::nullopt));
-  if (foretold_) global_or_.foretell(foretold_->answers);
+  if (foretold_) global_or_.set_answers(foretold_->answers);
   host_.load(link::frame_words(program, machine_.link.width));
   waiting_frames_.nb_write(true);
 }
 
-/// The wires between controller and pixels carry nothing then: what the whole machine has on them is over before
-/// anybody looks.
+/// Starts at an instruction with idle wires between controller and pixels: words that the whole machine would have on
+/// them have passed before the window begins.
 void PixelPlanes::resume(const isa::Program& program, const Start& start) {
   const array::PixelReplay fresh(foretold_->pixels, machine_.array.memory_bits, sequencer(machine_), machine_.alu_bits);
   const array::PixelReplay replay = replay_until(program, foretold_->answers, start, fresh);
   pipeline_.resume(replay.pixels(), replay.tree());
-  const auto asked = static_cast<std::ptrdiff_t>(start.questions);
-  global_or_.foretell({foretold_->answers.begin() + asked, foretold_->answers.end()});
+  const auto first = static_cast<std::ptrdiff_t>(start.questions);
+  global_or_.set_answers({foretold_->answers.begin() + first, foretold_->answers.end()});
   link::FrameWords words = link::frame_words(program, machine_.link.width, start.ordinal + 1, start.end);
   for (std::size_t i = start.moment.words_read; i < start.moment.words_sent; ++i) link_.nb_write(words.words[i]);
   host_.resume(std::move(words), start.moment.words_sent, start.moment.clocks_left);
@@ -243,7 +244,7 @@ std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave
   add(scan_out_taps());
   for (std::size_t i = 0; i < request.pixels.size(); ++i) {
     const array::Place place = place_of(request.pixels[i], program);
-    const array::Place built = foretold_ ? array::Place{foretold_place(*foretold_, place), 0} : place;
+    const array::Place built = foretold_ ? array::Place{built_place(*foretold_, place), 0} : place;
     add(pixel_taps(request.pixels[i], {pipeline_, place, built, nullptr, trees}, program, request.tree_levels,
                    machine_.alu_bits));
   }
@@ -301,7 +302,7 @@ extern const Maker pixel_planes_maker{
     .make_stepped = [](const machines::Machine& machine) -> std::unique_ptr<ClockedMachine> {
       return std::make_unique<pixel_planes::PixelPlanes>("pixel_planes", machine, EvaluatorForm::stepped);
     },
-    .make_probed = [](const machines::Machine& machine, const Foretold& foretold,
+    .make_probed = [](const machines::Machine& machine, const EarlierRun& foretold,
                       EvaluatorForm form) -> std::unique_ptr<ClockedMachine> {
       return std::make_unique<pixel_planes::PixelPlanes>("pixel_planes", machine, form, &foretold);
     }};

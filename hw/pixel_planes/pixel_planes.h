@@ -1,3 +1,5 @@
+// The Pixel-planes machine in SystemC.
+// Used by its maker and by tests.
 #pragma once
 
 #include <cstdint>
@@ -28,25 +30,26 @@ namespace csgsim::pixel_planes {
 /// The whole Pixel-planes machine.
 class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMachine {
  public:
-  /// `foretold`, unless null, says which pixels alone are built, for Programs of one segment; the picture that a run
-  /// reports is then of no use.
+  /// If `foretold` is not null, only its pixels are built, for Programs of one segment; the picture that a run reports
+  /// is then meaningless.
   PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine,
               systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out,
-              const systemc::Foretold* foretold = nullptr);
+              const systemc::EarlierRun* foretold = nullptr);
 
-  /// A frame begins with the clock in which the controller asks for it and ends when its last step has been carried
-  /// out; then a Program with colours is scanned out.
+  /// A frame begins with the clock in which the controller requests it and ends when its last step has been executed;
+  /// then a Program with colours is scanned out.
   systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 
-  /// With one buffer the next frame begins when the last row of the one before it has been latched; with two, when the
-  /// one before it has been copied, and is drawn while that is shown. Of the last the interval is worked out, as no
-  /// frame follows it. Throws InputError too if, with two buffers, the frames' colours are not equally wide.
+  /// Runs frames in sequence. With one buffer a frame begins when the last row of the previous picture has been
+  /// latched; with two, when the previous picture has been copied, and it is drawn while that is displayed. The
+  /// interval of the last frame is computed, since no frame follows. With two buffers, also throws InputError if the
+  /// frames' colours differ in width.
   std::vector<systemc::RunReport> run_sequence(std::span<const isa::Program> programs,
                                                std::span<systemc::RunListener* const> listeners) override;
 
   [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
 
-  /// A machine of some pixels begins with an instruction.
+  /// A machine of some pixels begins at an instruction shortly before the window.
   std::uint64_t skip_to(const isa::Program& program, wave::Window window) override;
 
   [[nodiscard]] const PixelPipeline& processors() const { return pipeline_; }
@@ -55,9 +58,9 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
   [[nodiscard]] sc_core::sc_time period() const { return clock_.period(); }
 
  private:
-  /// A frame whose picture the scan-out has not shown to its end.
+  /// A frame whose picture the scan-out has not completely shown.
   struct Showing {
-    std::uint64_t begun;  ///< edge
+    std::uint64_t begun;  ///< edge at which the frame began
     bool fills_array;     ///< the array holds the whole picture
     systemc::RunReport* report;
   };
@@ -75,14 +78,14 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
   void on_done();
 
   const machines::Machine machine_;
-  const std::optional<systemc::Foretold> foretold_;
+  const std::optional<systemc::EarlierRun> foretold_;
   const unsigned latency_;
 
   systemc::Clock clock_;
   sc_core::sc_fifo<isa::LinkWord> link_;
   sc_core::sc_fifo<std::uint64_t> requests_{"requests", 1};
   sc_core::sc_fifo<bool> waiting_frames_{"waiting_frames", 1};
-  sc_core::sc_fifo<RefreshStep> refreshes_{"refreshes", 2};  ///< two, so that one goes through in each clock
+  sc_core::sc_fifo<RefreshStep> refreshes_{"refreshes", 2};  ///< two entries, so that one passes in each clock
   sc_core::sc_fifo<FinishedPicture> pictures_{"pictures", 1};
   sc_core::sc_fifo<bool> latched_{"latched", 1};
   sc_core::sc_signal<bool> question_{"question"};
@@ -99,11 +102,11 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
   Completion completion_{"completion"};
   systemc::Retirement retirement_{"retirement"};
   ScanOut scan_out_;
-  std::optional<Start> start_;   ///< unless it is the frame's beginning
-  std::deque<Showing> showing_;  ///< the oldest first
-  std::uint64_t begun_ = 0;      ///< edge at which the frame that was drawn last began
-  std::uint64_t drawn_ = 0;      ///< programs that are known to have been drawn
-  std::uint64_t shown_ = 0;      ///< pictures that are known to have been shown
+  std::optional<Start> start_;   ///< start in the middle of the next frame, if any
+  std::deque<Showing> showing_;  ///< oldest first
+  std::uint64_t begun_ = 0;      ///< edge at which the last drawn frame began
+  std::uint64_t drawn_ = 0;      ///< value of programs_ last seen
+  std::uint64_t shown_ = 0;      ///< value of frames_ last seen
 };
 
 }  // namespace csgsim::pixel_planes

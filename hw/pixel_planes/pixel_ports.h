@@ -1,3 +1,5 @@
+// Interfaces of the pixel pipeline.
+// Used by the modules of hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +12,25 @@
 
 namespace csgsim::pixel_planes {
 
-/// The wires from a controller to the roots of the multiplier trees and to the delay before the pixels.
+/// Wires from a controller to the roots of the multiplier trees and to the delay before the pixels.
 class PixelWires : virtual public sc_core::sc_interface {
  public:
-  /// They carry this from that edge on, until the edge of the next that is put. The edge is the one at hand or a later
-  /// one, and no earlier than that of the one before.
+  /// Sets the wires from `edge` on, until the edge of the next call. `edge` is the current edge or a later one, and not
+  /// before that of the previous call.
   virtual void put(std::uint64_t edge, const ControlWord& word, const array::RootBits& bits) = 0;
 };
 
-/// The refresh port: one memory bit of one row of pixels, valid until the next is asked for.
+/// The refresh port: reads one memory bit of one row of pixels, valid until the next read.
 class RefreshPort : virtual public sc_core::sc_interface {
  public:
   [[nodiscard]] virtual std::span<const std::uint64_t> memory_row(std::uint32_t address, std::uint32_t row) const = 0;
 
-  /// What a refresh word names that was at the pixels in the clock before this edge; where there are no such words,
-  /// none.
+  /// The refresh word executed by the pixels at the last edge; empty if there was none, or if the machine sends no
+  /// refresh words.
   [[nodiscard]] virtual std::optional<RefreshStep> refreshed() const { return std::nullopt; }
 };
 
-/// The enable bits, and the pixels for who watches the run.
+/// The enable bits, and the pixels for observers of the run.
 class EnableLines : virtual public sc_core::sc_interface {
  public:
   [[nodiscard]] virtual bool any_enabled() const = 0;

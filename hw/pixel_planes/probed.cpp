@@ -15,7 +15,7 @@ namespace csgsim::pixel_planes {
 
 namespace {
 
-/// Visits the instructions that a frame carries out: visit(segment, index, questions asked before); false ends it.
+/// Calls visit(segment, index, number of questions before) for each executed instruction, until it returns false.
 template <class Visit>
 void for_each_carried_out(const isa::Program& program, const std::vector<bool>& answers, Visit visit) {
   std::size_t questions = 0;
@@ -23,7 +23,7 @@ void for_each_carried_out(const isa::Program& program, const std::vector<bool>& 
     const std::vector<isa::Instruction>& all = program.segments[s].instructions;
     for (std::uint32_t i = 0; i < all.size(); ++i) {
       if (!visit(s, i, questions)) return;
-      if (!isa::is_question(all[i].opcode)) continue;
+      if (!isa::needs_global_or(all[i].opcode)) continue;
       i += static_cast<std::uint32_t>(isa::skipped_after(all[i], answers.at(questions++) ? 1 : 0));
     }
   }
@@ -32,8 +32,8 @@ void for_each_carried_out(const isa::Program& program, const std::vector<bool>& 
 }  // namespace
 
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
-                                  const systemc::Foretold& foretold, wave::Window window) {
-  // One more for the word that the pixels have carried out last, which is looked at too.
+                                  const systemc::EarlierRun& foretold, wave::Window window) {
+  // One clock more than the pipeline for the word that the pixels have executed last, which is also traced.
   const std::uint64_t lead = machines::evaluator_latency(machine) + 2;
   std::optional<Start> start;
   std::uint64_t first = 0;  // ordinal of the segment's first instruction
@@ -49,13 +49,13 @@ std::optional<Start> start_before(const isa::Program& program, const machines::M
                          if (start) start->end = first + index + 2 + machine.link.fifo_depth;
                          return begin < window.end;
                        });
-  if (start) start->moment = moment_of(program, machine, foretold.skips, start->segment, start->index);
+  if (start) start->moment = instruction_moment(program, machine, foretold.skips, start->segment, start->index);
   return start;
 }
 
 array::PixelReplay replay_until(const isa::Program& program, const std::vector<bool>& answers, const Start& start,
                                 const array::PixelReplay& fresh) {
-  // Of these all is carried out at all pixels: as a rule they write every register.
+  // The last instructions are executed at all pixels, because they usually write every register.
   constexpr std::uint64_t last_ones = 400;
   const auto replayed = [&](bool leaves_out) {
     array::PixelReplay replay = fresh;
@@ -79,7 +79,7 @@ array::PixelReplay replay_until(const isa::Program& program, const std::vector<b
     return replay;
   };
   array::PixelReplay quick = replayed(true);
-  return quick.knows_registers() ? quick : replayed(false);
+  return quick.registers_known() ? quick : replayed(false);
 }
 
 array::Place place_of(wave::Pixel pixel, const isa::Program& program) {
@@ -87,7 +87,7 @@ array::Place place_of(wave::Pixel pixel, const isa::Program& program) {
   return {pixel.x - region.x, pixel.y - region.y};
 }
 
-std::uint32_t foretold_place(const systemc::Foretold& foretold, array::Place place) {
+std::uint32_t built_place(const systemc::EarlierRun& foretold, array::Place place) {
   const auto found = std::find(foretold.pixels.begin(), foretold.pixels.end(), place);
   if (found == foretold.pixels.end()) throw std::out_of_range("a probed pixel that is not built");
   return static_cast<std::uint32_t>(std::distance(foretold.pixels.begin(), found));

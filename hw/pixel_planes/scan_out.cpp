@@ -38,7 +38,7 @@ void ScanOut::on_clock() {
   sleep();
 }
 
-/// In all clocks that have gone by but the last it slept.
+/// Shifts for the clocks slept through, then acts for the current clock.
 void ScanOut::act() {
   const std::uint64_t now = systemc::edges(period_);
   shift(now - std::exchange(acted_at_, now) - 1);
@@ -47,7 +47,7 @@ void ScanOut::act() {
   latch();
 }
 
-/// While a latched row waits for the one before, which is shifted out: until the last clock of that.
+/// Sleeps while a latched row waits for the previous row, until the last clock of shifting that out.
 void ScanOut::sleep() {
   const std::uint32_t clocks = quotient_up(shape_.width - shifted_, pixels_);
   if (latches() || clocks < 2) return next_trigger(clock.posedge_event());
@@ -61,19 +61,19 @@ std::uint32_t ScanOut::video() const {
              : shift_row_[static_cast<std::size_t>(std::min<std::uint64_t>(shifted, shape_.width)) - 1];
 }
 
-/// A picture has come between two edges.
+/// Called when a picture arrives between two edges.
 void ScanOut::wake() {
   state_ = State::awake;
   next_trigger(clock.posedge_event());
 }
 
-/// Takes the next picture, if there is one.
+/// Begins the next picture. Returns false if there is none.
 bool ScanOut::begin() {
   FinishedPicture next;
   if (!pictures.nb_read(next)) return false;
   colour_ = next.colour;
   row_ = 0;
-  asked_ = 0;
+  requested_ = 0;
   latched_ = 0;
   shifted_ = shape_.width;
   acted_at_ = systemc::edges(period_) - 1;
@@ -83,12 +83,12 @@ bool ScanOut::begin() {
   return true;
 }
 
-/// A latched row goes into the shift register as soon as that is empty.
+/// Moves a latched row to the shift register as soon as that is empty.
 void ScanOut::transfer() {
   if (latched_ != colour_.width || shifted_ != shape_.width) return;
   std::swap(latch_row_, shift_row_);
   std::fill(latch_row_.begin(), latch_row_.end(), 0U);
-  asked_ = 0;
+  requested_ = 0;
   latched_ = 0;
   shifted_ = 0;
   ++row_;
@@ -111,9 +111,9 @@ void ScanOut::latch() {
 }
 
 void ScanOut::ask() {
-  if (asked_ == colour_.width) return;
-  const RefreshStep step{static_cast<std::uint16_t>(colour_.base + asked_), static_cast<std::uint16_t>(row_)};
-  if (refreshes.nb_write(step)) ++asked_;
+  if (requested_ == colour_.width) return;
+  const RefreshStep step{static_cast<std::uint16_t>(colour_.base + requested_), static_cast<std::uint16_t>(row_)};
+  if (refreshes.nb_write(step)) ++requested_;
 }
 
 void ScanOut::latch_bit(RefreshStep step) {

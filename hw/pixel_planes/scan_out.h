@@ -1,3 +1,5 @@
+// The scan-out of a frame buffer.
+// Used by the Pixel-planes machine.
 #pragma once
 
 #include <cstdint>
@@ -12,29 +14,29 @@
 
 namespace csgsim::pixel_planes {
 
-/// Shows each picture that the controller has finished, once. A row's colour bits are latched, one bit of all its
-/// pixels at a time; then the row is shifted out, `pixels` a clock, while the next is latched. At a port of its own a
-/// bit is latched in each clock. At a shared port it asks the controller for each bit, one a clock; the bit is latched
-/// in the clock in which the refresh word is at the pixels.
+/// Shows each finished picture once. It latches the colour bits of a row, one bit of all its pixels at a time, then
+/// shifts the row out, `pixels` per clock, while it latches the next. With its own port it latches a bit in each clock.
+/// With a shared port it requests each bit from the controller, one per clock, and latches the bit in the clock in
+/// which the refresh word is at the pixels.
 class ScanOut final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_fifo_in<FinishedPicture> pictures{"pictures"};
   sc_core::sc_port<RefreshPort> refresh{"refresh"};
-  sc_core::sc_fifo_out<RefreshStep> refreshes{"refreshes"};  ///< to the controller
-  sc_core::sc_fifo_out<bool> latched{"latched"};             ///< to the controller: one when a last row is latched
-  sc_core::sc_out<std::uint64_t> frames{"frames"};           ///< scanned out
+  sc_core::sc_fifo_out<RefreshStep> refreshes{"refreshes"};  ///< requests to the controller
+  sc_core::sc_fifo_out<bool> latched{"latched"};             ///< to the controller: one token per latched picture
+  sc_core::sc_out<std::uint64_t> frames{"frames"};           ///< number of pictures scanned out
 
-  /// `period`: of the clock.
+  /// `period`: clock period. `pixels`: pixels shown per clock.
   ScanOut(sc_core::sc_module_name name, const sc_core::sc_time& period, array::PlaneShape shape, std::uint32_t pixels,
           ScanOutPort port);
 
-  // For waves.
+  // Signals for waves.
   [[nodiscard]] bool is_showing() const { return state_ == State::showing; }
-  [[nodiscard]] std::uint32_t row_latched() const { return row_; }  ///< that is being latched
-  [[nodiscard]] std::uint32_t video() const;                        ///< the last of the pixels that have been shown
+  [[nodiscard]] std::uint32_t row_latched() const { return row_; }  ///< row being latched
+  [[nodiscard]] std::uint32_t video() const;                        ///< colour of the last pixel shown
 
-  /// Of the picture that is being shown, or was last: the colours shifted out, in row order.
+  /// Colours shifted out of the current or last picture, in row order.
   [[nodiscard]] const std::vector<std::uint32_t>& picture() const { return picture_; }
 
  private:
@@ -57,17 +59,17 @@ class ScanOut final : public sc_core::sc_module {
   const std::uint32_t pixels_;
   const ScanOutPort port_;
   isa::Field colour_;
-  std::uint32_t row_ = 0;                 ///< being latched
-  std::uint32_t asked_ = 0;               ///< bits of it that the controller has been asked for
-  std::uint32_t latched_ = 0;             ///< bits of it
-  std::vector<std::uint32_t> latch_row_;  ///< a colour a pixel
-  std::vector<std::uint32_t> shift_row_;  ///< a colour a pixel
-  std::uint32_t shifted_;                 ///< pixels of it
+  std::uint32_t row_ = 0;                 ///< row being latched
+  std::uint32_t requested_ = 0;           ///< bits of it requested from the controller
+  std::uint32_t latched_ = 0;             ///< bits of it latched
+  std::vector<std::uint32_t> latch_row_;  ///< one colour per pixel
+  std::vector<std::uint32_t> shift_row_;  ///< one colour per pixel
+  std::uint32_t shifted_;                 ///< pixels of shift_row_ shown
   std::uint64_t frames_done_ = 0;
-  State state_ = State::asleep;  ///< asleep until a picture comes; awake, it looks for one at the next edge
+  State state_ = State::asleep;  ///< asleep until a picture arrives; awake: takes a picture at the next edge
   std::vector<std::uint32_t> picture_;
-  std::uint32_t video_ = 0;     ///< as it was at the last edge at which it acted
-  std::uint64_t acted_at_ = 0;  ///< that edge
+  std::uint32_t video_ = 0;     ///< colour of the last pixel shown at acted_at_
+  std::uint64_t acted_at_ = 0;  ///< edge of the last action
 };
 
 }  // namespace csgsim::pixel_planes

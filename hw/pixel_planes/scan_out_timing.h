@@ -1,3 +1,5 @@
+// Analytic timing of the scan-out.
+// Used by timing.cpp.
 #pragma once
 
 #include <cstdint>
@@ -6,26 +8,26 @@
 
 namespace csgsim::pixel_planes {
 
-/// Works out how a picture is scanned out, without stepping. A row is latched while the one before it is shown, but for
-/// the first. Edges are numbered by whoever asks.
+/// Computes the timing of the scan-out of a picture without stepping. Each row but the first is latched while the
+/// previous row is shown. The caller chooses the numbering of edges.
 class ScanOutTiming {
  public:
   static constexpr std::uint64_t never = ~std::uint64_t{0};
 
-  /// Of so many bits of colour; the scan-out takes the picture at that edge.
+  /// A picture of `colour_bits` bits of colour, taken by the scan-out at `edge`.
   ScanOutTiming(const machines::Machine& machine, std::uint32_t colour_bits, std::uint64_t edge);
 
-  /// The edge from which on a request for a refresh word waits at the controller; never, if none is to come.
+  /// The edge at which the next request for a refresh word reaches the controller; never, if there is none.
   [[nodiscard]] std::uint64_t request() const { return row_ < rows_ && shared_ ? request_ : never; }
 
-  /// The controller sends the refresh word at that edge, at which one is waited for.
+  /// The controller sends the requested refresh word at that edge.
   void send(std::uint64_t edge);
 
-  /// The controller sends every word as soon as it is asked for, from that edge on.
+  /// The controller sends all remaining words at the earliest edges, from that edge on.
   void send_all(std::uint64_t edge);
 
-  /// When all words have been sent: the edge at which the controller knows that the last row has been latched, and the
-  /// first at which another picture can be taken, one after the last pixel has been shown.
+  /// Results after all words have been sent: the edge at which the controller learns that the last row has been
+  /// latched, and the first edge at which another picture can be taken, one after the last pixel has been shown.
   [[nodiscard]] std::uint64_t latched() const { return latched_; }
   [[nodiscard]] std::uint64_t over() const { return row_begun_ + shift_clocks_; }
 
@@ -34,13 +36,13 @@ class ScanOutTiming {
 
   std::uint32_t bits_;
   std::uint64_t rows_;
-  std::uint64_t shift_clocks_;  ///< of a row
-  std::uint64_t way_;           ///< from a refresh word's edge to the first after its bit has been latched
+  std::uint64_t shift_clocks_;  ///< clocks to shift out a row
+  std::uint64_t way_;           ///< clocks from a refresh word's edge to the first after its bit has been latched
   bool shared_;
-  std::uint64_t row_ = 0;      ///< that is being latched
-  std::uint64_t row_begun_;    ///< edge from which on it is latched, and the one before it is shown
-  std::uint32_t sent_ = 0;     ///< words of it
-  std::uint64_t request_ = 0;  ///< edge of the next
+  std::uint64_t row_ = 0;      ///< row being latched
+  std::uint64_t row_begun_;    ///< edge from which it is latched, and the previous row is shown
+  std::uint32_t sent_ = 0;     ///< refresh words sent for it
+  std::uint64_t request_ = 0;  ///< edge of the next request
   std::uint64_t latched_ = 0;
 };
 

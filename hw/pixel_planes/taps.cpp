@@ -30,7 +30,7 @@ std::string function_of(const ControlWord& word) {
   return names;
 }
 
-/// One pixel of the array, as its taps look at it.
+/// Reads the signals of one pixel for its taps.
 class Probe {
  public:
   explicit Probe(PixelPoint point) : point_(std::move(point)) {}
@@ -42,25 +42,25 @@ class Probe {
                                                   : point_.pipeline.now().y_level(level.level, point_.place);
   }
 
-  /// Of bits that go on beyond the memory, as those of a wide ALU may behind a narrow operand, what there is.
+  /// A field of memory, cut off at the end of memory: a wide ALU may reach beyond it behind a narrow operand.
   [[nodiscard]] std::uint64_t memory(isa::Field field) const {
     const std::uint32_t left = point_.pipeline.pixels().memory_bits() - field.base;
     field.width = static_cast<std::uint16_t>(std::min<std::uint32_t>(field.width, left));
     return point_.pipeline.pixels().value(field, point_.built.x, point_.built.y);
   }
 
-  /// On the first read port.
+  /// Data of the first read port.
   [[nodiscard]] Number read_x() const {
     const array::ArrayStep& step = point_.pipeline.now().at_pixels().step;
     const bool is_read = array::info(step.function).reads_x && step.source == array::OperandSource::memory;
     return is_read ? Number(memory({step.x, step.bits})) : std::nullopt;
   }
-  /// On the second, or on the only one if operand x is not from memory.
+  /// Data of the second read port, or of the only one if operand x does not come from memory.
   [[nodiscard]] Number read_y() const {
     const array::ArrayStep& step = point_.pipeline.now().at_pixels().step;
     return array::info(step.function).reads_y ? Number(memory({step.y, step.bits})) : std::nullopt;
   }
-  /// What the step before has left where it may have written.
+  /// Memory after the previous step, at the address that it may have written.
   [[nodiscard]] Number written() const {
     const array::ArrayStep& step = point_.pipeline.now().carried_out().step;
     return array::info(step.function).writes ? Number(memory({step.write, step.bits})) : std::nullopt;
@@ -147,7 +147,7 @@ std::vector<Tap> pixel_taps(wave::Pixel pixel, PixelPoint point, const isa::Prog
     const unsigned deepest = is_x ? point.pipeline.now().x_levels() : point.pipeline.now().y_levels();
     if (level.level > deepest)
       throw InputError(std::string("the ") + (is_x ? "X" : "Y") + " tree has levels 0 to " + std::to_string(deepest) +
-                       "; there is no tree." + (is_x ? "x:" : "y:") + std::to_string(level.level));
+                       "; tree." + (is_x ? "x:" : "y:") + std::to_string(level.level) + " does not exist");
   }
   const array::TreeForm trees = point.trees;
   const auto probe = std::make_shared<const Probe>(std::move(point));

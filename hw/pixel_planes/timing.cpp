@@ -22,22 +22,22 @@ namespace csgsim::pixel_planes {
 
 namespace {
 
-constexpr unsigned most_frames_tried = 8;
+constexpr unsigned max_frames_tried = 8;
 
-/// What the link and the controller have to do for a command.
+/// Work of the link and the controller for one command.
 struct Task {
   enum class Kind : std::uint8_t { clear, instruction, question, end };
 
   Kind kind = Kind::end;
-  std::uint32_t words = 0;     ///< of the link
-  std::uint64_t clocks = 0;    ///< of the controller, until the next command can begin
-  std::size_t jumps_over = 0;  ///< tasks after it that are left out
+  std::uint32_t words = 0;     ///< words on the link
+  std::uint64_t clocks = 0;    ///< clocks of the controller until the next command can begin
+  std::size_t jumps_over = 0;  ///< number of tasks skipped after this one
 };
 
-std::vector<Task> tasks_of(const isa::Program& program, const machines::Machine& machine,
-                           std::span<const machines::Skip> skips) {
+std::vector<Task> make_tasks(const isa::Program& program, const machines::Machine& machine,
+                             std::span<const machines::Skip> skips) {
   std::vector<Task> tasks;
-  tasks.reserve(program.segments.size() + isa::instructions_in(program) + 1);
+  tasks.reserve(program.segments.size() + isa::total_instructions(program) + 1);
   const auto words = [&](const isa::Command& command) { return isa::wire_words(command, machine.link.width); };
   for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
     const isa::Segment& segment = program.segments[s];
@@ -46,7 +46,7 @@ std::vector<Task> tasks_of(const isa::Program& program, const machines::Machine&
     for (std::uint32_t i = 0; i < segment.instructions.size(); ++i) {
       const isa::Instruction& instruction = segment.instructions[i];
       Task& task = tasks.emplace_back();
-      task.kind = isa::is_question(instruction.opcode) ? Task::Kind::question : Task::Kind::instruction;
+      task.kind = isa::needs_global_or(instruction.opcode) ? Task::Kind::question : Task::Kind::instruction;
       task.words = words(instruction);
       task.clocks = machines::clocks(instruction, machine);
       if (skips.empty() || skips.front() != machines::Skip{s, i}) continue;
@@ -58,7 +58,7 @@ std::vector<Task> tasks_of(const isa::Program& program, const machines::Machine&
   return tasks;
 }
 
-/// Clocks in which a finished picture of that colour is copied: the steps of enable_all and of copy.
+/// Clocks to copy a finished picture with that many colour bits: the steps of enable_all and copy.
 std::uint64_t copy_clocks(std::uint32_t colour_bits, const machines::Machine& machine) {
   if (machines::second_buffer(colour_bits, machine).width == 0) return 0;
   const auto width = static_cast<std::uint16_t>(colour_bits);
@@ -66,12 +66,12 @@ std::uint64_t copy_clocks(std::uint32_t colour_bits, const machines::Machine& ma
          machines::bit_serial_clocks({.opcode = isa::Opcode::copy, .fields = {{{0, width}, {0, width}}}}, machine);
 }
 
-/// Edges are numbered from the frame's first. A word read at an edge that completes a command lets the command begin at
-/// the next; the edge at which a command begins is the first at which a word of the one after it is read.
+/// Timing of one frame. Edges are numbered from the frame's first. If the word read at an edge completes a command, the
+/// command begins at the next edge; from the edge at which a command begins, words of the next command are read.
 class FrameModel {
  public:
-  /// `shown`: how the picture before is scanned out; null, if none is. By its numbers the frame's first edge is
-  /// `first`. `spans`, unless null, holds for each task its clocks then, those of one that is left out as they were.
+  /// `shown`: scan-out of the previous picture, or null; in its numbering the frame's first edge is `first`. `spans`,
+  /// if not null, receives the clocks of each executed task.
   FrameModel(const machines::Machine& machine, const std::vector<Task>& tasks, std::uint64_t copy_clocks,
              ScanOutTiming* shown, std::uint64_t first, std::vector<machines::ClockSpan>* spans = nullptr)
       : machine_(machine),
@@ -100,18 +100,18 @@ class FrameModel {
             .account = account(account_, link_.account(), machine_, instructions_)};
   }
 
-  /// To be called before time, which then ends with that task, if it is carried out, and tells nothing: what moment_of
-  /// tells of it.
+  /// Makes time() stop at that task, if it is executed, and record its moment; the timing is then not valid. Must be
+  /// called before time().
   void watch(std::size_t task) { watched_ = task; }
   [[nodiscard]] const std::optional<Moment>& watched() const { return moment_; }
 
  private:
-  /// What has been sent before the edge at which a command begins is worked out on a copy: words that follow are read
-  /// from that edge on, and leave no room before it.
+  /// Determines on a copy of the link which words are sent before the edge at which a command begins. Later words are
+  /// read from that edge on and free no room before it.
   [[nodiscard]] Moment moment() const {
     machines::LinkTiming link = link_;
     const std::uint64_t read = first_word_ + link.words_read();
-    const std::uint64_t left = first_word_ + words_of(first_task_, tasks_.size()) - read;
+    const std::uint64_t left = first_word_ + count_words(first_task_, tasks_.size()) - read;
     std::uint64_t stored = 0;
     while (link.sent() - link.words_read() < left && link.send_before(begun_, stored)) continue;
     return {.clock = begun_,
@@ -120,8 +120,8 @@ class FrameModel {
             .clocks_left = link.clocks_left(begun_)};
   }
 
-  /// Of the tasks from one on, until another.
-  [[nodiscard]] std::uint64_t words_of(std::size_t from, std::size_t until) const {
+  /// Words of the tasks in [from, until).
+  [[nodiscard]] std::uint64_t count_words(std::size_t from, std::size_t until) const {
     std::uint64_t words = 0;
     for (std::size_t task = from; task < until; ++task) words += tasks_[task].words;
     return words;
@@ -154,7 +154,7 @@ class FrameModel {
     }
   }
 
-  /// The command begins when it has come and the one before it is over, and at the edge no refresh word is asked for.
+  /// Begins the command when it has arrived, the previous one is over, and no refresh word is requested at the edge.
   void begin_after_refreshing() {
     const std::uint64_t ready = std::max(read_ + 1, free_);
     std::uint64_t& waiting = jumped_ ? account_.jumping : account_.starved;
@@ -162,7 +162,7 @@ class FrameModel {
     for (begun_ = ready; refresh_at(begun_, begun_ + 1) != none; ++begun_) continue;
   }
 
-  /// The picture is copied when the one before it has been latched; then its last step travels to the pixels.
+  /// Copies the picture when the previous one has been latched, then waits until the last step has reached the pixels.
   void end() {
     if (copy_clocks_ > 0) {
       const std::uint64_t latched = shown_ == nullptr ? free_ : latched_after(free_);
@@ -175,22 +175,22 @@ class FrameModel {
     free_ += latency;
   }
 
-  /// The first edge from that one on at which the picture before is known to be latched, if every refresh word that is
-  /// asked for until then is sent.
+  /// The first edge from `edge` on at which the previous picture is known to be latched, if every refresh word is sent
+  /// as soon as it is requested.
   [[nodiscard]] std::uint64_t latched_after(std::uint64_t edge) const {
     ScanOutTiming shown = *shown_;
     shown.send_all(first_ + edge);
     return std::max(shown.latched(), first_ + edge) - first_;
   }
 
-  /// Sends the refresh words that are asked for from one edge on and before another. Returns the clocks that were none.
+  /// Sends the refresh words requested in [from, to). Returns the number of other clocks.
   std::uint64_t waited(std::uint64_t from, std::uint64_t to) {
     std::uint64_t clocks = to - from;
     for (std::uint64_t edge = from; (edge = refresh_at(edge, to)) != none; ++edge) --clocks;
     return clocks;
   }
 
-  /// Sends the first refresh word that is asked for from one edge on and before another. Returns the edge, or none.
+  /// Sends the first refresh word requested in [from, before). Returns its edge, or none.
   std::uint64_t refresh_at(std::uint64_t from, std::uint64_t before) {
     if (shown_ == nullptr || shown_->request() == none) return none;
     const std::uint64_t edge = std::max(first_ + from, shown_->request());
@@ -201,8 +201,8 @@ class FrameModel {
     return edge - first_;
   }
 
-  /// The answer is there at the edge free_, and the host knows of it at the next. Until then it has gone on sending,
-  /// and of the next command words have been read.
+  /// Jumps after a question. The answer is there at edge free_, and the host receives it at the next edge. Until then
+  /// the host has kept sending, and words of the next command have been read.
   void jump(std::size_t question) {
     const std::uint64_t known = free_ + 1;
     std::size_t task = question + 1;
@@ -213,13 +213,13 @@ class FrameModel {
         sent = link_.send_before(known, stored);
         if (!sent || task != question + 1) continue;
         read_ = std::max({stored + 1, read_ + 1, word == 0 ? begun_ : 0});
-        link_.read(read_);  // a word that could be read at free_ only makes room too late for another
+        link_.read(read_);  // reading a word at free_ itself would make room too late for another
       }
     }
     link_.stop(known, !sent);
     link_.request(known);
     const std::size_t next_task = question + 1 + tasks_[question].jumps_over;
-    first_word_ += words_of(first_task_, next_task);
+    first_word_ += count_words(first_task_, next_task);
     first_task_ = next_task;
     read_ = known;
     jumped_ = true;
@@ -234,19 +234,19 @@ class FrameModel {
   ScanOutTiming* shown_;
   std::uint64_t first_;
   std::vector<machines::ClockSpan>* spans_;
-  std::size_t watched_ = std::numeric_limits<std::size_t>::max();  ///< task
+  std::size_t watched_ = std::numeric_limits<std::size_t>::max();  ///< task at which to stop
   std::optional<Moment> moment_;
-  std::size_t first_task_ = 0;    ///< since the last request
-  std::uint64_t first_word_ = 0;  ///< its first, of the frame's words
+  std::size_t first_task_ = 0;    ///< first task since the last request
+  std::uint64_t first_word_ = 0;  ///< its first word, counted in the frame
   std::uint64_t read_ = 0;        ///< edge at which the last word was read
   std::uint64_t begun_ = 0;       ///< edge at which the last command began
-  std::uint64_t free_ = 0;        ///< edge at which the next can begin
-  bool jumped_ = false;           ///< between the last command and the next
+  std::uint64_t free_ = 0;        ///< edge at which the next command can begin
+  bool jumped_ = false;           ///< whether the last command was followed by a jump
   std::uint64_t instructions_ = 0;
   ControllerAccount account_;
 };
 
-/// Frames that follow each other. Edges are numbered from the first frame's first.
+/// Timing of frames in sequence. Edges are numbered from the first frame's first edge.
 class SequenceModel {
  public:
   explicit SequenceModel(const machines::Machine& machine)
@@ -257,7 +257,7 @@ class SequenceModel {
     add(frame.time(), colour_bits);
   }
 
-  /// The next frame, of which it is known how it is drawn.
+  /// Adds the next frame, with the timing of its drawing.
   void add(machines::FrameTiming frame, std::uint32_t colour_bits) {
     timings_.push_back(std::move(frame));
     const std::uint64_t drawn = begin_ + timings_.back().clocks;
@@ -274,10 +274,10 @@ class SequenceModel {
     begin_ = next;
   }
 
-  /// Clocks from the beginning of the frame to come until the picture before is scanned out.
+  /// Clocks from the beginning of the next frame until the scan-out of the last picture begins.
   [[nodiscard]] std::uint64_t scan_out_after() const { return std::max(scan_out_begin_, begin_) - begin_; }
 
-  /// Of the frames drawn, the last of which is shown to its end.
+  /// Timing of all frames; the last picture is shown to its end.
   std::vector<machines::FrameTiming> finish() {
     if (shown_) shown_->send_all(begin_);
     end_picture();
@@ -285,7 +285,7 @@ class SequenceModel {
   }
 
  private:
-  /// The picture before, if there is one, has been latched.
+  /// Begins the scan-out of the last frame's picture; the previous picture, if any, has been latched.
   void show(std::uint64_t from, std::uint32_t colour_bits) {
     end_picture();
     scan_out_begin_ = shown_ ? std::max(from, shown_->over()) : from;
@@ -301,23 +301,23 @@ class SequenceModel {
   const machines::Machine& machine_;
   bool two_buffers_;
   std::vector<machines::FrameTiming> timings_;
-  std::uint64_t begin_ = 0;  ///< of the frame to come
+  std::uint64_t begin_ = 0;  ///< edge at which the next frame begins
   std::optional<ScanOutTiming> shown_;
-  std::size_t shown_frame_ = 0;       ///< whose picture that is
-  std::uint64_t shown_begin_ = 0;     ///< where that frame began
-  std::uint64_t scan_out_begin_ = 0;  ///< of its picture
+  std::size_t shown_frame_ = 0;       ///< frame whose picture is shown
+  std::uint64_t shown_begin_ = 0;     ///< edge at which that frame began
+  std::uint64_t scan_out_begin_ = 0;  ///< edge at which the scan-out of its picture begins
 };
 
-/// Frames of the same Program until the scan-out begins as long after a frame's beginning as it did the time before,
-/// but no more than most_frames_tried. `alone`: of the Program. With one buffer no picture is scanned out beside the
-/// drawing, and all are drawn alike.
+/// Interval in a long sequence of the same Program. Simulates frames until the scan-out begins as long after the
+/// frame's beginning as in the frame before, at most max_frames_tried. `alone`: timing of a single frame. With one
+/// buffer no picture is scanned out while another is drawn, so all frames are drawn alike.
 std::uint64_t steady_interval(const machines::FrameTiming& alone, const std::vector<Task>& tasks,
                               std::uint32_t colour_bits, const machines::Machine& machine) {
   const bool two_buffers = machines::own<Figures>(machine).scan_out_buffers >= 2;
   SequenceModel model(machine);
   model.add(alone, colour_bits);
   std::uint64_t before = ScanOutTiming::never;
-  for (unsigned i = 1; i < most_frames_tried && model.scan_out_after() != before; ++i) {
+  for (unsigned i = 1; i < max_frames_tried && model.scan_out_after() != before; ++i) {
     before = model.scan_out_after();
     if (two_buffers)
       model.draw(tasks, colour_bits);
@@ -338,14 +338,14 @@ std::uint32_t or_levels(std::uint64_t lines, std::uint32_t fan_in) {
 
 std::uint64_t Kind::clocks(const isa::Instruction& instruction, const machines::Machine& machine) const {
   const std::uint64_t steps = machines::bit_serial_clocks(instruction, machine);
-  if (!isa::is_question(instruction.opcode)) return steps;
+  if (!isa::needs_global_or(instruction.opcode)) return steps;
   return steps + or_levels(std::uint64_t{machine.array.width} * machine.array.height,
                            machines::own<Figures>(machine).or_fan_in);
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const machines::Machine& machine,
-                                 const machines::Told& told_by_run) const {
-  const std::vector<Task> tasks = tasks_of(program, machine, told_by_run.skips);
+                                 const machines::RunOutcome& outcome) const {
+  const std::vector<Task> tasks = make_tasks(program, machine, outcome.skips);
   const std::uint32_t colour_bits = program.colour.width;
   SequenceModel model(machine);
   model.draw(tasks, colour_bits);
@@ -355,8 +355,8 @@ machines::FrameTiming Kind::time(const isa::Program& program, const machines::Ma
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const machines::Machine& machine,
-                                                 const machines::Told& told_by_run) const {
-  const std::vector<Task> tasks = tasks_of(program, machine, told_by_run.skips);
+                                                 const machines::RunOutcome& outcome) const {
+  const std::vector<Task> tasks = make_tasks(program, machine, outcome.skips);
   std::vector<machines::ClockSpan> spans(tasks.size());
   FrameModel(machine, tasks, 0, nullptr, 0, &spans).time();
   machines::Timeline timeline;
@@ -370,16 +370,16 @@ std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, co
   return timeline;
 }
 
-Moment moment_of(const isa::Program& program, const machines::Machine& machine, std::span<const machines::Skip> skips,
-                 std::uint32_t segment, std::uint32_t index) {
-  const std::vector<Task> tasks = tasks_of(program, machine, skips);
+Moment instruction_moment(const isa::Program& program, const machines::Machine& machine,
+                          std::span<const machines::Skip> skips, std::uint32_t segment, std::uint32_t index) {
+  const std::vector<Task> tasks = make_tasks(program, machine, skips);
   std::size_t task = segment + 1 + index;  // after a clear for each segment
   for (std::uint32_t s = 0; s < segment; ++s) task += program.segments[s].instructions.size();
   const std::uint32_t colour_bits = program.colour.width;
   FrameModel frame(machine, tasks, copy_clocks(colour_bits, machine), nullptr, 0);
   frame.watch(task);
   frame.time();
-  if (!frame.watched()) throw std::logic_error("the moment of an instruction that is not carried out");
+  if (!frame.watched()) throw std::logic_error("the moment of an instruction that is not executed");
   return *frame.watched();
 }
 
@@ -389,7 +389,7 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   const std::vector<isa::Instruction>& instructions = program.segments[segment].instructions;
   std::vector<machines::ClockSpan> steps = timeline.issued[segment];
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (!steps[i].empty() && isa::is_question(instructions[i].opcode)) steps[i].end = steps[i].begin + 1;
+    if (!steps[i].empty() && isa::needs_global_or(instructions[i].opcode)) steps[i].end = steps[i].begin + 1;
   }
   return machines::later(std::move(steps), machines::evaluator_latency(machine));
 }
@@ -397,7 +397,7 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
 std::vector<machines::FrameTiming> time_sequence(std::span<const DrawnFrame> frames, const machines::Machine& machine) {
   SequenceModel model(machine);
   for (const DrawnFrame& frame : frames)
-    model.draw(tasks_of(*frame.program, machine, frame.skips), frame.program->colour.width);
+    model.draw(make_tasks(*frame.program, machine, frame.skips), frame.program->colour.width);
   return model.finish();
 }
 

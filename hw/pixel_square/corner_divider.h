@@ -24,9 +24,9 @@ struct DividerStatus {
   std::optional<std::size_t> square;
 };
 
-/// A divider in the machine (thesis fig. 7.3, docs/machines/pixel-square.md). When the model has been received, it divides one
-/// square after another from its memory: it reads, tests and writes sequentially, and writes each word of the square's
-/// commands to the store at an edge at which the store has room.
+/// A divider in the machine (thesis fig. 7.3, docs/machines/pixel-square.md). When the model has been received, it
+/// divides one square after another from its memory: it reads, tests and writes sequentially, and writes each word of
+/// the square's commands to the store at an edge at which the store has room.
 class CornerDivider final : public sc_core::sc_module {
  public:
   CornerDivider(sc_core::sc_module_name name, const machines::Machine& machine, const ModelReceiver& receiver);

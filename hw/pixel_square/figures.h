@@ -107,8 +107,8 @@ constexpr std::uint32_t command_word_bits(const Figures& figures, std::uint32_t 
   return has_ring(figures) ? figures.ring_bits : link_bits;
 }
 
-/// Bits stored for each half-space of the current surface (docs/machines/pixel-square.md): 251 for the half-space, and its index
-/// among the survivors in cells of each of 15 sizes.
+/// Bits stored for each half-space of the current surface (docs/machines/pixel-square.md): 251 for the half-space, and
+/// its index among the survivors in cells of each of 15 sizes.
 constexpr std::uint64_t halfspace_entry_bits(const Figures& figures) {
   constexpr std::uint64_t itself = 251;
   constexpr std::uint64_t sizes = 15;

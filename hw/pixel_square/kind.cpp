@@ -21,7 +21,7 @@ namespace csgsim::pixel_square {
 namespace {
 
 using machines::Machine;
-using machines::most_clocks;
+using machines::max_parameter_clocks;
 using machines::own_figure;
 namespace shared = machines::shared;
 
@@ -72,7 +72,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     own_figure<Figures, &Figures::port_bits>(
         "port.width", "bits", 1, 65536,
         "bits of a colour word, which a bank of the frame buffer stores or clears per clock"),
-    own_figure<Figures, &Figures::port_fifo_depth>("port.fifo_depth", "words", 1, most_clocks,
+    own_figure<Figures, &Figures::port_fifo_depth>("port.fifo_depth", "words", 1, max_parameter_clocks,
                                                    "depth of each FIFO before the frame buffer"),
     own_figure<Figures, &Figures::banks>(
         "frame_buffer.banks", "banks", 1, 1024,
@@ -101,7 +101,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
         all_channels),
     own_figure<Figures, &Figures::ring_bits>("ring.width", "bits", 1, isa::LinkWord::most_bits,
                                              "bits of a word of commands or colours on that ring"),
-    own_figure<Figures, &Figures::ring_word_clocks>("ring.word_clocks", "clocks", 1, most_clocks,
+    own_figure<Figures, &Figures::ring_word_clocks>("ring.word_clocks", "clocks", 1, max_parameter_clocks,
                                                     "clocks between two words on a channel of that ring"),
     own_figure<Figures, &Figures::dividers>(
         "divider.count", "dividers", 1, 64,
@@ -125,23 +125,24 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     own_figure<Figures, &Figures::store_words>("divider.store", "words", 1, 1'000'000'000,
                                                "link words of the store for commands that have not left"),
     machines::or_ideal(
-        own_figure<Figures, &Figures::box_clocks>("divider.box_clocks", "clocks", 0, most_clocks,
+        own_figure<Figures, &Figures::box_clocks>("divider.box_clocks", "clocks", 0, max_parameter_clocks,
                                                   "clocks to compare the box of a primitive with a square's"),
         0),
     machines::or_ideal(
-        own_figure<Figures, &Figures::halfspace_clocks>("divider.halfspace_clocks", "clocks", 0, most_clocks,
+        own_figure<Figures, &Figures::halfspace_clocks>("divider.halfspace_clocks", "clocks", 0, max_parameter_clocks,
                                                         "clocks to test a half-space at four corners"),
         0),
     machines::or_ideal(own_figure<Figures, &Figures::cell_clocks>(
-                           "divider.cell_clocks", "clocks", 0, most_clocks,
+                           "divider.cell_clocks", "clocks", 0, max_parameter_clocks,
                            "clocks to compare a half-space of a side with the leaders of a cell"),
                        0),
-    machines::or_ideal(own_figure<Figures, &Figures::node_clocks>("divider.node_clocks", "clocks", 0, most_clocks,
-                                                                  "clocks to visit a node of the tree"),
-                       0),
+    machines::or_ideal(
+        own_figure<Figures, &Figures::node_clocks>("divider.node_clocks", "clocks", 0, max_parameter_clocks,
+                                                   "clocks to visit a node of the tree"),
+        0),
     machines::or_ideal(
         own_figure<Figures, &Figures::linear_clocks>(
-            "divider.linear_clocks", "clocks", 0, most_clocks,
+            "divider.linear_clocks", "clocks", 0, max_parameter_clocks,
             "clocks to compute constant, width and shift of a linear instruction, in addition to its words"),
         0),
     shared::host_processor,
@@ -229,7 +230,7 @@ bool Kind::has_global_or(const Machine& machine) const {
 
 std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& machine) const {
   const std::uint64_t steps = machines::bit_serial_clocks(instruction, machine);
-  if (!isa::is_question(instruction.opcode) || figures_of(machine).or_fan_in == 0) return steps;
+  if (!isa::needs_global_or(instruction.opcode) || figures_of(machine).or_fan_in == 0) return steps;
   std::uint64_t levels = 0;
   const std::uint64_t pixels = std::uint64_t{machine.array.width} * machine.array.height;
   for (std::uint64_t lines = pixels; lines > 1;

@@ -22,10 +22,11 @@ class Kind final : public machines::KindOf<Figures> {
   std::optional<Machine> subdivided(const Machine& machine, std::uint32_t levels, machines::Parts parts) const override;
   void check(const Program& program, const Machine& machine) const override;
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
-  machines::FrameTiming time(const Program& program, const Machine& machine, const Told& outcomes) const override;
+  machines::FrameTiming time(const Program& program, const Machine& machine, const RunOutcome& outcomes) const override;
   /// Clocks in which the controller of the square's renderer has an instruction's steps on its wires; the steps reach
   /// all pixels at once, after the levels of the trees.
-  std::optional<Timeline> timeline(const Program& program, const Machine& machine, const Told& outcomes) const override;
+  std::optional<Timeline> timeline(const Program& program, const Machine& machine,
+                                   const RunOutcome& outcomes) const override;
   Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
                  std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;

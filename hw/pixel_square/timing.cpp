@@ -166,13 +166,13 @@ SquareTiming time_squares(const isa::Program& program, const Machine& machine, s
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
-                                 const machines::Told& outcomes) const {
+                                 const machines::RunOutcome& outcomes) const {
   const SquareTiming timing = time_squares(program, machine, outcomes.skips);
   return {.clocks = timing.clocks, .account = account(timing.account)};
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
-                                                 const machines::Told& outcomes) const {
+                                                 const machines::RunOutcome& outcomes) const {
   machines::Timeline result = machines::blank_timeline(program);
   FrameModel(program, machine, outcomes.skips, &result).run();
   return result;
@@ -184,8 +184,8 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
                                                 std::uint32_t /*y*/) const {
   std::vector<machines::ClockSpan> spans = timeline.issued[segment];
   for (std::size_t i = 0; i < spans.size(); ++i) {
-    const bool is_question = isa::is_question(program.segments[segment].instructions[i].opcode);
-    if (is_question && !spans[i].empty()) spans[i].end = spans[i].begin + 1;
+    const bool needs_global_or = isa::needs_global_or(program.segments[segment].instructions[i].opcode);
+    if (needs_global_or && !spans[i].empty()) spans[i].end = spans[i].begin + 1;
   }
   return machines::later(std::move(spans), machines::evaluator_latency(machine));
 }

@@ -1,3 +1,5 @@
+// The built-in processes.
+// Used by load.cpp.
 #pragma once
 
 #include <span>
@@ -6,7 +8,7 @@
 
 namespace csgsim::process {
 
-/// The processes' descriptions that come with csgsim.
+/// Descriptions of the built-in processes.
 std::span<const machines::BuiltIn> built_in_processes();
 
 }  // namespace csgsim::process

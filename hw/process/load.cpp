@@ -12,6 +12,6 @@ machines::Catalogue<Process> catalogue() { return {"process", built_in_processes
 
 std::vector<std::string_view> process_names() { return catalogue().names(); }
 
-Process load_process(const std::string& said) { return catalogue().load(said); }
+Process load_process(const std::string& spec) { return catalogue().load(spec); }
 
 }  // namespace csgsim::process

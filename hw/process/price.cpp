@@ -15,23 +15,23 @@ using machines::Machine;
 
 namespace {
 
-constexpr double most_hz = 1e10;  ///< that a description takes
-constexpr double ps = 1e-12;      ///< s
-constexpr double aj = 1e-18;      ///< J
-constexpr double pw = 1e-12;      ///< W
-constexpr double nm2 = 1e-12;     ///< mm²
+constexpr double max_hz = 1e10;  ///< maximum clock rate of a machine description
+constexpr double ps = 1e-12;     ///< s
+constexpr double aj = 1e-18;     ///< J
+constexpr double pw = 1e-12;     ///< W
+constexpr double nm2 = 1e-12;    ///< mm²
 
 constexpr double controller_transistors = machines::controller_transistors;
 constexpr double fifo_transistors_per_bit = double{machines::fifo_transistors} / machines::fifo_bits;
-constexpr double gate_transistors = 4;  ///< a NAND of two inputs
+constexpr double gate_transistors = 4;  ///< a NAND with two inputs
 
-// Gates one after the other.
+// Gates in series:
 constexpr double full_adder_gates = 3;
-constexpr double select_gates = 4;  ///< of the ALU's operands and operation
-constexpr double carry_gates = 2;   ///< a bit of an adder
-constexpr double turn_gates = 2;    ///< a level of the rotator before a port, a multiplexer
+constexpr double select_gates = 4;  ///< for the ALU's operands and operation
+constexpr double carry_gates = 2;   ///< per bit of an adder
+constexpr double turn_gates = 2;    ///< per level of the rotator at a port, a multiplexer
 
-/// A figure of the description as a number; nothing if its kind has none, or it stands for no limit.
+/// A parameter of the description as a number; empty if the kind does not have it or it is ideal.
 std::optional<std::uint64_t> figure_of(const Machine& machine, std::string_view key) {
   const auto found = std::ranges::find(machine.figures, key, &machines::Figure::key);
   if (found == machine.figures.end()) return std::nullopt;
@@ -41,14 +41,14 @@ std::optional<std::uint64_t> figure_of(const Machine& machine, std::string_view 
   return value;
 }
 
-/// Levels of a tree of gates with so many inputs each that brings so many lines together.
+/// Levels of a tree that combines `lines` lines with gates of `inputs` inputs.
 double levels_of(std::uint64_t lines, std::uint64_t inputs) {
   double levels = 0;
   for (std::uint64_t reached = 1; reached < lines; reached *= inputs) ++levels;
   return levels;
 }
 
-/// Transistors of a pixel but for its memory: processor and node.
+/// Transistors of a pixel without its memory: processor and node.
 std::optional<double> logic_transistors(const Machine& machine) {
   const std::optional<std::uint64_t> logic = machines::pixel_transistors(machine, 0);
   return logic ? std::optional(static_cast<double>(*logic)) : std::nullopt;
@@ -63,7 +63,7 @@ double pixel_area(const Machine& machine, double logic, const Process& process) 
          machine.array.memory_bits * bit_area(machine, process);
 }
 
-/// Levels of a decoder for as many bits of memory, and the gate that drives a line of it.
+/// Gates in series in a decoder for all memory bits of a pixel, including the driver of a line.
 double decoder_gates(const Machine& machine, const Process& process) {
   const double address_bits = levels_of(machine.array.memory_bits, 2);
   return levels_of(static_cast<std::uint64_t>(address_bits), process.gate_fan_in) + 1;
@@ -76,37 +76,37 @@ double pixel_path(const Machine& machine, const Process& process) {
   return static_cast<double>(process.memory_access) + gates * static_cast<double>(process.gate_delay);
 }
 
-/// Streams that a node passes on, with what it makes of them.
-double streams_of(const Machine& machine) {
+/// Stream bits that a node passes on to its children.
+double stream_bits(const Machine& machine) {
   return (machine.evaluator_degree == 1 ? 2.0 : 4.0) * machine.evaluator_bits;
 }
 
-/// Flip-flops of a pixel and its node (docs/area.md, "Logic"): those of the streams, a carry for each adder, and with
-/// one bit of a stream in a clock one for the slope that is delayed, which is in the wider streams.
+/// Flip-flops of a pixel and its node (docs/area.md, "Logic"): those of the streams, a carry for each adder, and, if
+/// one stream bit enters per clock, one for the delayed slope; with wider streams the delay is part of the streams.
 double register_bits(const Machine& machine) {
   const double operand_latch = machine.memory_reads == 1 ? machine.alu_bits : 0;
   const double carries = machine.evaluator_degree == 1 ? 1 : 3;
   const double flag_and_delay = machine.evaluator_degree == 1 ? 0 : machine.evaluator_bits == 1 ? 2 : 1;
-  return 3 + operand_latch + streams_of(machine) * machines::registered_nodes(machine) + carries + flag_and_delay;
+  return 3 + operand_latch + stream_bits(machine) * machines::registered_nodes(machine) + carries + flag_and_delay;
 }
 
-/// Adders one behind the other between registers of a tree.
+/// Adders chained between registers of a tree.
 double adders_in_series(const Machine& machine) {
   const double levels = levels_of(std::max(machine.array.width, machine.array.height), 2);
   return std::clamp<double>(machine.register_levels, 1, std::max(levels, 1.0));
 }
 
-/// A carry goes through the bits of an adder while the sums of the lower ones are already in the next.
+/// Gates in series: a carry ripples through an adder while the sums of its lower bits are already in the next adder.
 double tree_gates(const Machine& machine) {
   return full_adder_gates * adders_in_series(machine) + carry_gates * (machine.evaluator_bits - 1.0);
 }
 
-/// mm between those adders, where the first wire would be so long: each is half as long as the one before.
+/// Wire length in mm between those adders: `longest` * (1/2 + 1/4 + ...), each wire half as long as the previous one.
 double tree_wires(const Machine& machine, double longest) {
   return longest * (1 - std::exp2(1 - adders_in_series(machine)));
 }
 
-/// Joules of a pixel in a clock.
+/// Joules per pixel and clock.
 double pixel_energy(const Machine& machine, double logic, const Process& process) {
   const double ports = machine.memory_reads + 1.0;
   // Bit lines are as long as the side of a square memory.
@@ -116,10 +116,10 @@ double pixel_energy(const Machine& machine, double logic, const Process& process
   const double pitch = std::sqrt(pixel_area(machine, logic, process));  // mm
   return aj * (ports * machine.alu_bits * read + adders * static_cast<double>(process.adder_energy) +
                register_bits(machine) * static_cast<double>(process.register_energy) +
-               streams_of(machine) * pitch * static_cast<double>(process.wire_energy));
+               stream_bits(machine) * pitch * static_cast<double>(process.wire_energy));
 }
 
-/// Transistors of what all pixels of an array share, for each array.
+/// Transistors shared by all pixels of an array, summed over the arrays.
 double shared_transistors(const Machine& machine) {
   const double arrays = static_cast<double>(figure_of(machine, "renderers.count").value_or(1));
   const double fifo_bits = static_cast<double>(machine.link.fifo_depth) * machine.link.width;
@@ -152,17 +152,19 @@ std::optional<Clock> clock_of(const Machine& machine, const Process& process) {
   const std::vector<ClockPath> paths = clock_paths(machine, process);
   if (paths.empty()) return std::nullopt;
   const ClockPath slowest = *std::ranges::max_element(paths, {}, &ClockPath::ps);
-  return Clock{static_cast<std::uint64_t>(std::llround(std::clamp(1 / (slowest.ps * ps), 1.0, most_hz))), slowest};
+  return Clock{static_cast<std::uint64_t>(std::llround(std::clamp(1 / (slowest.ps * ps), 1.0, max_hz))), slowest};
 }
 
 std::optional<double> machine_mm2(const Machine& machine, const machines::Resources& resources,
                                   const Process& process) {
   const std::optional<double> logic = logic_transistors(machine);
   if (!logic) return std::nullopt;
-  const std::uint64_t of_pixels = resources.processors * machine.array.memory_bits;
-  const double beside = static_cast<double>(resources.memory_bits - std::min(of_pixels, resources.memory_bits));
-  const double buffer_bit = machines::cell_transistors(1) * static_cast<double>(process.memory_transistor_area) * nm2;
-  return static_cast<double>(resources.processors) * pixel_area(machine, *logic, process) + beside * buffer_bit +
+  const std::uint64_t pixel_bits = resources.processors * machine.array.memory_bits;
+  const double buffer_bits = static_cast<double>(resources.memory_bits - std::min(pixel_bits, resources.memory_bits));
+  const double buffer_bit_area =
+      machines::cell_transistors(1) * static_cast<double>(process.memory_transistor_area) * nm2;
+  return static_cast<double>(resources.processors) * pixel_area(machine, *logic, process) +
+         buffer_bits * buffer_bit_area +
          shared_transistors(machine) * static_cast<double>(process.transistor_area) * nm2;
 }
 

@@ -1,3 +1,5 @@
+// Clock rate, area and energy of a machine in a process.
+// Used by sim/studies.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +13,11 @@
 #include "hw/machines/timing.h"
 #include "hw/process/process.h"
 
-/// What a process makes of a machine of bit-serial pixels, those whose area is known (hw/machines/area.h). A model, of
-/// which docs/design-space.md says what is in it and what is not.
+// Clock rate, area and energy in a process of a machine with bit-serial pixels whose area is known
+// (hw/machines/area.h). docs/design-space.md lists what the model includes and omits.
 namespace csgsim::process {
 
-/// What has to settle between two edges of the clock.
+/// A path that must settle between two clock edges.
 struct ClockPath {
   std::string_view name;
   double ps = 0;
@@ -23,41 +25,42 @@ struct ClockPath {
   bool operator==(const ClockPath&) const = default;
 };
 
-/// - `pixel`: a bit of its memory is decoded and read, turned to the ALU's place, and goes through the carries of the
-///   ALU's bits, two gates each.
-/// - `trees`: a full adder of a node, three gates, and two more for each further bit of a stream that the trees bring
-///   in a clock, through which its carry goes; with registers behind every r-th level alone r full adders, and the
-///   wires between them, the first a quarter of a side long, each other half as long as the one before.
-/// - `wire`: the longest of a tree or of the broadcast, half a side of the array.
-/// - `global OR`: a gate of its lines, where the machine has one, made of gates of as many inputs as the process has.
+/// The critical paths of a machine; each includes a register:
+/// - `pixel`: a memory bit is decoded, read and rotated to its place in the ALU, and passes the carries of the ALU's
+///   bits, two gates each.
+/// - `trees`: the full adder of a node, three gates, plus two for each further bit of a stream per clock, through which
+///   its carry ripples. If only every r-th level has registers, r full adders and the wires between them: the first
+///   wire is a quarter of the array's side long, each other half as long as the previous one.
+/// - `wire`: the longest wire of a tree or of the broadcast, half the side of the array.
+/// - `global OR`: a gate of that OR, if the machine has one, composed of gates with the fan-in of the process.
 ///
-/// Each with a register. None of machines of other processors, or where the pixel has not been synthesised.
+/// Empty for machines with other processors and for pixels that have not been synthesised.
 std::vector<ClockPath> clock_paths(const machines::Machine& machine, const Process& process);
 
-/// The slowest of the paths, and the clocks a second that it leaves, at most what a description takes; none where there
-/// are no paths.
+/// The slowest path and the clock rate it permits, at most the maximum of machine descriptions.
 struct Clock {
   std::uint64_t hz = 0;
   ClockPath path;
 };
+/// Empty if there are no paths.
 std::optional<Clock> clock_of(const machines::Machine& machine, const Process& process);
 
-/// mm² of processors with their trees and memory, of a frame buffer, and of controller and FIFO of each array.
+/// Area in mm² of the processors with trees and memory, of a frame buffer, and of controller and FIFO of each array.
 std::optional<double> machine_mm2(const machines::Machine& machine, const machines::Resources& resources,
                                   const Process& process);
 
-/// Clocks of the instructions that are carried out, times the pixels of their regions.
+/// Clocks of all executed instructions times the pixels of their regions.
 std::uint64_t pixel_clocks(const isa::Program& program, const machines::Machine& machine,
                            std::span<const machines::Skip> skips);
 
-/// What a frame is worked at.
+/// Work of one frame.
 struct FrameWork {
   std::uint64_t pixel_clocks = 0;
-  double seconds = 0;  ///< until the next begins
+  double seconds = 0;  ///< time until the next frame begins
 };
 
-/// Joules of a frame: in each pixel clock all ports of the memory, the ALU, the node of the trees and their registers
-/// work, and the streams of the trees cross the pixel; besides what gates draw whatever they do.
+/// Energy of a frame in joules: in each pixel clock all memory ports, the ALU, the node of the trees and their
+/// registers are active, and the streams of the trees cross the pixel. Static power of the gates is added.
 std::optional<double> frame_joules(const machines::Machine& machine, const machines::Resources& resources,
                                    const FrameWork& work, const Process& process);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view words[] = {"name", "description"};
 
-/// A figure, and where a process keeps it.
+/// A parameter and the member that stores it.
 struct Row {
   std::string_view key;
   std::string_view unit;
@@ -58,8 +58,8 @@ Process read_figures(const machines::FigureFile& file) {
 }  // namespace
 
 Process read_process(std::string_view text, std::string_view file, std::span<const std::string> changes) {
-  return machines::read_changed(text, file, changes, [&](const toml::table& root, const std::string& said) {
-    return read_figures(machines::FigureFile(root, file, said));
+  return machines::read_changed(text, file, changes, [&](const toml::table& root, const std::string& spec) {
+    return read_figures(machines::FigureFile(root, file, spec));
   });
 }
 

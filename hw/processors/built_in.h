@@ -1,3 +1,5 @@
+// The built-in processors.
+// Used by load.cpp and tests.
 #pragma once
 
 #include <span>
@@ -6,7 +8,7 @@
 
 namespace csgsim::processors {
 
-/// The processors' descriptions that come with csgsim.
+/// Descriptions of the built-in processors.
 std::span<const machines::BuiltIn> built_in_processors();
 
 }  // namespace csgsim::processors

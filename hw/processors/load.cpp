@@ -12,6 +12,6 @@ machines::Catalogue<Processor> catalogue() { return {"processor", built_in_proce
 
 std::vector<std::string_view> processor_names() { return catalogue().names(); }
 
-Processor load_processor(const std::string& said) { return catalogue().load(said); }
+Processor load_processor(const std::string& spec) { return catalogue().load(spec); }
 
 }  // namespace csgsim::processors

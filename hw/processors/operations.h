@@ -1,3 +1,5 @@
+// Kinds and counts of processor operations.
+// Used by hw/host and sim/software.
 #pragma once
 
 #include <array>
@@ -6,8 +8,8 @@
 
 namespace csgsim::processors {
 
-/// What a processor does for a program. A word has 16 bits, a long 32: numbers of primitives, kinds and codes are
-/// words; pointers, depths and strings of bits are longs. A processor's file prices each kind.
+/// Kinds of operations of a processor. A word has 16 bits, a long 32: numbers of primitives, kinds and codes are words;
+/// pointers, depths and bit strings are longs. A processor's description prices each kind.
 enum class Operation : std::uint8_t {
   load,
   load_long,
@@ -33,25 +35,25 @@ enum class Operation : std::uint8_t {
 };
 
 struct OperationRow {
-  const char* name;  ///< in processors' files and in tables
+  const char* name;  ///< name in descriptions and tables
   const char* meaning;
 };
 
-/// In the order of the enumerators.
+/// Rows in the order of the enumerators.
 inline constexpr std::array operation_rows{
     OperationRow{"load", "a word is read from memory, by a register and a displacement"},
     OperationRow{"load_long", "a long is read from memory, by a register and a displacement"},
     OperationRow{"store", "a word is written to memory, by a register and a displacement"},
     OperationRow{"store_long", "a long is written to memory, by a register and a displacement"},
     OperationRow{"move", "a register or a small constant is copied to a register"},
-    OperationRow{"add", "a word is added to a register or taken from it"},
-    OperationRow{"add_long", "a long is added to a register or taken from it; an address is worked out"},
+    OperationRow{"add", "a word is added to a register or subtracted from it"},
+    OperationRow{"add_long", "a long is added to a register or subtracted from it; an address is computed"},
     OperationRow{"compare", "a register is compared with a word or tested"},
     OperationRow{"compare_long", "a register is compared with a long or tested"},
     OperationRow{"logic", "AND, OR, XOR, NOT or the test of a bit, of a word"},
     OperationRow{"logic_long", "AND, OR, XOR, NOT or the test of a bit, of a long"},
-    OperationRow{"shift_long", "a long is shifted, besides what each place takes"},
-    OperationRow{"shifted_bit", "a place by which it is shifted"},
+    OperationRow{"shift_long", "a long is shifted, without the clocks per place"},
+    OperationRow{"shifted_bit", "one place of such a shift"},
     OperationRow{"multiply", "two words are multiplied to a long"},
     OperationRow{"divide", "a long is divided by a word"},
     OperationRow{"multiply_long", "two longs are multiplied to a number of 64 bits"},
@@ -65,7 +67,7 @@ inline constexpr std::array operation_rows{
 inline constexpr std::size_t operation_kinds = operation_rows.size();
 static_assert(operation_kinds == static_cast<std::size_t>(Operation::come_back) + 1);
 
-/// How many of each kind.
+/// Counts of operations by kind.
 struct Operations {
   std::array<std::uint64_t, operation_kinds> counts{};
 
@@ -74,7 +76,7 @@ struct Operations {
     for (std::size_t i = 0; i < operation_kinds; ++i) counts[i] += more.counts[i];
     return *this;
   }
-  /// What is left without `part`, which is a part of it.
+  /// Subtracts counts that are part of these.
   constexpr Operations& operator-=(const Operations& part) {
     for (std::size_t i = 0; i < operation_kinds; ++i) counts[i] -= part.counts[i];
     return *this;
@@ -82,7 +84,7 @@ struct Operations {
   bool operator==(const Operations&) const = default;
 };
 
-/// The same so many times.
+/// The operations repeated `times` times.
 constexpr Operations operator*(std::uint64_t times, Operations operations) {
   for (std::uint64_t& count : operations.counts) count *= times;
   return operations;

@@ -15,14 +15,14 @@ namespace csgsim::processors {
 namespace {
 
 constexpr std::string_view words[] = {"name", "description"};
-constexpr std::int64_t most_clocks = 1'000'000;
-constexpr std::int64_t most_hz = 10'000'000'000;
-constexpr std::int64_t least_factor = 100;
-constexpr std::int64_t most_factor = 100'000;
-constexpr std::int64_t most_dollars = 10'000'000;
+constexpr std::int64_t max_clocks = 1'000'000;
+constexpr std::int64_t max_hz = 10'000'000'000;
+constexpr std::int64_t min_factor = 100;
+constexpr std::int64_t max_factor = 100'000;
+constexpr std::int64_t max_dollars = 10'000'000;
 constexpr double thousandths = 1000;
 
-/// A figure, and where a processor keeps it.
+/// A parameter and how a processor stores it.
 struct Row {
   std::string key;
   std::string_view unit;
@@ -30,7 +30,7 @@ struct Row {
   std::int64_t most;
   std::string_view meaning;
   void (*store)(Processor& processor, std::size_t kind, std::int64_t value);
-  std::size_t kind = 0;  ///< of operation, where it is a price; of program, where it is a compiler's factor
+  std::size_t kind = 0;  ///< kind of operation for a price, of program for a compiler factor
 };
 
 void store_price(Processor& processor, std::size_t kind, std::int64_t value) {
@@ -47,28 +47,28 @@ struct FactorRow {
   const char* meaning;
 };
 
-/// In the order of the enumerators.
+/// Rows in the order of the enumerators.
 constexpr std::array factor_rows{
     FactorRow{Compiled::general, "compiler.factor",
-              "clocks of a compiled program for a thousand of one that is written by hand"},
-    FactorRow{Compiled::standard, "compiler.standard", "the same of the standard traversal"},
-    FactorRow{Compiled::early_out, "compiler.early_out", "the same of the traversal with early out"},
-    FactorRow{Compiled::positional, "compiler.positional", "the same of positional coding"},
-    FactorRow{Compiled::status, "compiler.status", "the same of the status tree"},
-    FactorRow{Compiled::bit_parallel, "compiler.bit_parallel", "the same of the bit-parallel methods"}};
+              "clocks of a compiled program per thousand clocks of a hand-written one"},
+    FactorRow{Compiled::standard, "compiler.standard", "the same for the standard traversal"},
+    FactorRow{Compiled::early_out, "compiler.early_out", "the same for the traversal with early out"},
+    FactorRow{Compiled::positional, "compiler.positional", "the same for positional coding"},
+    FactorRow{Compiled::status, "compiler.status", "the same for the status tree"},
+    FactorRow{Compiled::bit_parallel, "compiler.bit_parallel", "the same for the bit-parallel methods"}};
 static_assert(factor_rows.size() == compiled_kinds);
 
 std::vector<Row> make_rows() {
   std::vector<Row> rows{
-      {"clock.frequency", "Hz", 1, most_hz, "clocks a second",
+      {"clock.frequency", "Hz", 1, max_hz, "clocks per second",
        [](Processor& one, std::size_t, std::int64_t value) { one.clock_hz = static_cast<std::uint64_t>(value); }},
-      {"memory.price", "dollars a Mbyte", 1, most_dollars, "what memory costs, in the processor's year",
+      {"memory.price", "dollars a Mbyte", 1, max_dollars, "price of memory in the year of the processor",
        [](Processor& one, std::size_t, std::int64_t value) { one.memory_price = static_cast<std::uint32_t>(value); }}};
   for (const FactorRow& factor : factor_rows)
-    rows.push_back({factor.key, "thousandths", least_factor, most_factor, factor.meaning, store_factor,
+    rows.push_back({factor.key, "thousandths", min_factor, max_factor, factor.meaning, store_factor,
                     static_cast<std::size_t>(factor.program)});
   for (std::size_t kind = 0; kind < operation_kinds; ++kind)
-    rows.push_back({fmt::format("price.{}", operation_rows[kind].name), "clocks", 0, most_clocks,
+    rows.push_back({fmt::format("price.{}", operation_rows[kind].name), "clocks", 0, max_clocks,
                     operation_rows[kind].meaning, store_price, kind});
   return rows;
 }
@@ -100,14 +100,14 @@ Processor read_figures(const machines::FigureFile& file) {
 }  // namespace
 
 Processor read_processor(std::string_view text, std::string_view file, std::span<const std::string> changes) {
-  return machines::read_changed(text, file, changes, [&](const toml::table& root, const std::string& said) {
-    return read_figures(machines::FigureFile(root, file, said));
+  return machines::read_changed(text, file, changes, [&](const toml::table& root, const std::string& spec) {
+    return read_figures(machines::FigureFile(root, file, spec));
   });
 }
 
 std::string_view meaning_of_figure(std::string_view key) {
   const auto found = std::ranges::find(rows(), key, &Row::key);
-  if (found == rows().end()) throw std::out_of_range(fmt::format("no processor has a figure {}", key));
+  if (found == rows().end()) throw std::out_of_range(fmt::format("no processor has a parameter {}", key));
   return found->meaning;
 }
 

@@ -1,3 +1,5 @@
+// Processors with clocks per operation.
+// Used by hw/host, sim/software and other rooms of sim.
 #pragma once
 
 #include <array>
@@ -12,9 +14,9 @@
 
 namespace csgsim::processors {
 
-/// Programs whose compiler's factor differs, as it was measured of each (docs/host.md).
+/// Classes of programs with separately measured compiler factors (docs/host.md).
 enum class Compiled : std::uint8_t {
-  general,  ///< all programs without a measurement of their own
+  general,  ///< programs without their own measurement
   standard,
   early_out,
   positional,
@@ -24,41 +26,41 @@ enum class Compiled : std::uint8_t {
 
 inline constexpr std::size_t compiled_kinds = static_cast<std::size_t>(Compiled::bit_parallel) + 1;
 
-/// A processor of its time, as its description in hw/processors/NAME.toml says.
+/// A processor, as described in hw/processors/NAME.toml.
 struct Processor {
   std::string name;
   std::string description;
-  std::uint64_t clock_hz = 0;                           ///< clocks a second
-  std::array<std::uint32_t, operation_kinds> prices{};  ///< clocks of one operation of each kind
-  /// Thousandths, by Compiled: what a program takes of the clocks of one that is written by hand.
+  std::uint64_t clock_hz = 0;                           ///< clocks per second
+  std::array<std::uint32_t, operation_kinds> prices{};  ///< clocks per operation of each kind
+  /// Clocks of a compiled program per thousand clocks of a hand-written one, by Compiled.
   std::array<std::uint32_t, compiled_kinds> compiler_factors{};
-  std::uint32_t memory_price = 0;         ///< dollars a Mbyte, of its year
-  std::vector<machines::Figure> figures;  ///< every figure of the file, in its order
+  std::uint32_t memory_price = 0;         ///< dollars per Mbyte in the year of the processor
+  std::vector<machines::Figure> figures;  ///< every parameter of the file, in the order of the file
 };
 
-/// Reads a description (TOML); `file` is its name in messages. Throws InputError, with file:line:column. Then each of
-/// `changes`, KEY=VALUE, takes the place of a figure's value, as in machines::read_description; throws
+/// Reads a description (TOML); `file` is its name in messages. Throws InputError with file:line:column. Each of
+/// `changes`, KEY=VALUE, then replaces a parameter's value, as in machines::read_description; throws
 /// machines::ChangeError.
 Processor read_processor(std::string_view text, std::string_view file, std::span<const std::string> changes = {});
 
-/// What a figure is, by its key, for people. Throws std::out_of_range for a key that no processor has.
+/// Description of a parameter, by its key. Throws std::out_of_range for an unknown key.
 std::string_view meaning_of_figure(std::string_view key);
 
-/// The word for the computer that measures, whose time is that of a clock on the wall.
+/// Name of the computer that runs the measurement, which is timed by the wall clock.
 inline constexpr const char* this_computer = "this-computer";
 
-/// Names of the processors that come with csgsim.
+/// Names of the built-in processors.
 std::vector<std::string_view> processor_names();
 
-/// A processor by name, or one described in a file, which ends in .toml; figures may be changed behind it, and an
-/// edited file of one that comes with csgsim tells what is edited, as machines do (hw/kinds/load.h). Throws InputError,
-/// or machines::ChangeError.
-Processor load_processor(const std::string& said);
+/// Loads a built-in processor by name, or a description file that ends in .toml. Changed parameters may follow, and an
+/// edited file of a built-in processor gets a name that lists the edits, as for machines (hw/kinds/load.h). Throws
+/// InputError or machines::ChangeError.
+Processor load_processor(const std::string& spec);
 
-/// Clocks that the operations of a program take, the compiler's factor included.
+/// Clocks of a program's operations, including the compiler factor.
 double clocks(const Operations& operations, const Processor& processor, Compiled program = Compiled::general);
 
-/// The same in seconds.
+/// Seconds of a program's operations, including the compiler factor.
 double seconds(const Operations& operations, const Processor& processor, Compiled program = Compiled::general);
 
 }  // namespace csgsim::processors

@@ -48,16 +48,16 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     shared::link_fifo_depth,
     shared::link_latency,
     machines::or_ideal(own_figure<Figures, &Figures::bucket_clocks>(
-                           "host.bucket_clocks", "clocks", 0, machines::most_clocks,
+                           "host.bucket_clocks", "clocks", 0, machines::max_parameter_clocks,
                            "clocks to sort a primitive of the picture into the bucket of its first line"),
                        0),
     machines::or_ideal(
         own_figure<Figures, &Figures::active_clocks>(
-            "host.active_clocks", "clocks", 0, machines::most_clocks,
+            "host.active_clocks", "clocks", 0, machines::max_parameter_clocks,
             "clocks to visit a primitive that enters, stays in or leaves the active list, once per line"),
         0),
     machines::or_ideal(own_figure<Figures, &Figures::instruction_clocks>(
-                           "host.instruction_clocks", "clocks", 0, machines::most_clocks,
+                           "host.instruction_clocks", "clocks", 0, machines::max_parameter_clocks,
                            "clocks to prepare an instruction of a line: transformation, pruning, coefficients"),
                        0),
     own_figure<Figures, &Figures::refresh_hz>("refresh.rate", "Hz", 1, 1000, "fields shown per second"),

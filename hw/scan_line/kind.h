@@ -19,10 +19,11 @@ class Kind final : public machines::KindOf<Figures> {
   /// Clocks for which an instruction's packet occupies a cell, and therefore the entry: its words arrive, or the ports
   /// of the cell's memory read its fields, and then, not before the last word, write the target.
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
-  machines::FrameTiming time(const Program& program, const Machine& machine, const Told& outcomes) const override;
+  machines::FrameTiming time(const Program& program, const Machine& machine, const RunOutcome& outcomes) const override;
   /// Clocks in which the beats of each packet are at the entry of a chain; the cell of a column processes a beat later
   /// by one clock per preceding cell.
-  std::optional<Timeline> timeline(const Program& program, const Machine& machine, const Told& outcomes) const override;
+  std::optional<Timeline> timeline(const Program& program, const Machine& machine,
+                                   const RunOutcome& outcomes) const override;
   Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
                  std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;

@@ -8,8 +8,8 @@ void LineRetirement::begin(systemc::RunListener& listener, std::size_t lines) {
   if (lines > 0) frames_.push_back({&listener, lines});
 }
 
-systemc::Keep LineRetirement::keeps_after(std::uint32_t segment, std::uint32_t index) {
-  return frames_.back().listener->keeps_after(segment, index);
+systemc::Keep LineRetirement::required_after(std::uint32_t segment, std::uint32_t index) {
+  return frames_.back().listener->required_after(segment, index);
 }
 
 void LineRetirement::after_instruction(const systemc::Retired& retired, const systemc::PixelView& pixels) {

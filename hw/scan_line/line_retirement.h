@@ -19,7 +19,7 @@ class LineRetirement final : public sc_core::sc_module, public systemc::Retireme
   /// Begins a frame; the chain draws `lines` of its lines. The listener must outlive the frame.
   void begin(systemc::RunListener& listener, std::size_t lines);
 
-  [[nodiscard]] systemc::Keep keeps_after(std::uint32_t segment, std::uint32_t index) override;
+  [[nodiscard]] systemc::Keep required_after(std::uint32_t segment, std::uint32_t index) override;
   void after_instruction(const systemc::Retired& retired, const systemc::PixelView& pixels) override;
   void after_segment(std::uint32_t segment, const systemc::PixelView& pixels) override;
 

@@ -60,7 +60,7 @@ void PacketQueue::take(const isa::Command& command) {
   } else if (const auto* const instruction = std::get_if<isa::Instruction>(&command)) {
     take_packet(instruction_packet(*instruction, cell_, squares_));
     squares_ = instruction->opcode == isa::Opcode::squares ? instruction->linear : isa::Linear{};
-    packets_.at(packet_).keep = retirement->keeps_after(static_cast<std::uint32_t>(line_), index_);
+    packets_.at(packet_).keep = retirement->required_after(static_cast<std::uint32_t>(line_), index_);
   } else if (std::holds_alternative<isa::SegmentEnd>(command)) {
     take_packet(index_ > 0 ? mark_packet(frame_.colour, cell_)
                            : background_packet(frame_.colour, frame_.background, cell_));

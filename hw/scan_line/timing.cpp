@@ -419,7 +419,7 @@ std::vector<LineTiming> time_line_sequence(std::span<const isa::Program> frames,
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
-                                 const machines::Told& /*outcomes*/) const {
+                                 const machines::RunOutcome& /*outcomes*/) const {
   const LineTiming timing = time_lines(program, machine);
   return {.clocks = timing.clocks,
           .shown_clocks = timing.clocks,
@@ -428,7 +428,7 @@ machines::FrameTiming Kind::time(const isa::Program& program, const Machine& mac
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
-                                                 const machines::Told& /*outcomes*/) const {
+                                                 const machines::RunOutcome& /*outcomes*/) const {
   machines::Timeline result = machines::blank_timeline(program);
   time_lines(program, machine, &result);
   return result;

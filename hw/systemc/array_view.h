@@ -1,3 +1,5 @@
+// PixelView of a pixel array.
+// Used by hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <memory>
@@ -8,10 +10,10 @@
 
 namespace csgsim::systemc {
 
-/// A corner of an array of pixel processors.
+/// The pixels of a region in the top left corner of an array of pixel processors.
 class ArrayView final : public PixelView {
  public:
-  /// The pixels have to live as long as the view.
+  /// The pixels must outlive the view.
   explicit ArrayView(const array::PixelArray& pixels) : pixels_(std::shared_ptr<void>(), &pixels) {}
   explicit ArrayView(std::shared_ptr<const array::PixelArray> pixels) : pixels_(std::move(pixels)) {}
 

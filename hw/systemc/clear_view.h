@@ -1,3 +1,5 @@
+// PixelView of cleared pixels.
+// Used by hw/pixel_square and hw/multi_processor.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +8,7 @@
 
 namespace csgsim::systemc {
 
-/// Pixels that nothing has been drawn on: memory and enable are 0.
+/// Pixels without any drawing: memory and enable are 0.
 class ClearView final : public PixelView {
  public:
   void read_field(isa::Field /*field*/, std::uint32_t /*width*/, std::uint32_t /*height*/,

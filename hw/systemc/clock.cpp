@@ -11,7 +11,7 @@ Clock::Clock(sc_core::sc_module_name name, const sc_core::sc_time& period) : sc_
 }
 
 const sc_core::sc_event& Clock::negedge_event() const {
-  throw std::logic_error("a clock of rising edges alone has no falling ones");
+  throw std::logic_error("a clock with rising edges only has no falling edges");
 }
 
 void Clock::tick() { edge_.notify(period_); }

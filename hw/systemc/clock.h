@@ -1,11 +1,13 @@
+// A clock without level changes.
+// Used by hw/pixel_planes, hw/pixel_square and hw/scan_line.
 #pragma once
 
 #include <systemc>
 
 namespace csgsim::systemc {
 
-/// The clock of a machine all of whose parts act on rising edges: the first is one period after the start. Of the level
-/// on the wire nothing is shown, so that a period is one event of the kernel.
+/// Clock of a machine whose parts all act on rising edges; the first edge comes one period after the start. The level
+/// of the wire is not modelled, so that a period takes one kernel event.
 class Clock final : public sc_core::sc_module, public sc_core::sc_signal_in_if<bool> {
  public:
   Clock(sc_core::sc_module_name name, const sc_core::sc_time& period);

@@ -1,3 +1,5 @@
+// Interface of all SystemC machines.
+// Used by all kinds of machines, hw/kinds and sim/cycle.
 #pragma once
 
 #include <cstdint>
@@ -12,40 +14,41 @@
 
 namespace csgsim::systemc {
 
+/// Results of one run.
 struct RunReport {
-  std::uint64_t clocks = 0;              ///< in all, latency included
-  std::uint64_t latency_clocks = 0;      ///< of these, after the last instruction's
-  std::uint64_t skipped = 0;             ///< instructions that were not carried out
-  std::vector<bool> answers;             ///< to the host's questions, in order
-  machines::Account account{};           ///< what the clocks went into
-  std::uint64_t shown_clocks = 0;        ///< until the last pixel is shown; 0: as clocks
-  std::uint64_t interval_clocks = 0;     ///< from one frame to the next; 0: as shown_clocks
-  std::vector<std::uint32_t> picture{};  ///< colour of every pixel of the Program, in row order; empty if it shows none
+  std::uint64_t clocks = 0;              ///< total, including latency
+  std::uint64_t latency_clocks = 0;      ///< part of the total after the last instruction
+  std::uint64_t skipped = 0;             ///< number of skipped instructions
+  std::vector<bool> answers;             ///< answers to the host, in order
+  machines::Account account{};           ///< clocks by activity
+  std::uint64_t shown_clocks = 0;        ///< clocks until the last pixel is shown; 0: equal to `clocks`
+  std::uint64_t interval_clocks = 0;     ///< clocks from one frame to the next; 0: equal to `shown_clocks`
+  std::vector<std::uint32_t> picture{};  ///< colour of every pixel of the Program, in row order; empty if none is shown
 };
 
-/// A machine of any kind, clock by clock. SystemC elaborates once a process, so there can be one in a process; it runs
-/// any number of Programs one after the other. From its construction on, a SystemC warning is an exception.
+/// A machine of any kind, simulated clock by clock. SystemC elaborates once per process, so a process can have only one
+/// machine; it runs any number of Programs in sequence. Once it is constructed, SystemC warnings are exceptions.
 class ClockedMachine {
  public:
   virtual ~ClockedMachine() = default;
 
-  /// Runs the Program, which has to be valid (isa::validate) and one for the machine (machines::check_runs_on). Memory
-  /// and enable are 0 when a segment begins. Throws InputError before it begins if the Program has more pixels or
-  /// memory than the machine. What the listener throws comes out when the machine is done.
+  /// Runs a valid Program (isa::validate) that fits the machine (machines::check_runs_on). Memory and enable are 0 when
+  /// a segment begins. Throws InputError before the run if the Program has more pixels or memory than the machine. An
+  /// exception of the listener is rethrown after the run.
   virtual RunReport run(const isa::Program& program, RunListener& listener) = 0;
 
-  /// Draws the Programs one after the other, each with a listener of its own, as soon as the machine can begin the
-  /// next; unless a kind says otherwise, that is when the one before it has been shown.
+  /// Draws the Programs in sequence, each with its own listener, beginning each as soon as the machine can. By default
+  /// that is when the previous one has been shown.
   virtual std::vector<RunReport> run_sequence(std::span<const isa::Program> programs,
                                               std::span<RunListener* const> listeners);
 
-  /// What a wave of a run of the Program shows, part by part; nothing for a kind without waves. Program and machine
-  /// have to live as long as the taps. Throws InputError for a pixel or a level of a tree that the machine has not.
+  /// The taps for a wave of a run of the Program, part by part; empty for a kind without waves. Program and machine
+  /// must outlive the taps. Throws InputError for a pixel or a tree level that the machine does not have.
   [[nodiscard]] virtual std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const;
 
-  /// Lets the next run begin in the middle of the frame, if the machine can, so that in the clocks of the window all is
-  /// as in a whole run; after it nothing need be. Returns the clock with which it will begin. What the run reports is
-  /// then of no use.
+  /// Makes the next run begin in the middle of the frame, if the machine can, so that the clocks of the window are as
+  /// in a whole run; later clocks may differ. Returns the clock at which the run begins. The run's report is then
+  /// meaningless.
   virtual std::uint64_t skip_to(const isa::Program& program, wave::Window window);
 };
 

@@ -1,10 +1,12 @@
+// Base class of clocked modules.
+// Used by hw/link and the machines.
 #pragma once
 
 #include <systemc>
 
 namespace csgsim::systemc {
 
-/// A part that acts at each rising edge of the clock.
+/// Base class of modules that act at each rising edge of the clock.
 class ClockedModule : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};

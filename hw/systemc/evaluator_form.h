@@ -1,13 +1,15 @@
+// Forms of the multiplier trees' model.
+// Used by hw/kinds, the machines with trees, sim/cycle, sim/session and sim/waves.
 #pragma once
 
 #include <cstdint>
 
 namespace csgsim::systemc {
 
-/// How the multiplier trees of a machine are built: their ports and clocks are the same.
+/// Model of a machine's multiplier trees. All forms have the same ports and clocks.
 enum class EvaluatorForm : std::uint8_t {
-  worked_out,  ///< what its registers hold is worked out of the coefficients that have entered
-  stepped,     ///< adder by adder, level by level
+  worked_out,  ///< register contents are computed from the coefficients that have entered
+  stepped,     ///< simulated adder by adder, level by level
 };
 
 }  // namespace csgsim::systemc

@@ -1,3 +1,5 @@
+// Reads and writes fields in word-organized pixel memory.
+// Used by hw/scan_line and hw/multi_processor.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +9,7 @@
 
 namespace csgsim::systemc {
 
-/// The field's value in a pixel's memory: bit b of it is bit b % 64 of word b / 64. 0 for a field without bits.
+/// The value of a field in a pixel's memory, where bit b is bit b % 64 of word b / 64. 0 for a field of width 0.
 inline std::uint64_t read_field(std::span<const std::uint64_t> memory, isa::Field field) {
   if (field.width == 0) return 0;
   const unsigned word = field.base / 64U;
@@ -17,7 +19,7 @@ inline std::uint64_t read_field(std::span<const std::uint64_t> memory, isa::Fiel
   return value & ((std::uint64_t{1} << field.width) - 1);
 }
 
-/// Puts the low bits of the value there.
+/// Stores the low bits of a value in the field.
 inline void write_field(std::span<std::uint64_t> memory, isa::Field field, std::uint64_t value) {
   const std::uint64_t mask = (std::uint64_t{1} << field.width) - 1;
   const unsigned word = field.base / 64U;

@@ -1,3 +1,5 @@
+// Results of an earlier run, for machines with few pixels.
+// Used by hw/pixel_planes, hw/kinds and sim/waves.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +12,14 @@
 
 namespace csgsim::systemc {
 
-/// What another run of the same Program has told, so that a machine of which only some pixels are built does at these
-/// what the whole one does. What it refers to has to live as long as that machine.
-struct Foretold {
-  std::vector<array::Place> pixels;       ///< of the array, that are built
-  std::vector<bool> answers;              ///< to each question that is asked, in order: is any pixel enabled?
-  std::span<const machines::Skip> skips;  ///< the questions after which instructions are left out
+/// Results of an earlier run of the same Program. With them a machine with only some pixels behaves at these like the
+/// whole machine. The referenced data must outlive that machine.
+struct EarlierRun {
+  std::vector<array::Place> pixels;       ///< pixels of the array that are built
+  std::vector<bool> answers;              ///< whether any pixel is enabled, for each question in order
+  std::span<const machines::Skip> skips;  ///< the questions followed by skipped instructions
   const machines::Timeline* timeline = nullptr;
-  std::span<const std::uint32_t> picture;  ///< colour of every pixel of the array when the frame is drawn, in row order
+  std::span<const std::uint32_t> picture;  ///< colour of every pixel of the array after drawing, in row order
 };
 
 }  // namespace csgsim::systemc

@@ -1,3 +1,5 @@
+// A listener that is disconnected when it throws.
+// Used by Retirement and hw/scan_line.
 #pragma once
 
 #include "hw/systemc/listener_guard.h"
@@ -5,18 +7,18 @@
 
 namespace csgsim::systemc {
 
-/// A listener to which nothing more is told once it has thrown: the machine runs to its end without it.
+/// Forwards to a listener until it throws: the machine then completes its run without it.
 class GuardedListener final : public RunListener {
  public:
-  /// The listener has to live as long.
+  /// The listener must outlive this object.
   explicit GuardedListener(RunListener& listener) : listener_(&listener) {}
 
-  /// Throws what the listener threw, if it did.
+  /// Rethrows the listener's exception, if any.
   void rethrow() { guard_.rethrow(); }
 
-  [[nodiscard]] Keep keeps_after(std::uint32_t segment, std::uint32_t index) override {
+  [[nodiscard]] Keep required_after(std::uint32_t segment, std::uint32_t index) override {
     Keep keep = Keep::nothing;
-    guard_.run([&] { keep = listener_->keeps_after(segment, index); });
+    guard_.run([&] { keep = listener_->required_after(segment, index); });
     return keep;
   }
   void after_instruction(const Retired& retired, const PixelView& pixels) override {

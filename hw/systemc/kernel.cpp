@@ -7,7 +7,7 @@
 #include <sanitizer/common_interface_defs.h>
 #endif
 
-/// Debian's libsystemc refers to the entry point of programs that leave main to it. These have a main of their own.
+/// Debian's libsystemc refers to the entry point of programs without their own main. It is never called.
 int sc_main(int /*argc*/, char* /*argv*/[]) { return 0; }
 
 namespace csgsim::systemc {
@@ -40,17 +40,17 @@ sc_core::sc_time period_of(const machines::Machine& machine) {
   return {1.0 / static_cast<double>(machine.clock_hz), sc_core::SC_SEC};
 }
 
-/// Many ask at one time, and there is one machine: a division is slow beside what they do.
+/// Caches the last result: many modules call this at the same time stamp, and the division would dominate their cost.
 std::uint64_t edges(const sc_core::sc_time& period) {
-  static std::uint64_t asked_at = 0;
-  static std::uint64_t of_period = 1;
-  static std::uint64_t answer = 0;
+  static std::uint64_t cached_at = 0;
+  static std::uint64_t cached_period = 1;
+  static std::uint64_t cached_edges = 0;
   const std::uint64_t now = sc_core::sc_time_stamp().value();
-  if (now == asked_at && period.value() == of_period) return answer;
-  asked_at = now;
-  of_period = period.value();
-  answer = now / of_period;
-  return answer;
+  if (now == cached_at && period.value() == cached_period) return cached_edges;
+  cached_at = now;
+  cached_period = period.value();
+  cached_edges = now / cached_period;
+  return cached_edges;
 }
 
 void stop() {

@@ -1,3 +1,5 @@
+// Control of the SystemC simulation.
+// Used by all SystemC machines and sim/waves.
 #pragma once
 
 #include <cstdint>
@@ -5,31 +7,31 @@
 
 #include "hw/machines/machine.h"
 
-/// What all machines in SystemC share.
+// Helpers shared by all SystemC machines.
 namespace csgsim::systemc {
 
 /// The machine's clock period. Its first rising edge is one period after the start, not at time 0.
 sc_core::sc_time period_of(const machines::Machine& machine);
 
-/// The time as it is now; what sc_time_stamp() returns refers to one that goes on.
+/// A copy of the current time; sc_time_stamp() returns a reference to the running time.
 inline sc_core::sc_time now() { return sc_core::sc_time_stamp(); }
 
-/// Rising edges of a clock of that period since the simulation began.
+/// Number of rising edges of a clock with that period since the start of the simulation.
 std::uint64_t edges(const sc_core::sc_time& period);
 
-/// Elaborates what has been built, if that has not been done. The clock stays at 0.
+/// Elaborates the design, unless that has been done. The time stays at 0.
 void elaborate();
 
-/// Goes on with the simulation until it is paused or ended. Threads in it have stacks of their own, and SystemC tells
-/// AddressSanitizer of them, but not where the main stack is when it comes back to it; an exception would then seem to
-/// overflow it, and the search for leaks read stacks that are gone. So nobody else calls sc_start.
+/// Continues the simulation until it is paused or stopped. Must be used instead of sc_start: SystemC threads have their
+/// own stacks, and SystemC reports switches to them to AddressSanitizer, but not the return to the main stack. Without
+/// the correction here exceptions would look like stack overflows, and leak detection would read freed stacks.
 void run();
 
-/// Ends the simulation for good (sc_stop), from within a method of it. Threads that wait are unwound first: what they
-/// hold would never be given back.
+/// Stops the simulation for good (sc_stop); called from a method of it. Waiting threads are unwound first, since their
+/// objects would otherwise leak.
 void stop();
 
-/// Has the simulation been ended for good?
+/// Whether the simulation has been stopped for good.
 bool is_stopped();
 
 }  // namespace csgsim::systemc

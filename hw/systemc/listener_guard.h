@@ -1,3 +1,5 @@
+// Stores an exception for later.
+// Used by GuardedListener and WaveRecorder.
 #pragma once
 
 #include <exception>
@@ -5,13 +7,14 @@
 
 namespace csgsim::systemc {
 
-/// Keeps what a listener throws from the kernel: the machine runs to its end without it, and then it is thrown again.
+/// Keeps a listener's exception away from the kernel: the machine completes its run, and then the exception is
+/// rethrown.
 class ListenerGuard {
  public:
-  /// Forgets what was thrown before.
+  /// Discards a stored exception.
   void begin() { thrown_ = nullptr; }
 
-  /// Calls the listener, unless it has thrown.
+  /// Calls the listener, unless a call has thrown.
   template <class Call>
   void run(const Call& call) {
     if (thrown_) return;
@@ -22,7 +25,7 @@ class ListenerGuard {
     }
   }
 
-  /// Throws what the listener threw, if it did.
+  /// Rethrows the listener's exception, if any.
   void rethrow() {
     if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
   }

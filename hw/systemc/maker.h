@@ -1,3 +1,5 @@
+// Factories of SystemC machines.
+// Used by all kinds of machines and hw/kinds.
 #pragma once
 
 #include <memory>
@@ -10,14 +12,14 @@
 
 namespace csgsim::systemc {
 
-/// Makes the SystemC models of a kind's machines; of each kind in hw/kinds there is an `extern const Maker KIND_maker`.
+/// Factory of the SystemC models of one kind. Each kind in hw/kinds defines an `extern const Maker KIND_maker`.
 struct Maker {
   const machines::Kind* kind;
   std::unique_ptr<ClockedMachine> (*make)(const machines::Machine& machine);
-  /// Makes a machine whose multiplier trees are stepped; null if the kind has none.
+  /// Makes a machine with stepped multiplier trees; null if the kind has none.
   std::unique_ptr<ClockedMachine> (*make_stepped)(const machines::Machine& machine) = nullptr;
-  /// Makes a machine with the foretold pixels alone; null if the whole machine is built for a wave.
-  std::unique_ptr<ClockedMachine> (*make_probed)(const machines::Machine& machine, const Foretold& foretold,
+  /// Makes a machine with only the foretold pixels; null if waves need the whole machine.
+  std::unique_ptr<ClockedMachine> (*make_probed)(const machines::Machine& machine, const EarlierRun& foretold,
                                                  EvaluatorForm form) = nullptr;
 };
 

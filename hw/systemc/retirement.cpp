@@ -6,8 +6,8 @@ Retirement::Retirement(sc_core::sc_module_name name) : sc_core::sc_module(name) 
 
 void Retirement::begin(RunListener& listener) { listener_.emplace(listener); }
 
-Keep Retirement::keeps_after(std::uint32_t segment, std::uint32_t index) {
-  return listener_->keeps_after(segment, index);
+Keep Retirement::required_after(std::uint32_t segment, std::uint32_t index) {
+  return listener_->required_after(segment, index);
 }
 
 void Retirement::after_instruction(const Retired& retired, const PixelView& pixels) {

@@ -1,3 +1,5 @@
+// Forwards executed instructions to the listener.
+// Used by all SystemC machines.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +11,21 @@
 
 namespace csgsim::systemc {
 
-/// Where a machine's modules tell what their pixels have carried out.
+/// Port through which modules report executed instructions.
 class RetirementPort : virtual public sc_core::sc_interface, public RunListener {};
 
-/// Passes that on to the listener of the run. Takes no clock.
+/// Forwards these reports to the listener of the run. Takes no clock.
 class Retirement final : public sc_core::sc_module, public RetirementPort {
  public:
   explicit Retirement(sc_core::sc_module_name name);
 
-  /// The listener has to live until the run is done.
+  /// The listener must outlive the run.
   void begin(RunListener& listener);
 
-  /// Throws what the listener threw, if it did: the machine ran to its end without it.
+  /// Rethrows the listener's exception, if any, after the machine has completed its run.
   void rethrow() { listener_->rethrow(); }
 
-  [[nodiscard]] Keep keeps_after(std::uint32_t segment, std::uint32_t index) override;
+  [[nodiscard]] Keep required_after(std::uint32_t segment, std::uint32_t index) override;
   void after_instruction(const Retired& retired, const PixelView& pixels) override;
   void after_segment(std::uint32_t segment, const PixelView& pixels) override;
 

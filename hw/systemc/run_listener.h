@@ -1,3 +1,5 @@
+// Interface for observers of a run.
+// Used by all SystemC machines, sim/cycle and sim/waves.
 #pragma once
 
 #include <cstdint>
@@ -6,52 +8,55 @@
 #include <span>
 
 #include "hw/isa/instruction.h"
-#include "hw/machines/told.h"
+#include "hw/machines/run_outcome.h"
 
-/// What a machine in SystemC tells of a run while it goes by.
+// Interface through which a SystemC machine reports the progress of a run.
 namespace csgsim::systemc {
 
-/// An instruction that the pixels of a segment have just carried out.
+/// An instruction that the pixels of a segment have just executed.
 struct Retired {
   std::uint32_t segment = 0;
-  std::uint32_t index = 0;                           ///< within the segment
-  std::uint64_t clocks = 0;                          ///< that it took of what hands out instructions
-  std::uint64_t enabled_pixels = 0;                  ///< pixels whose E was 1 when the instruction began
-  std::uint64_t skipped = 0;                         ///< instructions after it that are not carried out
-  std::optional<machines::PixelClocks> at_pixels{};  ///< where it does not take the same at each pixel
+  std::uint32_t index = 0;                           ///< index within the segment
+  std::uint64_t clocks = 0;                          ///< clocks of the unit that issues instructions
+  std::uint64_t enabled_pixels = 0;                  ///< pixels with E = 1 when the instruction began
+  std::uint64_t skipped = 0;                         ///< number of instructions skipped after it
+  std::optional<machines::PixelClocks> at_pixels{};  ///< present if the clocks differ between pixels
 };
 
-/// What of the pixels a view has to show.
+/// The part of the pixels' state that a view must provide.
 enum class Keep : std::uint8_t { nothing, enable, all };
 
-/// The pixels of a region whose top left is the array's corner, as an instruction left them. Valid during the call
-/// that it comes with. Where RunListener::keeps_after did not ask for what is read, it may throw std::logic_error.
+/// The pixels of a region after an instruction; (0, 0) is the array's corner. Valid only during the call that passes
+/// it. Reading state that RunListener::required_after did not request may throw std::logic_error.
 class PixelView {
  public:
   virtual ~PixelView() = default;
 
-  /// The field's value at every pixel, in row order; `values` holds width * height of them.
+  /// Reads the field at every pixel, in row order; `values` has width * height elements.
   virtual void read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
                           std::span<std::uint32_t> values) const = 0;
 
-  /// Enable bits: pixel x of a row is bit x % 64 of word x / 64, each row padded to whole words with zeros; `words`
-  /// holds ceil(width / 64) * height of them. No pixel right of the segment's region or below it is enabled.
+  /// Reads the enable bits: pixel x of a row is bit x % 64 of word x / 64; rows are padded to whole words with zeros;
+  /// `words` has ceil(width / 64) * height elements. Pixels right of the segment's region or below it are disabled.
   virtual void read_enable(std::uint32_t width, std::uint32_t height, std::span<std::uint64_t> words) const = 0;
 
-  /// The same pixels, to be looked at later.
+  /// A permanent copy of the pixels.
   [[nodiscard]] virtual std::unique_ptr<const PixelView> copy() const = 0;
 };
 
-/// Sees a run go by: in order within a segment, but segments that are drawn side by side come interleaved.
+/// Observes a run. Calls are in order within a segment; segments that are drawn in parallel are interleaved.
 class RunListener {
  public:
   virtual ~RunListener() = default;
 
-  /// What the view after that instruction has to show, asked before the instruction is sent; a machine may show more.
-  [[nodiscard]] virtual Keep keeps_after(std::uint32_t /*segment*/, std::uint32_t /*index*/) { return Keep::nothing; }
+  /// The state that the view after that instruction must provide, queried before the instruction is sent. Machines may
+  /// provide more.
+  [[nodiscard]] virtual Keep required_after(std::uint32_t /*segment*/, std::uint32_t /*index*/) {
+    return Keep::nothing;
+  }
   virtual void after_instruction(const Retired& /*retired*/, const PixelView& /*pixels*/) {}
 
-  /// Once a segment, also for one without instructions. The view shows all.
+  /// Called once per segment, even without instructions. The view provides everything.
   virtual void after_segment(std::uint32_t /*segment*/, const PixelView& /*pixels*/) {}
 };
 

@@ -1,3 +1,5 @@
+// Maps regions to segment numbers.
+// Used by hw/pixel_square and hw/multi_processor.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +11,7 @@
 
 namespace csgsim::systemc {
 
-/// Which segment of the Program a region is, for those who watch: no hardware reads it.
+/// Finds the segment of the Program for a region, for reports only: no hardware reads it.
 class SegmentNames {
  public:
   void begin(std::span<const isa::Segment> segments) {
@@ -17,11 +19,11 @@ class SegmentNames {
     for (std::uint32_t i = 0; i < segments.size(); ++i) numbers_[{segments[i].region.x, segments[i].region.y}] = i;
   }
 
-  /// Throws std::out_of_range for a region that is no segment's.
+  /// Throws std::out_of_range for a region that belongs to no segment.
   [[nodiscard]] std::uint32_t segment_of(const isa::Region& region) const { return numbers_.at({region.x, region.y}); }
 
  private:
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;  ///< by the region's top left
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;  ///< by top left corner of the region
 };
 
 }  // namespace csgsim::systemc

@@ -1,3 +1,5 @@
+// Samples taps into a wave file.
+// Used by sim/waves and tests.
 #pragma once
 
 #include <chrono>
@@ -12,22 +14,22 @@
 
 namespace csgsim::systemc {
 
-/// Samples a wave's taps in the middle of each clock of its windows, when every wire has settled. It stands beside a
-/// machine, is no part of it, and costs nothing outside the windows.
+/// Samples the taps of a wave in the middle of each clock of its windows, when all wires have settled. It is not part
+/// of the machine and costs nothing outside the windows.
 class WaveRecorder final : public sc_core::sc_module {
  public:
-  /// `period`: of the machine's clock.
+  /// `period`: period of the machine's clock.
   WaveRecorder(sc_core::sc_module_name name, const sc_core::sc_time& period);
 
-  /// Records the run that begins at this time. `first_clock`: the frame's clock that the next rising edge begins.
-  /// `stops`: the simulation ends with the last window (systemc::stop).
+  /// Records the run that begins now. `first_clock`: number, within the frame, of the clock that the next rising edge
+  /// begins. `stops`: whether the simulation stops after the last window (systemc::stop).
   void arm(std::unique_ptr<wave::Writer> writer, std::vector<wave::Window> windows, std::uint64_t first_clock,
            bool stops);
 
-  /// Wall time that sampling, and writing the file, have taken since arm.
+  /// Wall time spent on sampling and writing since arm().
   [[nodiscard]] std::chrono::duration<double> writing() const { return writing_; }
 
-  /// Ends the file. Says whether a window was reached. What writing threw during the run comes out here.
+  /// Ends the file. Returns whether a window was reached. Rethrows an exception of the writer during the run.
   bool finish();
 
  private:
@@ -37,10 +39,10 @@ class WaveRecorder final : public sc_core::sc_module {
   sc_core::sc_event next_{"next"};
   std::unique_ptr<wave::Writer> writer_;
   std::vector<wave::Window> windows_;
-  std::size_t window_ = 0;   ///< that is being recorded, or comes next
-  std::uint64_t clock_ = 0;  ///< of the frame, in which it samples next
+  std::size_t window_ = 0;   ///< current or next window
+  std::uint64_t clock_ = 0;  ///< clock of the frame for the next sample
   std::chrono::duration<double> writing_{};
-  ListenerGuard guard_;  ///< of what is written: nothing that it throws may reach the kernel
+  ListenerGuard guard_;  ///< keeps the writer's exceptions away from the kernel
   bool stops_ = false;
   bool reached_ = false;
 };

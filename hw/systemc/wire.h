@@ -1,11 +1,13 @@
+// Concept for values on SystemC wires.
+// Used by hw/pixel_planes, hw/scan_line and hw/multi_processor.
 #pragma once
 
 #include <concepts>
 
 namespace csgsim::systemc {
 
-/// Of values on wires and in FIFOs. SystemC asks for `operator<<` and `sc_trace` of each, in its namespace, though
-/// nobody prints or traces one: waves show taps (hw/wave).
+/// Constrains templates to the given value types. SystemC requires `operator<<` and `sc_trace` for values on wires and
+/// in FIFOs, in their namespace, but they are never called: waves use taps (hw/wave).
 template <class Value, class... Values>
 concept OneOf = (std::same_as<Value, Values> || ...);
 

@@ -16,7 +16,7 @@ namespace csgsim::wave {
 
 namespace {
 
-/// The words for an instruction, worked out once as long as a place is at it.
+/// Texts for the instruction at a place; the disassembly is cached while the instruction stays the same.
 class Words {
  public:
   Words(const isa::Program& program, std::function<Number()> at)
@@ -24,7 +24,7 @@ class Words {
 
   [[nodiscard]] Number number() const { return at_(); }
 
-  /// Null where it is at none.
+  /// Null if there is no instruction.
   [[nodiscard]] const isa::Instruction* instruction() const {
     const Number number = at_();
     if (!number) return nullptr;
@@ -62,10 +62,10 @@ class Words {
 
 std::vector<Tap> instruction_taps(const std::string& part, const isa::Program& program, std::function<Number()> at) {
   const auto words = std::make_shared<Words>(program, std::move(at));
-  const auto of_origin = [&](const char* name, auto tell) {
-    return text(part + name, [words, tell] {
+  const auto of_origin = [&](const char* name, auto read) {
+    return text(part + name, [words, read] {
       const isa::Instruction* const one = words->instruction();
-      return one == nullptr ? std::string() : std::string(tell(*words, one->origin));
+      return one == nullptr ? std::string() : std::string(read(*words, one->origin));
     });
   };
   return {

@@ -1,3 +1,5 @@
+// Taps that describe an instruction.
+// Used by all SystemC machines and sim/waves.
 #pragma once
 
 #include <functional>
@@ -9,9 +11,10 @@
 
 namespace csgsim::wave {
 
-/// The instruction that a part of a machine is at, in words: `PART.instruction` (hw/isa/instruction_numbers.h),
-/// `.text`, `.purpose`, `.primitive` whose surface is drawn, `.against` the one it is compared with, `.effect` that it
-/// is paid for by. `at` tells its number; the Program has to live as long as the taps.
+/// Taps that describe the current instruction of a part of a machine: `PART.instruction`
+/// (hw/isa/instruction_numbers.h), `.text`, `.purpose`, `.primitive` whose surface is drawn, `.against` for the
+/// compared primitive, and `.effect` to which it is charged. `at` returns the instruction's number; the Program must
+/// outlive the taps.
 std::vector<Tap> instruction_taps(const std::string& part, const isa::Program& program, std::function<Number()> at);
 
 }  // namespace csgsim::wave

@@ -1,3 +1,5 @@
+// Buffers a long text.
+// Used by VcdWriter and sim/waves.
 #pragma once
 
 #include <functional>
@@ -7,15 +9,15 @@
 
 namespace csgsim::wave {
 
-/// A long text that is handed on in pieces of some 64 KiB.
+/// A long text that is passed on in pieces of about 64 KiB.
 class Pieces {
  public:
   explicit Pieces(std::function<void(std::string_view)> write) : write_(std::move(write)) {}
 
-  /// What has not been handed on yet; append to it.
+  /// Text not yet passed on; callers append to it.
   std::string text;
 
-  /// Hands it on, if it is long enough.
+  /// Passes the text on if it is long enough.
   void pass() {
     if (text.size() >= piece_bytes) pass_all();
   }

@@ -10,7 +10,7 @@ namespace csgsim::wave {
 
 namespace {
 
-Show show_of(const isa::NamedField& named) {
+Show display_form(const isa::NamedField& named) {
   if (named.field.width == 1) return Show::bits;
   const bool is_depth = named.role == isa::FieldRole::depth || named.role == isa::FieldRole::candidate_depth;
   return is_depth ? Show::number : Show::hexadecimal;
@@ -27,7 +27,7 @@ std::vector<Tap> field_taps(const std::string& part, const isa::Program& program
   for (const isa::NamedField& named : program.facts->fields) {
     std::string name = identifier(named.name);
     if (!names.insert(name).second) name += fmt::format("_{}", named.field.base);
-    taps.push_back({fmt::format("{}.{}", part, name), show_of(named), named.field.width,
+    taps.push_back({fmt::format("{}.{}", part, name), display_form(named), named.field.width,
                     [read, field = named.field] { return read(field); }, nullptr});
   }
   return taps;

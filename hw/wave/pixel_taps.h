@@ -1,3 +1,5 @@
+// Taps of the fields of a pixel.
+// Used by all SystemC machines.
 #pragma once
 
 #include <functional>
@@ -10,11 +12,11 @@
 
 namespace csgsim::wave {
 
-/// The part that a wave has for a probed pixel.
+/// Name of the part for a probed pixel.
 std::string part_of(Pixel pixel);
 
-/// The named fields of a pixel's memory, `PART.FIELD` each: bits of one bit, depths as numbers, all else in
-/// hexadecimal. `read` tells the field's bits, or nothing where they are not at hand.
+/// One tap `PART.FIELD` per named field of a pixel's memory: fields of one bit as bits, depths as numbers, others in
+/// hexadecimal. `read` returns the value of a field, or nothing if it is not available.
 std::vector<Tap> field_taps(const std::string& part, const isa::Program& program,
                             const std::function<Number(isa::Field)>& read);
 

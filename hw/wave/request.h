@@ -1,3 +1,5 @@
+// Parameters of a wave.
+// Used by all SystemC machines and sim/waves.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +20,7 @@ struct Pixel {
   constexpr bool operator==(const Pixel&) const = default;
 };
 
-/// A level of a multiplier tree, on the way from the root to a probed pixel: level 0 is the root.
+/// A level of a multiplier tree on the path from the root, level 0, to a probed pixel.
 struct TreeLevel {
   enum class Axis : std::uint8_t { x, y };
 
@@ -28,7 +30,7 @@ struct TreeLevel {
   constexpr bool operator==(const TreeLevel&) const = default;
 };
 
-/// Clocks of a frame, from the first on, 0; `end` is the first that no longer belongs to it.
+/// A range of clocks of a frame, counted from its first clock, 0; `end` is the first clock after it.
 struct Window {
   std::uint64_t begin = 0;
   std::uint64_t end = 0;
@@ -36,12 +38,12 @@ struct Window {
   constexpr bool operator==(const Window&) const = default;
 };
 
-/// What to record of a run.
+/// The parts of a run to record.
 struct Request {
-  std::vector<Window> windows;  ///< in order, none empty, none touching the next
+  std::vector<Window> windows;  ///< in order, not empty, with gaps between them
   std::vector<Pixel> pixels;
-  std::vector<TreeLevel> tree_levels;           ///< to be shown for each of the pixels
-  std::function<void(std::string_view)> write;  ///< takes the file's text, piece by piece
+  std::vector<TreeLevel> tree_levels;           ///< levels to show for each of the pixels
+  std::function<void(std::string_view)> write;  ///< receives the file's text piece by piece
 };
 
 }  // namespace csgsim::wave

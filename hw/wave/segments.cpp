@@ -13,7 +13,7 @@ std::uint32_t segment_of(Pixel pixel, const isa::Program& program) {
       program.segments, [&](const isa::Segment& segment) { return segment.region.holds(pixel.x, pixel.y); });
   if (found == program.segments.end())
     throw InputError(
-        fmt::format("no segment of the Program holds pixel {},{}; choose another --pixel", pixel.x, pixel.y));
+        fmt::format("no segment of the Program contains pixel {},{}; choose another --pixel", pixel.x, pixel.y));
   return static_cast<std::uint32_t>(found - program.segments.begin());
 }
 
@@ -21,7 +21,7 @@ std::string place_of(const isa::Segment& segment) { return fmt::format("{},{}", 
 
 void check_no_trees(const Request& request) {
   if (request.tree_levels.empty()) return;
-  throw InputError("this machine has no multiplier trees; leave tree levels out, or take another --machine");
+  throw InputError("this machine has no multiplier trees; remove the tree levels, or use another --machine");
 }
 
 }  // namespace csgsim::wave

@@ -1,3 +1,5 @@
+// Segments of pixels, for waves.
+// Used by the machines that draw in segments.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +12,13 @@
 
 namespace csgsim::wave {
 
-/// The segment that holds the pixel. Throws InputError if none does.
+/// The segment that contains the pixel. Throws InputError if there is none.
 std::uint32_t segment_of(Pixel pixel, const isa::Program& program);
 
-/// Where a segment's region begins, as `x,y`.
+/// Top left corner of a segment's region, as `x,y`.
 std::string place_of(const isa::Segment& segment);
 
-/// Throws InputError if tree levels are asked for, of a machine whose pixels have no multiplier trees.
+/// Throws InputError if tree levels are requested; for machines without multiplier trees.
 void check_no_trees(const Request& request);
 
 }  // namespace csgsim::wave

@@ -1,3 +1,5 @@
+// Signals that waves show.
+// Used by all SystemC machines and sim/waves.
 #pragma once
 
 #include <cstdint>
@@ -7,23 +9,23 @@
 #include <string_view>
 #include <vector>
 
-/// What a wave shows of a machine, and the file that it is kept in.
+// Taps: the signals of a machine that waves show.
 namespace csgsim::wave {
 
 /// How a viewer shows a tap.
 enum class Show : std::uint8_t { bits, number, hexadecimal, text };
 
-/// What is on a wire or in a register in a clock, or nothing.
+/// Value of a wire or register in a clock; empty if it carries nothing.
 using Number = std::optional<std::uint64_t>;
 
-/// A place of a machine that a wave shows. What it samples has to live as long as the tap.
+/// A signal of a machine. The sampled object must outlive the tap.
 struct Tap {
-  std::string name;  ///< words of letters, digits and `_`, with dots between them: the last is the wire's, the others
-                     ///< are the part's that it belongs to
+  std::string name;  ///< words of letters, digits and `_`, joined by dots: the last word names the signal, the words
+                     ///< before it name the part
   Show show = Show::bits;
-  unsigned width = 1;                 ///< bits, 64 at most; 0 for a text
+  unsigned width = 1;                 ///< bits, at most 64; 0 for a text
   std::function<Number()> number;     ///< null for a text
-  std::function<std::string()> text;  ///< null for a number; an empty one is nothing
+  std::function<std::string()> text;  ///< null for a number; returns an empty string for no value
 };
 
 inline Tap bit(std::string name, std::function<Number()> number) {
@@ -42,10 +44,10 @@ inline Tap text(std::string name, std::function<std::string()> text) {
   return {std::move(name), Show::text, 0, nullptr, std::move(text)};
 }
 
-/// Puts more taps behind those that there are.
+/// Appends `more` to `taps`.
 void add(std::vector<Tap> more, std::vector<Tap>& taps);
 
-/// A name made of such words: what else it holds becomes `_`.
+/// A valid word for a tap's name: other characters become `_`.
 std::string identifier(std::string_view name);
 
 }  // namespace csgsim::wave

@@ -11,18 +11,18 @@ namespace csgsim::wave {
 
 namespace {
 
-constexpr std::string_view clock_code = "!";    // of variables that are no taps
-constexpr std::string_view number_code = "\"";  // which clock it is
+constexpr std::string_view clock_code = "!";    // variable `clock`
+constexpr std::string_view number_code = "\"";  // variable `clock_number`
 
-/// The n-th short name of printable characters, after those.
-std::string code_of(std::size_t n) {
+/// The n-th short code of printable characters after those two.
+std::string make_code(std::size_t n) {
   constexpr std::size_t characters = 94;
   std::string code;
   for (n += 2; n > 0; n /= characters) code += static_cast<char>('!' + n % characters);
   return code;
 }
 
-std::vector<std::string_view> words_of(std::string_view name) {
+std::vector<std::string_view> split_words(std::string_view name) {
   std::vector<std::string_view> words;
   for (std::size_t dot = 0; (dot = name.find('.')) != std::string_view::npos; name.remove_prefix(dot + 1))
     words.push_back(name.substr(0, dot));
@@ -61,7 +61,7 @@ void put_number(std::string& out, const Number& number, unsigned width) {
 VcdWriter::VcdWriter(std::string_view top, std::vector<Tap> taps, std::uint64_t period_ps,
                      std::function<void(std::string_view)> write)
     : taps_(std::move(taps)), shown_(taps_.size()), period_(period_ps), out_(std::move(write)) {
-  for (std::size_t i = 0; i < taps_.size(); ++i) codes_.push_back(code_of(i));
+  for (std::size_t i = 0; i < taps_.size(); ++i) codes_.push_back(make_code(i));
   write_header(top);
   for (std::string& code : codes_) code += '\n';
 }
@@ -72,7 +72,7 @@ void VcdWriter::write_header(std::string_view top) {
   fmt::format_to(out, "$var wire 1 {} clock $end\n$var wire 64 {} clock_number [63:0] $end\n", clock_code, number_code);
   std::vector<std::string_view> open;
   for (std::size_t i = 0; i < taps_.size(); ++i) {
-    std::vector<std::string_view> words = words_of(taps_[i].name);
+    std::vector<std::string_view> words = split_words(taps_[i].name);
     const std::string_view own = words.back();
     words.pop_back();
     const auto [left, entered] = std::mismatch(open.begin(), open.end(), words.begin(), words.end());

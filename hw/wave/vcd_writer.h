@@ -1,3 +1,5 @@
+// Writes VCD files.
+// Used by sim/waves and tests.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +14,17 @@
 
 namespace csgsim::wave {
 
-/// Writes what taps show in each clock as a value change dump (IEEE 1364-2005, 18.2), with a `clock` of its own and its
-/// number, `clock_number`. Texts are variables of the type `string`, which GTKWave, Surfer and vcd2fst know; blanks in
-/// them are written `\x20`. Nothing is `z` in a number and `-` in a text. Clock n is at the time (n + 1) periods, where
-/// the clock rises.
+/// Writes the taps in each clock as a value change dump (IEEE 1364-2005, 18.2), with the variables `clock` and
+/// `clock_number`. Texts are variables of the type `string`, which GTKWave, Surfer and vcd2fst support; blanks in them
+/// are written `\x20`. A missing value is `z` for a number and `-` for a text. Clock n begins at time (n + 1) * period,
+/// where `clock` rises.
 class VcdWriter final : public Writer {
  public:
-  /// `top`: the scope around all. `write` takes the text, piece by piece.
+  /// `top`: outermost scope. `write` receives the text piece by piece.
   VcdWriter(std::string_view top, std::vector<Tap> taps, std::uint64_t period_ps,
             std::function<void(std::string_view)> write);
 
-  /// Clocks that are left out are unknown (`$dumpoff`).
+  /// Clocks not sampled are shown as unknown (`$dumpoff`).
   void sample(std::uint64_t clock) override;
   void finish() override;
 
@@ -32,7 +34,7 @@ class VcdWriter final : public Writer {
   void show_unknown(std::size_t tap);
   void put_time(std::uint64_t time);
 
-  /// What the file shows of a tap.
+  /// The last value of a tap in the file.
   struct Shown {
     enum class State : std::uint8_t { unknown, value };
 
@@ -42,11 +44,11 @@ class VcdWriter final : public Writer {
   };
 
   std::vector<Tap> taps_;
-  std::vector<std::string> codes_;  ///< a tap's, in the file, with the line's end
+  std::vector<std::string> codes_;  ///< VCD code of each tap, with line end
   std::vector<Shown> shown_;
   std::uint64_t period_;  ///< picoseconds
   Pieces out_;
-  std::uint64_t next_ = 0;  ///< clock that would follow the last one
+  std::uint64_t next_ = 0;  ///< clock after the last sample
   bool begun_ = false;
 };
 

@@ -1,18 +1,20 @@
+// Interface of wave file writers.
+// Used by WaveRecorder and sim/waves.
 #pragma once
 
 #include <cstdint>
 
 namespace csgsim::wave {
 
-/// Takes what taps show, clock by clock, and writes a file of it.
+/// Writes the values of taps to a file, clock by clock.
 class Writer {
  public:
   virtual ~Writer() = default;
 
-  /// What the taps show in that clock. Clocks come in order; of those that are left out nothing is known.
+  /// Writes the taps' current values for that clock. Clocks are in ascending order; omitted clocks are unknown.
   virtual void sample(std::uint64_t clock) = 0;
 
-  /// After the last clock.
+  /// Ends the file after the last clock.
   virtual void finish() = 0;
 
  protected:

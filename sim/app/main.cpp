@@ -23,14 +23,14 @@ constexpr int bad_input = 1;
 constexpr int bad_usage = 2;
 constexpr int our_fault = 3;
 
-/// Has all that was printed arrived?
+/// Whether all output reached standard output.
 bool printed() {
   if (!csgsim::prints_to_standard_output()) return true;
   return std::cout.flush().good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
 }
 
 int not_printed() {
-  csgsim::tell_line("csgsim: standard output cannot be written; is there room?");
+  csgsim::report_line("csgsim: cannot write to standard output; check for free space");
   return bad_input;
 }
 
@@ -38,17 +38,17 @@ int run(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
   try {
     line.run(arguments);
   } catch (const csgsim::session::UsageError& error) {
-    csgsim::tell_line("csgsim: " + std::string(error.what()));
+    csgsim::report_line("csgsim: " + std::string(error.what()));
     return bad_usage;
   } catch (const csgsim::InputError& error) {
-    csgsim::tell_line(error.what());
+    csgsim::report_line(error.what());
     return bad_input;
   } catch (const std::bad_alloc&) {
     csgsim::tell("csgsim: there is not enough memory\n");
     return bad_input;
   } catch (const std::exception& error) {
     if (!printed()) return not_printed();
-    csgsim::tell_line("csgsim: " + std::string(error.what()) + "; this is a fault of csgsim, please report it");
+    csgsim::report_line("csgsim: " + std::string(error.what()) + "; this is a bug in csgsim, please report it");
     return our_fault;
   }
   return 0;
@@ -61,15 +61,15 @@ bool is_alone(std::span<char* const> arguments) {
   return std::ranges::none_of(arguments, names_settings);
 }
 
-/// Adds the command or study of that name alone. False if there is none, or if it needs the other commands.
-bool add_command(csgsim::shell::CommandLine& line, std::string_view asked) {
+/// Adds only the command or study of that name. Returns false if none has it, or if the command needs all others.
+bool add_command(csgsim::shell::CommandLine& line, std::string_view name) {
   for (const csgsim::app::CommandRow* const row : csgsim::app::commands()) {
-    if (row->name != asked || row->asks_others) continue;
+    if (row->name != name || row->needs_all_commands) continue;
     row->add(line);
     return true;
   }
   const auto studies = csgsim::studies::all();
-  const auto found = std::ranges::find_if(studies, [&](const auto* row) { return row->name == asked; });
+  const auto found = std::ranges::find_if(studies, [&](const auto* row) { return row->name == name; });
   if (found == studies.end()) return false;
   csgsim::app::add_study(line, **found);
   return true;
@@ -87,9 +87,9 @@ void add_commands(csgsim::shell::CommandLine& line, std::span<char* const> argum
 int main(int argc, char** argv) {
   csgsim::keep_standard_numbers();
   csgsim::delete_partial_files_on_signals();
-  csgsim::keep_inputs();
+  csgsim::protect_inputs();
   csgsim::shell::CommandLine line(
-      "csgsim: clock-accurate simulator of the logic-enhanced frame buffers of the 1980s, drawing CSG models",
+      "csgsim: clock-accurate simulator of the logic-enhanced frame buffers of the 1980s that draw CSG models",
       "csgsim");
   line.add_own_options();
   const std::span<char* const> arguments(argv, static_cast<std::size_t>(argc));

@@ -10,21 +10,21 @@
 namespace csgsim::app {
 
 void add_study(shell::CommandLine& line, const studies::StudyRow& row) {
-  shell::Command& command = line.add(row.name, studying, row.does, std::string("Example:\n") + row.example);
-  const std::shared_ptr<studies::StudyCommand> asked = studies::describe(command, row);
+  shell::Command& command = line.add(row.name, row.group, row.does, std::string("Example:\n") + row.example);
+  const std::shared_ptr<studies::StudyCommand> study = studies::describe(command, row);
   command.prints_summary();
-  command.runs([asked] { run_study(*asked); });
+  command.runs([study] { run_study(*study); });
 }
 
 void add_gather(shell::CommandLine& line, std::span<const studies::StudyRow* const> studies) {
   const auto request = std::make_shared<studies::GatherRequest>();
   shell::Command& command = line.add(
-      "gather", studying, "Join the shards of a study: the table, JSON and plots that one process makes",
+      "gather", study_group, "Join the shards of a study into the table, JSON and plots of an unsharded run",
       "Example:\n  csgsim sweep carburettor.csg --shard 1/2 -o out\n"
       "  csgsim sweep carburettor.csg --shard 2/2 -o out\n"
       "  csgsim gather out\n"
-      "Shards may run at the same time, on any number of machines; what has been measured of one that was killed is\n"
-      "kept, and the same command goes on. docs/cluster.md has scripts for Slurm, GNU Parallel and MPI launchers.");
+      "Shards may run at the same time, on any number of machines. A shard that was killed keeps its measurements;\n"
+      "repeat its command to continue. docs/cluster.md has scripts for Slurm, GNU Parallel and MPI launchers.");
   request->add_to(command);
   command.prints_summary();
   command.runs([request, studies] { run_gather(studies, *request); });

@@ -1,3 +1,5 @@
+// Commands of the studies and of `csgsim gather`.
+// Used by main() and the tests of studies.
 #pragma once
 
 #include <span>
@@ -7,10 +9,10 @@
 
 namespace csgsim::app {
 
-/// Adds the study to the line: its command measures what its table has not yet, and shows all.
+/// Adds the study's command, which measures the points missing from its table and prints the results.
 void add_study(shell::CommandLine& line, const studies::StudyRow& row);
 
-/// Adds the command that joins shards of these studies. The rows live as long as the line.
+/// Adds the command that joins the shards of these studies. The rows must outlive the line.
 void add_gather(shell::CommandLine& line, std::span<const studies::StudyRow* const> studies);
 
 }  // namespace csgsim::app

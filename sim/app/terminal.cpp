@@ -13,19 +13,20 @@ namespace csgsim::app {
 
 namespace {
 
-constexpr int most_lines = 1000;  ///< that are kept
+constexpr int history_lines = 1000;
 
 }  // namespace
 
 struct Terminal::Editor {
   Editor(std::string shown, std::vector<std::string> known) : prompt(std::move(shown)), words(std::move(known)) {
     HistEvent event{};
-    history(lines, &event, H_SETSIZE, most_lines);
+    history(lines, &event, H_SETSIZE, history_lines);
     el_set(line, EL_CLIENTDATA, this);
     el_set(line, EL_PROMPT, show_prompt);
     el_set(line, EL_EDITOR, "emacs");
     el_set(line, EL_HIST, history, lines);
-    el_wset(line, EL_ADDFN, L"complete", L"Complete the word", complete_word);  // el_set leaks its copies of the texts
+    el_wset(line, EL_ADDFN, L"complete", L"Complete the word", complete_word);  // el_set would leak its copies of the
+                                                                                // strings
     el_set(line, EL_BIND, "^I", "complete", nullptr);
   }
   ~Editor() {

@@ -1,3 +1,5 @@
+// Line editor of a terminal, on libedit.
+// Used by csgsim debug.
 #pragma once
 
 #include <memory>
@@ -7,16 +9,16 @@
 
 namespace csgsim::app {
 
-/// Lines from a terminal, with editing, those before by the arrow keys, and completion by the tab key.
+/// Reads lines from a terminal, with editing, history (arrow keys) and completion (tab key).
 class Terminal {
  public:
-  /// `words`: those that are completed.
+  /// `words` are the completions on offer.
   Terminal(std::string prompt, std::vector<std::string> words);
   ~Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// The next line without its end; none at the end of input.
+  /// The next line without its end; empty at the end of input.
   std::optional<std::string> line();
 
  private:

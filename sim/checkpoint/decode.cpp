@@ -24,25 +24,25 @@ void require(bool holds, const char* what) {
   if (!holds) throw isa::MalformedBytes(what);
 }
 
-/// What stands between the version and the checksum, after a check of all three.
+/// The bytes between version and checksum, after checking magic, version and checksum.
 std::span<const std::byte> checked_body(std::span<const std::byte> bytes) {
   constexpr std::size_t head = snapshot_magic.size() + 1;
   require(bytes.size() >= snapshot_magic.size() &&
               std::equal(snapshot_magic.begin(), snapshot_magic.end(), bytes.begin(),
                          [](std::uint8_t expected, std::byte found) { return std::byte{expected} == found; }),
-          "is no checkpoint: it does not begin with CSGS");
+          "is not a checkpoint: it does not begin with CSGS");
   require(bytes.size() >= head + snapshot_checksum_size, "ends too soon");
   const auto version = std::to_integer<unsigned>(bytes[snapshot_magic.size()]);
   if (version != snapshot_version)
     throw isa::MalformedBytes(
-        fmt::format("has format version {}, and this csgsim reads {}", version, snapshot_version));
+        fmt::format("has format version {}, but this csgsim reads {}", version, snapshot_version));
   const auto summed = bytes.first(bytes.size() - snapshot_checksum_size);
   isa::ByteReader sum(bytes.subspan(summed.size()));
   require(fixed(sum, snapshot_checksum_size) == snapshot_checksum(summed), "is damaged: its checksum does not match");
   return summed.subspan(head);
 }
 
-/// Bits of the last word of a row that stand for no pixel.
+/// Bits of the last word of a row that belong to no pixel.
 std::uint64_t padding_of(const isa::Region& region) {
   return region.width % 64 == 0 ? 0 : ~std::uint64_t{0} << region.width % 64;
 }
@@ -52,7 +52,7 @@ void read_planes(isa::ByteReader& in, const isa::Program& program, engine::RunSt
   const isa::Region region = program.segments[run.place.segment].region;
   const std::size_t row = (region.width + 63U) / 64U;
   const std::size_t words = row * region.height;
-  const std::uint64_t stored = in.varint();  // 0: all planes are zeros
+  const std::uint64_t stored = in.varint();  // 0: all planes are zero
   require(stored == 0 || stored == words, "holds pixels of another region");
   run.planes.resize(std::size_t{program.shape.memory_bits} + 1);
   if (stored == 0) return;
@@ -63,8 +63,8 @@ void read_planes(isa::ByteReader& in, const isa::Program& program, engine::RunSt
   }
 }
 
-/// Instructions that the run has carried out, by its place and skips, which have to lead there.
-std::uint64_t carried_out(const engine::RunState& run, const isa::Program& program) {
+/// Number of executed instructions, computed from place and skips, which must be consistent.
+std::uint64_t executed_instructions(const engine::RunState& run, const isa::Program& program) {
   std::uint64_t count = 0;
   std::uint64_t skipped = 0;
   std::size_t answers = 0;
@@ -82,10 +82,10 @@ std::uint64_t carried_out(const engine::RunState& run, const isa::Program& progr
       index += static_cast<std::size_t>(left_out);
       ++skip;
     }
-    require(index == end, "stands inside what it has skipped");
+    require(index == end, "has its place inside skipped instructions");
   }
   require(skip == run.skips.end() && skipped == run.skipped, "skips what the Program does not");
-  require(answers == run.answers.size(), "holds answers to other questions than the Program's");
+  require(answers == run.answers.size(), "holds answers that do not match the Program's questions");
   return count;
 }
 
@@ -95,8 +95,8 @@ engine::RunState read_run(isa::ByteReader& in, const isa::Program& program) {
   run.place.segment = in.varint_to<std::uint32_t>(segments == 0 ? 0 : segments - 1);
   const std::size_t instructions = segments == 0 ? 0 : program.segments[run.place.segment].instructions.size();
   run.place.index = in.varint_to<std::uint32_t>(instructions);
-  run.told_end = in.varint_to<std::uint8_t>(1) != 0;
-  require(!run.told_end || run.place.index == instructions, "ends a segment before its end");
+  run.end_reported = in.varint_to<std::uint8_t>(1) != 0;
+  require(!run.end_reported || run.place.index == instructions, "ends a segment before its end");
   run.overflows = in.varint_to<std::uint64_t>(any_number);
   run.skipped = in.varint_to<std::uint64_t>(any_number);
   run.answers = bits(in, engine::Numbers(program).count());
@@ -160,15 +160,15 @@ Snapshot read_body(std::span<const std::byte> body, const isa::Program& program,
   snapshot.identity.machine = fixed(in, 8);
   const RunIdentity expected = identity_of(program, machine);
   if (snapshot.identity.program != expected.program)
-    throw InputError("the checkpoint is of another Program; resume it with the one it was made of");
+    throw InputError("the checkpoint belongs to another Program; resume it with the Program it was taken from");
   if (snapshot.identity.machine != expected.machine)
-    throw InputError("the checkpoint is of a run on another machine; give the same --machine");
+    throw InputError("the checkpoint belongs to a run on another machine; give the same --machine");
   snapshot.run = read_run(in, program);
   snapshot.picture = read_picture(in, program);
   snapshot.stats = read_stats(in, program);
   require(in.left() == 0, "has bytes left over");
-  require(snapshot.stats.total.instructions == carried_out(snapshot.run, program),
-          "counts other instructions than its place says");
+  require(snapshot.stats.total.instructions == executed_instructions(snapshot.run, program),
+          "has an instruction count that does not match its place");
   return snapshot;
 }
 

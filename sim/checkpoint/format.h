@@ -1,3 +1,5 @@
+// Constants of the checkpoint format.
+// Used by decode.cpp and snapshot.cpp.
 #pragma once
 
 #include <array>
@@ -8,7 +10,7 @@
 
 namespace csgsim::checkpoint {
 
-/// What is around a Snapshot in its file.
+/// Frame of a Snapshot in its file.
 inline constexpr std::array<std::uint8_t, 4> snapshot_magic{'C', 'S', 'G', 'S'};
 inline constexpr std::uint8_t snapshot_version = 3;
 inline constexpr std::size_t snapshot_checksum_size = 4;

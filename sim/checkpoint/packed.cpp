@@ -7,13 +7,13 @@ namespace csgsim::checkpoint {
 namespace {
 
 enum class Words : std::uint8_t { zeros, ones, literal };
-constexpr unsigned kinds = 4;  ///< that a run's number has room for
+constexpr unsigned kinds = 4;  ///< number of kinds that the encoding of a run has room for
 
 constexpr std::uint64_t all_ones = ~std::uint64_t{0};
 
 Words kind_of(std::uint64_t word) { return word == 0 ? Words::zeros : word == all_ones ? Words::ones : Words::literal; }
 
-/// Of a run that may not be longer than what is missing.
+/// Validates the length of a run, which must not exceed the missing items.
 std::size_t run_length(std::uint64_t count, std::size_t missing) {
   if (count == 0 || count > missing) throw isa::MalformedBytes("holds a run of a wrong length");
   return static_cast<std::size_t>(count);

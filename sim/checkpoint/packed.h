@@ -1,3 +1,5 @@
+// Encoding of planes, pixels and bits in checkpoints.
+// Used by decode.cpp and snapshot.cpp.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +11,12 @@
 
 namespace csgsim::checkpoint {
 
-/// How parts of a Snapshot stand in its file (sim/checkpoint/snapshot.h). What reads throws isa::MalformedBytes.
+/// Encoding of parts of a Snapshot (sim/checkpoint/snapshot.h). The reading functions throw isa::MalformedBytes.
 
 void put_fixed(isa::ByteWriter& out, std::uint64_t value, unsigned bytes);
 std::uint64_t fixed(isa::ByteReader& in, unsigned bytes);
 
-/// A plane of so many words; an empty one is zeros, and comes back empty.
+/// A plane of `words` words; an empty plane is all zeros, and is read back as empty.
 void put_plane(isa::ByteWriter& out, std::span<const std::uint64_t> plane, std::size_t words);
 std::vector<std::uint64_t> plane(isa::ByteReader& in, std::size_t words);
 

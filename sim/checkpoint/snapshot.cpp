@@ -33,7 +33,7 @@ std::uint64_t hash_of(const machines::Machine& machine) {
   return hash.value();
 }
 
-/// Words of one plane, or 0 where the run has no pixels yet.
+/// Words of one plane; 0 if the run has no pixels yet.
 std::size_t plane_words(const engine::RunState& run) {
   for (const std::vector<std::uint64_t>& plane : run.planes)
     if (!plane.empty()) return plane.size();
@@ -55,7 +55,7 @@ std::vector<std::byte> encode(const Snapshot& snapshot) {
 
   const engine::RunState& run = snapshot.run;
   for (const std::uint64_t number : {std::uint64_t{run.place.segment}, std::uint64_t{run.place.index},
-                                     std::uint64_t{run.told_end}, run.overflows, run.skipped})
+                                     std::uint64_t{run.end_reported}, run.overflows, run.skipped})
     out.varint(number);
   put_bits(out, run.answers);
   out.varint(run.skips.size());

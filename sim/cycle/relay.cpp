@@ -17,7 +17,7 @@ bool next_can_overflow(const isa::Segment& segment, std::uint32_t index) {
 
 }  // namespace
 
-systemc::Keep Relay::keeps_after(std::uint32_t segment, std::uint32_t index) {
+systemc::Keep Relay::required_after(std::uint32_t segment, std::uint32_t index) {
   const isa::Segment& drawn = program_.segments[segment];
   if (in_order_.reads_after(drawn.instructions[index])) return systemc::Keep::all;
   return next_can_overflow(drawn, index) ? systemc::Keep::enable : systemc::Keep::nothing;

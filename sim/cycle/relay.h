@@ -20,7 +20,7 @@ class Relay final : public systemc::RunListener {
   Relay(const isa::Program& program, std::span<engine::Observer* const> observers)
       : program_(program), in_order_(program, observers) {}
 
-  [[nodiscard]] systemc::Keep keeps_after(std::uint32_t segment, std::uint32_t index) override;
+  [[nodiscard]] systemc::Keep required_after(std::uint32_t segment, std::uint32_t index) override;
   void after_instruction(const systemc::Retired& retired, const systemc::PixelView& pixels) override;
   void after_segment(std::uint32_t segment, const systemc::PixelView& pixels) override;
 

@@ -6,7 +6,7 @@ namespace csgsim::debug {
 
 const machines::Timeline& Clocks::timeline() {
   if (!timeline_)
-    timeline_ = machines::timeline(program_, machine_, functional::record_of_run(program_, machine_).told());
+    timeline_ = machines::timeline(program_, machine_, functional::make_run_record(program_, machine_).outcome());
   return *timeline_;
 }
 

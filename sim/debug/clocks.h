@@ -1,3 +1,5 @@
+// Issue clocks of instructions, computed on first use.
+// Used by sim/debug and sim/viewer.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +11,17 @@
 
 namespace csgsim::debug {
 
-/// When instructions of a run are issued, worked out when somebody asks first.
+/// Clocks in which the instructions of a run are issued, computed on first use.
 class Clocks {
  public:
   /// Both have to outlive it.
   Clocks(const isa::Program& program, const machines::Machine& machine) : program_(program), machine_(machine) {}
 
-  /// Of the instruction there. Throws InputError for a kind of machine that does not tell.
+  /// Clocks of the instruction at that place. Throws InputError for kinds of machines without a timeline.
   [[nodiscard]] machines::ClockSpan issued(engine::Place place);
 
-  /// Number of the first instruction, from `from` on, of which something is still to be issued when the clock begins.
-  /// Throws the same.
+  /// Number of the first instruction, from `from` on, that is not completely issued when the clock begins. Throws
+  /// InputError as issued does.
   [[nodiscard]] std::uint64_t first_after(std::uint64_t clock, std::uint64_t from);
 
  private:

@@ -1,3 +1,5 @@
+// Completion of debugger commands.
+// Used by sim/app.
 #pragma once
 
 #include <span>
@@ -7,13 +9,14 @@
 
 namespace csgsim::debug {
 
-/// How a line can go on.
+/// Continuations of a line.
 struct Completion {
-  std::string insert;                   ///< what all words that fit have next; a blank after the only one
-  std::vector<std::string> candidates;  ///< the words that fit
+  std::string insert;                   ///< common continuation of all matching words; ends with a blank if only one
+                                        ///< matches
+  std::vector<std::string> candidates;  ///< the matching words
 };
 
-/// Of the last word of a line, as it stands before the cursor.
+/// Completes the last word of the text before the cursor.
 Completion complete(std::string_view line, std::span<const std::string> words);
 
 }  // namespace csgsim::debug

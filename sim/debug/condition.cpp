@@ -20,7 +20,7 @@ std::string_view sign_of(Relation relation) {
   return signs.at(static_cast<std::size_t>(relation));
 }
 
-/// E is written where a meaning says `E := ...`.
+/// An instruction writes E if its meaning contains `E := ...`.
 constexpr auto enable_changers = [] {
   std::array<bool, isa::opcode_numbers> changers{};
   for (const isa::OpcodeInfo& row : isa::opcode_table)

@@ -27,7 +27,7 @@ std::vector<std::uint32_t> values_of(isa::Field field, const engine::Run& run) {
   return values;
 }
 
-/// The least and the greatest value that count.
+/// Smallest and largest relevant value.
 struct Range {
   std::uint32_t low = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t high = 0;
@@ -65,7 +65,7 @@ FieldPicture picture_of(isa::Field field, const engine::Run& run, const isa::Pro
       *pixel = values[i] == nothing ? 255 : grey(values[i], range);
     }
   }
-  made.scale = meaning.is_colour ? "in its colours" : fmt::format("black is {}, white {}", range.low, range.high);
+  made.scale = meaning.is_colour ? "as colours" : fmt::format("black is {}, white {}", range.low, range.high);
   if (meaning.is_depth) made.scale += " or nothing";
   return made;
 }

@@ -1,3 +1,5 @@
+// A field of every pixel as a picture.
+// Used by sim/debug and sim/viewer.
 #pragma once
 
 #include <string>
@@ -7,14 +9,14 @@
 
 namespace csgsim::debug {
 
-/// A field, or E for one of width 0, of every pixel of the run's segment; pixels of the rest of the picture are black.
+/// A field of every pixel of the run's segment, or E for a field of width 0; the rest of the picture is black.
 struct FieldPicture {
   observe::Picture picture;
-  std::string scale;  ///< what black and white stand for
+  std::string scale;  ///< meaning of black and white
 };
 
-/// Colours in colour. Other numbers in grey, from the least to the greatest that occur; of depths, all ones, which is
-/// nothing, is white and does not count.
+/// Colour fields are shown in colour. Other numbers are grey, scaled from the smallest to the largest occurring value;
+/// in a depth field, all ones mean nothing, are white and are not counted.
 FieldPicture picture_of(isa::Field field, const engine::Run& run, const isa::Program& program);
 
 }  // namespace csgsim::debug

@@ -1,10 +1,12 @@
+// PEGTL grammar of debugger commands.
+// Used by parse.cpp.
 #pragma once
 
 #include <type_traits>
 
 #include "hw/isa/grammar_parts.h"
 
-/// The grammar of the debugger's commands, of which sim/debug/command.h tells.
+/// Grammar of the debugger's commands (sim/debug/command.h).
 namespace csgsim::debug::grammar {
 
 using namespace isa::grammar;
@@ -91,12 +93,12 @@ struct line_end : seq<gap, opt<one<'\r'>>, sor<comment, eof>> {};
 struct known_command : seq<any_command> {};
 struct line : seq<gap, sor<line_end, seq<must<known_command>, must<line_end>>>> {};
 
-/// What is said where a rule that has to match does not.
+/// The message if a mandatory rule does not match.
 template <class Rule>
 constexpr const char* message() {
-  if (std::is_same_v<Rule, known_command>) return "unknown command; help lists those that there are";
-  if (std::is_same_v<Rule, line_end>) return "unexpected text; end the line here, or begin a comment with #";
-  if (std::is_same_v<Rule, quote_end>) return "the name does not end; close it with \"";
+  if (std::is_same_v<Rule, known_command>) return "unknown command; help lists the commands";
+  if (std::is_same_v<Rule, line_end>) return "unexpected text; end the line here or start a comment with #";
+  if (std::is_same_v<Rule, quote_end>) return "unterminated name; close it with \"";
   if (std::is_same_v<Rule, quoted_body>) return "expected a name in double quotes";
   if (std::is_same_v<Rule, field>) return "expected a field: its name, [base+:width] or E";
   if (std::is_same_v<Rule, watched>) return "expected a field of a pixel, as in Z2[100,20]";
@@ -109,7 +111,7 @@ constexpr const char* message() {
   if (std::is_same_v<Rule, clock_number>) return "expected the number of a clock, as in clock 12000";
   if (std::is_same_v<Rule, primitive>) return "expected a primitive: its index or its name";
   if (std::is_same_v<Rule, target>)
-    return "expected where to stop: i123, clock N, primitive P, or a condition as Z2[100,20] < 5000";
+    return "expected a place to stop: i123, clock N, primitive P, or a condition such as Z2[100,20] < 5000";
   if (std::is_same_v<Rule, breakpoint_number>) return "expected the number of a breakpoint; breakpoints lists them";
   if (std::is_same_v<Rule, printed>) return "expected what to print: Z2[100,20], 100,20 or E";
   if (std::is_same_v<Rule, file>) return "expected the name of a file";
@@ -119,7 +121,7 @@ constexpr const char* message() {
 struct Messages {
   template <typename Rule>
   static constexpr const char* message = grammar::message<Rule>();
-  /// Only where it has to match; elsewhere another rule may.
+  /// Reported only for mandatory rules; elsewhere an alternative may match.
   template <typename Rule>
   static constexpr bool raise_on_failure = false;
 };

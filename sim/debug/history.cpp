@@ -8,8 +8,8 @@ namespace csgsim::debug {
 
 namespace {
 
-constexpr std::uint64_t most_bytes = std::uint64_t{256} << 20U;
-constexpr std::uint64_t most_kept = 32;
+constexpr std::uint64_t max_bytes = std::uint64_t{256} << 20U;
+constexpr std::uint64_t max_kept = 32;
 
 std::uint64_t bytes_of(const checkpoint::Snapshot& snapshot) {
   std::uint64_t bytes = 0;
@@ -30,11 +30,11 @@ bool History::is_kept(std::uint64_t number) const {
 }
 
 void History::keep(std::uint64_t number, checkpoint::Snapshot snapshot) {
-  const std::uint64_t fit = most_bytes / std::max<std::uint64_t>(bytes_of(snapshot), 1);
+  const std::uint64_t fit = max_bytes / std::max<std::uint64_t>(bytes_of(snapshot), 1);
   kept_.insert_or_assign(number, std::move(snapshot));
-  while (kept_.size() > std::clamp<std::uint64_t>(fit, 2, most_kept)) {
+  while (kept_.size() > std::clamp<std::uint64_t>(fit, 2, max_kept)) {
     stride_ *= 2;
-    // The first stays, and of the others those that are as far apart as the stride.
+    // Keep the first, and of the others those at least a stride apart.
     std::uint64_t last = kept_.begin()->first;
     std::erase_if(kept_, [&, is_first = true](const auto& one) mutable {
       const bool stays = std::exchange(is_first, false) || one.first - last >= stride_;

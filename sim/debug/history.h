@@ -1,3 +1,5 @@
+// Saved states for stepping back.
+// Used by session.h.
 #pragma once
 
 #include <cstdint>
@@ -7,20 +9,20 @@
 
 namespace csgsim::debug {
 
-/// States of a run in memory, to go back to. They are farther apart the longer the run is, so that their memory is
-/// bounded.
+/// Saved states of a run, for stepping back. The distance between them grows with the length of the run, so that their
+/// memory is bounded.
 class History {
  public:
-  /// Number of the next instruction at which a state should be kept, if the run is at `number`.
+  /// Number of the next instruction at which a state should be saved, if the run is at `number`.
   [[nodiscard]] std::uint64_t due(std::uint64_t number) const { return (number / stride_ + 1) * stride_; }
 
-  /// Whether one kept near before that number serves as well.
+  /// Whether a state was saved shortly before that number.
   [[nodiscard]] bool is_kept(std::uint64_t number) const;
 
-  /// Keeps the state before that instruction.
+  /// Saves the state before that instruction.
   void keep(std::uint64_t number, checkpoint::Snapshot snapshot);
 
-  /// The last state kept at that number or before it. One has to be kept at the first from which anybody goes back.
+  /// The last state saved at or before that number. The caller must have saved one at the first number it returns to.
   [[nodiscard]] const checkpoint::Snapshot& before(std::uint64_t number) const;
 
   void clear() { kept_.clear(); }

@@ -26,7 +26,7 @@ Unsigned number_in(std::string_view digits, int base = 10) {
   return value;
 }
 
-/// What has been read of a line.
+/// Partial result of parsing a line.
 struct Reading {
   explicit Reading(const isa::Program& of) : program(of) {}
 
@@ -34,7 +34,7 @@ struct Reading {
   Command command;
   Target target;
   Watched watched;
-  std::string text;  ///< a name in quotes, a file
+  std::string text;  ///< a quoted name or a file name
   Relation relation{};
   std::uint64_t number = 1;
   bool has_number = false;
@@ -54,7 +54,7 @@ struct Reading {
     }
     const std::string_view near = nearest(name, names);
     throw InputError(fmt::format("there is no field '{}'{}", printable(name),
-                                 near.empty() ? "; the Program names none, take [base+:width]"
+                                 near.empty() ? "; the Program has no named fields, use [base+:width]"
                                               : fmt::format("; the nearest is '{}'", printable(near))));
   }
 
@@ -63,7 +63,7 @@ struct Reading {
     const bool fits =
         field.width >= 1 && field.width <= isa::max_field_width && field.end() <= program.shape.memory_bits;
     if (!fits) {
-      throw InputError(fmt::format("there is no such field; a pixel has {} bits of memory, and a field 1 to {} of them",
+      throw InputError(fmt::format("no such field; a pixel has {} bits of memory, and a field takes 1 to {} of them",
                                    program.shape.memory_bits, isa::max_field_width));
     }
   }
@@ -99,7 +99,7 @@ struct Reading {
     }
     target = AtPrimitive{static_cast<std::uint32_t>(found - names.begin())};
     if (std::find(found + 1, names.end(), name) != names.end())
-      throw InputError(fmt::format("several primitives are named '{}'; name one by its index", printable(name)));
+      throw InputError(fmt::format("several primitives are named '{}'; give the index", printable(name)));
   }
 };
 

@@ -32,8 +32,8 @@ Session::Session(const isa::Program& program, const machines::Machine& machine, 
   keep();
 }
 
-std::string Session::carry_out(const Command& command) {
-  return std::visit([this](const auto& one) { return does(one); }, command);
+std::string Session::execute(const Command& command) {
+  return std::visit([this](const auto& one) { return perform(one); }, command);
 }
 
 std::vector<std::string> Session::words() const {
@@ -66,7 +66,7 @@ void Session::advance(std::uint64_t number) {
   }
 }
 
-void Session::end_if_none_is_left() {
+void Session::finish_trailing_segments() {
   if (number() == numbers_.count()) advance(engine::Run::end);
 }
 
@@ -79,39 +79,39 @@ std::string Session::go(std::optional<Stop> until, const Target* target) {
     for (Stop& stop : stops) look = std::min(look, stop.next_look());
     advance(look);
     std::string why;
-    // Each is asked, since each keeps the value that it saw.
+    // every stop must be evaluated, since each remembers the last value
     if (until && until->reached()) why = text_of(*target, program_) + "\n";
     for (std::size_t i = 0; i < stops.size(); ++i) {
       if (stops[i].reached())
         why += fmt::format("breakpoint {}: {}\n", breakpoints_[i].number, text_of(breakpoints_[i].target, program_));
     }
-    end_if_none_is_left();
+    finish_trailing_segments();
     if (!why.empty()) return why + place();
   }
-  return (until ? text_of(*target, program_) + " is not reached\n" : "") + place();
+  return (until ? text_of(*target, program_) + " was not reached\n" : "") + place();
 }
 
-std::string Session::does(const Nothing& /*command*/) { return ""; }
+std::string Session::perform(const Nothing& /*command*/) { return ""; }
 
-std::string Session::does(const RunOn& /*command*/) { return go({}, nullptr); }
+std::string Session::perform(const RunOn& /*command*/) { return go({}, nullptr); }
 
-std::string Session::does(const StepOn& command) {
+std::string Session::perform(const StepOn& command) {
   for (std::uint64_t i = 0; i < command.count && !run_->finished(); ++i) {
     advance(number() + 1);
-    end_if_none_is_left();
+    finish_trailing_segments();
   }
   return place();
 }
 
-std::string Session::does(const Until& command) {
+std::string Session::perform(const Until& command) {
   Stop stop(command.target, program_, numbers_, *run_, clocks_);
   const std::string what = text_of(command.target, program_);
-  if (stop.holds_already()) return fmt::format("{} holds already\n{}", what, place());
-  if (stop.is_behind()) throw InputError(fmt::format("{} is not ahead; go back first, with back N", what));
+  if (stop.holds_already()) return fmt::format("{} already holds\n{}", what, place());
+  if (stop.is_behind()) throw InputError(fmt::format("{} is not ahead; step back first with back N", what));
   return go(stop, &command.target);
 }
 
-std::vector<std::uint64_t> Session::carried_out() const {
+std::vector<std::uint64_t> Session::executed() const {
   const engine::RunState state = run_->save();
   std::vector<std::uint64_t> numbers;
   numbers.reserve(static_cast<std::size_t>(numbers_.of(state.place)));
@@ -126,8 +126,8 @@ std::vector<std::uint64_t> Session::carried_out() const {
   return numbers;
 }
 
-std::string Session::does(const Back& command) {
-  const std::vector<std::uint64_t> done = carried_out();
+std::string Session::perform(const Back& command) {
+  const std::vector<std::uint64_t> done = executed();
   const std::uint64_t target =
       command.count < done.size() ? done[done.size() - static_cast<std::size_t>(command.count)] : 0;
   if (command.count == 0) return place();
@@ -136,13 +136,13 @@ std::string Session::does(const Back& command) {
   return place();
 }
 
-std::string Session::does(const SetBreak& command) {
+std::string Session::perform(const SetBreak& command) {
   const Stop check(command.target, program_, numbers_, *run_, clocks_);
   breakpoints_.push_back({next_breakpoint_++, command.target});
   return fmt::format("breakpoint {}: {}\n", breakpoints_.back().number, text_of(command.target, program_));
 }
 
-std::string Session::does(const DeleteBreak& command) {
+std::string Session::perform(const DeleteBreak& command) {
   const auto found = std::find_if(breakpoints_.begin(), breakpoints_.end(),
                                   [&](const Breakpoint& one) { return one.number == command.number; });
   if (found == breakpoints_.end())
@@ -151,7 +151,7 @@ std::string Session::does(const DeleteBreak& command) {
   return "";
 }
 
-std::string Session::does(const ListBreaks& /*command*/) {
+std::string Session::perform(const ListBreaks& /*command*/) {
   std::string text;
   for (const Breakpoint& one : breakpoints_)
     text += fmt::format("{:>3}  {}\n", one.number, text_of(one.target, program_));
@@ -159,20 +159,20 @@ std::string Session::does(const ListBreaks& /*command*/) {
 }
 
 void Session::check_seen(std::uint32_t x, std::uint32_t y) const {
-  if (program_.segments.empty()) throw InputError("the Program has no segments; there is nothing to look at");
+  if (program_.segments.empty()) throw InputError("the Program has no segments; there is nothing to inspect");
   const isa::Region region = run_->region();
   if (region.holds(x, y)) return;
   throw InputError(fmt::format("pixel {},{} is not in segment {}, which has {} x {} pixels at {},{}", x, y,
                                run_->place().segment, region.width, region.height, region.x, region.y));
 }
 
-std::string Session::does(const PrintValue& command) {
+std::string Session::perform(const PrintValue& command) {
   check_seen(command.what.x, command.what.y);
   return fmt::format("{} = {}\n", text_of(command.what, program_),
                      value_text(command.what.field, value_of(command.what, *run_), program_));
 }
 
-std::string Session::does(const PrintPixel& command) {
+std::string Session::perform(const PrintPixel& command) {
   check_seen(command.x, command.y);
   const auto line = [&](isa::Field field) {
     const std::uint32_t value = value_of({field, command.x, command.y}, *run_);
@@ -183,7 +183,7 @@ std::string Session::does(const PrintPixel& command) {
   return text;
 }
 
-std::string Session::does(const PrintEnable& /*command*/) {
+std::string Session::perform(const PrintEnable& /*command*/) {
   const isa::Region region = run_->region();
   std::vector<std::uint64_t> words((region.width + 63U) / 64U * std::size_t{region.height});
   if (!words.empty()) run_->read_enable(words);
@@ -192,16 +192,16 @@ std::string Session::does(const PrintEnable& /*command*/) {
   return fmt::format("E = 1 at {} of {} pixels\n", enabled, std::uint64_t{region.width} * region.height);
 }
 
-std::string Session::does(const Where& /*command*/) { return where_text(*run_, program_, clocks_); }
+std::string Session::perform(const Where& /*command*/) { return where_text(*run_, program_, clocks_); }
 
-std::string Session::does(const ListAround& command) {
+std::string Session::perform(const ListAround& command) {
   const std::uint64_t number = command.number.value_or(this->number());
   if (command.number && number >= numbers_.count())
     throw InputError(fmt::format("there is no instruction i{}: the Program has {}", number, numbers_.count()));
   return list_text(number, program_);
 }
 
-std::string Session::does(const TakePicture& command) {
+std::string Session::perform(const TakePicture& command) {
   check_seen(run_->region().x, run_->region().y);
   observe::check_format(command.file);
   const FieldPicture made = picture_of(command.field, *run_, program_);
@@ -211,20 +211,20 @@ std::string Session::does(const TakePicture& command) {
   return fmt::format("{}: {}, {}\n", printable(command.file), text_of(command.field, program_), made.scale);
 }
 
-std::string Session::does(const WriteCheckpoint& command) {
+std::string Session::perform(const WriteCheckpoint& command) {
   checkpoint::save_snapshot(command.file, snapshot());
   return fmt::format("{}: before i{}\n", printable(command.file), number());
 }
 
-std::string Session::does(const ReadCheckpoint& command) {
+std::string Session::perform(const ReadCheckpoint& command) {
   restore(checkpoint::load_snapshot(command.file, program_, machine_));
   keep();
   return place();
 }
 
-std::string Session::does(const Help& /*command*/) { return help_text(); }
+std::string Session::perform(const Help& /*command*/) { return help_text(); }
 
-std::string Session::does(const Quit& /*command*/) {
+std::string Session::perform(const Quit& /*command*/) {
   is_over_ = true;
   return "";
 }

@@ -1,3 +1,5 @@
+// A debugging session.
+// Used by sim/app.
 #pragma once
 
 #include <cstdint>
@@ -16,24 +18,23 @@
 
 namespace csgsim::debug {
 
-/// A run of a Program that somebody looks into, at the functional level. It begins before the first instruction.
+/// A debugging session: a run of a Program at the functional level. It begins before the first instruction.
 class Session {
  public:
   /// Both have to outlive it. Throws InputError if the machine cannot run the Program.
   Session(const isa::Program& program, const machines::Machine& machine, unsigned threads = 1);
 
-  /// Carries the command out and returns what it tells, in whole lines. Throws InputError, and has changed nothing
-  /// then.
-  std::string carry_out(const Command& command);
+  /// Executes the command and returns its output, in whole lines. Throws InputError and then changes nothing.
+  std::string execute(const Command& command);
 
-  /// Whether it has been told to end.
+  /// Whether the quit command was executed.
   [[nodiscard]] bool is_over() const { return is_over_; }
 
-  /// Where it is.
+  /// State of the run.
   [[nodiscard]] const engine::Run& run() const { return *run_; }
   [[nodiscard]] std::uint64_t number() const { return numbers_.of(run_->place()); }
 
-  /// Words that a command may begin with or name, for completion.
+  /// Words that a command may begin with or contain, for completion.
   [[nodiscard]] std::vector<std::string> words() const;
 
  private:
@@ -42,36 +43,36 @@ class Session {
     Target target;
   };
 
-  std::string does(const Nothing& command);
-  std::string does(const RunOn& command);
-  std::string does(const StepOn& command);
-  std::string does(const Until& command);
-  std::string does(const Back& command);
-  std::string does(const SetBreak& command);
-  std::string does(const DeleteBreak& command);
-  std::string does(const ListBreaks& command);
-  std::string does(const PrintValue& command);
-  std::string does(const PrintPixel& command);
-  std::string does(const PrintEnable& command);
-  std::string does(const Where& command);
-  std::string does(const ListAround& command);
-  std::string does(const TakePicture& command);
-  std::string does(const WriteCheckpoint& command);
-  std::string does(const ReadCheckpoint& command);
-  std::string does(const Help& command);
-  std::string does(const Quit& command);
+  std::string perform(const Nothing& command);
+  std::string perform(const RunOn& command);
+  std::string perform(const StepOn& command);
+  std::string perform(const Until& command);
+  std::string perform(const Back& command);
+  std::string perform(const SetBreak& command);
+  std::string perform(const DeleteBreak& command);
+  std::string perform(const ListBreaks& command);
+  std::string perform(const PrintValue& command);
+  std::string perform(const PrintPixel& command);
+  std::string perform(const PrintEnable& command);
+  std::string perform(const Where& command);
+  std::string perform(const ListAround& command);
+  std::string perform(const TakePicture& command);
+  std::string perform(const WriteCheckpoint& command);
+  std::string perform(const ReadCheckpoint& command);
+  std::string perform(const Help& command);
+  std::string perform(const Quit& command);
 
-  /// Goes on until one of the stops is reached, and tells why it stopped.
+  /// Runs until one of the stops is reached, and returns why it stopped.
   std::string go(std::optional<Stop> until, const Target* target);
-  /// Goes on to that instruction, keeping states for going back.
+  /// Runs to that instruction, saving states for stepping back.
   void advance(std::uint64_t number);
-  /// Past the segments without instructions after the last instruction, if that is carried out.
-  void end_if_none_is_left();
+  /// Skips trailing segments without instructions after the last instruction has been executed.
+  void finish_trailing_segments();
   void keep();
   [[nodiscard]] checkpoint::Snapshot snapshot() const;
   void restore(const checkpoint::Snapshot& snapshot);
-  /// Numbers of the instructions that have been carried out, in order.
-  [[nodiscard]] std::vector<std::uint64_t> carried_out() const;
+  /// Numbers of the executed instructions, in order.
+  [[nodiscard]] std::vector<std::uint64_t> executed() const;
   void check_seen(std::uint32_t x, std::uint32_t y) const;
   [[nodiscard]] std::string place() const;
 

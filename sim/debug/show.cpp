@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t around = 5;  ///< instructions on either side
 
-/// Names and meanings of the origin.
+/// Names and meanings of an instruction's origin.
 std::string served_text(const isa::Origin& origin, const isa::Program& program) {
   std::string text = fmt::format("  {}", isa::info(origin.purpose).name);
   if (origin.primitive != isa::no_primitive) text += " " + isa::piece_name(*program.facts, origin.primitive);
@@ -32,7 +32,7 @@ std::string clocks_text(engine::Place place, Clocks& clocks) {
   return fmt::format("  issued in clocks {}..{}\n", span.begin, span.end - 1);
 }
 
-/// The next instruction's place; none if the run is over.
+/// Place of the next instruction; nothing if the run has ended.
 std::optional<engine::Place> next_of(const engine::Run& run, const engine::Numbers& numbers) {
   if (numbers.count() == 0) return std::nullopt;
   const std::uint64_t number = numbers.of(run.place());
@@ -51,7 +51,7 @@ FieldMeaning meaning_of(isa::Field field, const isa::Program& program) {
   const auto named = std::ranges::find(program.facts->fields, field, &isa::NamedField::field);
   if (named == program.facts->fields.end()) return {};
   const bool is_colour = named->role == colour || named->role == candidate_colour || named->role == shown;
-  return {is_colour && field.width >= isa::fewest_colour_bits && field.width <= isa::most_colour_bits,
+  return {is_colour && field.width >= isa::minimum_colour_bits && field.width <= isa::max_colour_bits,
           named->role == depth || named->role == candidate_depth || named->role == stored};
 }
 
@@ -94,7 +94,7 @@ std::string list_text(std::uint64_t number, const isa::Program& program) {
     text += fmt::format("{} {:<8} {:<54}  ; {}\n", i == number ? '>' : ' ', fmt::format("i{}", i),
                         isa::text_of(one, program.facts->fields), isa::text_of(one.origin, *program.facts));
   }
-  return text.empty() ? "there are no instructions\n" : text;
+  return text.empty() ? "no instructions\n" : text;
 }
 
 std::string help_text() {

@@ -1,3 +1,5 @@
+// Text output of the debugger.
+// Used by field_picture.cpp and session.cpp.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +11,9 @@
 
 namespace csgsim::debug {
 
-// What the debugger prints, in lines that end with one.
+// Text output of the debugger, in complete lines.
 
-/// How the role of a field asks for it to be shown.
+/// Display properties derived from a field's role.
 struct FieldMeaning {
   bool is_colour = false;
   bool is_depth = false;
@@ -19,16 +21,16 @@ struct FieldMeaning {
 
 FieldMeaning meaning_of(isa::Field field, const isa::Program& program);
 
-/// A value as its field's role asks: a colour, a depth that is nothing.
+/// Text of a value according to its field's role: a colour, or a depth that may be empty.
 std::string value_text(isa::Field field, std::uint32_t value, const isa::Program& program);
 
-/// The next instruction, whom it serves and its clocks; or that the run is over.
+/// The next instruction with what it serves and its clocks, or the end of the run.
 std::string where_text(const engine::Run& run, const isa::Program& program, Clocks& clocks);
 
 /// `i12 of 345` and the instruction, on one line.
 std::string place_text(const engine::Run& run, const isa::Program& program);
 
-/// The instructions around the one of that number, which is marked.
+/// The instructions around the one with that number, which is marked.
 std::string list_text(std::uint64_t number, const isa::Program& program);
 
 std::string help_text();

@@ -76,7 +76,7 @@ std::uint64_t Stop::next_look() {
 bool Stop::is_met(const Condition& condition) {
   const std::uint32_t segment = run_.place().segment;
   if (!run_.region().holds(condition.what.x, condition.what.y)) return false;
-  if (segment_ != segment) {  // whose memory was 0 when it began
+  if (segment_ != segment) {  // memory is 0 at the start of a segment
     segment_ = segment;
     value_ = 0;
     held_ = holds(condition, 0, 0);

@@ -1,3 +1,5 @@
+// Breakpoints and targets of a run.
+// Used by session.h.
 #pragma once
 
 #include <cstdint>
@@ -9,24 +11,24 @@
 
 namespace csgsim::debug {
 
-/// Watches a run for one place to stop at, and says how far it can go without a look.
+/// Watches a run for one stop, and computes how far the run can go without a check.
 class Stop {
  public:
-  /// From the run's place on. All have to outlive it, but for the target. Throws InputError for a target that the
-  /// Program does not have, or a clock of a machine that does not tell.
+  /// Starts watching at the run's place. All arguments but the target have to outlive it. Throws InputError for a
+  /// target that the Program does not have, or a clock of a machine without a timeline.
   Stop(const Target& target, const isa::Program& program, const engine::Numbers& numbers, const engine::Run& run,
        Clocks& clocks);
 
-  /// Whether a condition holds where the run is when the watch begins.
+  /// Whether the condition already holds at the start.
   [[nodiscard]] bool holds_already() const { return held_; }
 
-  /// Whether it is an instruction or a clock that is not ahead of where the watch begins.
+  /// Whether the target is an instruction or a clock at or before the start.
   [[nodiscard]] bool is_behind() const;
 
-  /// Number of the next instruction before which reached() has to be asked; Run::end if there is none.
+  /// Number of the next instruction before which reached() must be called; Run::end if there is none.
   [[nodiscard]] std::uint64_t next_look();
 
-  /// Whether the run has to stop where it is.
+  /// Whether the run must stop at its place.
   [[nodiscard]] bool reached();
 
  private:
@@ -39,10 +41,10 @@ class Stop {
   const isa::Program& program_;
   const engine::Numbers& numbers_;
   const engine::Run& run_;
-  std::uint64_t begin_;                   ///< where the watch began
-  std::uint64_t number_ = 0;              ///< of an instruction, or that of a clock
-  std::uint64_t look_ = 0;                ///< the last answer of next_look
-  std::optional<std::uint32_t> segment_;  ///< of the value before
+  std::uint64_t begin_;                   ///< start of the watch
+  std::uint64_t number_ = 0;              ///< target instruction, or the one of a target clock
+  std::uint64_t look_ = 0;                ///< last result of next_look
+  std::optional<std::uint32_t> segment_;  ///< segment of the previous value
   std::uint32_t value_ = 0;
   bool held_ = false;
 };

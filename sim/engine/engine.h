@@ -1,3 +1,5 @@
+// Interfaces of engines, observers and pixel state.
+// Used throughout sim.
 #pragma once
 
 #include <cstdint>
@@ -33,63 +35,63 @@ class PixelState {
   virtual void read_enable(std::span<std::uint64_t> words) const = 0;
 };
 
-/// An instruction that has just been carried out; one that is skipped is none.
+/// An executed instruction; skipped instructions produce no step.
 struct Step {
   std::uint32_t segment = 0;
   std::uint32_t index = 0;  ///< within the segment
   const isa::Instruction& instruction;
   std::uint64_t clocks = 0;
   std::uint64_t enabled_pixels = 0;  ///< pixels whose E was 1 when the instruction began
-  /// What it took at the pixels, of a kind that asks for them; elsewhere it takes `clocks` at each.
+  /// Clocks at the pixels, for kinds of machines that measure them; otherwise each pixel takes `clocks`.
   std::optional<machines::PixelClocks> at_pixels{};
 };
 
-/// Sees a run go by. Every function is called in program order, from one thread at a time, but for enabled_after.
+/// Observes a run. Every function except enabled_after is called in program order, from one thread at a time.
 class Observer {
  public:
   virtual ~Observer() = default;
 
-  /// Whether after_instruction looks at the state after such an instruction. Where none does, engines may run ahead
+  /// Whether after_instruction reads the state after such an instruction. If no observer does, engines may run ahead
   /// and call it later.
   [[nodiscard]] virtual bool reads_after(const isa::Instruction& /*instruction*/) const { return true; }
   virtual void after_instruction(const Step& /*step*/, const PixelState& /*state*/) {}
 
-  /// Whether all that after_instruction looks at after such an instruction, which reads_after names, is which pixels
-  /// are enabled. Engines may then call enabled_after in its place.
+  /// Whether after_instruction reads only the enabled pixels after such an instruction, for which reads_after is true.
+  /// Engines may then call enabled_after instead.
   [[nodiscard]] virtual bool reads_enable_alone(const isa::Instruction& /*instruction*/) const { return false; }
-  /// For parts of the picture that have all the enabled pixels: from several threads, for parts without a common pixel,
-  /// but in program order for each part. `words` are as PixelState::read_enable has them, of the part.
+  /// Called for parts of the picture that together have all enabled pixels: from several threads for disjoint parts,
+  /// but in program order for each part. `words` has the format of PixelState::read_enable, for the part.
   virtual void enabled_after(const isa::Instruction& /*instruction*/, const isa::Region& /*part*/,
                              std::span<const std::uint64_t> /*words*/) {}
   virtual void after_segment(std::uint32_t /*segment*/, const PixelState& /*state*/) {}
 };
 
 struct RunResult {
-  std::uint64_t clocks = 0;  ///< in all, latency included
-  std::uint64_t latency_clocks =
-      0;  ///< of these, for the last instruction to reach the pixels, where the array is the whole picture
-  std::uint64_t shown_clocks = 0;     ///< as machines::FrameTiming
-  std::uint64_t interval_clocks = 0;  ///< as machines::FrameTiming
-  std::uint64_t host_clocks = 0;      ///< as machines::FrameTiming
-  /// Enabled pixels at which A*x + B*y + C did not fit the width, but had to (isa::cuts_sum); 0 if not checked.
+  std::uint64_t clocks = 0;  ///< total, including latency
+  /// Part of `clocks` until the last instruction reaches the pixels, if the array covers the whole picture.
+  std::uint64_t latency_clocks = 0;
+  std::uint64_t shown_clocks = 0;     ///< see machines::FrameTiming
+  std::uint64_t interval_clocks = 0;  ///< see machines::FrameTiming
+  std::uint64_t host_clocks = 0;      ///< see machines::FrameTiming
+  /// Enabled pixels at which A*x + B*y + C exceeded the width although it must fit (isa::cuts_sum); 0 if not checked.
   std::uint64_t overflows = 0;
-  std::uint64_t skipped = 0;            ///< instructions that a skip_if_none left out
-  std::vector<machines::Skip> skips{};  ///< which skip_if_none left them out, in program order
-  /// Which pixels instructions met, one a segment, for a kind that asks; empty of the cycle level, whose clocks are
-  /// counted.
-  std::vector<machines::MetPixels> met{};
-  std::vector<bool> answers;  ///< of global_or, in order
-  /// Colour of every pixel of the picture, in row order, as the machine's scan-out delivers it; empty where the engine
-  /// simulates none.
+  std::uint64_t skipped = 0;            ///< instructions skipped by skip_if_none
+  std::vector<machines::Skip> skips{};  ///< the skip_if_none instructions that skipped, in program order
+  /// Pixels at which instructions took effect, per segment, for kinds that need it; empty at the cycle level, whose
+  /// clocks are counted.
+  std::vector<machines::PixelActivity> met{};
+  std::vector<bool> answers;  ///< results of global_or, in order
+  /// Colour of every pixel of the picture, in row order, from the machine's scan-out; empty if the engine does not
+  /// simulate it.
   std::vector<std::uint32_t> scanned_out{};
-  machines::Account account{};  ///< what the machine's kind tells of the frame
-  Work work{};                  ///< what the functional engine did for it
+  machines::Account account{};  ///< the machine kind's account of the frame
+  Work work{};                  ///< work done by the functional engine
 };
 
-/// What a run tells for working out clocks, as long as the result is there.
-inline machines::Told told_of(const RunResult& result) { return {result.skips, result.met}; }
+/// Run-time outcomes that exact timing needs. They refer to the result, which must outlive them.
+inline machines::RunOutcome run_outcome(const RunResult& result) { return {result.skips, result.met}; }
 
-/// What a frame took, into what its run tells.
+/// Stores the timing of a frame in the result of its run.
 inline void put(machines::FrameTiming timing, RunResult& result) {
   result.clocks = timing.clocks;
   result.shown_clocks = timing.shown_clocks;
@@ -99,25 +101,25 @@ inline void put(machines::FrameTiming timing, RunResult& result) {
   result.account = std::move(timing.account);
 }
 
-/// Runs Programs at one level of fidelity. All levels leave the same bits in memory and enable at every instruction
+/// Runs Programs at one level of fidelity. All levels produce the same memory and enable bits at every instruction
 /// boundary and take the same clocks. Memory and enable are 0 when a segment begins.
 class Engine {
  public:
   virtual ~Engine() = default;
   [[nodiscard]] virtual std::string_view level() const = 0;
 
-  /// Runs every segment. Observers are called in the order given. The Program must be valid (isa::validate). Throws
-  /// InputError before it begins if the machine lacks what the Program needs (machines::check_runs_on).
+  /// Runs every segment. Observers are called in the given order. The Program must be valid (isa::validate). Throws
+  /// InputError before the start if the machine lacks what the Program needs (machines::check_runs_on).
   virtual RunResult run(const isa::Program& program, std::span<Observer* const> observers) = 0;
 
-  /// A run that can stop and go on (sim/engine/run.h), at its first instruction. The Program has to outlive it. Throws
-  /// as run does, and InputError where a level cannot stop.
+  /// A run that can stop and continue (sim/engine/run.h), at its first instruction. The Program has to outlive it.
+  /// Throws as run does, and InputError if the level cannot stop.
   [[nodiscard]] virtual std::unique_ptr<Run> begin(const isa::Program& program) const = 0;
 };
 
 std::unique_ptr<Engine> make_reference_engine(const machines::Machine& machine);
-/// Runs on that many threads between the instructions after which an observer looks at the state. Bits do not depend on
-/// it.
+/// Uses `threads` threads between instructions after which an observer reads the state. The bits do not depend on their
+/// number.
 std::unique_ptr<Engine> make_functional_engine(const machines::Machine& machine, unsigned threads = 1);
 std::unique_ptr<Engine> make_cycle_engine(const machines::Machine& machine);
 

@@ -1,3 +1,5 @@
+// Records at which pixels instructions take effect.
+// Used by sim/functional and sim/reference.
 #pragma once
 
 #include <algorithm>
@@ -10,27 +12,27 @@
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 #include "hw/machines/kind.h"
-#include "hw/machines/told.h"
+#include "hw/machines/run_outcome.h"
 #include "sim/engine/engine.h"
 #include "sim/engine/numbers.h"
 
 namespace csgsim::engine {
 
-/// Writes down which pixels the instructions of a run meet, where the machine's kind asks for that. It is told of every
-/// instruction right before and right after it.
+/// Records at which pixels the instructions of a run take effect, if the machine's kind needs that. It is called right
+/// before and right after every instruction.
 class MetRecorder {
  public:
   MetRecorder(const isa::Program& program, const machines::Machine& machine)
-      : asks_(machine.kind->asks_for_pixels(machine)) {
+      : asks_(machine.kind->depends_on_pixels(machine)) {
     if (asks_) met_.resize(program.segments.size());
   }
 
   [[nodiscard]] bool asks() const { return asks_; }
-  /// One a segment; null where it has not been told of all instructions that came before.
-  [[nodiscard]] const std::vector<machines::MetPixels>* met() const { return is_whole_ ? &met_ : nullptr; }
-  /// Of a segment; instructions that it has not been told of are said to meet no pixel.
-  [[nodiscard]] const machines::MetPixels& met(std::uint32_t segment) const { return met_[segment]; }
-  /// The run goes on from elsewhere.
+  /// One per segment; null if a part of the run was not recorded.
+  [[nodiscard]] const std::vector<machines::PixelActivity>* met() const { return is_whole_ ? &met_ : nullptr; }
+  /// The record of one segment; instructions that were not recorded appear without pixels.
+  [[nodiscard]] const machines::PixelActivity& met(std::uint32_t segment) const { return met_[segment]; }
+  /// Called when the run continues from another place.
   void jump() {
     is_whole_ = !asks_;
     is_at_hand_ = false;
@@ -44,7 +46,7 @@ class MetRecorder {
 
   void after(Place place, const isa::Instruction& instruction, const PixelState& state) {
     if (!asks_) return;
-    machines::MetPixels& met = met_[place.segment];
+    machines::PixelActivity& met = met_[place.segment];
     met.instructions.push_back({plane_, plane_});
     if (isa::info(instruction.opcode).enable_effect == isa::EnableEffect::keeps) return;
     after_.resize(enabled_.size());
@@ -68,7 +70,7 @@ class MetRecorder {
     state.read_field(field, values);
   }
 
-  static std::uint32_t plane_of(machines::MetPixels& met, const std::vector<std::uint64_t>& words) {
+  static std::uint32_t plane_of(machines::PixelActivity& met, const std::vector<std::uint64_t>& words) {
     if (std::all_of(words.begin(), words.end(), [](std::uint64_t word) { return word == 0; })) return 0;
     met.planes.push_back(words);
     return static_cast<std::uint32_t>(met.planes.size() - 1);
@@ -76,7 +78,7 @@ class MetRecorder {
 
   void begin(Place place, const PixelState& state) {
     const isa::Region region = state.region();
-    machines::MetPixels& met = met_[place.segment];
+    machines::PixelActivity& met = met_[place.segment];
     met = {};
     met.row_words = quotient_up(region.width, word_bits);
     met.instructions.resize(place.index);
@@ -86,8 +88,8 @@ class MetRecorder {
     is_at_hand_ = true;
   }
 
-  /// What is kept is another number than was there, or does not fit, which disables the pixel.
-  std::uint32_t chosen(machines::MetPixels& met, isa::Field field, const PixelState& state) {
+  /// The pixels whose value changes or does not fit; a value that does not fit disables the pixel.
+  std::uint32_t chosen(machines::PixelActivity& met, isa::Field field, const PixelState& state) {
     read(field, state, values_);
     const isa::Region region = state.region();
     std::vector<std::uint64_t> words(enabled_.size());
@@ -103,12 +105,12 @@ class MetRecorder {
 
   bool asks_;
   bool is_whole_ = true;
-  bool is_at_hand_ = false;  ///< it knows which pixels are enabled
-  std::vector<machines::MetPixels> met_;
-  std::vector<std::uint64_t> enabled_;  ///< pixels, as the instruction finds them
-  std::vector<std::uint64_t> after_;    ///< and leaves them
-  std::uint32_t plane_ = 0;             ///< of `enabled_`
-  std::vector<std::uint32_t> before_;   ///< of a target
+  bool is_at_hand_ = false;  ///< the enabled pixels are known
+  std::vector<machines::PixelActivity> met_;
+  std::vector<std::uint64_t> enabled_;  ///< enabled pixels before the instruction
+  std::vector<std::uint64_t> after_;    ///< enabled pixels after it
+  std::uint32_t plane_ = 0;             ///< index of the plane of `enabled_`
+  std::vector<std::uint32_t> before_;   ///< values of a target before the instruction
   std::vector<std::uint32_t> values_;
 };
 

@@ -1,3 +1,5 @@
+// Instruction numbers and places in a Program.
+// Used by sim/engine, sim/debug, sim/observe, sim/report and sim/viewer.
 #pragma once
 
 #include <algorithm>
@@ -12,26 +14,26 @@ namespace csgsim::engine {
 /// An instruction boundary of a run: before an instruction, or at the end of its segment.
 struct Place {
   std::uint32_t segment = 0;
-  std::uint32_t index = 0;  ///< of the segment's next instruction; as many as it has: none is left
+  std::uint32_t index = 0;  ///< index of the segment's next instruction; equal to their number at the end
 
   constexpr bool operator==(const Place&) const = default;
 };
 
-/// Numbers of instructions in a whole Program (hw/isa/instruction_numbers.h), and where they stand.
+/// Instruction numbers of a whole Program (hw/isa/instruction_numbers.h), and their places.
 class Numbers {
  public:
   explicit Numbers(const isa::Program& program) : firsts_(isa::first_numbers(program)) {}
 
-  /// Of the whole Program.
+  /// Number of instructions of the Program.
   [[nodiscard]] std::uint64_t count() const { return firsts_.back(); }
 
-  /// Of the instruction there; at a segment's end of the one after it.
+  /// Number of the instruction there; at a segment's end, of the first one after it.
   [[nodiscard]] std::uint64_t of(Place place) const { return firsts_[place.segment] + place.index; }
 
-  /// Of the segment's first instruction.
+  /// Number of the segment's first instruction.
   [[nodiscard]] std::uint64_t first(std::uint32_t segment) const { return firsts_[segment]; }
 
-  /// Where the instruction of that number, below count(), stands.
+  /// Place of the instruction with that number, which is below count().
   [[nodiscard]] Place place(std::uint64_t number) const {
     const auto after = std::upper_bound(firsts_.begin(), firsts_.end(), number);
     const auto segment = static_cast<std::uint32_t>(after - firsts_.begin() - 1);
@@ -39,7 +41,7 @@ class Numbers {
   }
 
  private:
-  std::vector<std::uint64_t> firsts_;  ///< of each segment, and the count
+  std::vector<std::uint64_t> firsts_;  ///< first number of each segment, and the count
 };
 
 }  // namespace csgsim::engine

@@ -17,18 +17,18 @@ bool may_skip(const isa::Program& program) {
   });
 }
 
-bool asks_for_run(const isa::Program& program, const machines::Machine& machine) {
-  return machine.kind->asks_for_pixels(machine) || may_skip(program);
+bool needs_run(const isa::Program& program, const machines::Machine& machine) {
+  return machine.kind->depends_on_pixels(machine) || may_skip(program);
 }
 
-machines::RunRecord record_of_run(const isa::Program& program, const machines::Machine& machine) {
-  if (!asks_for_run(program, machine)) return {};
+machines::RunRecord make_run_record(const isa::Program& program, const machines::Machine& machine) {
+  if (!needs_run(program, machine)) return {};
   engine::RunResult result = engine::make_functional_engine(machine)->run(program, {});
   return {std::move(result.skips), std::move(result.met)};
 }
 
-std::uint64_t clocks_of_run(const isa::Program& program, const machines::Machine& machine) {
-  if (!asks_for_run(program, machine)) return machines::clocks(program, machine);
+std::uint64_t measure_clocks(const isa::Program& program, const machines::Machine& machine) {
+  if (!needs_run(program, machine)) return machines::clocks(program, machine);
   return engine::make_functional_engine(machine)->run(program, {}).clocks;
 }
 

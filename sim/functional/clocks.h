@@ -15,12 +15,12 @@ namespace csgsim::functional {
 bool may_skip(const isa::Program& program);
 
 /// Whether the clocks on that machine can only be found by running the Program.
-bool asks_for_run(const isa::Program& program, const machines::Machine& machine);
+bool needs_run(const isa::Program& program, const machines::Machine& machine);
 
 /// The record of a run of the whole Program, which is only run if its clocks depend on it.
-machines::RunRecord record_of_run(const isa::Program& program, const machines::Machine& machine);
+machines::RunRecord make_run_record(const isa::Program& program, const machines::Machine& machine);
 
 /// The number of clocks that the Program takes on the machine. It is only run if the clocks depend on it.
-std::uint64_t clocks_of_run(const isa::Program& program, const machines::Machine& machine);
+std::uint64_t measure_clocks(const isa::Program& program, const machines::Machine& machine);
 
 }  // namespace csgsim::functional

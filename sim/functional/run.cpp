@@ -90,7 +90,7 @@ engine::RunState FunctionalRun::save() const {
 void FunctionalRun::restore(const engine::RunState& state) {
   met_.jump();
   place_ = state.place;
-  end_notified_ = state.told_end;
+  end_notified_ = state.end_reported;
   overflows_ = state.overflows;
   skipped_ = state.skipped;
   answers_ = state.answers;
@@ -110,8 +110,8 @@ std::optional<machines::PixelClocks> FunctionalRun::at_pixels() const {
 }
 
 /// A run resumed from a saved state lacks the earlier part, so the whole Program is run again.
-std::vector<machines::MetPixels> FunctionalRun::met_pixels() const {
-  if (const std::vector<machines::MetPixels>* const met = met_.met()) return *met;
+std::vector<machines::PixelActivity> FunctionalRun::met_pixels() const {
+  if (const std::vector<machines::PixelActivity>* const met = met_.met()) return *met;
   FunctionalRun whole(program_, machine_, 1);
   whole.advance(end, {});
   return whole.met_pixels();
@@ -125,7 +125,7 @@ engine::RunResult FunctionalRun::result() const {
   result.answers = answers_;
   result.work = tiles_.work();
   result.met = met_pixels();
-  put(host::time_frame(program_, machine_, engine::told_of(result)), result);
+  put(host::time_frame(program_, machine_, engine::run_outcome(result)), result);
   return result;
 }
 

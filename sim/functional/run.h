@@ -40,7 +40,7 @@ class FunctionalRun final : public engine::Run {
   void execute_stretch(std::uint64_t most, std::span<engine::Observer* const> observers);
   void notify_end(std::span<engine::Observer* const> observers);
   [[nodiscard]] std::optional<machines::PixelClocks> at_pixels() const;
-  [[nodiscard]] std::vector<machines::MetPixels> met_pixels() const;
+  [[nodiscard]] std::vector<machines::PixelActivity> met_pixels() const;
 
   const isa::Program& program_;
   machines::Machine machine_;

@@ -98,16 +98,24 @@ Errors judge(const Truth& truth, const observe::Frame& frame, const isa::Program
 }
 
 std::string to_text(const Errors& errors) {
-  std::string text = fmt::format(
-      "{} of {} pixels wrong ({} silhouette, {} owner, {} depth; {} explained, {} unexplained); depth error at most "
-      "{:.3g} ({:.3g} for 99.9 % of the pixels), in steps {:.4g} ({:.4g})",
-      grouped(errors.wrong()), grouped(errors.pixels), grouped(errors.silhouette), grouped(errors.owner),
-      grouped(errors.depth), grouped(errors.explained), grouped(errors.unexplained), errors.model_units.max,
-      errors.model_units.p999, errors.steps.max, errors.steps.p999);
-  if (errors.first_unexplained) {
-    text += fmt::format("; first unexplained pixel at column {}, row {}", errors.first_unexplained->column,
-                        errors.first_unexplained->row);
+  if (errors.wrong() == 0) return fmt::format("No wrong pixels. Depth error at most {:.3g} steps.", errors.steps.max);
+  std::string text =
+      fmt::format("{} of {} pixels {} wrong ({} at the silhouette, {} with the wrong owner, {} with the wrong depth).",
+                  grouped(errors.wrong()), grouped(errors.pixels), errors.wrong() == 1 ? "is" : "are",
+                  grouped(errors.silhouette), grouped(errors.owner), grouped(errors.depth));
+  if (errors.explained + errors.unexplained > 0) {
+    text += fmt::format(" The error bounds explain {} of them and leave {} unexplained", grouped(errors.explained),
+                        grouped(errors.unexplained));
+    if (errors.first_unexplained) {
+      text += fmt::format(", the first at column {}, row {}", errors.first_unexplained->column,
+                          errors.first_unexplained->row);
+    }
+    text += '.';
   }
+  text += fmt::format(" Where the owner is right, the depth error is at most {:.3g} steps ({:.3g} model units),",
+                      errors.steps.max, errors.model_units.max);
+  text += fmt::format(" and at most {:.3g} steps ({:.3g} model units) in 99.9 % of the pixels.", errors.steps.p999,
+                      errors.model_units.p999);
   return text;
 }
 

@@ -46,7 +46,7 @@ model::Polyhedron between(std::span<const Ring> rings, std::uint32_t count) {
 
 /// Number of corners of its circles, if it is meant as a polygon.
 std::optional<std::uint32_t> polygon(const model::FacetControl& own, const facet::Faceting& faceting) {
-  if (!std::isfinite(own.fn) || own.fn <= 0 || own.fn >= fewest_round_of(faceting)) return std::nullopt;
+  if (!std::isfinite(own.fn) || own.fn <= 0 || own.fn >= min_round_fragments(faceting)) return std::nullopt;
   return std::max(3U, static_cast<std::uint32_t>(own.fn));
 }
 
@@ -72,8 +72,8 @@ std::optional<model::Polyhedron> polyhedron(const model::Cylinder& cylinder, con
 
 }  // namespace
 
-double fewest_round_of(const facet::Faceting& faceting) {
-  return faceting.tolerance || faceting.fragments ? 0 : faceting.fewest_round;
+double min_round_fragments(const facet::Faceting& faceting) {
+  return faceting.tolerance || faceting.fragments ? 0 : faceting.min_round_sides;
 }
 
 model::Primitive as_meant(const model::Primitive& primitive, const facet::Faceting& faceting) {

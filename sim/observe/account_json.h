@@ -1,3 +1,5 @@
+// A machine's clock account as JSON.
+// Used by stats_json.cpp.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -6,7 +8,7 @@
 
 namespace csgsim::observe {
 
-/// Counts and shares by name, then `parts`: the clocks of each by activity.
+/// Counts and shares by name, then `parts`: the clocks of each unit by activity.
 nlohmann::ordered_json account_json(const machines::Account& account);
 
 }  // namespace csgsim::observe

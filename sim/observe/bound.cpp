@@ -21,7 +21,7 @@ double share_of(const machines::Load& load, std::uint64_t clocks) {
   return static_cast<double>(load.clocks) / static_cast<double>(clocks);
 }
 
-/// With an article, but for one of several that is called by its number.
+/// Adds an article, except for one of several units that is named by its number.
 std::string with_article(const std::string& part) {
   const bool is_numbered = part.back() >= '0' && part.back() <= '9';
   return is_numbered ? part : "the " + part;
@@ -35,21 +35,19 @@ std::optional<Bound> bound_of(const engine::RunResult& result, const machines::M
   std::vector<machines::Load> loads = machine.kind->loads(timing_of(result));
   if (loads.empty()) return std::nullopt;
   std::ranges::stable_sort(loads, std::ranges::greater{}, &machines::Load::clocks);
-  const machines::Load& most = loads.front();
-  const auto rate = [&](std::uint64_t clocks) {
-    return static_cast<double>(machine.clock_hz) / static_cast<double>(clocks);
-  };
-  std::string sentence = fmt::format(
-      "{} bounds the frame: it {} in {:.1f} % of the {} clocks from one frame to the next, {:.4g} frames a second",
-      with_article(most.part), most.does, 100.0 * share_of(most, next), grouped(next), rate(next));
+  const machines::Load& busiest = loads.front();
+  const auto clock_hz = static_cast<double>(machine.clock_hz);
+  std::string sentence =
+      fmt::format("The hardware could show {:.4g} frames/s, limited by {} ({:.0f} % of each frame",
+                  clock_hz / static_cast<double>(next), with_article(busiest.part), 100.0 * share_of(busiest, next));
   if (loads.size() > 1 && loads[1].clocks > 0)
-    sentence += fmt::format("; next is {}, {:.1f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], next));
-  Bound bound{most.part, share_of(most, next), result.host_clocks > next, sentence};
-  if (!bound.by_host) return bound;
-  bound.sentence = fmt::format(
-      "the host bounds the frame: it compiles the next in {} clocks, {:.4g} frames a second; if it kept up, {}",
-      grouped(result.host_clocks), rate(result.host_clocks), sentence);
-  return bound;
+    sentence += fmt::format("; {} takes {:.0f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], next));
+  sentence += ").";
+  const bool by_host = result.host_clocks > next;
+  if (by_host) {
+    sentence += fmt::format(" The host needs {:.3g} s per frame.", static_cast<double>(result.host_clocks) / clock_hz);
+  }
+  return Bound{busiest.part, share_of(busiest, next), by_host, sentence};
 }
 
 }  // namespace csgsim::observe

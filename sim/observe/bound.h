@@ -1,3 +1,5 @@
+// The unit that limits the frame rate.
+// Used by sim/observe, sim/shell and sim/studies.
 #pragma once
 
 #include <optional>
@@ -8,16 +10,16 @@
 
 namespace csgsim::observe {
 
-/// The part of a machine that bounds how fast frames follow one another: it works in more of the clocks from one to the
-/// next than any other does.
+/// The unit of a machine that limits the frame rate: it is busy in more of the clocks from one frame to the next than
+/// any other unit.
 struct Bound {
   std::string part;
-  double share = 0;      ///< of these clocks
-  bool by_host = false;  ///< the host takes longer than these to compile the next frame
-  std::string sentence;  ///< for people: the host, if it does; the part, its share, frames a second, the part after it
+  double share = 0;      ///< fraction of these clocks
+  bool by_host = false;  ///< the host takes longer than these clocks to compile the next frame
+  std::string sentence;  ///< frames per second, the unit and its share, the next unit, and the host if it is the limit
 };
 
-/// From the account of a run; nothing where the machine's kind does not tell of its parts, or a frame takes no time.
+/// Computed from the account of a run; nothing if the machine's kind reports no units, or if a frame takes no time.
 std::optional<Bound> bound_of(const engine::RunResult& result, const machines::Machine& machine);
 
 }  // namespace csgsim::observe

@@ -1,3 +1,5 @@
+// Energy of a frame.
+// Used by sim/observe and sim/studies.
 #pragma once
 
 #include <optional>
@@ -6,7 +8,7 @@
 
 namespace csgsim::observe {
 
-/// Joules of a frame, of a machine whose figures say what it takes; none of others.
+/// Energy of a frame in joules; nothing if the machine's parameters do not define it.
 std::optional<double> frame_joules(const machines::Account& account);
 
 }  // namespace csgsim::observe

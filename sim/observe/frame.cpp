@@ -20,12 +20,12 @@ std::size_t pixel_count(const isa::Program& program) {
   return static_cast<std::size_t>(program.shape.width) * program.shape.height;
 }
 
-/// All ones.
+/// The depth of an empty pixel: all ones.
 std::uint32_t nothing_in(isa::Field depth) { return static_cast<std::uint32_t>((1ULL << depth.width) - 1); }
 
 std::size_t row_words(const isa::Region& region) { return (region.width + word_bits - 1) / word_bits; }
 
-/// An effect's field of that name; of width 0 if it has none.
+/// The field of an effect with that name; of width 0 if it has none.
 isa::Field field_named(const isa::Facts& facts, const std::string& effect, std::string_view name) {
   const auto found = std::find_if(facts.fields.begin(), facts.fields.end(), [&](const isa::NamedField& one) {
     return one.role == isa::FieldRole::effect && one.name == effect + "." + std::string(name);
@@ -84,8 +84,8 @@ bool FrameObserver::is_merge(const isa::Instruction& instruction) const {
   return instruction.opcode == isa::Opcode::copy && depth_.width > 0 && instruction.fields[0] == depth_;
 }
 
-/// Whether it is of the drawing that the camera sees: what mirrors show and samples beside a pixel's centre are billed
-/// to the effect that they are within.
+/// Whether the instruction belongs to the view of the camera; pictures in mirrors and samples beside a pixel's centre
+/// are charged to the enclosing effect.
 bool FrameObserver::writes_panes(const isa::Instruction& instruction) const {
   return nearest_.width > 0 && instruction.origin.effect == pane_effect_ && instruction.fields[0] == nearest_;
 }
@@ -111,7 +111,7 @@ bool FrameObserver::colours_one_of_several(const isa::Instruction& instruction, 
   if (instruction.origin.node == isa::no_node || colour.width == 0) return false;
   const isa::Field& target = instruction.fields[0];
   if (instruction.opcode == isa::Opcode::set_constant && target == colour) return true;
-  // Light on curved surfaces is brought there channel by channel.
+  // light on curved surfaces is copied channel by channel
   return instruction.opcode == isa::Opcode::copy && instruction.origin.purpose == isa::Purpose::shade &&
          target.base >= colour.base && target.end() <= colour.end();
 }
@@ -161,7 +161,7 @@ void FrameObserver::enabled_after(const isa::Instruction& instruction, const isa
       panes_.depth[at] = unread_depth;
     });
   } else if (colours_pane(instruction)) {
-    // Layers behind the nearest are coloured in the same field.
+    // layers behind the nearest are coloured in the same field
     for_enabled(part, words, [&](std::size_t at) {
       if (panes_.depth[at] == unread_depth) panes_.owner[at] = origin.primitive;
     });

@@ -1,3 +1,5 @@
+// Observer that assembles the picture of a run.
+// Used throughout sim.
 #pragma once
 
 #include <cstdint>
@@ -10,29 +12,30 @@ namespace csgsim::observe {
 
 inline constexpr std::uint32_t no_owner = 0xffffffffU;
 
-/// A finished picture, in row order. Of see-through surfaces that are blended into it, as of others, the nearest
-/// counts.
+/// A finished picture, in row order. Transparent surfaces that are blended into it count like others: the nearest one
+/// is recorded.
 struct Frame {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  std::vector<std::uint32_t> colour;  ///< as the colour field holds it (hw/isa/colour_format.h)
-  std::vector<std::uint32_t> depth;   ///< depth steps of the nearest surface seen; all ones where nothing is seen
-  std::vector<std::uint32_t> owner;   ///< index of the primitive whose surface that is, or no_owner
-  /// The same of the opaque surface that is seen, through others or not; empty where the Program blends none.
+  std::vector<std::uint32_t> colour;  ///< value of the colour field (hw/isa/colour_format.h)
+  std::vector<std::uint32_t> depth;   ///< depth steps of the nearest visible surface; all ones if nothing is visible
+  std::vector<std::uint32_t> owner;   ///< index of the primitive of that surface, or no_owner
+  /// The same for the visible opaque surface, possibly behind others; empty if the Program blends none.
   std::vector<std::uint32_t> opaque_depth{};
   std::vector<std::uint32_t> opaque_owner{};
 
   bool operator==(const Frame&) const = default;
 };
 
-/// With the opaque surfaces in place of the nearest.
+/// The frame with the opaque surfaces in place of the nearest ones.
 Frame of_opaque(Frame frame);
 
-/// Assembles the picture of a run, segment by segment, on the background. Pixel memory has no room for owners: they are
-/// taken down from outside, as each primitive's depth is copied into the depth field; where several are drawn as one
-/// solid, as the colour of each is written. In the same way owners and depths of see-through surfaces are taken down
-/// that the Program blends: from an effect's fields EFFECT.nearest_depth and EFFECT.nearest_colour, until the effect
-/// first compares that depth with the depth field. By the end of the frame they may hold another layer.
+/// Assembles the picture of a run, segment by segment, over the background. Pixel memory has no room for owners, so
+/// they are recorded outside of it: when a primitive's depth is copied into the depth field, or, where several
+/// primitives are drawn as one solid, when the colour of each is written. Owners and depths of blended transparent
+/// surfaces are recorded in the same way, from an effect's fields EFFECT.nearest_depth and EFFECT.nearest_colour, until
+/// the effect first compares that depth with the depth field. At the end of the frame those fields may hold another
+/// layer.
 class FrameObserver : public engine::Observer {
  public:
   explicit FrameObserver(const isa::Program& program);
@@ -47,35 +50,35 @@ class FrameObserver : public engine::Observer {
   [[nodiscard]] const Frame& frame() const& { return frame_; }
   [[nodiscard]] Frame frame() && { return std::move(frame_); }
 
-  /// Whether the instruction makes an enabled pixel its primitive's, if nothing comes after it.
+  /// Whether the instruction makes its primitive the owner of the enabled pixels, unless a later one replaces it.
   [[nodiscard]] bool merges(const isa::Instruction& instruction) const {
     return is_merge(instruction) || is_pane_merge(instruction);
   }
-  /// Whose see-through surface is before the opaque one so far; no_owner where there is none.
+  /// Owner of the transparent surface currently before the opaque one; no_owner if there is none.
   [[nodiscard]] std::uint32_t pane_owner(std::size_t pixel) const {
     return panes_.owner.empty() ? no_owner : panes_.owner[pixel];
   }
 
-  /// See-through surfaces before the opaque ones, of segments that have not ended. Empty where the Program has none.
+  /// Transparent surfaces before the opaque ones, in segments that have not ended. Empty if the Program has none.
   struct Panes {
-    std::vector<std::uint32_t> owner;  ///< no_owner where there is none
-    std::vector<std::uint32_t> depth;  ///< unread_depth where it has not been taken down yet, or there is none
+    std::vector<std::uint32_t> owner;  ///< no_owner if there is none
+    std::vector<std::uint32_t> depth;  ///< unread_depth if there is none, or if it has not been read yet
 
     bool operator==(const Panes&) const = default;
   };
-  /// No depth of a surface.
+  /// A value that is no depth of a surface.
   static constexpr std::uint32_t unread_depth = 0xffffffffU;
 
-  /// All that has been gathered at an instruction boundary.
+  /// The data collected up to an instruction boundary.
   struct Gathered {
     Frame frame;
-    std::vector<std::uint32_t> candidate_owner;  ///< of every pixel, or none
-    Panes panes{};                               ///< of every pixel, or none
+    std::vector<std::uint32_t> candidate_owner;  ///< one entry per pixel, or empty
+    Panes panes{};                               ///< one entry per pixel, or empty
 
     bool operator==(const Gathered&) const = default;
   };
   [[nodiscard]] Gathered gathered() const { return {frame_, candidate_owner_, panes_}; }
-  /// Goes on from what an observer of the same Program gathered.
+  /// Continues from the data collected by an observer of the same Program.
   void restore(Gathered gathered);
 
  private:
@@ -87,26 +90,27 @@ class FrameObserver : public engine::Observer {
   [[nodiscard]] bool colours_pane(const isa::Instruction& instruction) const;
   [[nodiscard]] bool compares_panes(const isa::Instruction& instruction) const;
   [[nodiscard]] bool colours_one_of_several(const isa::Instruction& instruction, isa::Field colour) const;
-  /// Calls take(pixel of the picture) for each that is enabled.
+  /// Calls take(pixel of the picture) for each enabled pixel.
   template <class Take>
   void for_enabled(const isa::Region& part, std::span<const std::uint64_t> words, const Take& take) const;
-  /// A picture may be drawn several times, one over the other: what was seen before is not any more.
+  /// Clears the owner of pixels that became empty again, since a picture may be drawn several times, one over the
+  /// other.
   void forget_unseen(const isa::Region& region);
   void take_pane_depths(const engine::PixelState& state);
-  /// What stands before opaque surfaces becomes the picture's.
+  /// Moves transparent surfaces in front of opaque ones into the picture.
   void put_panes(const isa::Region& region);
   void place(const engine::PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture);
 
   isa::Field depth_;
   isa::Field colour_;
   isa::Field candidate_colour_;
-  isa::Field nearest_;                         ///< depth; of width 0 where the Program blends no see-through surfaces
-  isa::Field nearest_colour_;                  ///< of the same
-  std::uint8_t pane_effect_ = isa::no_effect;  ///< that blends them
+  isa::Field nearest_;                         ///< depth; of width 0 if the Program blends no transparent surfaces
+  isa::Field nearest_colour_;                  ///< colour of that surface
+  std::uint8_t pane_effect_ = isa::no_effect;  ///< the effect that blends them
   Frame frame_;
-  std::vector<std::uint32_t> candidate_owner_;  ///< whose colour is beside Z1, where several are drawn as one
+  std::vector<std::uint32_t> candidate_owner_;  ///< owner of the colour beside Z1, where several are drawn as one
   Panes panes_;
-  std::vector<bool> drawn_;  ///< segments that have instructions
+  std::vector<bool> drawn_;  ///< whether each segment has instructions
   std::vector<std::uint32_t> values_;
   std::vector<std::uint64_t> enable_;
 };

@@ -1,3 +1,5 @@
+// Hashes of a picture.
+// Used by sim/session and sim/studies.
 #pragma once
 
 #include <string>
@@ -9,8 +11,8 @@
 namespace csgsim::observe {
 
 struct FrameHashes {
-  std::string surfaces;  ///< of depth and owner of every pixel
-  std::string picture;   ///< of its colour too
+  std::string surfaces;  ///< hash of depth and owner of every pixel
+  std::string picture;   ///< hash of these and the colour
 };
 
 inline FrameHashes hashes_of(const Frame& frame) {
@@ -22,7 +24,7 @@ inline FrameHashes hashes_of(const Frame& frame) {
   return {std::move(surfaces), hash.text()};
 }
 
-/// Of depth, owner and colour of every pixel.
+/// Hash of depth, owner and colour of every pixel.
 inline std::string hash_of(const Frame& frame) { return hashes_of(frame).picture; }
 
 }  // namespace csgsim::observe

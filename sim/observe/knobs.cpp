@@ -17,11 +17,11 @@ namespace csgsim::observe {
 
 namespace {
 
-/// What is done to a figure.
+/// Change applied to a parameter.
 enum class Step : std::uint8_t {
   twice,
   half,
-  least,  ///< of the values that the schema allows, for figures that are names
+  least,  ///< smallest value of the schema, for parameters that are names
   most,
 };
 
@@ -30,7 +30,7 @@ struct FigureStep {
   Step step;
 };
 
-/// Figures of all kinds that machines could be built with otherwise, and that no Program depends on.
+/// Parameters, of all kinds of machines, that hardware could have chosen differently and that no Program depends on.
 constexpr auto figure_steps = std::to_array<FigureStep>({
     {"alu.bits", Step::twice},
     {"evaluator.bits", Step::twice},
@@ -85,7 +85,7 @@ struct Change {
   std::int64_t after = 0;
 };
 
-/// Nothing where the machine has no such figure, or it is as good as it may be.
+/// The changed parameter; nothing if the machine lacks it or it is at its best value.
 std::optional<Change> change_of(const machines::Machine& machine, const FigureStep& row) {
   const auto figure = std::ranges::find(machine.kind->schema, row.key, &machines::FigureSchema::key);
   if (figure == machine.kind->schema.end()) return std::nullopt;
@@ -101,21 +101,21 @@ std::string text_of(const Change& change, std::int64_t value) {
   return is_named ? std::string(change.figure->names[static_cast<std::size_t>(value)]) : fmt::format("{}", value);
 }
 
-/// The clocks from one frame to the next; nothing where the figure does not fit the machine's others.
+/// The clocks from one frame to the next; nothing if the value does not fit the machine's other parameters.
 std::optional<std::uint64_t> interval_with(const Change& change, const isa::Program& program, machines::Machine machine,
-                                           const machines::Told& told) {
+                                           const machines::RunOutcome& outcome) {
   change.figure->store(machine, change.after);
   try {
     const machines::Size picture = machine.picture;
     machines::complete(machine);
     machines::set_picture_size(machine, picture);
-    return host::time_frame(program, machine, told).interval_clocks;
+    return host::time_frame(program, machine, outcome).interval_clocks;
   } catch (const InputError&) {
     return std::nullopt;
   }
 }
 
-/// The word with that figure, in place of what it says of it already.
+/// The --machine option with that parameter, in place of any value it already has.
 std::string option_of(const std::string& word, const Change& change) {
   const std::string key = fmt::format("+{}=", change.figure->key);
   std::string machine = word;
@@ -132,29 +132,29 @@ std::string worth(const Knob& knob) {
                      grouped(knob.clocks_before), 100.0 * saved);
 }
 
-std::vector<Knob> that_help(std::vector<Knob> knobs) {
+std::vector<Knob> helpful_knobs(std::vector<Knob> knobs) {
   std::erase_if(knobs, [](const Knob& one) { return one.clocks_after >= one.clocks_before; });
   std::ranges::stable_sort(knobs, {}, &Knob::clocks_after);
   return knobs;
 }
 
-std::vector<Knob> figure_knobs(const isa::Program& program, const machines::Machine& machine,
-                               const engine::RunResult& result, const std::string& word) {
+std::vector<Knob> parameter_knobs(const isa::Program& program, const machines::Machine& machine,
+                                  const engine::RunResult& result, const std::string& word) {
   std::vector<Knob> knobs;
   for (const FigureStep& row : figure_steps) {
     const std::optional<Change> change = change_of(machine, row);
     if (!change) continue;
-    const std::optional<std::uint64_t> after = interval_with(*change, program, machine, engine::told_of(result));
+    const std::optional<std::uint64_t> after = interval_with(*change, program, machine, engine::run_outcome(result));
     if (!after) continue;
     Knob knob{"", option_of(word, *change), result.interval_clocks, *after};
     knob.sentence = fmt::format("{} {} instead of {}: {}", change->figure->key, text_of(*change, change->after),
                                 text_of(*change, change->before), worth(knob));
     knobs.push_back(std::move(knob));
   }
-  return that_help(std::move(knobs));
+  return helpful_knobs(std::move(knobs));
 }
 
-std::size_t figures_to_try(const machines::Machine& machine) {
+std::size_t parameters_to_try(const machines::Machine& machine) {
   return static_cast<std::size_t>(
       std::ranges::count_if(figure_steps, [&](const FigureStep& row) { return change_of(machine, row).has_value(); }));
 }

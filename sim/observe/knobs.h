@@ -1,3 +1,5 @@
+// Measures the worth of changed machine parameters.
+// Used by sim/observe and sim/session.
 #pragma once
 
 #include <cstdint>
@@ -10,28 +12,27 @@
 
 namespace csgsim::observe {
 
-/// A setting, or a figure of the machine, that was changed to see what it is worth.
+/// A setting or a machine parameter that was changed to measure its worth.
 struct Knob {
-  std::string sentence;             ///< for people: what was changed, and what that was worth
-  std::string option;               ///< of csgsim render, as `--machine scan-line+link.width=64`
+  std::string sentence;             ///< description of the change and its worth
+  std::string option;               ///< option of csgsim render, as `--machine scan-line+link.width=64`
   std::uint64_t clocks_before = 0;  ///< from one frame to the next
-  std::uint64_t clocks_after = 0;   ///< the same, with the option
+  std::uint64_t clocks_after = 0;   ///< from one frame to the next, with the option
 };
 
-/// The clocks before and after, as `262,144 clocks from one frame to the next instead of 362,847: 27.8 % fewer`.
+/// The clocks before and after, as `262,144 clocks from one frame to the next instead of 362,847, 27.8 % fewer`.
 std::string worth(const Knob& knob);
 
-/// The machine's figures that can be bettered without another Program, one after the other, each by one step: twice as
-/// wide, half as long. What it is worth is worked out from the same instructions, by the account of clocks that the run
-/// itself is timed with: nothing is drawn or compiled. `word`: what --machine was given. Only those that help, the one
-/// that helps most first.
-std::vector<Knob> figure_knobs(const isa::Program& program, const machines::Machine& machine,
-                               const engine::RunResult& result, const std::string& word);
+/// Changes each machine parameter that can be improved without another Program by one step, such as twice the width or
+/// half the time. The worth is computed from the same instructions with the clock account of the run itself; nothing is
+/// drawn or compiled. `word` is the value of --machine. Returns only changes that help, best first.
+std::vector<Knob> parameter_knobs(const isa::Program& program, const machines::Machine& machine,
+                                  const engine::RunResult& result, const std::string& word);
 
-/// How many figures of the machine that would try.
-std::size_t figures_to_try(const machines::Machine& machine);
+/// Number of machine parameters that parameter_knobs would try.
+std::size_t parameters_to_try(const machines::Machine& machine);
 
-/// The clocks after, the fewest first; what does not help is left out.
-std::vector<Knob> that_help(std::vector<Knob> knobs);
+/// Removes changes that do not help, and sorts the rest by clocks.
+std::vector<Knob> helpful_knobs(std::vector<Knob> knobs);
 
 }  // namespace csgsim::observe

@@ -25,20 +25,20 @@ Stopwatch wall_time() {
   return [] { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); };
 }
 
-LongWork::LongWork(std::string what, std::string remedy, Stopwatch stopwatch, double warned_of)
+LongWork::LongWork(std::string what, std::string remedy, Stopwatch stopwatch, double warning_threshold)
     : what_(std::move(what)),
       remedy_(std::move(remedy)),
       stopwatch_(std::move(stopwatch)),
       begin_(stopwatch_()),
-      warned_of_(warned_of) {}
+      warning_threshold_(warning_threshold) {}
 
 void LongWork::at(double done) {
   if (warned_ || !(done > 0)) return;
   const double expected = elapsed() / done;
-  if (expected < warned_of_) return;
+  if (expected < warning_threshold_) return;
   warned_ = expected;
-  tell_line(fmt::format("warning: {} will take about {} here, to judge by the first {:.2g} %; {}", what_,
-                        duration_text(expected), 100 * done, remedy_));
+  report_line(fmt::format("warning: {} will take about {}, judging by the first {:.2g} %; {}", what_,
+                          duration_text(expected), 100 * done, remedy_));
 }
 
 void LongWork::at_point(std::size_t done, std::size_t points) {

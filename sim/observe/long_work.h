@@ -1,3 +1,5 @@
+// Warns about work that will take minutes.
+// Used by sim/observe, sim/session and sim/studies.
 #pragma once
 
 #include <cstddef>
@@ -7,27 +9,28 @@
 
 namespace csgsim::observe {
 
-/// Seconds from some point in time on.
+/// Returns seconds since some fixed point in time.
 using Stopwatch = std::function<double()>;
 
 Stopwatch wall_time();
 
-/// Warns once on standard error, early, of work that will take minutes, by the time that its first part took.
+/// Warns once on standard error about work that will take minutes, judging by the time of its first part.
 class LongWork {
  public:
-  static constexpr double few_seconds = 60;  ///< what takes less is not warned of
+  static constexpr double min_warned_seconds = 60;  ///< expected times below this cause no warning
 
-  /// `what` will take so long; `remedy` says what would take less.
-  LongWork(std::string what, std::string remedy, Stopwatch stopwatch = wall_time(), double warned_of = few_seconds);
+  /// `what` names the work in the warning; `remedy` suggests how to shorten it.
+  LongWork(std::string what, std::string remedy, Stopwatch stopwatch = wall_time(),
+           double warning_threshold = min_warned_seconds);
 
-  /// This part of the work is done, above 0, at most 1.
+  /// Reports the completed fraction of the work, above 0 and at most 1.
   void at(double done);
 
-  /// So many of the points of a study are done. The first read, compile and judge what the others share: nothing is
-  /// foretold before some seconds, or some of the points.
+  /// Reports the completed points of a study. The first points also read, compile and judge what the others share, so
+  /// no estimate is made before some seconds or some points.
   void at_point(std::size_t done, std::size_t points);
 
-  /// Seconds in all that were warned of, if it was.
+  /// The expected total in seconds, if a warning was printed.
   [[nodiscard]] std::optional<double> warned() const { return warned_; }
 
   /// Seconds since the work began.
@@ -38,7 +41,7 @@ class LongWork {
   std::string remedy_;
   Stopwatch stopwatch_;
   double begin_;
-  double warned_of_;
+  double warning_threshold_;
   std::optional<double> warned_;
 };
 

@@ -20,7 +20,7 @@ namespace csgsim::observe {
 
 namespace {
 
-/// One channel, which formats that name channels call so.
+/// A one-channel picture; `channel` is its name in formats that name channels.
 pictures::Raster floats(const Frame& frame, const std::string& channel, const std::vector<float>& samples) {
   return {frame.width, frame.height, 1, channel, pictures::Floats(samples)};
 }
@@ -29,7 +29,7 @@ pictures::Raster colours(const Frame& frame, const std::vector<std::uint8_t>& sa
   return {frame.width, frame.height, 3, {}, pictures::Bytes(samples)};
 }
 
-/// A name with an ending that tells the format.
+/// The name, with the default extension if it has none that selects a format.
 std::filesystem::path named(std::filesystem::path path, const char* usual_ending) {
   return path.has_extension() || !is_stream(path) ? path : path += usual_ending;
 }
@@ -54,7 +54,7 @@ void check_depth_format(const std::filesystem::path& path) {
 void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program) {
   auto pixels = filled<std::uint8_t>(frame.colour.size() * 3, 0);
   const unsigned bits = program.colour.width;
-  std::uint32_t last = 0;  // of neighbours most are alike
+  std::uint32_t last = 0;  // neighbouring pixels are mostly equal
   std::array<std::uint8_t, 3> channels = isa::unpack_colour(last, bits);
   auto to = pixels.begin();
   for (const std::uint32_t colour : frame.colour) {

@@ -1,3 +1,5 @@
+// Writes pictures, depths and owners to files.
+// Used throughout sim.
 #pragma once
 
 #include <array>
@@ -10,41 +12,39 @@
 
 namespace csgsim::observe {
 
-/// Throws InputError unless the path's extension names a format for pictures; a stream without one is PNG, or EXR for
-/// distances. Asked before a run, it lets what takes
-/// long to load be loaded beside the run.
+/// Throws InputError unless the path's extension names a picture format; a stream without extension is PNG, or EXR for
+/// distances. A call before the run starts loading slow libraries in parallel with it.
 void check_format(const std::filesystem::path& path);
 
 /// The same for a picture of distances.
 void check_depth_format(const std::filesystem::path& path);
 
-/// The picture, 8 bits a channel, in the format that the file's extension names. Throws InputError.
+/// Writes the picture with 8 bits per channel, in the format of the file's extension. Throws InputError.
 void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program);
 
-/// Distances from the eye along the view axis in model units, one float channel Z, infinite where nothing is seen
-/// (EXR).
+/// Writes distances from the eye along the view axis in model units, as one float channel Z, infinite where nothing is
+/// visible (EXR).
 void write_depth(OutputFile& file, const Frame& frame, const isa::Program& program);
 
-/// Whether an owner picture of that name has colours, of which a legend tells (PNG), or else indices (EXR).
+/// Whether an owner picture of that name has colours and a legend (PNG), rather than indices (EXR).
 bool has_legend(const std::filesystem::path& owner_picture);
 
-/// Who is seen at each pixel. EXR: the primitive's index, one float channel `owner`, -1 where nothing is seen. PNG: its
-/// colour, see owner_colour.
+/// Writes the owner of each pixel. EXR: the primitive's index, as one float channel `owner`, -1 where nothing is
+/// visible. PNG: its colour, see owner_colour.
 void write_owner(OutputFile& file, const Frame& frame);
 
-/// The frame with primitives as owners, in place of their pieces.
+/// The frame with primitives as owners instead of their pieces.
 Frame of_primitives(Frame frame, const isa::Facts& facts);
 
-/// The colour of a primitive, 8 bits a channel, in an owner picture; black for no_owner. Those of indices below 2^24 -
-/// 1 are all different: the bits of the index + 1 go to red, green and blue in turn, the lowest three into the highest
-/// bit of each, so that primitives with near indices have colours far apart (the colour map of the PASCAL VOC
-/// challenge).
+/// The colour of a primitive in an owner picture, 8 bits per channel; black for no_owner. Indices below 2^24 - 1 have
+/// different colours: the bits of index + 1 go to red, green and blue in turn, the lowest three into the highest bit of
+/// each, so that neighbouring indices get very different colours (the colour map of the PASCAL VOC challenge).
 std::array<std::uint8_t, 3> owner_colour(std::uint32_t primitive);
 
-/// The legend of an owner picture, .json: colour, index, name and pixels of each primitive, and of nothing.
+/// Writes the legend of an owner picture, .json: colour, index, name and pixel count of each primitive, and of nothing.
 void write_legend(OutputFile& file, const Frame& frame, const isa::Program& program);
 
-/// Bytes of a picture that is no frame: `channels` a pixel, 1 for grey or 3, in row order.
+/// A picture that is not a frame: `channels` bytes per pixel, 1 for grey or 3, in row order.
 struct Picture {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -52,7 +52,7 @@ struct Picture {
   std::vector<std::uint8_t> bytes;
 };
 
-/// In the format that the file's extension names. Throws InputError.
+/// Writes the picture in the format of the file's extension. Throws InputError.
 void write_picture(OutputFile& file, const Picture& picture);
 
 }  // namespace csgsim::observe

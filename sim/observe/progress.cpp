@@ -12,7 +12,7 @@ namespace csgsim::observe {
 
 namespace {
 
-/// Instructions between looks at the clock.
+/// Instructions between two reads of the clock.
 constexpr std::uint64_t look_every = 64;
 
 }  // namespace
@@ -29,9 +29,9 @@ void ProgressObserver::begin_at(engine::Place place) {
   }
 }
 
-void ProgressObserver::warn(LongWork& work, bool also_tells) {
+void ProgressObserver::warn(LongWork& work, bool shows_progress) {
   work_ = &work;
-  tells_ = also_tells;
+  shows_ = shows_progress;
 }
 
 ProgressObserver::~ProgressObserver() {
@@ -46,12 +46,12 @@ void ProgressObserver::after_instruction(const engine::Step& step, const engine:
   }
   if (++instructions_ % look_every != 0) return;
   if (work_ != nullptr && work_->elapsed() >= 1.0) work_->at(static_cast<double>(done_) / static_cast<double>(total_));
-  if (!tells_) return;
+  if (!shows_) return;
   const Clock::time_point now = Clock::now();
-  const std::chrono::duration<double> since_told = now - told_;
+  const std::chrono::duration<double> since_shown = now - last_shown_;
   const std::chrono::duration<double> elapsed = now - begin_;
-  if (elapsed.count() < 1.0 || since_told.count() < 0.25) return;
-  told_ = now;
+  if (elapsed.count() < 1.0 || since_shown.count() < 0.25) return;
+  last_shown_ = now;
   shown_ = true;
   const double rate = static_cast<double>(done_) / elapsed.count();
   const double left = static_cast<double>(total_ - done_) / rate;

@@ -1,3 +1,5 @@
+// Observer that shows the progress of a run.
+// Used by sim/session.
 #pragma once
 
 #include <chrono>
@@ -9,15 +11,15 @@
 
 namespace csgsim::observe {
 
-/// Tells on standard error how far a run is, its rate and the time left, a few times a second once it has taken a
-/// second; and, if asked to, warns then of one that will take minutes.
+/// Shows progress, rate and remaining time of a run on standard error, a few times a second after the first second. On
+/// request it also warns about a run that will take minutes.
 class ProgressObserver : public engine::Observer {
  public:
-  /// The clocks of what turns out to be skipped are taken off the total. Program and machine have to outlive it.
+  /// Clocks of skipped instructions are removed from the total. Program and machine have to outlive it.
   ProgressObserver(const isa::Program& program, const machines::Machine& machine);
 
-  /// Warns as LongWork does; tells how far the run is only if asked to.
-  void warn(LongWork& work, bool also_tells);
+  /// Warns through `work`; shows progress only if `shows_progress` is set.
+  void warn(LongWork& work, bool shows_progress);
 
   ~ProgressObserver() override;
   ProgressObserver(const ProgressObserver&) = delete;
@@ -26,7 +28,7 @@ class ProgressObserver : public engine::Observer {
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
   void after_instruction(const engine::Step& step, const engine::PixelState& state) override;
 
-  /// Counts only what is left from there on.
+  /// Counts only the part of the run after this place.
   void begin_at(engine::Place place);
 
  private:
@@ -37,8 +39,8 @@ class ProgressObserver : public engine::Observer {
   std::uint64_t done_ = 0;
   std::uint64_t instructions_ = 0;
   Clock::time_point begin_ = Clock::now();
-  Clock::time_point told_ = begin_;
-  bool tells_ = true;
+  Clock::time_point last_shown_ = begin_;
+  bool shows_ = true;
   LongWork* work_ = nullptr;
   bool shown_ = false;
 };

@@ -1,3 +1,5 @@
+// Observer that counts instructions and clocks.
+// Used throughout sim.
 #pragma once
 
 #include <array>
@@ -9,29 +11,30 @@
 
 namespace csgsim::observe {
 
-/// What some of the instructions cost.
+/// Cost of some of the instructions.
 struct Cost {
   std::uint64_t instructions = 0;
   std::uint64_t clocks = 0;
-  std::uint64_t pixel_operations = 0;  ///< bit steps times pixel processors; or what these take, where that differs
-  std::uint64_t enabled = 0;           ///< of these, at pixels whose E was 1 when the instruction began
+  std::uint64_t pixel_operations = 0;  ///< bit steps times pixel processors, or the machine's own count if it differs
+  std::uint64_t enabled = 0;           ///< the part at pixels whose E was 1 when the instruction began
 
   Cost& operator+=(const Cost& other);
   bool operator==(const Cost&) const = default;
 };
 
-/// The cost of a run, accounted to opcodes, purposes and primitives. Each account adds up to the total. Where the array
-/// is the whole picture that is the run's clocks without its final latency; elsewhere the parts of the picture are
-/// worked on side by side, and the run's clocks are another account (machines::Account).
+/// The cost of a run, by opcode, purpose and primitive. Each account adds up to the total. If the array covers the
+/// whole picture, the total is the run's clocks without the final latency. Otherwise parts of the picture are processed
+/// in parallel, and the run's clocks have a separate account (machines::Account).
 struct Stats {
   Cost total;
-  std::array<Cost, isa::opcode_numbers> by_opcode{};  ///< by its number
+  std::array<Cost, isa::opcode_numbers> by_opcode{};  ///< indexed by opcode number
   std::array<Cost, isa::purpose_table.size()> by_purpose{};
-  std::vector<Cost> by_primitive;  ///< one a primitive of the Program
-  /// Of these, what no effect but flat shading calls for. With by_effect, but for its first and last, and with what
-  /// serves neither a primitive nor an effect, it adds up to the total too.
+  std::vector<Cost> by_primitive;  ///< one per primitive of the Program
+  /// The part of by_primitive that belongs to no effect other than flat shading. Together with by_effect without its
+  /// first and last element, and with instructions for neither a primitive nor an effect, it adds up to the total.
   std::vector<Cost> plain_by_primitive;
-  std::vector<Cost> by_effect;  ///< one an effect of the Program, flat shading first; the last what no effect calls for
+  std::vector<Cost> by_effect;  ///< one per effect of the Program, flat shading first; the last one is for instructions
+                                ///< of no effect
 
   bool operator==(const Stats&) const = default;
 };
@@ -42,7 +45,7 @@ class StatsObserver : public engine::Observer {
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
   void after_instruction(const engine::Step& step, const engine::PixelState& state) override;
   [[nodiscard]] const Stats& stats() const { return stats_; }
-  /// Goes on from what an observer of the same Program counted.
+  /// Continues from the counts of an observer of the same Program.
   void restore(Stats stats) { stats_ = std::move(stats); }
 
  private:

@@ -14,7 +14,7 @@
 #include "hw/machines/kind.h"
 #include "sim/observe/account_json.h"
 #include "sim/observe/bound.h"
-#include "sim/observe/dearest.h"
+#include "sim/observe/primitive_costs.h"
 #include "sim/observe/energy.h"
 
 namespace csgsim::observe {
@@ -110,7 +110,7 @@ Json primitives_json(const Report& report) {
   return primitives;
 }
 
-/// Bits that the linear expressions are streamed over, on average: fewer where regions are small.
+/// Mean number of streamed bits of linear expressions; smaller regions need fewer.
 double mean_linear_width(const isa::Program& program) {
   double bits = 0;
   double count = 0;
@@ -143,7 +143,7 @@ Json segments_json(const isa::Program& program) {
           {"linear_width_mean", mean_linear_width(program)}};
 }
 
-/// Null where the machine's kind does not tell.
+/// Null if the machine's kind reports no units.
 Json bound_json(const Report& report) {
   const std::optional<Bound> bound = bound_of(report.result, report.machine);
   if (!bound) return {};
@@ -175,7 +175,7 @@ Json knobs_json(std::span<const Knob> knobs) {
   return json;
 }
 
-/// 0 where a frame takes no time.
+/// 0 if a frame takes no time.
 double frames_per_second(const Report& report, std::uint64_t interval) {
   return interval == 0 ? 0 : static_cast<double>(report.machine.clock_hz) / static_cast<double>(interval);
 }

@@ -1,3 +1,5 @@
+// The stats file of a run.
+// Used by sim/app, sim/session, sim/shell, sim/studies, sim/viewer and the public header sim/csgsim.h.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,7 +13,7 @@
 
 namespace csgsim::observe {
 
-/// All that a stats file tells of one run.
+/// The contents of a stats file of one run.
 struct Report {
   const isa::Program& program;
   const machines::Machine& machine;
@@ -19,13 +21,13 @@ struct Report {
   const engine::RunResult& result;
   const Stats& stats;
   double wall_seconds = 0;
-  std::span<const Knob> knobs{};  ///< what was tried and helps
+  std::span<const Knob> knobs{};  ///< tried changes that help
 };
 
 /// The stats file; docs/settings.md describes every key with its unit.
 nlohmann::ordered_json to_json(const Report& report);
 
-/// Bits of pixel memory that the Program's named fields take.
+/// Bits of pixel memory used by the Program's named fields.
 std::uint32_t used_memory_bits(const isa::Program& program);
 
 }  // namespace csgsim::observe

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view png_extension = ".png";
 
-/// Endings that the module surely knows: nobody waits for it to say so.
+/// Extensions that the module is known to support; no need to wait for it.
 constexpr auto known_extensions = std::to_array<std::string_view>({".exr", ".jpg", ".ppm", ".tif"});
 
 std::string extension_of(const std::filesystem::path& path) {
@@ -27,7 +27,8 @@ std::string extension_of(const std::filesystem::path& path) {
 }
 
 [[noreturn]] void throw_no_format(const std::filesystem::path& path) {
-  throw FormatError(path.native() + ": no picture format for this name; end it in .png, .tif, .ppm, .exr or the like");
+  throw FormatError(path.native() +
+                    ": unknown picture format; end the name in .png, .tif, .ppm, .exr or a similar extension");
 }
 
 [[noreturn]] void throw_unwritten(const std::filesystem::path& path, const std::string& why) {
@@ -47,7 +48,7 @@ std::string encode_by_module(const std::filesystem::path& path, const Raster& ra
     if (encoded.error.empty()) encoded.bytes = file.content();
   }
   if (!encoded.error.empty()) throw_unwritten(path, encoded.error);
-  if (encoded.bytes.empty()) throw InputError(path.native() + ": this format makes no file; take .png");
+  if (encoded.bytes.empty()) throw InputError(path.native() + ": this format creates no file; use .png");
   return std::move(encoded.bytes);
 }
 

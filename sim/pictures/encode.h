@@ -1,3 +1,5 @@
+// Encodes pictures in common file formats.
+// Used by sim/observe, sim/python, sim/report, sim/session, sim/viewer and sim/web.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +10,7 @@
 
 namespace csgsim::pictures {
 
-/// No picture's format has the ending of a name.
+/// The extension of a name belongs to no picture format.
 class FormatError : public InputError {
  public:
   using InputError::InputError;
@@ -16,12 +18,12 @@ class FormatError : public InputError {
 
 enum class Samples { bytes, floats };
 
-/// Throws FormatError unless the path's extension names a format for pictures that can be written here. Where that
-/// takes the module of formats, it is opened from now on, beside what the caller does next.
+/// Throws FormatError unless the path's extension names a supported picture format. If the format needs the module,
+/// opening it starts now, in parallel with the caller.
 void check_format(const std::filesystem::path& path, Samples samples);
 
-/// The bytes of a picture's file, in the format that the path's extension names: PNG of bytes by libpng, all else by
-/// the module of formats. The same picture has the same bytes, whenever it is written. Throws InputError.
+/// The bytes of a picture file in the format of the path's extension: PNG of bytes by libpng, all others by the module
+/// of formats. Equal pictures always give equal bytes. Throws InputError.
 std::string encode(const std::filesystem::path& path, const Raster& raster);
 
 }  // namespace csgsim::pictures

@@ -13,11 +13,11 @@ namespace {
 std::unique_ptr<OIIO::ImageOutput> writer_for(const char* path) {
   std::unique_ptr<OIIO::ImageOutput> writer = OIIO::ImageOutput::create(path);
   if (!writer) {
-    OIIO::geterror();  // takes the message away, which nobody asked for
+    OIIO::geterror();  // clears the message, which is not used
     return nullptr;
   }
   const std::string_view format = writer->format_name();
-  if (format == "null" || format == "term") return nullptr;  // which make no file
+  if (format == "null" || format == "term") return nullptr;  // these formats create no file
   return writer;
 }
 
@@ -44,7 +44,7 @@ bool write(OIIO::ImageOutput& writer, const char* name, const Raster& raster) {
 
 Encoded encode(const char* path, const char* file, const Raster& raster) {
   const std::unique_ptr<OIIO::ImageOutput> writer = writer_for(path);
-  if (!writer) return {{}, "there is no such format"};
+  if (!writer) return {{}, "unknown format"};
   OIIO::Filesystem::IOVecOutput buffer;
   if (file == nullptr) writer->set_ioproxy(&buffer);
   if (!write(*writer, file == nullptr ? path : file, raster)) return {{}, writer->geterror()};
@@ -55,6 +55,6 @@ Encoded encode(const char* path, const char* file, const Raster& raster) {
 
 }  // namespace csgsim::pictures
 
-// The name is that of module_symbol.
+// The name must equal module_symbol.
 extern "C" [[gnu::visibility("default")]] const csgsim::pictures::Module csgsim_pictures_1;
 const csgsim::pictures::Module csgsim_pictures_1{csgsim::pictures::target_for, csgsim::pictures::encode};

@@ -1,3 +1,5 @@
+// Interface of the module of picture formats.
+// Used by module_loader.h and png.h.
 #pragma once
 
 #include <string>
@@ -6,32 +8,34 @@
 
 namespace csgsim::pictures {
 
-/// A picture's file, or why there is none.
+/// A picture's file, or an error.
 struct Encoded {
   std::string bytes;
-  std::string error;  ///< empty if all went well
+  std::string error;  ///< empty on success
 };
 
-/// Where a format can be written to.
+/// Target that a format can be written to.
 enum class Target {
-  none,    ///< there is no such format, or it makes no file
+  none,    ///< unknown format, or one that creates no file
   memory,  ///< Encoded::bytes
-  file,    ///< a file that is named
+  file,    ///< a named file
 };
 
-/// The module of picture formats, whose library takes longer to load than most runs: a shared library that is opened
-/// when the first picture asks for it. It is of the same build as what opens it.
+/// The module of picture formats: a shared library that is opened on first use, since loading it takes longer than most
+/// runs. It comes from the same build as the program that opens it.
 struct Module {
-  /// For what the path's extension names.
+  /// Target of the format that the path's extension names.
   Target (*target_for)(const char* path);
 
-  /// A picture in the format that the path's extension names. `file` is where it goes if that is its target, else null.
+  /// Encodes a picture in the format of the path's extension. `file` is the output file if the target is a file, else
+  /// null.
   Encoded (*encode)(const char* path, const char* file, const Raster& raster);
 };
 
 inline constexpr const char* module_file = "csgsim_pictures.so";
 
-/// Of the only symbol of the module, a Module. It changes with this file, so that another version's is not taken.
+/// Name of the only symbol of the module, a Module. It changes with this file, so that a module of another version is
+/// not accepted.
 inline constexpr const char* module_symbol = "csgsim_pictures_1";
 
 }  // namespace csgsim::pictures

@@ -12,17 +12,17 @@ namespace csgsim::pictures {
 
 namespace {
 
-std::atomic<bool> has_looked{false};  ///< for the libraries behind the module
+std::atomic<bool> has_begun_to_open{false};
 
-/// Opens it once a process.
+/// Opens the module once per process.
 class Loader {
  public:
-  /// Whether there is such a file.
+  /// Starts opening the module. Returns whether its file exists.
   bool begin() {
     std::call_once(once_, [this] {
       file_ = find_module(module_file);
       if (!file_.empty()) {
-        has_looked = true;
+        has_begun_to_open = true;
         opened_ = std::async(std::launch::async | std::launch::deferred, open_module, file_, module_symbol).share();
       }
     });
@@ -49,23 +49,22 @@ constexpr ModuleRole role{
 }  // namespace
 
 void begin_to_open_module(const std::filesystem::path& picture) {
-  if (!loader().begin()) throw InputError(picture.native() + ": " + no_module(role));
+  if (!loader().begin()) throw InputError(picture.native() + ": " + module_missing_text(role));
 }
 
 const Module& opened_module(const std::filesystem::path& picture) {
   begin_to_open_module(picture);
   const OpenedModule& opened = loader().opened();
   if (opened.symbol == nullptr)
-    throw InputError(picture.native() + ": " + unusable_module(role, loader().file(), opened.error));
+    throw InputError(picture.native() + ": " + module_unusable_text(role, loader().file(), opened.error));
   return *static_cast<const Module*>(opened.symbol);
 }
 
 }  // namespace csgsim::pictures
 
 #if CSGSIM_ADDRESS_SANITIZER
-/// Asked by the leak checker at the end. The libraries behind OpenImageIO, some 250, leave memory behind where not all
-/// of them can be opened, and run threads that the checker now and then fails to stop: it is off where they were
-/// opened.
+/// Called by the leak checker at exit. The 250 or so libraries behind OpenImageIO leak memory if some of them cannot be
+/// opened, and run threads that the checker sometimes fails to stop, so the check is disabled if they were opened.
 extern "C" int __lsan_is_turned_off();  // NOLINT(bugprone-reserved-identifier)
-extern "C" int __lsan_is_turned_off() { return csgsim::pictures::has_looked ? 1 : 0; }
+extern "C" int __lsan_is_turned_off() { return csgsim::pictures::has_begun_to_open ? 1 : 0; }
 #endif

@@ -1,3 +1,5 @@
+// Loads the module of picture formats on demand.
+// Used by encode.cpp.
 #pragma once
 
 #include <filesystem>
@@ -6,11 +8,11 @@
 
 namespace csgsim::pictures {
 
-/// Begins to open the module on a thread of its own, if that has not begun. Throws InputError, which begins with the
-/// picture's path, if there is no such file.
+/// Starts opening the module on a separate thread, unless already started. Throws InputError, which begins with the
+/// picture's path, if its file does not exist.
 void begin_to_open_module(const std::filesystem::path& picture);
 
-/// The module, when it is open. Throws InputError as above, and if it cannot be opened.
+/// The opened module. Throws InputError as above, and if it cannot be opened.
 const Module& opened_module(const std::filesystem::path& picture);
 
 }  // namespace csgsim::pictures

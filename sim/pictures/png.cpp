@@ -13,7 +13,7 @@ namespace csgsim::pictures {
 
 namespace {
 
-/// What libpng hands over. It is C, so nothing may be thrown through it.
+/// Output of libpng. It is C code, so no exception may pass through it.
 struct Sink {
   std::string bytes;
   char error[128] = "";  // NOLINT(modernize-avoid-c-arrays)
@@ -37,21 +37,20 @@ bool append(std::string& bytes, const png_byte* data, std::size_t length) {
 }
 
 extern "C" void take_png_bytes(png_structp png, png_bytep data, std::size_t length) {
-  if (!append(static_cast<Sink*>(png_get_io_ptr(png))->bytes, data, length))
-    png_error(png, "there is not enough memory");
+  if (!append(static_cast<Sink*>(png_get_io_ptr(png))->bytes, data, length)) png_error(png, "not enough memory");
 }
 
 extern "C" void flush_nothing(png_structp /*png*/) {}
 
-/// Pictures have areas of one colour. Without filters these are runs of the same bytes, which take less time and room
-/// than the differences that libpng would choose, row by row; with zlib's level 4 a file is about as long as by
-/// libpng's own choice, in a quarter of its time.
+/// Pictures have areas of one colour. Without filters these are runs of equal bytes, which take less time and space
+/// than the differences that libpng would choose row by row. At zlib level 4 a file is about as long as with libpng's
+/// defaults, in a quarter of the time.
 constexpr int filters = PNG_FILTER_NONE;
 constexpr int level = 4;
 
-/// Has nothing to destroy: libpng leaves it by a jump when something fails.
+/// Needs no destructors: libpng leaves the function by a jump on errors.
 bool write_png(png_structp png, png_infop info, const Raster& raster, Bytes bytes) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp): libpng's way to tell of errors
+  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp): libpng's way to report errors
   png_set_filter(png, PNG_FILTER_TYPE_BASE, filters);
   png_set_compression_level(png, level);
   png_set_compression_strategy(png, Z_DEFAULT_STRATEGY);

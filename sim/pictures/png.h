@@ -1,10 +1,12 @@
+// Encodes PNG files with libpng.
+// Used by encode.cpp.
 #pragma once
 
 #include "sim/pictures/module.h"
 
 namespace csgsim::pictures {
 
-/// A PNG file of 8 bits a channel.
+/// Encodes a PNG file with 8 bits per channel.
 Encoded encode_png(const Raster& raster, Bytes bytes);
 
 }  // namespace csgsim::pictures

@@ -1,3 +1,5 @@
+// Samples of a picture in memory.
+// Used by encode.h and module.h.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +17,7 @@ struct Raster {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   int channels = 1;     ///< 1, or 3 for red, green and blue
-  std::string channel;  ///< name of the only channel, in formats that name them; empty: the format's usual names
+  std::string channel;  ///< name of the only channel, in formats that name channels; empty: the format's default names
   std::variant<Bytes, Floats> samples;
 };
 

@@ -1,3 +1,5 @@
+// Axes of a chart: ticks, tick labels, titles and grid lines.
+// Used by the layouts of charts and bars in this folder.
 #pragma once
 
 #include <string>
@@ -14,24 +16,24 @@ inline constexpr double right_margin = 30;
 
 void add_title(Drawing& drawing, const std::string& title);
 
-/// Ticks and title below an area, whose pixels are of that extent. Ticks whose texts would meet their neighbours' stand
-/// upright if they are names, and are left out where that is not enough. Returns where the axis ends.
+/// Adds ticks, tick labels and the title below `area`, which spans `extent`. Labels that would overlap are rotated if
+/// they are names; those that still do not fit are omitted. Returns the y coordinate at which the axis ends.
 double add_x_axis(Drawing& drawing, const Axis& axis, const Extent& extent, const Box& area);
 
-/// Ticks left of an area, and the title at the left edge of the picture, in two lines where one is too long.
+/// Adds ticks to the left of an area and the title at the left edge of the picture, in two lines if it is too long.
 void add_y_axis(Drawing& drawing, const Axis& axis, const Extent& extent, const Box& area);
 
-/// Lines across the area at the ticks of both axes, and its frame.
+/// Adds lines across the area at the ticks of both axes, and the frame of the area.
 void add_grid(Drawing& drawing, const std::vector<Tick>& x_ticks, const Extent& x, const std::vector<Tick>& y_ticks,
               const Extent& y, const Box& area);
 
-/// Those of the axis, or those of the extent where the axis has none; for an axis of so many pixels upwards.
-std::vector<Tick> ticks_of(const Axis& axis, const Extent& extent, double pixels);
+/// Ticks of a y axis that is `pixels` high: those of `axis`, or those derived from `extent` if `axis` has none.
+std::vector<Tick> make_y_ticks(const Axis& axis, const Extent& extent, double pixels);
 
-/// The same for an axis below an area.
-std::vector<Tick> x_ticks_of(const Axis& axis, const Extent& extent);
+/// Ticks of an x axis: those of `axis`, or those derived from `extent` if `axis` has none.
+std::vector<Tick> make_x_ticks(const Axis& axis, const Extent& extent);
 
-/// Pixels left of an area for an axis of so many pixels upwards, with these ticks.
-double room_for_y_axis(const Axis& axis, const std::vector<Tick>& ticks, double pixels);
+/// Width in pixels that a y axis with these ticks takes to the left of an area that is `pixels` high.
+double y_axis_width(const Axis& axis, const std::vector<Tick>& ticks, double pixels);
 
 }  // namespace csgsim::plots

@@ -22,7 +22,7 @@ std::string_view fill_of(const std::vector<std::string>& names, const std::strin
   return number < palette::fills.size() ? palette::fills[number] : palette::background.colour;
 }
 
-/// Those of the plot, then what bars have besides.
+/// The plot's own names, followed by other names that its bars use.
 std::vector<std::string> names_of(const Bars& plot) {
   std::vector<std::string> names = plot.names;
   for (const Bar& bar : plot.bars) {
@@ -50,11 +50,11 @@ std::vector<KeyEntry> key_of(const std::vector<std::string>& names, const Bars& 
     }
   }
   if (more > 0) {
-    key.push_back({fmt::format("{} more: {}", more, plot.table), Sample::fill, {palette::background.colour, "", {}}});
+    key.push_back({fmt::format("{} more in {}", more, plot.table), Sample::fill, {palette::background.colour, "", {}}});
   }
   key.push_back({"free", Sample::fill, {palette::paper, "", {}}});
-  if (plot.bars.size() > most_bars)
-    key.push_back({fmt::format("{} bars more: {}", plot.bars.size() - most_bars, plot.table)});
+  if (plot.bars.size() > max_bars)
+    key.push_back({fmt::format("{} more bars in {}", plot.bars.size() - max_bars, plot.table)});
   return key;
 }
 
@@ -65,7 +65,7 @@ void add_bar(Drawing& drawing, const Bars& plot, const Bar& bar, const std::vect
   for (const Part& part : bar.parts) {
     const Box box{x(part.begin), row.top, x(part.end), row.bottom};
     const std::string_view colour = fill_of(names, part.name);
-    drawing.fills.push_back({box, colour, tip_of(plot, bar, part)});
+    drawing.fills.push_back({box, colour, tip_text(plot, bar, part)});
     const std::string text = shortened(fmt::format("{} {}", part.name, part.end - part.begin), longest_name);
     if (text_width(text) + 4 <= box.right - box.left) {
       drawing.texts.push_back({text,
@@ -79,21 +79,21 @@ void add_bar(Drawing& drawing, const Bars& plot, const Bar& bar, const std::vect
 
 }  // namespace
 
-Drawing laid_out(const Bars& plot) {
+Drawing lay_out(const Bars& plot) {
   Drawing drawing{plot_width, 0, {}, {}, {}, {}};
-  const std::size_t count = std::min(plot.bars.size(), most_bars);
+  const std::size_t count = std::min(plot.bars.size(), max_bars);
   std::vector<std::string> labels;
-  double most = 0;
+  double maximum = 0;
   for (std::size_t i = 0; i < count; ++i) {
     labels.push_back(plot.bars[i].name);
-    most = std::max(most, plot.bars[i].length);
+    maximum = std::max(maximum, plot.bars[i].length);
   }
   labels = shortened(labels, longest_name);
   double widest = 0;
   for (const std::string& label : labels) widest = std::max(widest, text_width(label));
   const Box area{widest + 20, title_height, plot_width - right_margin,
                  title_height + row_height * static_cast<double>(std::max<std::size_t>(count, 1))};
-  const Extent extent{0, std::max(most, 1.0)};
+  const Extent extent{0, std::max(maximum, 1.0)};
   const std::vector<std::string> names = names_of(plot);
   add_title(drawing, plot.title);
   for (std::size_t i = 0; i < count; ++i) {

@@ -13,7 +13,7 @@ std::size_t bytes_of(char first) {
 
 }  // namespace
 
-std::vector<std::string_view> characters_of(std::string_view text) {
+std::vector<std::string_view> split_characters(std::string_view text) {
   std::vector<std::string_view> characters;
   for (std::size_t i = 0; i < text.size(); i += characters.back().size())
     characters.push_back(text.substr(i, bytes_of(text[i])));

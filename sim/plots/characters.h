@@ -1,3 +1,5 @@
+// UTF-8 characters of a text.
+// Used to measure texts and to check that fonts have their glyphs.
 #pragma once
 
 #include <string_view>
@@ -5,10 +7,10 @@
 
 namespace csgsim::plots {
 
-/// The characters of a printable text, each as its bytes.
-std::vector<std::string_view> characters_of(std::string_view text);
+/// Splits a printable text into characters; each view holds the bytes of one.
+std::vector<std::string_view> split_characters(std::string_view text);
 
-/// The number of one of them.
+/// The Unicode code point of one character.
 char32_t code_point(std::string_view character);
 
 }  // namespace csgsim::plots

@@ -17,13 +17,13 @@ namespace {
 constexpr double between_panels = 24;
 constexpr double mark_size = 9;
 constexpr double small_mark_size = 5;
-constexpr std::size_t many_points = 60;  ///< of a series, whose marks are small
+constexpr std::size_t many_points = 60;  ///< series with more points have small marks
 constexpr double longest_label = 220;
 constexpr std::size_t numbers_in_key = 24;
 
 double panel_height(std::size_t panels) { return panels == 1 ? 360 : panels == 2 ? 230 : 170; }
 
-/// A panel's place, and what its pixels stand for.
+/// A panel's place in the picture, and the values that its axes span.
 struct Panel {
   Box area;
   Extent x;
@@ -47,7 +47,7 @@ Extent x_extent(const Chart& chart) {
       if (is_finite(point)) values.push_back(point.x);
     }
   }
-  return extent_of(values, chart.x.scale, Begin::at_values);
+  return make_extent(values, chart.x.scale, Begin::at_values);
 }
 
 Extent y_extent(const Chart& chart, std::size_t panel) {
@@ -58,8 +58,8 @@ Extent y_extent(const Chart& chart, std::size_t panel) {
       if (is_finite(point)) values.push_back(point.y);
     }
   }
-  // What stands above a name is judged by its height.
-  return extent_of(values, chart.panels[panel].scale, chart.x.is_names ? Begin::at_zero : Begin::near_zero);
+  // Bars and marks above names are compared by height, so the axis starts at 0.
+  return make_extent(values, chart.panels[panel].scale, chart.x.is_names ? Begin::at_zero : Begin::near_zero);
 }
 
 std::vector<Panel> panels_of(const Chart& chart) {
@@ -69,20 +69,20 @@ std::vector<Panel> panels_of(const Chart& chart) {
   for (std::size_t i = 0; i < chart.panels.size(); ++i) {
     const double top = title_height + static_cast<double>(i) * (height + between_panels);
     panels.push_back({{0, top, plot_width - right_margin, top + height}, x_extent(chart), y_extent(chart, i)});
-    const std::vector<Tick> ticks = ticks_of(chart.panels[i], panels.back().y, height);
-    left = std::max(left, room_for_y_axis(chart.panels[i], ticks, height));
+    const std::vector<Tick> ticks = make_y_ticks(chart.panels[i], panels.back().y, height);
+    left = std::max(left, y_axis_width(chart.panels[i], ticks, height));
   }
   for (Panel& panel : panels) panel.area.left = left;
   return panels;
 }
 
-/// What is drawn in a panel, and what is to be written there.
+/// The marks, lines and labels of one panel.
 class PanelContent {
  public:
   PanelContent(const Chart& chart, const Panel& panel)
       : chart_(chart), panel_(panel), surroundings_{inside(panel.area), {}, {}} {}
 
-  /// `more` pixels across than the smallest mark.
+  /// Adds a series. `more` is added to the size of the marks, in pixels.
   void add(Drawing& drawing, const Series& series, const palette::Look& look, double more) {
     const double size = series.is_background || series.points.size() > many_points ? small_mark_size : mark_size + more;
     const std::vector<Pixel> pixels = pixels_of(series, size);
@@ -91,7 +91,7 @@ class PanelContent {
     if (series.trace == Trace::line) add_line(drawing, pixels, look);
     for (const Point& point : series.points) {
       if (!is_finite(point)) continue;
-      const std::string tip = tip_of(chart_, series, point);
+      const std::string tip = tip_text(chart_, series, point);
       if (series.trace == Trace::level || series.trace == Trace::upright) return add_line(drawing, pixels, look, tip);
       const Pixel at = panel_.at(point);
       drawing.marks.push_back({at, look.mark, look.colour, size, tip});
@@ -99,30 +99,30 @@ class PanelContent {
     }
   }
 
-  /// Writes the labels; what found no room for its text is told in the key.
+  /// Adds the labels. The key holds the texts of labels that were replaced by a number.
   void add_labels(Drawing& drawing, std::vector<KeyEntry>& key, const std::string& table) const {
-    std::vector<LabelWish> wishes;
-    wishes.reserve(labels_.size());
-    for (const Label& label : labels_) wishes.push_back({label.at, text_width(label.text), label.mark / 2});
-    const std::vector<PlacedLabel> placed = place_labels(wishes, surroundings_);
+    std::vector<LabelRequest> requests;
+    requests.reserve(labels_.size());
+    for (const Label& label : labels_) requests.push_back({label.at, text_width(label.text), label.mark / 2});
+    const std::vector<PlacedLabel> placed = place_labels(requests, surroundings_);
     for (const PlacedLabel& label : placed) {
-      const std::string& text = labels_[label.wish].text;
+      const std::string& text = labels_[label.request].text;
       if (label.leader) drawing.lines.push_back({{label.leader->from, label.leader->to}, palette::leader});
       drawing.texts.push_back({label.number ? std::to_string(*label.number) : text,
                                {(label.box.left + label.box.right) / 2, (label.box.top + label.box.bottom) / 2},
                                Anchor::centre});
       if (label.number && *label.number <= numbers_in_key) key.push_back({fmt::format("{}: {}", *label.number, text)});
     }
-    const auto told = static_cast<std::size_t>(std::ranges::count_if(
+    const auto shown = static_cast<std::size_t>(std::ranges::count_if(
         placed, [](const PlacedLabel& label) { return !label.number || *label.number <= numbers_in_key; }));
-    if (told < labels_.size()) key.push_back({fmt::format("{} labels more: {}", labels_.size() - told, table)});
+    if (shown < labels_.size()) key.push_back({fmt::format("{} more labels in {}", labels_.size() - shown, table)});
   }
 
  private:
   struct Label {
     Pixel at;
     std::string text;
-    double mark = 0;  ///< pixels across of the largest there
+    double mark = 0;  ///< size in pixels of the largest mark at this place
   };
 
   static Box inside(const Box& area) { return {area.left + 2, area.top + 2, area.right - 2, area.bottom - 2}; }
@@ -140,7 +140,7 @@ class PanelContent {
     return pixels;
   }
 
-  /// Corners of the stairs; one point alone goes to the right.
+  /// Corners of the steps; a single point extends to the right edge.
   [[nodiscard]] std::vector<Pixel> steps_of(const std::vector<Pixel>& pixels) const {
     std::vector<Pixel> corners;
     corners.reserve(2 * pixels.size());
@@ -153,7 +153,7 @@ class PanelContent {
     return corners;
   }
 
-  /// Labels of one place are one text.
+  /// Merges the labels of points at the same place into one text.
   void add_label(const Pixel& at, std::string text, double mark) {
     const auto same = std::ranges::find_if(
         labels_, [&](const Label& label) { return overlap(around(label.at, 1), around(at, 0.5)); });
@@ -179,7 +179,7 @@ class PanelContent {
   std::vector<Label> labels_;
 };
 
-/// Marks of series that are drawn first are larger, so that some of them is seen below others.
+/// Series that are drawn first get larger marks, so that they remain visible below later ones.
 double mark_growth(const SeriesLooks& looks, std::size_t series) {
   constexpr double step = 2;
   constexpr std::size_t steps = 3;
@@ -191,7 +191,7 @@ double mark_growth(const SeriesLooks& looks, std::size_t series) {
   return step * static_cast<double>(std::min(steps, later));
 }
 
-/// Background first, then what has no colour of its own, then the others.
+/// Background series first, then those without a colour, then the others.
 std::vector<std::size_t> drawing_order(const Chart& chart, const SeriesLooks& looks) {
   std::vector<std::size_t> order;
   for (const bool coloured : {false, true}) {
@@ -204,15 +204,15 @@ std::vector<std::size_t> drawing_order(const Chart& chart, const SeriesLooks& lo
 
 }  // namespace
 
-Drawing laid_out(const Chart& chart) {
+Drawing lay_out(const Chart& chart) {
   Drawing drawing{plot_width, 0, {}, {}, {}, {}};
-  SeriesLooks looks = looks_of(chart);
+  SeriesLooks looks = series_looks(chart);
   const std::vector<Panel> panels = panels_of(chart);
   add_title(drawing, chart.title);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Panel& panel = panels[i];
-    add_grid(drawing, x_ticks_of(chart.x, panel.x), panel.x,
-             ticks_of(chart.panels[i], panel.y, panel.area.bottom - panel.area.top), panel.y, panel.area);
+    add_grid(drawing, make_x_ticks(chart.x, panel.x), panel.x,
+             make_y_ticks(chart.panels[i], panel.y, panel.area.bottom - panel.area.top), panel.y, panel.area);
     add_y_axis(drawing, chart.panels[i], panel.y, panel.area);
     PanelContent content(chart, panel);
     for (const std::size_t s : drawing_order(chart, looks)) {

@@ -13,10 +13,10 @@ namespace csgsim::plots {
 
 namespace {
 
-/// Series of one name.
+/// Series with the same name.
 struct Name {
   const Series* first;
-  double largest;  ///< in the first panel that they are in
+  double largest;  ///< largest y value in the first panel that has the series
 };
 
 std::vector<Name> names_of(const Chart& chart) {
@@ -33,28 +33,28 @@ std::vector<Name> names_of(const Chart& chart) {
   return names;
 }
 
-/// Those with the largest values first, where there are more than colours.
+/// Moves the names with the largest values to the front if there are more names than colours.
 void move_chosen_to_front(std::vector<Name>& names) {
-  if (names.size() <= palette::most_series) return;
+  if (names.size() <= palette::max_series) return;
   std::vector<Name> sorted = names;
   std::ranges::stable_sort(sorted, std::ranges::greater(), &Name::largest);
-  sorted.resize(palette::most_series);
+  sorted.resize(palette::max_series);
   std::stable_partition(names.begin(), names.end(), [&](const Name& name) {
     return std::ranges::any_of(sorted, [&](const Name& one) { return one.first == name.first; });
   });
 }
 
-/// How each name looks: as all charts that belong together have it, or by itself.
+/// Maps each name to a look: the one shared by all charts of a study, or one chosen for this chart alone.
 Looks places_of(const Chart& chart) {
   if (!chart.looks.empty()) return chart.looks;
-  const std::array<Names, 1> alone{names_by_choice(chart)};
-  return common_looks(alone, palette::most_series, palette::most_series);
+  const std::array<Names, 1> alone{names_by_priority(chart)};
+  return common_looks(alone, palette::max_series, palette::max_series);
 }
 
-/// `least` is the largest value of the least of those that have colours.
-std::string others_text(const std::vector<Name>& others, double least, const std::string& table) {
-  const bool are_smaller = std::ranges::all_of(others, [&](const Name& one) { return one.largest <= least; });
-  return fmt::format("{} more{}: {}", others.size(), are_smaller ? ", with smaller values" : "", table);
+/// Key entry for the uncoloured series. `smallest` is the smallest maximum among the coloured series.
+std::string others_text(const std::vector<Name>& others, double smallest, const std::string& table) {
+  const bool are_smaller = std::ranges::all_of(others, [&](const Name& one) { return one.largest <= smallest; });
+  return fmt::format("{} more{} (see {})", others.size(), are_smaller ? ", with smaller values" : "", table);
 }
 
 Sample sample_of(Trace trace) {
@@ -70,7 +70,7 @@ Sample sample_of(Trace trace) {
 
 }  // namespace
 
-std::vector<std::string> names_by_choice(const Chart& chart) {
+std::vector<std::string> names_by_priority(const Chart& chart) {
   std::vector<Name> names = names_of(chart);
   move_chosen_to_front(names);
   std::vector<std::string> words;
@@ -79,7 +79,7 @@ std::vector<std::string> names_by_choice(const Chart& chart) {
   return words;
 }
 
-SeriesLooks looks_of(const Chart& chart) {
+SeriesLooks series_looks(const Chart& chart) {
   const Looks places = places_of(chart);
   const auto look_of = [&](const std::string& name) {
     const auto place = places.find(name);
@@ -89,14 +89,14 @@ SeriesLooks looks_of(const Chart& chart) {
   for (const Series& series : chart.series)
     result.looks.push_back(series.is_background ? palette::background : look_of(series.name));
   std::vector<Name> others;
-  double least = std::numeric_limits<double>::infinity();
+  double smallest = std::numeric_limits<double>::infinity();
   for (const Name& name : names_of(chart)) {
     const std::string& words = name.first->name;
     if (!places.contains(words)) {
       others.push_back(name);
       continue;
     }
-    least = std::min(least, name.largest);
+    smallest = std::min(smallest, name.largest);
     if (!words.empty()) result.key.push_back({words, sample_of(name.first->trace), look_of(words)});
   }
   for (const Series& series : chart.series) {
@@ -105,7 +105,7 @@ SeriesLooks looks_of(const Chart& chart) {
   }
   if (!others.empty())
     result.key.push_back(
-        {others_text(others, least, chart.table), sample_of(others.front().first->trace), palette::background});
+        {others_text(others, smallest, chart.table), sample_of(others.front().first->trace), palette::background});
   return result;
 }
 

@@ -1,3 +1,5 @@
+// Colours, dashes and marks of the series of a chart, and its key.
+// Used by the layout of charts and by common_looks.cpp.
 #pragma once
 
 #include <string>
@@ -8,16 +10,16 @@
 
 namespace csgsim::plots {
 
-/// How each series of a chart is drawn, and the key that tells it.
+/// The look of each series of a chart, and the key.
 struct SeriesLooks {
-  std::vector<palette::Look> looks;  ///< of each series
+  std::vector<palette::Look> looks;  ///< one per series
   std::vector<KeyEntry> key;
 };
 
-/// Names of series, without those behind the others: first those that get colours where the chart stands alone, in its
-/// order, then the others.
-std::vector<std::string> names_by_choice(const Chart& chart);
+/// Names of the foreground series: first those that get colours if the chart is drawn alone, in the chart's order, then
+/// the others.
+std::vector<std::string> names_by_priority(const Chart& chart);
 
-SeriesLooks looks_of(const Chart& chart);
+SeriesLooks series_looks(const Chart& chart);
 
 }  // namespace csgsim::plots

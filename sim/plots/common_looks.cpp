@@ -11,7 +11,7 @@ namespace csgsim::plots {
 
 namespace {
 
-/// In the order in which they come up; what has no name comes last, as no key tells of it.
+/// All names in order of first appearance. The empty name comes last because it has no entry in the key.
 Names all_of(std::span<const Names> plots) {
   Names all;
   bool has_nameless = false;
@@ -25,7 +25,7 @@ Names all_of(std::span<const Names> plots) {
   return all;
 }
 
-/// The looks of those that are in a plot with it.
+/// The looks of the names that share a plot with `name`.
 std::set<std::size_t> taken_beside(const std::string& name, std::span<const Names> plots, const Looks& looks) {
   std::set<std::size_t> taken;
   for (const Names& names : plots) {
@@ -61,9 +61,9 @@ Looks common_looks(std::span<const Names> plots, std::size_t apart, std::size_t 
 void give_common_looks(std::vector<Plot>& plots) {
   std::vector<Names> names;
   for (const Plot& plot : plots) {
-    if (const auto* const chart = std::get_if<Chart>(&plot.content)) names.push_back(names_by_choice(*chart));
+    if (const auto* const chart = std::get_if<Chart>(&plot.content)) names.push_back(names_by_priority(*chart));
   }
-  const Looks looks = common_looks(names, palette::most_series, palette::most_series);
+  const Looks looks = common_looks(names, palette::max_series, palette::max_series);
   for (Plot& plot : plots) {
     if (auto* const chart = std::get_if<Chart>(&plot.content)) chart->looks = looks;
   }

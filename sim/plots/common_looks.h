@@ -1,3 +1,5 @@
+// Assigns the same look to series with the same name in all plots of a study.
+// Used by the studies before they draw their plots.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +14,13 @@ namespace csgsim::plots {
 
 using Names = std::vector<std::string>;
 
-/// Places in a palette of so many looks, of names in several plots: a name has one look in all of them, and no two of
-/// one plot share one. Names come first that come up first; as long as there are any, each gets one of the first
-/// `apart` that no other has; then one that no other has in a plot with it. Names for which none is left have no place.
+/// Maps the series names of several plots to indices into a palette of `looks` looks. A name has the same look in all
+/// plots, and no two names of one plot share a look. Names are served in order of first appearance: each gets one of
+/// the first `apart` looks that is still unused; once these are exhausted, one that no name in the same plots has.
+/// Names for which no look is left are not in the result.
 Looks common_looks(std::span<const Names> plots, std::size_t apart, std::size_t looks);
 
-/// Has the series of all charts look alike where their names are the same.
+/// Gives series with the same name the same look in all charts.
 void give_common_looks(std::vector<Plot>& plots);
 
 }  // namespace csgsim::plots

@@ -8,7 +8,7 @@ namespace csgsim::plots {
 
 namespace {
 
-/// More than 0 where c is to the left of the way from a to b.
+/// Positive if c is to the left of the line from a to b.
 double side(const Pixel& a, const Pixel& b, const Pixel& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -29,7 +29,7 @@ Box around(const Pixel& middle, double half) {
 }
 
 bool meets(const Segment& segment, const Box& box) {
-  // Liang and Barsky: what is left of the segment between each pair of edges.
+  // Liang-Barsky: clips the segment against each pair of edges.
   double begin = 0;
   double end = 1;
   const auto cut = [&](double from, double way, double low, double high) {
@@ -51,7 +51,7 @@ bool cross(const Segment& one, const Segment& other) {
          side(other.from, other.to, one.from) * side(other.from, other.to, one.to) < 0;
 }
 
-Box box_of(const Text& text) {
+Box bounding_box(const Text& text) {
   const double width = text_width(text.text);
   const double before = text.anchor == Anchor::left ? 0 : text.anchor == Anchor::centre ? width / 2 : width;
   const double half = line_height / 2;

@@ -1,3 +1,5 @@
+// Geometric primitives of a plot: boxes, segments, lines, marks and texts with positions in pixels.
+// Used by the layouts, and by the SVG and gnuplot writers.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +11,7 @@
 
 namespace csgsim::plots {
 
-/// A place in a picture: pixels from its left and upper edges.
+/// A position in a picture: pixels from its left and top edges.
 struct Pixel {
   double x = 0;
   double y = 0;
@@ -30,7 +32,7 @@ struct Box {
 [[nodiscard]] bool is_within(const Box& inner, const Box& outer);
 [[nodiscard]] Box around(const Pixel& middle, double half);
 
-/// From one place straight to another.
+/// A straight line between two points.
 struct Segment {
   Pixel from;
   Pixel to;
@@ -38,7 +40,7 @@ struct Segment {
   bool operator==(const Segment&) const = default;
 };
 
-/// Whether some of a segment is inside of a box.
+/// Whether part of a segment lies inside a box.
 [[nodiscard]] bool meets(const Segment& segment, const Box& box);
 [[nodiscard]] bool cross(const Segment& one, const Segment& other);
 
@@ -46,7 +48,7 @@ struct Line {
   std::vector<Pixel> points;
   std::string_view colour;
   double width = 1;
-  std::string_view dash{};  ///< as palette::Look has it
+  std::string_view dash{};  ///< format as in palette::Look
   std::string tip{};
 };
 
@@ -60,7 +62,7 @@ struct Mark {
   Pixel at;
   palette::Mark form = palette::Mark::disc;
   std::string_view colour;
-  double size = 8;  ///< pixels across
+  double size = 8;  ///< diameter in pixels
   std::string tip{};
 };
 
@@ -68,17 +70,16 @@ enum class Anchor : std::uint8_t { left, centre, right };
 
 struct Text {
   std::string text;
-  Pixel at;  ///< halfway up its line, at the anchor
+  Pixel at;  ///< position of the anchor, at half the height of the line
   Anchor anchor = Anchor::left;
-  bool is_upright = false;  ///< read from below, turned about `at`
+  bool is_upright = false;  ///< rotated by 90 degrees about `at`, read from bottom to top
   std::string_view colour = palette::ink;
 };
 
-/// What the text takes up, at most.
-[[nodiscard]] Box box_of(const Text& text);
+/// Upper bound of the area that the text covers.
+[[nodiscard]] Box bounding_box(const Text& text);
 
-/// A picture ready to be drawn: fills below lines below marks below texts. What has a tip tells it where it is pointed
-/// at, in files that can.
+/// A picture ready to be drawn: fills below lines below marks below texts. File formats with tooltips show the tips.
 struct Drawing {
   double width = 0;
   double height = 0;

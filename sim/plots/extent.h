@@ -1,3 +1,5 @@
+// The range of values of an axis.
+// Used by the layouts of charts and bars.
 #pragma once
 
 #include <cstdint>
@@ -8,28 +10,28 @@
 
 namespace csgsim::plots {
 
-/// The values that an axis goes from and to, and where each of them is along it.
+/// The range of values of an axis, and the mapping from values to positions.
 struct Extent {
-  double low = 0;  ///< the least positive value where the scale is logarithmic
+  double low = 0;  ///< smallest positive value if the scale is logarithmic
   double high = 1;
   bool is_logarithmic = false;
-  bool has_zero = false;  ///< logarithmic, with a place for 0 before low
+  bool has_zero = false;  ///< a logarithmic axis with a separate place for 0 before `low`
 
-  /// 0 at the axis's beginning, 1 at its end.
+  /// Position of a value: 0 at the start of the axis, 1 at its end.
   [[nodiscard]] double along(double value) const;
 
-  /// At most so many, and one more for 0 on a logarithmic axis; at whole numbers alone, if that is asked for.
-  [[nodiscard]] std::vector<Tick> ticks(unsigned most, bool is_whole = false) const;
+  /// Up to `max_count` ticks, plus one for 0 on a logarithmic axis; only whole numbers if `is_whole`.
+  [[nodiscard]] std::vector<Tick> ticks(unsigned max_count, bool is_whole = false) const;
 };
 
-/// Where a linear axis of values of 0 or more begins.
+/// Start of a linear axis whose values are all non-negative.
 enum class Begin : std::uint8_t {
-  at_values,  ///< a little below the least
-  near_zero,  ///< at 0, where values come near it; else a little below the least
+  at_values,  ///< a little below the minimum
+  near_zero,  ///< at 0 if the values come near it, otherwise a little below the minimum
   at_zero,
 };
 
-/// Room for all finite values, with a margin.
-Extent extent_of(std::span<const double> values, Scale scale, Begin begin);
+/// Range that holds all finite values, with a margin.
+Extent make_extent(std::span<const double> values, Scale scale, Begin begin);
 
 }  // namespace csgsim::plots

@@ -10,10 +10,10 @@ namespace csgsim::plots {
 std::vector<std::filesystem::path> draw(std::span<const Plot> plots, const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const Plot& plot : plots) {
-    const Drawing drawing = laid_out(plot);
+    const Drawing drawing = lay_out(plot);
     const std::filesystem::path png = folder / (plot.name + ".png");
     const std::filesystem::path svg = folder / (plot.name + ".svg");
-    write_file(png, drawn_for(png, drawing).picture);
+    write_file(png, draw_png(png, drawing).picture);
     write_file(svg, svg_file(drawing));
     files.insert(files.end(), {png, svg});
   }

@@ -1,3 +1,5 @@
+// Draws plots into SVG and PNG files.
+// Used by the studies.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +10,7 @@
 
 namespace csgsim::plots {
 
-/// Draws folder/NAME.svg and, by gnuplot, folder/NAME.png for each plot; returns the files. Throws InputError.
+/// Writes folder/NAME.svg and folder/NAME.png (by gnuplot) for each plot and returns the files. Throws InputError.
 std::vector<std::filesystem::path> draw(std::span<const Plot> plots, const std::filesystem::path& folder);
 
 }  // namespace csgsim::plots

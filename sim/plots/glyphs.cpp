@@ -19,7 +19,7 @@ namespace csgsim::plots {
 
 namespace {
 
-/// Characters from the first to the last.
+/// An inclusive range of code points.
 struct CharacterRange {
   char32_t first = 0;
   char32_t last = 0;
@@ -27,7 +27,7 @@ struct CharacterRange {
 
 constexpr CharacterRange every_character{0, 0x10ffff};
 
-/// `20-7e` or `a9`, in hexadecimal.
+/// Parses `20-7e` or `a9` (hexadecimal).
 CharacterRange range_of(const std::string& words) {
   std::uint32_t first = 0;
   const char* const end = words.data() + words.size();
@@ -37,7 +37,8 @@ CharacterRange range_of(const std::string& words) {
   return {first, last};
 }
 
-/// Of a line for each font: its format and its ranges. Pango draws with outlines in these formats alone.
+/// Ranges of all fonts. Each line holds a font's format and its ranges. Pango draws outlines from these two formats
+/// only.
 std::vector<CharacterRange> ranges_of(const std::string& listed) {
   std::vector<CharacterRange> ranges;
   std::istringstream lines(listed);
@@ -50,7 +51,7 @@ std::vector<CharacterRange> ranges_of(const std::string& listed) {
   return ranges;
 }
 
-/// In order, none of them touching another.
+/// Sorts the ranges and merges those that overlap or touch.
 std::vector<CharacterRange> joined(std::vector<CharacterRange> ranges) {
   std::ranges::sort(ranges, {}, &CharacterRange::first);
   std::vector<CharacterRange> all;
@@ -63,7 +64,7 @@ std::vector<CharacterRange> joined(std::vector<CharacterRange> ranges) {
   return all;
 }
 
-/// The characters of all fonts that are installed.
+/// The characters of all installed fonts.
 std::vector<CharacterRange> installed() {
   const std::array<std::string, 3> words{"fc-list", "-f", "%{fontformat} %{charset}\\n"};
   const std::optional<system::ChildEnd> ended = system::run_child(words, system::MemoryFile("fc-list"), program_limits);
@@ -84,7 +85,7 @@ bool is_ascii(std::string_view character) { return character.size() == 1; }
 std::string with_glyphs(std::string_view text) {
   const std::string shown = printable(text);
   std::string result;
-  for (const std::string_view character : characters_of(shown))
+  for (const std::string_view character : split_characters(shown))
     result += is_ascii(character) || has_glyph(code_point(character)) ? character : "?";
   return result;
 }

@@ -1,3 +1,5 @@
+// Replaces characters that no installed font can show.
+// Used by the gnuplot writer.
 #pragma once
 
 #include <string>
@@ -5,10 +7,10 @@
 
 namespace csgsim::plots {
 
-/// The text as letters of this machine's fonts can show it: printable, with a question mark for each character that no
-/// font has. Cairo would draw such a one as a box of its code, under gnuplot's scale larger than the picture. Which
-/// characters there are fontconfig's `fc-list` tells, once a process, and only when a text is not plain ASCII; where it
-/// cannot be run all are taken to be there.
+/// Returns the printable form of a text with a question mark for each character that no installed font has. Cairo would
+/// draw such a character as a box with its code, which under gnuplot's scale is larger than the picture. The available
+/// characters are read from fontconfig's `fc-list` once per process, when the first text that is not plain ASCII is
+/// drawn; if `fc-list` cannot be run, all characters are assumed to be available.
 std::string with_glyphs(std::string_view text);
 
 }  // namespace csgsim::plots

@@ -22,10 +22,10 @@ namespace csgsim::plots {
 
 namespace {
 
-constexpr double points_a_pixel = 72.0 / 96.0;  ///< of fonts, as cairo counts them
-constexpr double mark_units = 10.5;             ///< pixels across of gnuplot's marks of size 1
+constexpr double points_per_pixel = 72.0 / 96.0;  ///< font size in points per pixel, as cairo defines it
+constexpr double mark_units = 10.5;               ///< diameter in pixels of gnuplot's marks of size 1
 
-/// With the end of a PNG file.
+/// Whether the picture has the end marker of a PNG file.
 bool is_whole(std::string_view picture) { return picture.ends_with(std::string_view("IEND\xae\x42\x60\x82", 8)); }
 
 bool is_plain(char byte) {
@@ -42,7 +42,7 @@ std::string_view name_of(Anchor anchor) {
   return "";
 }
 
-/// A picture of its own for lines and marks: they are drawn in the order of the script.
+/// Data block of lines or marks with one style. gnuplot draws the blocks in the order of the script.
 struct Curve {
   std::string data;
   std::string style;
@@ -69,14 +69,13 @@ std::vector<Curve> curves_of(const Drawing& drawing) {
   return curves;
 }
 
-/// What gnuplot said was wrong: its first line that tells a line of the script is a message, those before are the
-/// script.
-std::string message_of(const std::string& said) {
+/// Extracts gnuplot's error message: the first line with a line number. The lines before it repeat the script.
+std::string message_of(const std::string& messages) {
   constexpr std::string_view before = "line ";
   constexpr std::size_t longest = 200;
-  for (std::size_t begin = 0; begin < said.size();) {
-    const std::size_t end = std::min(said.find('\n', begin), said.size());
-    const std::string line = said.substr(begin, end - begin);
+  for (std::size_t begin = 0; begin < messages.size();) {
+    const std::size_t end = std::min(messages.find('\n', begin), messages.size());
+    const std::string line = messages.substr(begin, end - begin);
     const std::size_t colon = line.find(": ");
     if (line.starts_with(before) && colon != std::string::npos) return printable(line.substr(colon + 2, longest));
     begin = end + 1;
@@ -84,15 +83,16 @@ std::string message_of(const std::string& said) {
   return "";
 }
 
-std::string why(const system::ChildEnd& end) {
+std::string failure_reason(const system::ChildEnd& end) {
   if (end.exceeded != system::Exceeded::nothing || WIFSIGNALED(end.status))
     return system::why_failed(end, program_limits);
   const std::string message = message_of(end.errors);
-  if (!message.empty()) return "it says: " + message;
-  return end.status == 0 ? "its picture is not whole" : fmt::format("it ended with {}", WEXITSTATUS(end.status));
+  if (!message.empty()) return "gnuplot reports: " + message;
+  return end.status == 0 ? "the picture is incomplete"
+                         : fmt::format("gnuplot exited with status {}", WEXITSTATUS(end.status));
 }
 
-/// With letters that this machine's fonts have.
+/// Replaces characters that no font of this machine has.
 Drawing with_letters(Drawing drawing) {
   for (Text& text : drawing.texts) text.text = with_glyphs(text.text);
   return drawing;
@@ -107,7 +107,7 @@ std::string gnuplot_text(std::string_view bytes) {
   return result + "\"";
 }
 
-std::string script_of(const Drawing& drawing) {
+std::string gnuplot_script(const Drawing& drawing) {
   std::string script = fmt::format(
       "set lmargin at screen 0\nset rmargin at screen 1\nset tmargin at screen 1\nset bmargin at screen 0\n"
       "unset border\nunset tics\nunset key\nset xrange [0:{}]\nset yrange [{}:0]\n",
@@ -131,19 +131,20 @@ std::string script_of(const Drawing& drawing) {
   return script + "\n";
 }
 
-Drawn drawn_for(const std::filesystem::path& file, const Drawing& drawing) {
+Drawn draw_png(const std::filesystem::path& file, const Drawing& drawing) {
   system::MemoryFile input(file);
   input.write(fmt::format("set encoding utf8\nset terminal pngcairo size {:.0f},{:.0f} font 'sans,{}'\nset output\n{}",
-                          drawing.width, drawing.height, font_size * points_a_pixel, script_of(with_letters(drawing))));
-  const std::array<std::string, 2> words{"gnuplot", "-d"};  // no settings of its user's
+                          drawing.width, drawing.height, font_size * points_per_pixel,
+                          gnuplot_script(with_letters(drawing))));
+  const std::array<std::string, 2> words{"gnuplot", "-d"};  // -d ignores the user's gnuplot settings
   std::optional<system::ChildEnd> ended = system::run_child(words, input, program_limits);
   if (!ended)
     throw InputError(file.native() +
-                     ": gnuplot cannot be run; install it (package gnuplot-nox) or do without plots with --no-plots");
+                     ": gnuplot cannot be run; install it (package gnuplot-nox) or omit the plots with --no-plots");
   if (!system::is_done(*ended) || !is_whole(ended->output)) {
     throw InputError(
-        fmt::format("{}: gnuplot did not draw; {} (package gnuplot-nox draws this; --no-plots does without)",
-                    file.native(), why(*ended)));
+        fmt::format("{}: gnuplot drew no picture; {} (package gnuplot-nox can draw it; --no-plots omits plots)",
+                    file.native(), failure_reason(*ended)));
   }
   return {std::move(ended->output), std::move(ended->errors)};
 }

@@ -1,3 +1,5 @@
+// Draws a picture with gnuplot.
+// Used by files.cpp.
 #pragma once
 
 #include <filesystem>
@@ -8,22 +10,22 @@
 
 namespace csgsim::plots {
 
-/// The bytes as a string of gnuplot's that shows them: whatever they are, they end no string and run no command. What
-/// printable() does not show stands as its escape.
+/// The bytes as a quoted gnuplot string. No byte can end the string or run a command; bytes that are not printable are
+/// shown as the escapes of printable().
 std::string gnuplot_text(std::string_view bytes);
 
-/// What gnuplot has to be told to draw the picture: gnuplot decides on no place, number or text.
-std::string script_of(const Drawing& drawing);
+/// The gnuplot script of a picture. All positions, numbers and texts are fixed; gnuplot chooses none.
+std::string gnuplot_script(const Drawing& drawing);
 
-/// A picture in memory, and what gnuplot said besides.
+/// A PNG picture in memory, and gnuplot's messages.
 struct Drawn {
   std::string picture;
-  std::string said;
+  std::string messages;
 };
 
-/// Draws a PNG file. No name of a file is part of what gnuplot reads, and nothing that it says goes any further: where
-/// the picture is whole, that is about fonts of the computer. Throws InputError, with the file's name, if gnuplot
-/// cannot be run, or draws no whole picture.
-Drawn drawn_for(const std::filesystem::path& file, const Drawing& drawing);
+/// Draws a PNG picture. gnuplot reads no file name and its messages are not printed: with a complete picture they
+/// concern only the computer's fonts. Throws InputError with the file's name if gnuplot cannot be run or the picture is
+/// incomplete.
+Drawn draw_png(const std::filesystem::path& file, const Drawing& drawing);
 
 }  // namespace csgsim::plots

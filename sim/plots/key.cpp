@@ -9,8 +9,8 @@ namespace csgsim::plots {
 namespace {
 
 constexpr double sample_width = 40;
-constexpr double space = 8;     ///< between a sample and its text
-constexpr double columns = 24;  ///< between columns
+constexpr double space = 8;     ///< pixels between a sample and its text
+constexpr double columns = 24;  ///< pixels between columns
 
 double room_before_text(const KeyEntry& entry) { return entry.sample == Sample::none ? 0 : sample_width + space; }
 

@@ -1,3 +1,5 @@
+// The key (legend) of a plot.
+// Used by the layouts of charts and bars.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +13,15 @@ namespace csgsim::plots {
 
 enum class Sample : std::uint8_t { line, mark, level, fill, none };
 
-/// A line of a plot's key.
+/// An entry of a plot's key.
 struct KeyEntry {
   std::string text;
   Sample sample = Sample::none;
   palette::Look look{};
 };
 
-/// Adds the entries in columns between two edges, from `top` on; returns where the key ends.
+/// Adds the entries in columns between `left` and `right`, starting at `top`; returns the y coordinate at which the key
+/// ends.
 double add_key(Drawing& drawing, std::span<const KeyEntry> entries, double left, double right, double top);
 
 }  // namespace csgsim::plots

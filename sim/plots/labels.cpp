@@ -12,17 +12,17 @@ namespace csgsim::plots {
 
 namespace {
 
-constexpr double gap = 2;               ///< pixels from what is drawn to a label beside it
-constexpr double away_from_others = 6;  ///< pixels, where there is room
-constexpr double first_ring = 12;       ///< pixels from what is drawn to a label at a leader
+constexpr double gap = 2;               ///< pixels from a mark to the label next to it
+constexpr double away_from_others = 6;  ///< preferred distance in pixels from other marks
+constexpr double first_ring = 12;       ///< distance in pixels from a mark to a label with a leader
 constexpr double ring_step = 8;
 constexpr unsigned rings = 12;
 constexpr unsigned directions = 16;
 
-/// Beside the place: to the right above, as people expect it, and on around.
+/// Directions around the point, in order of preference: top right first.
 constexpr auto beside = std::to_array<Pixel>({{1, -1}, {1, 0}, {1, 1}, {0, -1}, {0, 1}, {-1, -1}, {-1, 0}, {-1, 1}});
 
-/// A box of that size that lies in the direction, with its nearest point so far away.
+/// A box `width` wide in the given direction from `at`, with its nearest point at `distance`.
 Box box_towards(const Pixel& at, const Pixel& direction, double distance, double width) {
   const double x = at.x + direction.x * distance + std::clamp(direction.x * 2, -1.0, 1.0) * width / 2;
   const double y = at.y + direction.y * distance + std::clamp(direction.y * 2, -1.0, 1.0) * line_height / 2;
@@ -37,13 +37,13 @@ class Placer {
  public:
   explicit Placer(const Surroundings& surroundings) : around_(surroundings) {}
 
-  /// Whether a text of that width has found a place.
-  bool place(std::size_t wish, const LabelWish& what, double width, std::optional<unsigned> number) {
+  /// Tries to place a text of the given width; returns whether it succeeded.
+  bool place(std::size_t request, const LabelRequest& what, double width, std::optional<unsigned> number) {
     const Pixel& at = what.at;
     for (const double distance : {away_from_others, 0.0}) {
       for (const Pixel& direction : beside) {
         const Box box = box_towards(at, direction, what.clearance + gap, width);
-        if (!is_near_another(box, at, distance) && take(wish, box, std::nullopt, number)) return true;
+        if (!is_near_another(box, at, distance) && take(request, box, std::nullopt, number)) return true;
       }
     }
     for (unsigned ring = 0; ring < rings; ++ring) {
@@ -51,7 +51,7 @@ class Placer {
         const double turn = std::numbers::pi * (2.0 * i / directions - 0.25);
         const Box box =
             box_towards(at, {std::cos(turn), std::sin(turn)}, what.clearance + first_ring + ring_step * ring, width);
-        if (take(wish, box, leader_to(at, box), number)) return true;
+        if (take(request, box, leader_to(at, box), number)) return true;
       }
     }
     return false;
@@ -60,13 +60,13 @@ class Placer {
   [[nodiscard]] const std::vector<PlacedLabel>& placed() const { return placed_; }
 
  private:
-  bool take(std::size_t wish, const Box& box, const std::optional<Segment>& leader, std::optional<unsigned> number) {
+  bool take(std::size_t request, const Box& box, const std::optional<Segment>& leader, std::optional<unsigned> number) {
     if (!is_clear(box) || (leader && !is_clear(*leader))) return false;
-    placed_.push_back({wish, box, leader, number});
+    placed_.push_back({request, box, leader, number});
     return true;
   }
 
-  /// Whether something that is not drawn at the place is so near to the box that the text might be its.
+  /// Whether a mark of another point is so close to the box that the label could be read as belonging to it.
   [[nodiscard]] bool is_near_another(const Box& box, const Pixel& at, double distance) const {
     const Box wide{box.left - distance, box.top - distance, box.right + distance, box.bottom + distance};
     return std::ranges::any_of(
@@ -97,12 +97,12 @@ class Placer {
 
 }  // namespace
 
-std::vector<PlacedLabel> place_labels(std::span<const LabelWish> wishes, const Surroundings& surroundings) {
+std::vector<PlacedLabel> place_labels(std::span<const LabelRequest> requests, const Surroundings& surroundings) {
   Placer placer(surroundings);
   unsigned numbers = 0;
-  for (std::size_t i = 0; i < wishes.size(); ++i) {
-    if (placer.place(i, wishes[i], wishes[i].width, std::nullopt)) continue;
-    if (placer.place(i, wishes[i], text_width(std::to_string(numbers + 1)), numbers + 1)) ++numbers;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    if (placer.place(i, requests[i], requests[i].width, std::nullopt)) continue;
+    if (placer.place(i, requests[i], text_width(std::to_string(numbers + 1)), numbers + 1)) ++numbers;
   }
   return placer.placed();
 }

@@ -1,3 +1,5 @@
+// Placement of labels next to points without overlap.
+// Used by the layout of charts.
 #pragma once
 
 #include <cstddef>
@@ -9,32 +11,32 @@
 
 namespace csgsim::plots {
 
-/// A text that is to stand beside a place.
-struct LabelWish {
+/// A label to be placed next to a point.
+struct LabelRequest {
   Pixel at;
   double width = 0;
-  double clearance = 4;  ///< pixels from the place to what is drawn there, at most
+  double clearance = 4;  ///< maximum distance in pixels from the point to the edge of its mark
 };
 
-/// What labels keep clear of, and the area that they stay in.
+/// The area that labels must stay in, and the boxes and segments that they must avoid.
 struct Surroundings {
   Box area;
   std::vector<Box> boxes;
   std::vector<Segment> segments;
 };
 
-/// Where a label stands.
+/// Position of a label.
 struct PlacedLabel {
-  std::size_t wish = 0;  ///< number of the wish
+  std::size_t request = 0;  ///< index of the label's request
   Box box;
-  std::optional<Segment> leader;   ///< from the place to the box, where the box is not beside it
-  std::optional<unsigned> number;  ///< stands for the text, where that has no room: 1, 2, ...
+  std::optional<Segment> leader;   ///< line from the point to the label, if they are not adjacent
+  std::optional<unsigned> number;  ///< replaces the text if the text does not fit: 1, 2, ...
 };
 
-/// Places labels one after the other: beside their place if they meet nothing there, at the end of a line a little
-/// away if they do; and a number instead of the text where that has no room. Wishes without a label have found no
-/// room for their number. No two boxes overlap, none leaves the area or meets what it keeps clear of, and no leader
-/// meets a label, another leader, or a box that does not hold its place.
-std::vector<PlacedLabel> place_labels(std::span<const LabelWish> wishes, const Surroundings& surroundings);
+/// Places labels one after the other: next to their point, or else at the end of a short leader line, or else as a
+/// number in place of the text. Requests that do not fit even as a number are missing from the result. Boxes do not
+/// overlap one another, stay in the area and avoid the obstacles; a leader crosses no label, no other leader, and no
+/// box except its point's.
+std::vector<PlacedLabel> place_labels(std::span<const LabelRequest> requests, const Surroundings& surroundings);
 
 }  // namespace csgsim::plots

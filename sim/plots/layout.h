@@ -1,3 +1,5 @@
+// Computes positions for everything that a plot shows.
+// Used by files.cpp and by the reports.
 #pragma once
 
 #include <variant>
@@ -7,14 +9,14 @@
 
 namespace csgsim::plots {
 
-/// Pixels of every plot from left to right; its height follows what is in it.
+/// Width of every plot in pixels; the height depends on the content.
 inline constexpr double plot_width = 800;
 
-/// A place for everything that the plot shows. No two texts overlap, and none leaves the picture.
-Drawing laid_out(const Chart& chart);
-Drawing laid_out(const Bars& bars);
-inline Drawing laid_out(const Plot& plot) {
-  return std::visit([](const auto& content) { return laid_out(content); }, plot.content);
+/// Places all parts of the plot. Texts neither overlap nor leave the picture.
+Drawing lay_out(const Chart& chart);
+Drawing lay_out(const Bars& bars);
+inline Drawing lay_out(const Plot& plot) {
+  return std::visit([](const auto& content) { return lay_out(content); }, plot.content);
 }
 
 }  // namespace csgsim::plots

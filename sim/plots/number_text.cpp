@@ -20,7 +20,7 @@ std::string raised(int number) {
   return text;
 }
 
-/// The power of a thousand in which a number of that size is told; 0 where it is written out.
+/// Exponent of the power of 1,000 that serves as unit for a number of this size; 0 for no unit.
 int unit_of(double largest) {
   if (largest == 0 || (largest >= 1e-3 && largest < 1e6)) return 0;
   return 3 * static_cast<int>(std::floor(std::log10(largest) / 3));
@@ -36,7 +36,7 @@ std::string unit_text(int unit) {
   }
 }
 
-/// With a comma every three digits before the point.
+/// Inserts a comma every three digits before the decimal point.
 std::string grouped(std::string digits) {
   const std::size_t point = std::min(digits.find('.'), digits.size());
   const std::size_t first = digits.front() == '-' ? 1 : 0;
@@ -44,7 +44,7 @@ std::string grouped(std::string digits) {
   return digits;
 }
 
-/// Divided exactly where a power of ten is a double.
+/// Divides when the power of ten is exact in a double, and multiplies otherwise.
 double in_units(double value, int unit) { return unit >= 0 ? value / std::pow(10, unit) : value * std::pow(10, -unit); }
 
 }  // namespace
@@ -68,10 +68,10 @@ std::string power_text(int factor, int exponent, bool as_power) {
 }
 
 std::string number_text(double value) {
-  constexpr double most_whole = 9007199254740992.0;  // doubles up to 2^53 tell all whole numbers apart
-  constexpr double least_in_groups = 999.5;
+  constexpr double max_whole = 9007199254740992.0;  // doubles represent all whole numbers up to 2^53
+  constexpr double min_grouped = 999.5;
   const double size = std::abs(value);
-  const bool is_whole = size <= most_whole && (size >= least_in_groups || size == std::floor(size));
+  const bool is_whole = size <= max_whole && (size >= min_grouped || size == std::floor(size));
   return is_whole ? grouped(fmt::format("{:.0f}", std::round(value) + 0.0)) : fmt::format("{:.4g}", value);
 }
 

@@ -1,3 +1,5 @@
+// Numbers as text.
+// Used for tick labels and tooltips.
 #pragma once
 
 #include <span>
@@ -6,14 +8,15 @@
 
 namespace csgsim::plots {
 
-/// Multiples of 10^exponent as the texts of ticks: so many decimals that each is exact, in millions (M), billions (G),
-/// trillions (T) or powers of ten where the largest has more than six digits or is below 0.001.
+/// Tick texts of multiples of 10^exponent, with enough decimals to be exact; in millions (M), billions (G), trillions
+/// (T) or powers of ten if the largest has more than six digits or is below 0.001.
 std::vector<std::string> number_texts(std::span<const double> values, int exponent);
 
-/// factor · 10^exponent, as `200` or, if it is asked for, `2·10²`.
+/// Text of factor · 10^exponent: `200`, or `2·10²` if `as_power`.
 std::string power_text(int factor, int exponent, bool as_power);
 
-/// A number for people: whole ones in groups; others of 1,000 or more to the unit, smaller ones to four digits.
+/// A number for people: whole numbers with grouped digits, others rounded to an integer from 1,000 on and to four
+/// significant digits below.
 std::string number_text(double value);
 
 }  // namespace csgsim::plots

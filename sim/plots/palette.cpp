@@ -8,7 +8,7 @@ namespace csgsim::plots::palette {
 
 namespace {
 
-/// Of the two digits from `begin` on.
+/// Linear value of the two hexadecimal digits from `begin` on (sRGB).
 double linear(std::string_view colour, std::size_t begin) {
   unsigned byte = 0;
   std::from_chars(colour.data() + begin, colour.data() + begin + 2, byte, 16);

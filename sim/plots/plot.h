@@ -1,3 +1,5 @@
+// Content of a plot as plain data.
+// Used by the studies that fill it, and by layout.h, which computes positions.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +9,11 @@
 #include <variant>
 #include <vector>
 
-/// What a plot shows, as plain data: a study makes it, layout.h finds a place for everything, svg.h and gnuplot.h draw
-/// it.
-/// Texts may be any bytes; what is not printable is shown escaped, what is too long shortened.
+/// Data of a plot: a study fills it, layout.h computes positions, svg.h and gnuplot.h draw it. Texts may hold any
+/// bytes; unprintable ones are shown escaped, and long texts are shortened.
 namespace csgsim::plots {
 
-/// A place on an axis with a name of its own.
+/// A labelled position on an axis.
 struct Tick {
   double value = 0;
   std::string text;
@@ -21,35 +22,35 @@ struct Tick {
 };
 
 enum class Scale : std::uint8_t {
-  by_range,     ///< logarithmic where positive values range over a factor of 20 and none is negative, linear otherwise
-  linear,       ///< evenly spaced
-  logarithmic,  ///< 0 stands below the least positive value, at a tick of its own; linear where a value is negative
+  by_range,  ///< logarithmic if the positive values span a factor of 20 or more and none is negative, otherwise linear
+  linear,    ///< evenly spaced
+  logarithmic,  ///< 0 has a separate tick below the smallest positive value; linear if a value is negative
 };
 
 struct Axis {
   std::string title;
   Scale scale = Scale::by_range;
-  std::vector<Tick> ticks{};  ///< the values that were measured; none where the range says which
+  std::vector<Tick> ticks{};  ///< the measured values; if empty, ticks are derived from the range
   bool is_names = false;      ///< the ticks are names at 0, 1, 2, ...
   bool is_whole = false;      ///< values are whole numbers
 };
 
-/// A value; points with a coordinate that is not finite are left out.
+/// A point of a series. Points with a coordinate that is not finite are omitted.
 struct Point {
   double x = 0;
   double y = 0;
-  std::string label{};  ///< written beside it, where there is room
+  std::string label{};  ///< written next to the point if it fits
 };
 
 enum class Trace : std::uint8_t {
-  line,     ///< the points joined
-  steps,    ///< each point's height holds until the next point, that of the last to the panel's edge
-  marks,    ///< the points alone
-  level,    ///< a height for all of the x axis: that of the first point
-  upright,  ///< a place for all of the panel's height: that of the first point
+  line,     ///< points joined by lines
+  steps,    ///< each point's value holds until the next point; the last one's to the edge of the panel
+  marks,    ///< points without lines
+  level,    ///< horizontal line across the panel at the first point
+  upright,  ///< vertical line across the panel at the first point
 };
 
-/// Points that belong together. Series of one name look alike, and have one entry in the key.
+/// Points that belong together. Series with the same name look the same and share an entry in the key.
 struct Series {
   std::string name;
   std::size_t panel = 0;
@@ -58,22 +59,22 @@ struct Series {
   bool is_background = false;  ///< grey, behind the others
 };
 
-/// Places in `palette::looks` of names of series.
+/// Indices into `palette::looks` by series name.
 using Looks = std::map<std::string, std::size_t>;
 
-/// Panels one above the other, over one x axis. At most `palette::most_series` names are in colours and in the key:
-/// those with the largest values in the first panel that they are in; the others are grey, and the key says how many,
-/// and where they are told. Of charts that belong together (common_looks.h) `looks` says which names are in colours.
+/// Panels stacked over one x axis. At most `palette::max_series` names have colours and an entry in the key: those
+/// with the largest values in the first panel that has them. The others are grey; the key gives their number and the
+/// file with their values. For charts that belong together (common_looks.h), `looks` gives the colours.
 struct Chart {
   std::string title;
   Axis x;
   std::vector<Axis> panels;
   std::vector<Series> series;
-  std::string table;  ///< file that has all of it
+  std::string table;  ///< name of the file with all values
   Looks looks{};
 };
 
-/// A stretch of a bar.
+/// A section of a bar.
 struct Part {
   std::string name;
   double begin = 0;
@@ -82,21 +83,21 @@ struct Part {
 
 struct Bar {
   std::string name;
-  double length = 0;  ///< what no part covers is free
+  double length = 0;  ///< sections that no part covers are free
   std::vector<Part> parts{};
 };
 
-/// Bars that lie one below the other, from 0 on; the first `most_bars` of them, with the number of the others.
+/// Horizontal bars that start at 0. The first `max_bars` are drawn; the key gives the number of the others.
 struct Bars {
   std::string title;
   Axis x;
   std::vector<Bar> bars;
-  std::vector<std::string> names;  ///< of parts, in the order of the key; others follow
-  std::string table;               ///< file that has all of it
+  std::vector<std::string> names;  ///< names of parts in the order of the key; names missing here come last
+  std::string table;               ///< name of the file with all values
 };
-inline constexpr std::size_t most_bars = 40;
+inline constexpr std::size_t max_bars = 40;
 
-/// A plot and the name of its files, without their endings.
+/// A plot and the base name of its files, without extension.
 struct Plot {
   std::string name;
   std::variant<Chart, Bars> content;

@@ -1,3 +1,5 @@
+// Limits of the programs that draw plots.
+// Used for gnuplot and fc-list.
 #pragma once
 
 #include <chrono>
@@ -7,7 +9,7 @@
 
 namespace csgsim::plots {
 
-/// Of gnuplot, and of fc-list: a plot takes a second or two, and longer where fontconfig has to find thousands of fonts
+/// Limits of gnuplot and fc-list. A plot takes one or two seconds, more if fontconfig has to scan thousands of fonts
 /// first.
 inline constexpr system::ChildLimits program_limits{.time = std::chrono::minutes(10),
                                                     .output = std::size_t{256} << 20U,

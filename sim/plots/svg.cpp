@@ -16,7 +16,7 @@ namespace {
 
 using palette::Mark;
 
-/// Pixels, to a hundredth.
+/// Pixels, rounded to a hundredth.
 std::string number(double pixels) { return fmt::format("{:.6g}", std::round(100 * pixels) / 100 + 0.0); }
 
 std::string with_tip(const std::string& shape, const std::string& tip) {
@@ -30,7 +30,7 @@ std::string fill_svg(const Fill& fill) {
                   fill.tip);
 }
 
-/// A look's dash, which is in half pixels.
+/// Converts the dash of a look, in half pixels, to a dash array.
 std::string dash_svg(std::string_view dash) {
   if (dash.empty()) return "";
   std::string pixels;
@@ -63,7 +63,7 @@ constexpr std::array diamond{Pixel{0, -1.25}, Pixel{1.25, 0}, Pixel{0, 1.25}, Pi
 constexpr std::array pentagon{Pixel{0, 1.22}, Pixel{1.16, 0.38}, Pixel{0.72, -0.99}, Pixel{-0.72, -0.99},
                               Pixel{-1.16, 0.38}};
 
-/// Corners of a mark from its middle, in halves of its size; none of a round one.
+/// Corners of a mark relative to its centre, in units of half its size; empty for a round mark.
 std::span<const Pixel> corners_of(Mark form) {
   switch (form) {
     case Mark::square:
@@ -102,7 +102,7 @@ std::string_view anchor_word(Anchor anchor) {
 }
 
 std::string text_svg(const Text& text) {
-  constexpr double baseline = 0.325 * font_size;  ///< below the middle of capitals
+  constexpr double baseline = 0.325 * font_size;  ///< from the middle of the capitals down
   const std::string x = number(text.at.x);
   const std::string turn = text.is_upright ? fmt::format(" transform=\"rotate(-90 {} {})\"", x, number(text.at.y)) : "";
   return fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}>{}</text>", x,

@@ -1,3 +1,5 @@
+// Writes a drawing as SVG.
+// Used by files.cpp and by the HTML pages.
 #pragma once
 
 #include <string>
@@ -7,11 +9,11 @@
 
 namespace csgsim::plots {
 
-/// The drawing as an element `svg` with these attributes and a view box. Colours are attributes, so that a style sheet
-/// can replace them; what has a tip is in a group of the class `pt` with the tip as its title. Texts may be any bytes.
+/// An `svg` element with these attributes and a view box. Colours are attributes, so that a style sheet can override
+/// them. A shape with a tip is in a group of class `pt` with the tip as its title. Texts may hold any bytes.
 std::string svg_element(const Drawing& drawing, std::string_view attributes);
 
-/// The same as a whole file.
+/// A complete SVG file.
 std::string svg_file(const Drawing& drawing);
 
 }  // namespace csgsim::plots

@@ -18,14 +18,14 @@ namespace {
 
 constexpr std::string_view ellipsis = "\u2026";
 
-/// Hundredths of the font's size, of the characters from U+0020 to U+007E.
+/// Widths of U+0020 to U+007E in hundredths of the font size.
 constexpr std::array<std::uint8_t, 95> ascii_widths{
     32, 41, 46, 84, 64, 96, 78, 28,  40,  40, 50, 84, 32, 38, 32, 46, 64, 64, 64, 64, 64, 64, 64, 64,
     64, 64, 34, 34, 84, 84, 84, 56,  102, 69, 69, 73, 78, 67, 62, 78, 77, 30, 50, 67, 56, 93, 77, 81,
     67, 81, 73, 67, 62, 74, 69, 104, 69,  67, 69, 40, 46, 40, 84, 56, 50, 62, 64, 55, 64, 62, 36, 64,
     64, 28, 28, 58, 28, 98, 64, 62,  64,  64, 42, 53, 40, 64, 60, 82, 60, 60, 53, 64, 34, 64, 84};
 
-/// Characters up to `last`, and the widest of them.
+/// Characters up to `last`, and the width of the widest in units of the font size.
 struct WidthRange {
   char32_t last;
   double width;
@@ -33,13 +33,13 @@ struct WidthRange {
 
 constexpr auto widths = std::to_array<WidthRange>({
     {0x00b6, 1.05},
-    {0x00b7, 0.34},  // the middle dot of powers of ten
+    {0x00b7, 0.34},  // middle dot of powers of ten
     {0x01c3, 1.05},
     {0x0233, 1.45},  // digraphs
     {0x0370, 1.05},
     {0x0530, 1.35},  // Greek and Cyrillic
     {0x2025, 1.75},
-    {0x2026, 1.05},  // the ellipsis
+    {0x2026, 1.05},  // ellipsis
     {0x206f, 1.75},
     {0x207e, 0.6},  // raised digits and signs
     {0x2fff, 1.75},
@@ -47,7 +47,7 @@ constexpr auto widths = std::to_array<WidthRange>({
     {0xabff, 1.75},
     {0xd7ff, 1.1},
     {0xfdef, 1.75},
-    {0xfdff, 12},  // whole phrases
+    {0xfdff, 12},  // ligatures of whole phrases
     {0xffff, 1.75},
     {0x10ffff, 2.2},
 });
@@ -57,9 +57,9 @@ double width_of(char32_t character) {
   return std::ranges::find_if(widths, [&](const WidthRange& range) { return character <= range.last; })->width;
 }
 
-/// As many characters from both ends as fit, with something between them.
+/// Replaces the middle by `between` and keeps the characters at both ends that fit.
 std::string without_middle(std::string_view text, double width, std::string_view between) {
-  const std::vector<std::string_view> characters = characters_of(text);
+  const std::vector<std::string_view> characters = split_characters(text);
   std::string head;
   std::string tail;
   double left = width - text_width(between);
@@ -77,8 +77,8 @@ std::string without_middle(std::string_view text, double width, std::string_view
 
 double text_width(std::string_view text) {
   double width = 0;
-  // Fonts that are hinted advance by whole pixels.
-  for (const std::string_view character : characters_of(text))
+  // Hinted fonts advance by whole pixels.
+  for (const std::string_view character : split_characters(text))
     width += std::ceil(font_size * width_of(code_point(character)));
   return width;
 }
@@ -88,7 +88,7 @@ std::string shortened(std::string_view text, double width) {
   return text_width(shown) <= width ? shown : without_middle(shown, width, ellipsis);
 }
 
-std::vector<std::string> in_two_lines(std::string_view text, double width) {
+std::vector<std::string> split_lines(std::string_view text, double width) {
   const std::string shown = printable(text);
   if (text_width(shown) <= width) return {shown};
   std::size_t cut = shown.rfind(' ');

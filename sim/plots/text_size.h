@@ -1,3 +1,5 @@
+// Size of texts in plots.
+// Used by the layouts and writers.
 #pragma once
 
 #include <string>
@@ -6,22 +8,22 @@
 
 namespace csgsim::plots {
 
-/// Pixels of the font of all texts, and of a line of it with the room above and below.
+/// Font size of all texts, and line height including leading, in pixels.
 inline constexpr double font_size = 14;
 inline constexpr double line_height = 18;
 
-/// Pixels that a text takes from left to right, at most, in any common sans-serif font: the widest advance of DejaVu
-/// Sans, Liberation Sans and Lato for each character of ASCII, bounds for ranges of others.
+/// Upper bound of the width of a text in pixels in common sans-serif fonts: the widest advance of DejaVu Sans,
+/// Liberation Sans and Lato for each ASCII character, upper bounds for ranges of other characters.
 double text_width(std::string_view text);
 
-/// The text as it is shown in a plot: printable, and where it is wider than so many pixels without its middle.
+/// The printable form of the text, with an ellipsis in place of the middle if it is wider than `width` pixels.
 std::string shortened(std::string_view text, double width);
 
-/// The text in one line or two, parted at a blank where it is wider than so many pixels; each shortened where it is
-/// still wider.
-std::vector<std::string> in_two_lines(std::string_view text, double width);
+/// The text in one line, or in two split at a space if it is wider than `width` pixels; lines that are still too wide
+/// are shortened.
+std::vector<std::string> split_lines(std::string_view text, double width);
 
-/// All of them, so that those that differ still do: where the ends are the same, a number is put in.
+/// Shortens all texts so that different texts stay different: texts with equal ends get a number.
 std::vector<std::string> shortened(const std::vector<std::string>& texts, double width);
 
 }  // namespace csgsim::plots

@@ -10,7 +10,7 @@ namespace csgsim::plots {
 
 namespace {
 
-/// 1, 2 or 5 times a power of ten.
+/// A step of 1, 2 or 5 times a power of ten.
 struct Step {
   int factor = 1;
   int exponent = 0;
@@ -22,20 +22,21 @@ struct Step {
   }
 };
 
-/// The smallest step of which at most `most` go into the range, and that doubles of its size can tell.
-Step step_of(double low, double high, unsigned most) {
+/// The smallest step that fits at most `max_count` times into the range and is large enough for doubles of this size to
+/// differ.
+Step step_of(double low, double high, unsigned max_count) {
   const double largest = std::max(std::abs(low), std::abs(high));
-  const double least = std::max((high - low) / most, 4 * std::numeric_limits<double>::epsilon() * largest);
-  Step step{1, static_cast<int>(std::floor(std::log10(least))) - 1};
-  while (step.size() < least) step = step.next();
+  const double min_size = std::max((high - low) / max_count, 4 * std::numeric_limits<double>::epsilon() * largest);
+  Step step{1, static_cast<int>(std::floor(std::log10(min_size))) - 1};
+  while (step.size() < min_size) step = step.next();
   return step;
 }
 
 std::vector<Tick> with_texts(const std::vector<double>& values, const std::vector<std::string>& texts) {
   std::vector<Tick> ticks;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool is_told = std::ranges::none_of(ticks, [&](const Tick& tick) { return tick.text == texts[i]; });
-    if (is_told) ticks.push_back({values[i], texts[i]});
+    const bool is_new = std::ranges::none_of(ticks, [&](const Tick& tick) { return tick.text == texts[i]; });
+    if (is_new) ticks.push_back({values[i], texts[i]});
   }
   return ticks;
 }
@@ -59,8 +60,8 @@ std::vector<Power> powers_between(double low, double high, const std::vector<int
 
 }  // namespace
 
-std::vector<Tick> linear_ticks(double low, double high, unsigned most, bool is_whole) {
-  Step step = step_of(low, high, most);
+std::vector<Tick> linear_ticks(double low, double high, unsigned max_count, bool is_whole) {
+  Step step = step_of(low, high, max_count);
   if (is_whole && step.exponent < 0) step = {1, 0};
   std::vector<double> values;
   const double first = std::ceil(low / step.size());
@@ -72,15 +73,15 @@ std::vector<Tick> linear_ticks(double low, double high, unsigned most, bool is_w
   return with_texts(values, number_texts(values, step.exponent));
 }
 
-std::vector<Tick> logarithmic_ticks(double low, double high, unsigned most, bool is_whole) {
+std::vector<Tick> logarithmic_ticks(double low, double high, unsigned max_count, bool is_whole) {
   std::vector<Power> powers = powers_between(low, high, {1});
   if (powers.size() < 3) {
     const std::vector<Power> more = powers_between(low, high, {1, 2, 5});
-    if (more.size() <= most) powers = more;
+    if (more.size() <= max_count) powers = more;
   }
   if (is_whole) std::erase_if(powers, [](const Power& one) { return one.exponent < 0; });
-  if (powers.size() < 2) return linear_ticks(low, high, most, is_whole);
-  const std::size_t every = (powers.size() + most - 1) / most;
+  if (powers.size() < 2) return linear_ticks(low, high, max_count, is_whole);
+  const std::size_t every = (powers.size() + max_count - 1) / max_count;
   const bool as_powers =
       std::ranges::any_of(powers, [](const Power& one) { return one.exponent < -4 || one.exponent > 6; });
   std::vector<double> values;

@@ -1,3 +1,5 @@
+// Tooltips of plots.
+// Used by the layouts.
 #pragma once
 
 #include <string>
@@ -6,10 +8,10 @@
 
 namespace csgsim::plots {
 
-/// What is told of a point where somebody points at it.
-std::string tip_of(const Chart& chart, const Series& series, const Point& point);
+/// Tooltip of a point.
+std::string tip_text(const Chart& chart, const Series& series, const Point& point);
 
-/// The same of a part of a bar.
-std::string tip_of(const Bars& plot, const Bar& bar, const Part& part);
+/// Tooltip of a part of a bar.
+std::string tip_text(const Bars& plot, const Bar& bar, const Part& part);
 
 }  // namespace csgsim::plots

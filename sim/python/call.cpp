@@ -19,23 +19,23 @@ namespace csgsim::python {
 
 namespace {
 
-/// What every command has that only a terminal has a use for.
+/// Options of every command that make sense only on a terminal.
 constexpr auto of_terminals = std::to_array<std::string_view>({"help", "dump-config"});
 
 void refuse_terminal_options(const Call& call) {
   for (const auto& [name, text] : call.options) {
     const bool is_of_terminals = std::ranges::find(of_terminals, name) != of_terminals.end();
-    if (is_of_terminals) throw session::UsageError("--" + name, "is for the command line alone");
+    if (is_of_terminals) throw session::UsageError("--" + name, "is for the command line only");
     const bool is_output = session::known_option(name).role == session::FileRole::output;
     if (is_output && text && is_standard_output(*text))
-      throw session::UsageError("--" + name, "name a file; what the command line would print is returned");
+      throw session::UsageError("--" + name, "name a file; the call returns what the command line would print");
   }
 }
 
-/// A name that begins with a dash is a file's all the same.
+/// An operand that begins with a dash is still a file name.
 std::string operand_word(const std::string& operand) { return operand.starts_with('-') ? "./" + operand : operand; }
 
-/// The values of a command that these options describe.
+/// The options and operands of a command, with their values.
 template <class Request>
 std::vector<session::OptionValue> values_of(const std::string& name) {
   Request request;
@@ -66,7 +66,7 @@ std::vector<session::OptionValue> options_of(const std::string& command) {
   if (command == "explain") return values_of<session::ExplainRequest>(command);
   const auto studies = studies::all();
   const auto row = std::ranges::find_if(studies, [&](const auto* one) { return one->name == command; });
-  if (row == studies.end()) throw session::UsageError("there is no '" + command + "' that can be called");
+  if (row == studies.end()) throw session::UsageError("there is no call '" + command + "'");
   session::OptionList list(command);
   return studies::describe_for_caller(list, **row)->command.values();
 }

@@ -1,3 +1,5 @@
+// Converts Python calls to requests.
+// Used by module.cpp.
 #pragma once
 
 #include <optional>
@@ -9,7 +11,7 @@
 
 namespace csgsim::python {
 
-/// What a caller says: the operands, and options by their long names without dashes, each with its text, or none of a
+/// A call from Python: the operands, and options by their long names without dashes, with their texts, or nothing for a
 /// flag.
 struct Call {
   std::string command;
@@ -17,11 +19,11 @@ struct Call {
   std::vector<std::pair<std::string, std::optional<std::string>>> options;
 };
 
-/// Gives the options of the list what the call says, and takes them. Throws UsageError.
+/// Gives the operands and options of the call to the list and reads them. Throws UsageError.
 void give(const Call& call, session::OptionList& list);
 
-/// The options and operands of a command, in the order of help, with their defaults. Throws UsageError for a command
-/// that cannot be called.
+/// The options and operands of a command, in the order of help, with their defaults. Throws UsageError for an unknown
+/// call.
 std::vector<session::OptionValue> options_of(const std::string& command);
 
 }  // namespace csgsim::python

@@ -1,3 +1,5 @@
+// Runs work so that Ctrl-C can interrupt it.
+// Used by module.cpp.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -19,30 +21,29 @@ namespace csgsim::python {
 
 namespace py = pybind11;
 
-/// The result of some work, and its warnings.
+/// The result of some work, with its warnings.
 template <class Result>
-struct Told {
+struct WithWarnings {
   Result result;
   std::vector<std::string> warnings;
 };
 
-/// How often Python's signals are looked at.
+/// Interval at which Python's signals are checked.
 constexpr std::chrono::milliseconds between_looks(50);
 
-/// Carries out `work` in a thread of its own, and looks for Ctrl-C beside it. Python's other threads go on meanwhile.
-/// Interrupted work ends where nothing is lost, and what Python's handler raised,
-/// KeyboardInterrupt, is thrown.
+/// Runs `work` in a separate thread and checks for Ctrl-C meanwhile. Other Python threads continue. Interrupted work
+/// stops without losing data, and the exception raised by Python's handler, KeyboardInterrupt, is thrown.
 template <class Work>
 auto interruptibly(Work work) {
   using Result = decltype(work());
-  std::packaged_task<Told<Result>(std::stop_token)> task([&work](const std::stop_token& stop) {
+  std::packaged_task<WithWarnings<Result>(std::stop_token)> task([&work](const std::stop_token& stop) {
     const Interruptible looks_for(stop);
-    const KeptLines kept;
+    const CollectedLines kept;
     const SilentPrints silent;
     Result result = work();
-    return Told<Result>{std::move(result), kept.lines()};
+    return WithWarnings<Result>{std::move(result), kept.lines()};
   });
-  std::future<Told<Result>> done = task.get_future();
+  std::future<WithWarnings<Result>> done = task.get_future();
   std::optional<py::error_already_set> interruption;
   {
     const py::gil_scoped_release released;

@@ -35,14 +35,14 @@
 #include "sim/studies/rows.h"
 #include "sim/studies/runner.h"
 
-/// csgsim._csgsim: what the Python package csgsim stands upon. Its __init__.py says what everything means.
+/// csgsim._csgsim, the native part of the Python package csgsim, whose __init__.py documents the interface.
 namespace csgsim::python {
 
 namespace {
 
 using Text = std::optional<std::string>;
 
-/// A Program, and the machine that it is for.
+/// A Program and the machine that it is for.
 struct HeldProgram {
   isa::Program program;
   machines::Machine machine;
@@ -53,9 +53,9 @@ Held held_of(isa::Program program, machines::Machine machine) {
   return std::make_shared<HeldProgram>(HeldProgram{std::move(program), std::move(machine)});
 }
 
-/// A picture and what is told of it.
+/// A picture and its counts.
 struct Drawn {
-  observe::Frame frame;  ///< with the surfaces that were asked for
+  observe::Frame frame;  ///< shows the requested surfaces
   nlohmann::ordered_json stats;
   Held held;
 };
@@ -66,7 +66,7 @@ Drawn drawn_of(session::FinishedRun run, const session::RunRequest& options, Hel
           std::move(held)};
 }
 
-/// A request with what a call says of it.
+/// A request filled from a call.
 template <class Request>
 struct Read {
   Request request;
@@ -78,7 +78,7 @@ struct Read {
   }
 };
 
-/// SystemC has one simulation a process: threads wait for each other there.
+/// SystemC allows one simulation per process, so clocked runs wait for each other.
 std::unique_lock<std::mutex> alone_if_clocked(const session::RunRequest& options) {
   static std::mutex clocked;
   return options.level == "cycle" ? std::unique_lock(clocked) : std::unique_lock<std::mutex>();
@@ -123,15 +123,15 @@ story::Answer explained(const Call& call, const Text& text, const Held& program)
   return session::explain(read.request, read.list, in_place);
 }
 
-/// All that a study tells, as its JSON file has it.
+/// The content of a study's JSON file.
 nlohmann::ordered_json studied(const Call& call) {
   const auto rows = studies::all();
   const auto row = std::ranges::find_if(rows, [&](const auto* one) { return one->name == call.command; });
   if (row == rows.end()) throw session::UsageError("there is no study '" + call.command + "'");
   session::OptionList list(call.command);
-  const std::shared_ptr<studies::StudyCommand> asked = studies::describe_for_caller(list, **row);
+  const std::shared_ptr<studies::StudyCommand> study_command = studies::describe_for_caller(list, **row);
   give(call, list);
-  return nlohmann::ordered_json::parse(studies::conduct(*asked));
+  return nlohmann::ordered_json::parse(studies::conduct(*study_command));
 }
 
 py::dict dict_of(const Drawn& drawn) {
@@ -144,43 +144,43 @@ py::dict dict_of(const Drawn& drawn) {
   return dict;
 }
 
-/// Words of a call, as Python has them.
+/// Options of a call in the form that Python passes.
 using Options = std::vector<std::pair<std::string, Text>>;
 
 py::tuple render(const std::vector<std::string>& operands, const Options& options, const Text& text) {
-  const auto told = interruptibly([&] { return rendered({"render", operands, options}, text); });
-  return py::make_tuple(dict_of(told.result), told.warnings);
+  const auto finished = interruptibly([&] { return rendered({"render", operands, options}, text); });
+  return py::make_tuple(dict_of(finished.result), finished.warnings);
 }
 
 py::tuple compile(const std::vector<std::string>& operands, const Options& options, const Text& text) {
-  auto told = interruptibly([&] { return compiled({"compile", operands, options}, text); });
-  return py::make_tuple(std::move(told.result), told.warnings);
+  auto finished = interruptibly([&] { return compiled({"compile", operands, options}, text); });
+  return py::make_tuple(std::move(finished.result), finished.warnings);
 }
 
 py::tuple run(const std::vector<std::string>& operands, const Options& options, const Held& program) {
-  const auto told = interruptibly([&] { return ran({"run", operands, options}, program); });
-  return py::make_tuple(dict_of(told.result), told.warnings);
+  const auto finished = interruptibly([&] { return ran({"run", operands, options}, program); });
+  return py::make_tuple(dict_of(finished.result), finished.warnings);
 }
 
 py::tuple explain(const std::vector<std::string>& operands, const Options& options, const Text& text,
                   const Held& program) {
-  const auto told = interruptibly([&] { return explained({"explain", operands, options}, text, program); });
-  return py::make_tuple(python_of(told.result.json), told.result.text, told.warnings);
+  const auto finished = interruptibly([&] { return explained({"explain", operands, options}, text, program); });
+  return py::make_tuple(python_of(finished.result.json), finished.result.text, finished.warnings);
 }
 
 py::tuple study(const std::string& name, const std::vector<std::string>& operands, const Options& options) {
-  const auto told = interruptibly([&] { return studied({name, operands, options}); });
-  return py::make_tuple(python_of(told.result), told.warnings);
+  const auto finished = interruptibly([&] { return studied({name, operands, options}); });
+  return py::make_tuple(python_of(finished.result), finished.warnings);
 }
 
 py::tuple load(const std::string& file) {
   session::refuse_model(file);
-  auto told = interruptibly([&] {
+  auto finished = interruptibly([&] {
     isa::Program program = session::read_program(file);
     machines::Machine machine = session::machine_for(program, file, "", {});
     return held_of(std::move(program), std::move(machine));
   });
-  return py::make_tuple(std::move(told.result), told.warnings);
+  return py::make_tuple(std::move(finished.result), finished.warnings);
 }
 
 void save(const Held& held, const std::string& file, bool is_text) {
@@ -206,7 +206,7 @@ py::list fields_of(const Held& held) {
   return rows;
 }
 
-/// As session::Takes has them.
+/// Names of session::Takes, in its order.
 constexpr auto takes_names = std::to_array<const char*>({"flag", "whole number", "number", "text", "texts"});
 
 py::list option_rows(const std::string& command) {
@@ -229,7 +229,7 @@ std::vector<std::string_view> study_names() {
   return names;
 }
 
-/// A class of the package's own that lives as long as the process.
+/// A class of the Python package, which lives as long as the process.
 PyObject* error_class(const char* name) {
   return py::object(py::module_::import("csgsim._errors").attr(name)).release().ptr();
 }

@@ -34,7 +34,7 @@ py::object list_of(const Json& json) {
   return list;
 }
 
-/// What is no UTF-8 in names of files is as Python has it in them.
+/// Bytes that are not UTF-8, as in file names, use Python's surrogateescape.
 py::object text_of(const std::string& text) {
   return py::reinterpret_steal<py::object>(
       PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "surrogateescape"));
@@ -91,7 +91,7 @@ py::array owner_of(const observe::Frame& frame, const isa::Program& program) {
 
 py::bytes png_of(const py::array_t<std::uint8_t, py::array::c_style>& picture) {
   if (picture.ndim() != 3 || picture.shape(2) != 3 || picture.size() == 0)
-    throw session::UsageError("picture", "is to have rows, columns and three channels");
+    throw session::UsageError("picture", "must have rows, columns and three channels");
   const auto side = [&](int axis) { return static_cast<std::uint32_t>(picture.shape(axis)); };
   const pictures::Bytes bytes(picture.data(), static_cast<std::size_t>(picture.size()));
   return pictures::encode("picture.png", {side(1), side(0), 3, {}, bytes});

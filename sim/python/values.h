@@ -1,3 +1,5 @@
+// Converts results to Python values.
+// Used by module.cpp.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -10,30 +12,30 @@
 #include "hw/machines/machine.h"
 #include "sim/observe/frame.h"
 
-/// What C++ has as Python has it.
+/// Conversion of C++ results to Python values.
 namespace csgsim::python {
 
 namespace py = pybind11;
 
-/// Dictionaries, lists, texts, numbers and None, in the order of the file.
+/// Dictionaries, lists, texts, numbers and None, in the order of the JSON.
 py::object python_of(const nlohmann::ordered_json& json);
 
-/// Rows, columns, and red, green and blue, of 8 bits.
+/// An array of rows, columns and the channels red, green and blue, 8 bits each.
 py::array picture_of(const observe::Frame& frame, const isa::Program& program);
 
-/// Distances from the eye along the view axis, model units, at each row and column; infinite where nothing is seen.
+/// An array of distances from the eye along the view axis in model units; infinite where nothing is visible.
 py::array depth_of(const observe::Frame& frame, const isa::Program& program);
 
-/// Indices of primitives at each row and column, -1 where nothing is seen.
+/// An array of primitive indices, -1 where nothing is visible.
 py::array owner_of(const observe::Frame& frame, const isa::Program& program);
 
-/// The PNG file of a picture that is such an array. Throws UsageError for an array of another shape.
+/// The PNG file of such a picture array. Throws UsageError for an array of another shape.
 py::bytes png_of(const py::array_t<std::uint8_t, py::array::c_style>& picture);
 
-/// One dictionary an instruction, in the order of the Program; the clocks are the machine's.
+/// One dictionary per instruction, in the order of the Program; the clocks are those of the machine.
 py::list instructions_of(const isa::Program& program, const machines::Machine& machine);
 
-/// Name, description, kind, and each figure with its value, unit, provenance and source.
+/// Name, description and kind, and each parameter with its value, unit, provenance and source.
 py::dict description_of(const machines::Machine& machine);
 
 }  // namespace csgsim::python

@@ -118,7 +118,7 @@ void ReferenceRun::restore(const engine::RunState& state) {
   place_ = state.place;
   if (const isa::Instruction* const squares = isa::pending_squares(program_.segments[place_.segment], place_.index))
     array_.execute(*squares);
-  end_notified_ = state.told_end;
+  end_notified_ = state.end_reported;
   result_.overflows = state.overflows;
   result_.skipped = state.skipped;
   result_.answers = state.answers;
@@ -141,8 +141,8 @@ void ReferenceRun::restore(const engine::RunState& state) {
 }
 
 /// A run resumed from a saved state lacks the earlier part, so the whole Program is run again.
-std::vector<machines::MetPixels> ReferenceRun::met_pixels() const {
-  if (const std::vector<machines::MetPixels>* const met = met_.met()) return *met;
+std::vector<machines::PixelActivity> ReferenceRun::met_pixels() const {
+  if (const std::vector<machines::PixelActivity>* const met = met_.met()) return *met;
   ReferenceRun whole(program_, machine_);
   whole.advance(end, {});
   return whole.met_pixels();
@@ -153,7 +153,7 @@ engine::RunResult ReferenceRun::result() const {
   result.overflows += array_.overflows();
   result.skips = skips_;
   result.met = met_pixels();
-  put(host::time_frame(program_, machine_, engine::told_of(result)), result);
+  put(host::time_frame(program_, machine_, engine::run_outcome(result)), result);
   return result;
 }
 

@@ -36,7 +36,7 @@ class ReferenceRun final : public engine::Run {
   /// Moves to the segment's first instruction and clears all pixels.
   void begin_segment(std::uint32_t segment);
   void execute(std::span<engine::Observer* const> observers);
-  [[nodiscard]] std::vector<machines::MetPixels> met_pixels() const;
+  [[nodiscard]] std::vector<machines::PixelActivity> met_pixels() const;
 
   const isa::Program& program_;
   machines::Machine machine_;

@@ -11,7 +11,7 @@ constexpr unsigned char more_follow = 0x80U;
 
 constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Where the run of equal values that begins there ends.
+/// End of the run of equal values that starts at `begin`.
 template <class Value>
 std::size_t run_end(std::size_t begin, std::size_t end, Value value) {
   std::size_t at = begin + 1;

@@ -1,3 +1,5 @@
+// Compact encodings of page data: varints, base 64, runs.
+// Used by sim/report, sim/viewer and sim/web.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +12,19 @@ namespace csgsim::report {
 /// Appends a number in groups of 7 bits, the lowest first; all but the last byte have their highest bit set (LEB128).
 void put_varint(std::uint64_t number, std::string& bytes);
 
-/// Takes a number from the front. The bytes have to hold one.
+/// Takes a number from the front. The bytes have to begin with one.
 std::uint64_t take_varint(std::string_view& bytes);
 
-/// RFC 4648, with padding.
+/// Base 64 with padding (RFC 4648).
 std::string base64(std::string_view bytes);
 
-/// Values as varints in turn: how many pixels, and their value + 1, where no_owner is 0.
+/// Run lengths as varints: number of pixels and value + 1 in turn, where no_owner becomes 0.
 std::string owner_runs(std::span<const std::uint32_t> owners);
 
-/// What turns `before` into `after` by an exclusive or, as DrawingStep::changes. Both are equally long.
+/// The exclusive or that turns `before` into `after`, in the form of DrawingStep::changes. Both have the same length.
 std::string changes(std::span<const std::uint32_t> before, std::span<const std::uint32_t> after);
 
-/// Carries out such changes.
+/// Applies such changes.
 void change(std::string_view changes, std::span<std::uint32_t> states);
 
 }  // namespace csgsim::report

@@ -8,10 +8,10 @@ namespace csgsim::report {
 
 namespace {
 
-constexpr std::size_t most_elements = 16;
+constexpr std::size_t max_elements = 16;
 
 bool is_list_of_leaves(const Json& value) {
-  if (!value.is_array() || value.size() > most_elements) return false;
+  if (!value.is_array() || value.size() > max_elements) return false;
   for (const Json& one : value)
     if (one.is_structured()) return false;
   return true;
@@ -22,11 +22,11 @@ void add_leaves(const Json& value, const std::string& at, const std::string& nam
   if (value.is_object() && !value.empty()) {
     for (const auto& [key, one] : value.items())
       add_leaves(one, child(at, key), name.empty() ? key : fmt::format("{}.{}", name, key), table);
-  } else if (value.is_array() && value.size() <= most_elements && !is_list_of_leaves(value)) {
+  } else if (value.is_array() && value.size() <= max_elements && !is_list_of_leaves(value)) {
     for (std::size_t i = 0; i < value.size(); ++i)
       add_leaves(value[i], at + "/" + std::to_string(i), name + "[" + std::to_string(i) + "]", table);
-  } else if (value.is_array() && value.size() > most_elements) {
-    table.rows.push_back({{name}, {std::to_string(value.size()) + " values, in the page's data"}});
+  } else if (value.is_array() && value.size() > max_elements) {
+    table.rows.push_back({{name}, {std::to_string(value.size()) + " values, see the page's data"}});
   } else {
     table.rows.push_back({{name}, {value.is_structured() && value.empty() ? Json("none") : value, at}});
   }
@@ -43,9 +43,10 @@ Table leaves(const Json& data, const std::string& at, const std::string& caption
 
 namespace {
 
-/// Its figures, with their units and where they are from.
+/// The machine's parameters, with units and provenance.
 Table machine_table(const Json& machine) {
-  Table table{"Figures of " + machine.at("name").get<std::string>(), {"figure", "value", "unit", "from"}, {}, true};
+  Table table{
+      "Parameters of " + machine.at("name").get<std::string>(), {"parameter", "value", "unit", "provenance"}, {}, true};
   for (const auto& [key, figure] : machine.at("figures").items())
     table.rows.push_back({{key}, {figure.at("value")}, {figure.value("unit", "")}, {figure.at("provenance")}});
   return table;
@@ -56,10 +57,10 @@ Table machine_table(const Json& machine) {
 Section configuration_section(const Json& data, const Context& context) {
   Section section{"Configuration", {}};
   if (data.contains("configuration")) {
-    section.parts.emplace_back(leaves(data, "/configuration", "The effective configuration"));
+    section.parts.emplace_back(leaves(data, "/configuration", "Effective configuration"));
     return section;
   }
-  Table options{"Options, given or by default", {"option", "value"}, {}, true};
+  Table options{"Options, given or default", {"option", "value"}, {}, true};
   for (const auto& [name, value] : context.options) options.rows.push_back({{name}, {value}});
   section.parts.emplace_back(std::move(options));
   for (const Json& machine : context.machines) section.parts.emplace_back(machine_table(machine));

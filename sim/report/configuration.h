@@ -1,3 +1,5 @@
+// Configuration section of pages.
+// Used by sim/report and sim/viewer.
 #pragma once
 
 #include <string>
@@ -8,22 +10,22 @@
 
 namespace csgsim::report {
 
-/// What a command was told, and where its page goes.
+/// The command of a page, with its options.
 struct Context {
-  std::string command;                                         ///< with its arguments, quoted for a POSIX shell
+  std::string command;                                         ///< command line, quoted for a POSIX shell
   std::vector<std::pair<std::string, std::string>> options{};  ///< names and values, given or by default
-  std::vector<Json> machines{};                                ///< as the `machine` of a stats file's configuration
-  std::string explain{};  ///< of a run: explain_command (sim/session/run/explain.h)
+  std::vector<Json> machines{};                                ///< format of `machine` in a stats file's configuration
+  std::string explain{};  ///< result of explain_command (sim/session/run/explain.h); empty for studies
 };
 
-/// The leaves of a part of the data as rows, named by their keys, `array.width`, but for nulls; long lists are told by
-/// their length.
+/// The leaves of a part of the data as rows named by their keys, as in `array.width`, without nulls. A long list
+/// appears as its length.
 Table leaves(const Json& data, const std::string& at, const std::string& caption);
 
-/// How the data came to be: `configuration` of the data where they hold it, else what the command was told.
+/// The section on the inputs of the data: `configuration` of the data if present, otherwise the command's options.
 Section configuration_section(const Json& data, const Context& context);
 
-/// What of a list of sentences, each a string or an object with `sentence`, the data hold at that pointer.
+/// The sentences at that pointer of the data: a list whose elements are strings or objects with `sentence`.
 std::vector<Part> sentences(const Json& data, const std::string& at);
 
 }  // namespace csgsim::report

@@ -46,7 +46,7 @@ class Progress : public engine::Observer {
   std::optional<isa::Instruction> last_;
 };
 
-/// Numbers of the boundaries at which what instructions serve changes, and of the ends of regions.
+/// Numbers of the instruction boundaries where the origin changes, and of the ends of regions.
 std::vector<std::uint64_t> boundaries_of_work(const isa::Program& program) {
   std::vector<std::uint64_t> boundaries;
   std::uint64_t number = 0;
@@ -60,7 +60,7 @@ std::vector<std::uint64_t> boundaries_of_work(const isa::Program& program) {
   return boundaries;
 }
 
-/// Keeps every second, and the last.
+/// Keeps every second boundary and the last one.
 void keep_every_second(std::vector<std::uint64_t>& boundaries) {
   std::size_t place = 0;
   const std::size_t count = boundaries.size();
@@ -86,7 +86,8 @@ class Recorder {
     add({0, "", "nothing yet: the background", 0, 0, changes(nothing, states_)});
   }
 
-  /// Goes on to that boundary, or past it where instructions are skipped, and adds a step if it has not been there.
+  /// Advances to that boundary, or past it if instructions are skipped, and adds a step unless the run is already
+  /// there.
   void go_to(std::uint64_t boundary) {
     if (numbers_.of(run_->place()) >= boundary) return;
     engine::Observer* const observers[] = {&progress_};
@@ -104,7 +105,7 @@ class Recorder {
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   [[nodiscard]] std::size_t steps() const { return drawing_.steps.size(); }
 
-  /// Leaves out every second step; the last one stays if it is the run's.
+  /// Removes every second step; the last one stays if it is the end of the run.
   void thin(bool at_end) {
     std::vector<DrawingStep> all = std::exchange(drawing_.steps, {});
     bytes_ = 0;
@@ -129,12 +130,12 @@ class Recorder {
   }
 
   void add(DrawingStep step) {
-    constexpr std::size_t punctuation = 40;  // of an array of six in JSON, with its numbers
+    constexpr std::size_t punctuation = 40;  // bytes of a JSON array with six elements, including its numbers
     bytes_ += step.text.size() + step.serves.size() + (step.changes.size() + 2) / 3 * 4 + punctuation;
     drawing_.steps.push_back(std::move(step));
   }
 
-  /// Calls visit(state of the picture, x, y of the region) for its pixels that are shown.
+  /// Calls visit(state of the picture, x, y in the region) for the displayed pixels of the region.
   template <class Visit>
   void visit_shown(const isa::Region& region, Visit visit) {
     const std::uint32_t every = drawing_.every;
@@ -146,9 +147,9 @@ class Recorder {
     }
   }
 
-  /// Brings the states up to date, and returns how many pixels are enabled.
+  /// Updates the states, and returns the number of enabled pixels.
   std::uint64_t look(std::uint32_t segment, const engine::PixelState& pixels) {
-    if (program_.segments[segment].instructions.empty()) return 0;  // it shows the background
+    if (program_.segments[segment].instructions.empty()) return 0;  // shows the background
     const isa::Region region = pixels.region();
     if (region != region_) visit_shown(region_, [](std::uint32_t& state, auto, auto) { state &= ~1U; });
     region_ = region;
@@ -173,14 +174,14 @@ class Recorder {
   Progress progress_;
   isa::Region region_{};
   States states_;
-  States kept_;  ///< at the last step
+  States kept_;  ///< states at the last step
   std::vector<std::uint64_t> enable_;
   std::vector<std::uint32_t> colours_;
   Drawing drawing_;
   std::size_t bytes_ = 0;
 };
 
-/// A step after every instruction, or nothing where they fill too much.
+/// Records a step after every instruction; nothing if the steps exceed the limits.
 std::optional<Drawing> record_every(const isa::Program& program, const machines::Machine& machine,
                                     const DrawingLimits& limits, std::uint64_t count) {
   Recorder recorder(program, machine, limits);
@@ -189,23 +190,26 @@ std::optional<Drawing> record_every(const isa::Program& program, const machines:
     if (recorder.bytes() > limits.bytes) return std::nullopt;
   }
   Drawing drawing = recorder.take();
-  drawing.told = fmt::format("There is a step after each of the {} instructions.", grouped(count));
+  drawing.summary = fmt::format("There is a step after each of the {} instructions.", grouped(count));
   return drawing;
 }
 
-std::string told_of_work(std::uint64_t count, std::size_t found, std::size_t kept_every, const DrawingLimits& limits) {
+std::string work_summary(std::uint64_t count, std::size_t found, std::size_t kept_every, const DrawingLimits& limits) {
   const std::string why = count > limits.instructions
                               ? fmt::format("Programs of at most {} instructions have a step after each of them",
                                             grouped(limits.instructions))
-                              : fmt::format("Where they fill at most {} bytes, there are steps after all instructions",
-                                            grouped(limits.bytes));
-  std::string told =
-      fmt::format("{}. This run has {} instructions: there is a step wherever what they serve changes, {} in all.", why,
-                  grouped(count), grouped(found));
+                              : fmt::format(
+                                    "Programs whose steps fill at most {} bytes have a step after each "
+                                    "instruction",
+                                    grouped(limits.bytes));
+  std::string summary = fmt::format(
+      "{}. This run has {} instructions: there is a step wherever their purpose or primitive changes, {} in "
+      "all.",
+      why, grouped(count), grouped(found));
   if (kept_every > 1)
-    told += fmt::format(" One in {} of these is kept, so that they are at most {} steps and fill at most {} bytes.",
-                        kept_every, grouped(limits.steps), grouped(limits.bytes));
-  return told;
+    summary += fmt::format(" One in {} of these is kept, to limit them to {} steps and {} bytes.", kept_every,
+                           grouped(limits.steps), grouped(limits.bytes));
+  return summary;
 }
 
 Drawing record_work(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits,
@@ -215,14 +219,14 @@ Drawing record_work(const isa::Program& program, const machines::Machine& machin
   std::size_t kept_every = 1;
   for (; boundaries.size() > limits.steps; kept_every *= 2) keep_every_second(boundaries);
   Recorder recorder(program, machine, limits);
-  std::size_t stride = 1;  // of the boundaries
+  std::size_t stride = 1;  // boundaries per step
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
     const bool is_last = i + 1 == boundaries.size();
     if ((i + 1) % stride == 0 || is_last) recorder.go_to(boundaries[i]);
     for (; recorder.bytes() > limits.bytes && recorder.steps() > 2; stride *= 2) recorder.thin(is_last);
   }
   Drawing drawing = recorder.take();
-  drawing.told = told_of_work(count, found, kept_every * stride, limits);
+  drawing.summary = work_summary(count, found, kept_every * stride, limits);
   return drawing;
 }
 
@@ -249,8 +253,8 @@ Drawing record_drawing(const isa::Program& program, const machines::Machine& mac
     drawing = record_every(program, machine, limits, count);
   if (!drawing) drawing = record_work(program, machine, limits, count);
   if (drawing->every > 1)
-    drawing->told +=
-        fmt::format(" One pixel in {} of a row, and one row in {}, is shown.", drawing->every, drawing->every);
+    drawing->summary +=
+        fmt::format(" One pixel in {} of each row, and one row in {}, is shown.", drawing->every, drawing->every);
   return std::move(*drawing);
 }
 

@@ -1,36 +1,37 @@
 'use strict';
 
-// How the picture comes to be, step by step, and the stories of pixels.
+// Evolution of the picture, step by step, and the histories of pixels.
 (() => {
   const {read, grouped, tell, make, bytesOf, eachRun, showTip, hideTip} = page;
   const tintColour = [255, 150, 0];
   const tintShare = 0.55;
   const linesOf = text => text.split('\n').map(line => line.trim()).filter(line => line);
 
-  // The stories of pixels that the page holds. Of other pixels it shows the command that tells.
+  // Histories of pixels stored in the page. For other pixels it shows the command that prints the history.
   class Why {
     constructor(drawing, {stories, explain}) {
       Object.assign(this, {drawing, stories, explain, reach: Math.max(3, Math.round(Math.max(drawing.width, drawing.height) * drawing.every / 64))});
       this.choice = make('select', {}, make('option', {value: ''}, '(choose)'), ...stories.map((story, i) => make('option', {value: i}, this.title(story))));
       this.pixel = make('input', {size: '9', placeholder: 'x,y', spellcheck: 'false', autocomplete: 'off'});
-      this.form = make('form', {class: 'ask'}, make('label', {}, 'Story of', this.choice), make('label', {}, 'Pixel', this.pixel), make('button', {}, 'Tell why'));
-      this.story = make('div', {class: 'story'}, make('p', {class: 'note'}, 'Click near a dot in the drawing, or move there with the arrow keys and press Enter, to be told why the pixel shows what it shows.'));
+      this.form = make('form', {class: 'ask'}, make('label', {}, 'History of', this.choice), make('label', {}, 'Pixel', this.pixel), make('button', {}, 'Explain'));
+      this.story = make('div', {class: 'story'}, make('p', {class: 'note'}, 'Click near a dot in the drawing, or move there with the arrow keys and press Enter, to see why the pixel shows what it shows.'));
       this.element = make('div', {class: 'why', role: 'group', 'aria-label': 'Why a pixel shows what it shows'}, this.form, this.story);
       this.choice.addEventListener('change', () => { if (this.choice.value !== '') this.tellStory(this.stories[Number(this.choice.value)]); });
       this.form.addEventListener('submit', event => {
         event.preventDefault();
         const [, x, y] = /^\s*(\d+)\s*[, ]\s*(\d+)\s*$/.exec(this.pixel.value) || [];
-        if (x === undefined) this.say('say which pixel, as x,y');
+        if (x === undefined) this.say('enter a pixel as x,y');
         else this.ask(Number(x), Number(y), 0);
       });
       document.addEventListener('pixel', event => { event.detail.pixel = this.ask(...event.detail.pixel, this.reach); });
       document.addEventListener('primitive', event => this.tellPrimitive(event.detail));
     }
 
-    // `310,250: p3 cylinder@9:9`
+    // Title of a history, as in `310,250: p3 cylinder@9:9`.
     title({x, y, parts}) { return `${x},${y}: ${parts[0].split('\n')[0].replace(/^.* shows (.*?)(, line .*)?$/, '$1')}`; }
 
-    // Shows the story of the nearest pixel within `reach` columns and rows, or else the command, and returns the pixel.
+    // Shows the history of the nearest pixel within `reach` columns and rows, or else the command, and returns the
+    // pixel.
     ask(x, y, reach) {
       const {width, height, every} = this.drawing;
       if (x >= width * every || y >= height * every) {
@@ -47,7 +48,7 @@
       return [nearest.x, nearest.y];
     }
 
-    // Adds to `chosen` the pixel whose story is shown.
+    // Stores the pixel whose history is shown in `chosen`.
     tellPrimitive(chosen) {
       const story = this.stories.find(one => one.primitive === chosen.primitive);
       if (!story) return;
@@ -63,20 +64,20 @@
 
     showCommand(x, y, nearest) {
       this.moveTo(x, y, '');
-      const other = make('button', {type: 'button'}, `Story of ${this.title(nearest)}`);
+      const other = make('button', {type: 'button'}, `History of ${this.title(nearest)}`);
       other.addEventListener('click', () => this.tellStory(nearest));
       this.story.replaceChildren(
-        make('p', {}, `The page does not hold the story of pixel ${x},${y}. This command prints it:`),
+        make('p', {}, `This page does not include the history of pixel ${x},${y}. This command prints it:`),
         make('pre', {class: 'command', tabindex: '0', 'aria-label': 'The command'}, `${this.explain} --pixel ${x},${y}`),
-        make('p', {class: 'note'}, 'csgsim view shows the story of every pixel, and every field at every instruction.'),
-        make('p', {}, 'The nearest pixel whose story is here: ', other));
-      tell(`the page does not hold the story of pixel ${x},${y}`);
+        make('p', {class: 'note'}, 'csgsim view shows the history of every pixel, and every field at every instruction.'),
+        make('p', {}, 'The nearest pixel with a history on this page: ', other));
+      tell(`this page does not include the history of pixel ${x},${y}`);
     }
 
     tellStory(story) {
       this.moveTo(story.x, story.y, this.stories.indexOf(story));
       const [first, ...facts] = linesOf(story.parts[0]);
-      const events = make('ol', {class: 'events', 'aria-label': 'What happened at the pixel', tabindex: '0'});
+      const events = make('ol', {class: 'events', 'aria-label': 'Events at the pixel', tabindex: '0'});
       for (const part of story.parts.slice(1)) events.append(...(typeof part === 'string' ? this.between(part) : [this.event(...part)]));
       this.story.replaceChildren(make('p', {class: 'shows'}, make('strong', {}, first)), make('ul', {class: 'facts'}, ...facts.map(line => make('li', {}, line))), events);
       this.mark(this.drawing.now);
@@ -88,18 +89,18 @@
       tell(text);
     }
 
-    // Lines between events: how a surface ended, a segment, what is beside the pixel.
+    // Lines between events: the result of a surface, a segment, surfaces beside the pixel.
     between(text) {
       const lines = linesOf(text).filter(line => line !== 'clocks');
       const kind = line => line.startsWith('=>') ? 'verdict' : line.startsWith('segment') ? 'part' : 'note';
       return lines.map(line => make('li', {class: kind(line)}, line.replace(/^=>/, '⇒')));
     }
 
-    // An event, whose first line has columns, with a button that sets the time to its end.
+    // An event. Its first line has columns, with a button that moves the drawing to the end of the event.
     event(text, step) {
       const [first, ...more] = linesOf(text);
       const [, numbers, clocks, what, happened] = /^(\S+) +(\S+) +(\S+(?: \S+)?)(?: {2,}(.*))?$/.exec(first);
-      const button = make('button', {type: 'button', 'data-step': step, title: `To step ${grouped(step)} of the drawing`}, numbers);
+      const button = make('button', {type: 'button', 'data-step': step, title: `Go to step ${grouped(step)} of the drawing`}, numbers);
       button.addEventListener('click', () => {
         this.drawing.goTo(step);
         tell(`step ${step}, ${what}: ${happened}`);
@@ -108,7 +109,7 @@
         make('div', {}, happened || '', ...more.map(line => make('small', {}, line))));
     }
 
-    // The time is at that step.
+    // Marks the events at this step.
     mark(step) {
       for (const button of this.story.querySelectorAll('.events button'))
         button.setAttribute('aria-current', Number(button.dataset.step) === step ? 'step' : 'false');
@@ -138,7 +139,7 @@
       this.goTo(steps.length - 1);
     }
 
-    // The element with its middle at that pixel of the canvas.
+    // Centres the element at that pixel of the canvas.
     placed(element, column, row) {
       element.style.left = (column + 0.5) / this.width * 100 + '%';
       element.style.top = (row + 0.5) / this.height * 100 + '%';
@@ -160,7 +161,7 @@
 
     colourAt(at) { return [this.states[at] >> 17 & 255, this.states[at] >> 9 & 255, this.states[at] >> 1 & 255]; }
 
-    // What is enabled is tinted.
+    // Tints the enabled pixels.
     paint() {
       const {data} = this.image;
       for (let at = 0; at < this.states.length; ++at) {
@@ -191,7 +192,7 @@
       if (this.play) this.play.textContent = 'Play';
     }
 
-    // To the next step that serves another primitive.
+    // Goes to the next step that serves another primitive.
     nextPart(by) {
       const part = step => this.steps[step][2].split(' against ')[0];
       let to = this.now;
@@ -230,8 +231,8 @@
       this.timer = setInterval(() => this.now < this.steps.length - 1 ? this.goTo(this.now + 1) : this.stop(), 60);
     }
 
-    // What a pixel of the canvas holds, in words.
-    toldAt(column, row) {
+    // Describes a pixel of the canvas.
+    describe(column, row) {
       const at = row * this.width + column;
       const colour = '#' + this.colourAt(at).map(channel => channel.toString(16).padStart(2, '0')).join('');
       return `${column * this.every}, ${row * this.every}: ${colour}, ${this.states[at] & 1 ? 'enabled' : 'disabled'}`;
@@ -241,13 +242,13 @@
 
     setUpCanvas() {
       const {canvas} = this;
-      canvas.setAttribute('aria-label', 'Pixel memory at the chosen step. Arrow keys move the cursor, with Shift by ten pixels; Enter tells why the pixel shows what it shows.');
+      canvas.setAttribute('aria-label', 'Pixel memory at the chosen step. Arrow keys move the cursor, with Shift by ten pixels; Enter explains what the pixel shows.');
       const at = event => {
         const frame = canvas.getBoundingClientRect();
         const of = (from, begin, size, count) => Math.max(0, Math.min(count - 1, Math.floor((from - begin) * count / size)));
         return [of(event.clientX, frame.left, frame.width, this.width), of(event.clientY, frame.top, frame.height, this.height)];
       };
-      canvas.addEventListener('pointermove', event => showTip(this.toldAt(...at(event)), event.clientX, event.clientY));
+      canvas.addEventListener('pointermove', event => showTip(this.describe(...at(event)), event.clientX, event.clientY));
       canvas.addEventListener('pointerleave', hideTip);
       canvas.addEventListener('click', event => {
         this.moveTo(...at(event));
@@ -259,7 +260,7 @@
         if (event.ctrlKey || event.metaKey || event.altKey) return;
         if (arrow) {
           this.moveTo(this.cursor[0] + arrow[0], this.cursor[1] + arrow[1]);
-          tell(this.toldAt(...this.cursor));
+          tell(this.describe(...this.cursor));
         } else if (event.key === 'Enter') {
           this.askAtCursor();
         } else {
@@ -271,6 +272,6 @@
   }
 
   const drawings = [...document.querySelectorAll('.drawing')].map(box => new Drawing(box, read(box.dataset.of)));
-  // For who looks into the page: a program, or somebody at the console.
+  // Access for tests and for the console.
   window.csgsimDrawings = drawings;
 })();

@@ -9,12 +9,12 @@ namespace csgsim::report {
 namespace {
 
 constexpr PointColumn effects_columns[] = {{"effect", "effect"},
-                                           {"clocks", "clocks billed"},
+                                           {"clocks", "clocks charged"},
                                            {"instructions", "instructions"},
                                            {"pixel_operations", "pixel operations"},
                                            {"alone_clocks", "clocks it adds alone"},
-                                           {"together_clocks", "clocks spared without it"},
-                                           {"bits", "memory bits spared without it"}};
+                                           {"together_clocks", "clocks saved without it"},
+                                           {"bits", "memory bits saved without it"}};
 
 Table frame_table(const Json& data) {
   constexpr std::pair<const char*, const char*> rows[] = {
@@ -22,8 +22,8 @@ Table frame_table(const Json& data) {
       {"clocks without any effect", "/clocks_without_effects"},
       {"clocks of all instructions", "/total/clocks"},
       {"of these for the solids", "/solids/clocks"},
-      {"memory bits a pixel", "/bits"},
-      {"memory bits a pixel without any effect", "/bits_without_effects"}};
+      {"memory bits per pixel", "/bits"},
+      {"memory bits per pixel without any effect", "/bits_without_effects"}};
   Table table{"The frame", {"count", "value"}, {}};
   for (const auto& [name, at] : rows) table.rows.push_back({{name}, cell(data, at)});
   return table;
@@ -31,7 +31,7 @@ Table frame_table(const Json& data) {
 
 plots::Plot bill_plot(const Json& effects) {
   constexpr std::pair<const char*, const char*> bills[] = {
-      {"clocks", "billed"}, {"alone_clocks", "added alone"}, {"together_clocks", "spared without it"}};
+      {"clocks", "charged"}, {"alone_clocks", "added alone"}, {"together_clocks", "saved without it"}};
   plots::Chart chart{"Clocks of each effect",
                      {"effect", plots::Scale::linear, {}, true},
                      {{"clocks", plots::Scale::linear, {}, false, true}},
@@ -52,9 +52,9 @@ plots::Plot bill_plot(const Json& effects) {
 }  // namespace
 
 Page effects_page(const Json& file, std::vector<Picture> pictures, const StudyContext& study) {
-  Page page = begun_page("What effects cost: " + study.model, file, study);
+  Page page = begun_page("Cost of effects: " + study.model, file, study);
   page.sections.push_back({"Pictures", {Gallery{std::move(pictures)}}});
-  page.sections.push_back({"Bill",
+  page.sections.push_back({"Costs",
                            {points_table(page.data, "/effects", "Each effect", effects_columns),
                             bill_plot(page.data["effects"]), frame_table(page.data)}});
   end_page(page, study);

@@ -1,3 +1,5 @@
+// Structure of an HTML page: sections, tables, pictures.
+// Used by sim/report, sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>
@@ -13,43 +15,43 @@ namespace csgsim::report {
 
 using Json = nlohmann::ordered_json;
 
-/// How a number is shown.
+/// Display format of a number.
 enum class Show : std::uint8_t {
-  plain,  ///< digits in groups; numbers with a fraction to four digits, and the exact value when pointed at
-  share,  ///< of 1, as a percentage with a bar
+  plain,  ///< digits in groups; fractions to four digits, with the exact value in a tooltip
+  share,  ///< a fraction of 1, as a percentage with a bar
 };
 
 /// A cell of a table: words, a number, or nothing.
 struct Cell {
   Json value;
-  std::string at{};  ///< JSON pointer of the value in the page's data; empty for what the data do not hold
+  std::string at{};  ///< JSON pointer of the value in the page's data; empty if the data do not contain it
   Show show = Show::plain;
 };
 
-/// The value at a pointer of the data, or an empty cell where there is none.
+/// The value at a pointer of the data; an empty cell if there is none.
 Cell cell(const Json& data, const std::string& at, Show show = Show::plain);
 
-/// The JSON pointer of a member of what stands at another.
+/// The JSON pointer of a member of the value at another pointer.
 std::string child(const std::string& at, const std::string& key);
 
-/// Two whole numbers as a share; nothing of nothing is 0.
+/// The quotient of two numbers as a share; 0 if the whole is 0.
 Cell share(const Json& part, double whole);
 
 using Row = std::vector<Cell>;
 
-/// The first cell of each row is the row's header.
+/// A table; the first cell of each row is the row's header.
 struct Table {
   std::string caption;
   std::vector<std::string> columns;
   std::vector<Row> rows;
-  bool is_list = false;  ///< of keys and values of all kinds, which stand at the left
+  bool is_list = false;  ///< keys and values of all kinds, aligned left
 };
 
 struct Paragraph {
   std::string text;
 };
 
-/// A PNG file, with what somebody is told who does not see it.
+/// A PNG file with a text alternative.
 struct Picture {
   std::string caption;
   std::string alt;
@@ -58,18 +60,18 @@ struct Picture {
   std::uint32_t height = 0;  ///< pixels
 };
 
-/// Pictures beside each other.
+/// Pictures side by side.
 struct Gallery {
   std::vector<Picture> pictures;
 };
 
-/// A picture and whose surface each pixel of it shows. Rows of the table are primitives; whoever points at a pixel is
-/// shown the row of its primitive.
+/// A picture and the owner of each of its pixels. The rows of the table are primitives; selecting a pixel highlights
+/// the row of its primitive.
 struct OwnerPicture {
   Picture picture;
   Picture owners;
-  std::vector<std::uint32_t> owner;      ///< of each pixel in row order: a primitive, or no_owner
-  std::vector<std::uint32_t> primitive;  ///< of each row of the table
+  std::vector<std::uint32_t> owner;      ///< owner of each pixel in row order: a primitive, or no_owner
+  std::vector<std::uint32_t> primitive;  ///< primitive of each row of the table
   Table prices;
 };
 
@@ -80,18 +82,18 @@ struct Section {
   std::vector<Part> parts;
 };
 
-/// A page: all that its reader is shown, in order.
+/// A page: its contents in order.
 struct Page {
   std::string title;
-  std::string command;  ///< that makes the page again, for a POSIX shell
+  std::string command;  ///< command that generates the page again, for a POSIX shell
   Json data;            ///< the numbers of the run, without those that differ from run to run
   std::vector<Section> sections;
 };
 
-/// The data of a run or study without the times that the simulation took here, which differ from run to run.
+/// The data of a run or study without wall times, which differ from run to run.
 Json without_wall_times(Json data);
 
-/// One HTML file that asks for nothing else. The same page gives the same bytes, whatever bytes its texts hold.
+/// One self-contained HTML file. Equal pages give equal bytes, whatever bytes the texts contain.
 std::string to_html(const Page& page);
 
 }  // namespace csgsim::report

@@ -1,6 +1,6 @@
 'use strict';
 
-// What parts of a page have in common, its plots, and the picture of its owners.
+// Common functions of a page, its plots, and the picture of its owners.
 const page = (() => {
   const byId = id => document.getElementById(id);
   const read = id => byId(id) && JSON.parse(byId(id).textContent);
@@ -16,7 +16,7 @@ const page = (() => {
 
   const bytesOf = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
 
-  // Calls visit(...numbers) for each `count` varints.
+  // Calls visit(...numbers) for each group of `count` varints.
   const eachRun = (bytes, count, visit) => {
     let at = 0;
     const take = () => {
@@ -53,7 +53,7 @@ const page = (() => {
       return text;
     });
     let now = -1;
-    // Points that lie on each other are told together.
+    // Points at the same place share one tooltip.
     const near = (point, box) => {
       const other = point.getBoundingClientRect();
       return Math.abs(other.left + other.width / 2 - box.left - box.width / 2) < 2 &&
@@ -111,12 +111,12 @@ const page = (() => {
     const nameOf = primitive => rows.has(primitive) ? rows.get(primitive).cells[0].textContent + ' ' + rows.get(primitive).cells[1].textContent
       : 'p' + primitive + ' ' + stats.by_primitive[primitive].name;
     const price = make('div', {class: 'price'});
-    const choice = make('div', {class: 'choice', role: 'group', 'aria-label': 'What is shown'});
+    const choice = make('div', {class: 'choice', role: 'group', 'aria-label': 'View'});
     box.querySelector('.stage').prepend(choice);
     box.querySelector('.prices').prepend(price);
     box.classList.add('ready');
 
-    const views = [['The picture', false], ['Whose surface', true]].map(([text, byOwner]) => {
+    const views = [['Picture', false], ['Owners', true]].map(([text, byOwner]) => {
       const button = make('button', {type: 'button', 'aria-pressed': String(!byOwner)}, text);
       button.addEventListener('click', () => {
         box.classList.toggle('by-owner', byOwner);
@@ -154,7 +154,7 @@ const page = (() => {
       canvases.forEach(canvas => canvas.getContext('2d').putImageData(image, 0, 0));
     };
 
-    // drawing.js puts the pixel whose story it tells into the detail.
+    // drawing.js stores the pixel whose history it shows in the detail.
     const link = make('p');
     const linkToStory = (event, detail) => {
       document.dispatchEvent(new CustomEvent(event, {detail}));
@@ -172,7 +172,7 @@ const page = (() => {
       light(primitive);
       price.replaceChildren();
       if (primitive < 0) {
-        price.append(make('p', {class: 'note'}, 'Click on the picture, or choose a primitive in the table, to see here what it costs.'));
+        price.append(make('p', {class: 'note'}, 'Click on the picture, or choose a primitive in the table, to see its cost here.'));
         return;
       }
       const row = rows.get(primitive);
@@ -193,7 +193,7 @@ const page = (() => {
       if (spoken) tell(name + ': ' + facts.join(', '));
     };
 
-    // One stop for the tabulator; arrow keys go on from there.
+    // The table is one tab stop; arrow keys move between its rows.
     const order = [...rows.keys()];
     order.forEach((primitive, index) => {
       const cell = rows.get(primitive).cells[0];

@@ -19,7 +19,7 @@ std::string colour_rule(std::string_view colour, const std::string& name) {
                      name);
 }
 
-/// Plots are drawn with the colours of a white page; here they are replaced by the page's own.
+/// Replaces the colours of plots, which are made for white paper, by the colours of the page.
 std::string colours_of_plots() {
   std::string light;
   std::string dark;
@@ -33,7 +33,7 @@ std::string colours_of_plots() {
   return fmt::format(":root{{{}}}\n@media (prefers-color-scheme:dark){{:root{{{}}}}}\n{}", light, dark, rules);
 }
 
-/// The page asks for nothing from elsewhere, whatever the texts in it say.
+/// The page loads nothing from elsewhere, whatever its texts contain.
 constexpr const char* policy =
     "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'; base-uri 'none'; "
     "form-action 'none'";
@@ -42,7 +42,7 @@ std::string json_script(const std::string& id, const Json& json) {
   return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, json_in_html(json));
 }
 
-/// Writes parts, and takes down what page.js needs of them.
+/// Writes the parts, and collects the data that page.js needs for them.
 class Writer {
  public:
   std::string operator()(const Paragraph& paragraph) { return "<p>" + markup_text(paragraph.text) + "</p>\n"; }
@@ -59,7 +59,7 @@ class Writer {
     return drawing_html(drawing, id);
   }
 
-  /// What they need, after page.js.
+  /// The data scripts of the parts; they follow page.js.
   [[nodiscard]] const std::string& scripts() const { return scripts_; }
   [[nodiscard]] bool has_drawings() const { return drawings_ > 0; }
 
@@ -80,7 +80,7 @@ std::string contents_html(const Page& page) {
 std::string json_in_html(const Json& json) {
   std::string text;
   for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    // In strings alone, where JSON knows it by its number too.
+    // '<' occurs only in strings, where JSON allows the escape.
     c == '<' ? text += "\\u003c" : text += c;
   }
   return text;

@@ -41,15 +41,14 @@ Json owners_json(const OwnerPicture& owners) {
 
 std::string drawing_html(const Drawing& drawing, const std::string& id) {
   return fmt::format(
-      "<p>{}</p>\n<div class=drawing data-of=\"{}\"><noscript><p class=note>Scripts are off: the drawing's {} steps "
-      "cannot "
-      "be shown.</p></noscript></div>\n",
-      markup_text(drawing.told), id, drawing.steps.size());
+      "<p>{}</p>\n<div class=drawing data-of=\"{}\"><noscript><p class=note>Scripts are disabled: the drawing's {} "
+      "steps cannot be shown.</p></noscript></div>\n",
+      markup_text(drawing.summary), id, drawing.steps.size());
 }
 
 namespace {
 
-/// The text; an event is an array of its text and the first step after it.
+/// The text of a part; for an event, an array of its text and the first step after it.
 Json part_json(const story::TextPart& part, const Drawing& drawing) {
   if (part.end == 0) return part.text;
   return {part.text, step_after(drawing.steps, part.end)};

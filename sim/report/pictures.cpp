@@ -13,7 +13,7 @@ namespace {
 
 using Channels = std::array<std::uint8_t, 3>;
 
-/// colour(i) is that of the pixel of that number.
+/// colour(i) returns the channels of pixel i.
 template <class Colour>
 Picture encoded(const observe::Frame& frame, Colour colour, std::string caption, std::string alt) {
   std::vector<std::uint8_t> bytes;

@@ -1,3 +1,5 @@
+// Frames and their differences as PNG pictures.
+// Used by sim/report, sim/app, sim/session and sim/viewer.
 #pragma once
 
 #include <array>
@@ -12,27 +14,27 @@
 
 namespace csgsim::report {
 
-/// Of what stands out: the pages' (page.css).
+/// Highlight colour of the pages (page.css).
 inline constexpr std::array<std::uint8_t, 3> mark_colour{192, 85, 16};
 
-/// A frame as it is shown.
+/// The frame as displayed.
 Picture picture_of(const observe::Frame& frame, const isa::Program& program, std::string caption, std::string alt);
 
-/// Which primitive is seen, a colour each (observe::owner_colour). Owners are primitives (observe::of_primitives).
+/// The visible primitives, in one colour each (observe::owner_colour). Owners are primitives (observe::of_primitives).
 Picture owners_of(const observe::Frame& frame, std::string caption, std::string alt);
 
-/// A Program and the picture that it draws.
+/// A Program and its picture.
 struct DrawnProgram {
   const isa::Program& program;
   const observe::Frame& frame;
 };
 
-/// How two pictures of one size differ.
+/// The difference of two pictures of one size.
 struct Difference {
-  Picture picture;                     ///< A's in light grey, with the pixels marked that differ
-  std::uint64_t pixels = 0;            ///< that show another colour or primitive
-  std::vector<std::uint32_t> differs;  ///< of each pixel in row order: 1 if it does, else 0
-  std::size_t first = 0;               ///< pixel that differs, in row order
+  Picture picture;                     ///< A in light grey, with the differing pixels marked
+  std::uint64_t pixels = 0;            ///< pixels that differ in colour or primitive
+  std::vector<std::uint32_t> differs;  ///< 1 for each differing pixel, else 0, in row order
+  std::size_t first = 0;               ///< first differing pixel, in row order
 };
 
 Difference difference_of(const DrawnProgram& a, const DrawnProgram& b, std::string caption, std::string alt);

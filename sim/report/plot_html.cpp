@@ -25,7 +25,7 @@ bool has_labels(const plots::Series& series) {
   return std::ranges::any_of(series.points, [](const plots::Point& point) { return !point.label.empty(); });
 }
 
-/// The values of a panel; those that are not finite are not in the plot.
+/// The values of a panel; values that are not finite are not in the plot.
 Table panel_table(const plots::Chart& chart, std::size_t panel) {
   const plots::Axis& y = chart.panels[panel];
   const bool is_labelled = std::ranges::any_of(chart.series, has_labels);
@@ -70,11 +70,11 @@ std::string what_is_shown(const plots::Bars& plot) { return fmt::format("{}: {}"
 std::string plot_html(const plots::Plot& plot) {
   const auto said = std::visit([](const auto& content) { return markup_text(what_is_shown(content)); }, plot.content);
   const auto attributes =
-      fmt::format("class=\"plot\" role=\"img\" aria-label=\"{}; the values are in the table below it\"", said);
+      fmt::format("class=\"plot\" role=\"img\" aria-label=\"{}; the table below has its values\"", said);
   std::string html = fmt::format(
       "<figure class=plots>\n<div class=scroll tabindex=0 role=region aria-label=\"{}\">{}</div>\n"
-      "<details><summary>The values of this plot</summary>\n",
-      said, plots::svg_element(plots::laid_out(plot), attributes));
+      "<details><summary>Values of this plot</summary>\n",
+      said, plots::svg_element(plots::lay_out(plot), attributes));
   for (const Table& table : std::visit([](const auto& content) { return tables_of(content); }, plot.content))
     html += table_html(table);
   return html + "</details>\n</figure>\n";

@@ -9,7 +9,7 @@ namespace csgsim::report {
 
 namespace {
 
-/// Anything but nothing, or no words.
+/// Whether the point has a value other than null and the empty text.
 bool holds_something(const Json& point, const std::string& key) {
   const Json value = point.value(Json::json_pointer("/" + key), Json());
   return !value.is_null() && (!value.is_string() || !value.get_ref<const std::string&>().empty());
@@ -33,7 +33,7 @@ Table points_table(const Json& data, const std::string& at, const std::string& c
     shown.push_back(column);
     table.columns.emplace_back(column.title);
   }
-  if (has_reasons) table.columns.emplace_back("why not");
+  if (has_reasons) table.columns.emplace_back("reason");
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string here = at + "/" + std::to_string(i);
     Row row;

@@ -1,3 +1,5 @@
+// Tables of a study's points.
+// Used by sim/report and sim/studies.
 #pragma once
 
 #include <span>
@@ -13,9 +15,9 @@ struct PointColumn {
   Show show = Show::plain;
 };
 
-/// The points of a study, a row each: the objects of the list at that pointer of the data. Keys may be of objects
-/// within, `segments/clocks`; columns whose key no point has are left out. Of a point with a `reason` why it was not
-/// measured, that stands in the last column.
+/// The points of a study, one row each, from the list of objects at that pointer of the data. Keys may be nested, as in
+/// `segments/clocks`; columns whose key no point has are omitted. The last column has the `reason` of points that could
+/// not be measured.
 Table points_table(const Json& data, const std::string& at, const std::string& caption,
                    std::span<const PointColumn> columns);
 

@@ -7,7 +7,7 @@
 
 #include "hw/base/text.h"
 #include "hw/isa/facts.h"
-#include "sim/observe/dearest.h"
+#include "sim/observe/primitive_costs.h"
 #include "sim/observe/pictures.h"
 #include "sim/report/pictures.h"
 #include "sim/report/run_counts.h"
@@ -17,17 +17,17 @@ namespace csgsim::report {
 
 namespace {
 
-/// Rows of the table of primitives; of more the page says so.
-constexpr std::size_t most_rows = 1000;
+/// Maximum number of rows in the table of primitives; the caption mentions a cut.
+constexpr std::size_t max_rows = 1000;
 
-/// The clocks that accounts to purposes, primitives and effects add up to, with the final latency.
+/// Sum of the clocks in the accounts of purposes, primitives and effects, including the final latency.
 double whole_clocks(const Json& data) {
   double whole = 0;
   for (const Json& purpose : data["by_purpose"]) whole += purpose["clocks"].get<double>();
   return whole;
 }
 
-/// Whole counts of keys of the data that are there, a row each.
+/// The counts that the data contain, one row each.
 Table summary(const Json& data) {
   Table table{"Counts of the frame", {"count", "value"}, {}};
   for (const auto& [name, at] : run_counts) {
@@ -52,9 +52,9 @@ Table account_of(const Json& data, const std::string& at, const char* caption, c
   return table;
 }
 
-/// A row a part of the machine and activity that took any clocks.
+/// One row per unit of the machine and activity with any clocks.
 Table parts_of_machine(const Json& data) {
-  Table table{"Each part of the machine, by what it did", {"part", "activity", "clocks", "share"}, {}};
+  Table table{"Units of the machine by activity", {"unit", "activity", "clocks", "share"}, {}};
   for (const auto& [part, activities] : data["account"]["parts"].items()) {
     double whole = 0;
     for (const Json& clocks : activities) whole += clocks.get<double>();
@@ -71,14 +71,14 @@ Table parts_of_machine(const Json& data) {
 
 Section clocks_section(const Json& data) {
   Section section{"Where the clocks go", {}};
-  section.parts.emplace_back(account_of(data, "/by_purpose", "Clocks by what instructions were for", "purpose"));
+  section.parts.emplace_back(account_of(data, "/by_purpose", "Clocks by purpose of instructions", "purpose"));
   if (data["by_effect"].size() > 2)
-    section.parts.emplace_back(account_of(data, "/by_effect", "Clocks by the effect that called for them", "effect"));
+    section.parts.emplace_back(account_of(data, "/by_effect", "Clocks by effect", "effect"));
   if (data.contains("account") && data["account"].contains("parts")) section.parts.emplace_back(parts_of_machine(data));
   return section;
 }
 
-/// `9:9` of `cylinder@9:9`.
+/// Splits `cylinder@9:9` into kind and place.
 std::pair<std::string, std::string> kind_and_place(const std::string& name) {
   const std::size_t at = name.rfind('@');
   return at == std::string::npos ? std::pair{name, std::string()} : std::pair{name.substr(0, at), name.substr(at + 1)};
@@ -88,17 +88,18 @@ OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const 
   const observe::Frame of_primitives = observe::of_primitives(frame, *program.facts);
   const Json& primitives = data["by_primitive"];
   OwnerPicture owners{
-      picture_of(frame, program, "", "The picture that the machine drew"),
-      owners_of(of_primitives, "Whose surface is seen, a colour each",
-                "The same view, each primitive in a colour of its own; the table of primitives tells their prices"),
+      picture_of(frame, program, "", "Picture drawn by the machine"),
+      owners_of(of_primitives, "Visible primitives, one colour each",
+                "The same view with one colour per primitive; the table of primitives lists their costs"),
       of_primitives.owner,
       most_expensive_first(data),
-      {"Primitives, the dearest first",
+      {"Primitives, most expensive first",
        {"primitive", "line", "clocks", "share", "pixels seen", "pieces", "instructions"},
        {}}};
-  if (owners.primitive.size() > most_rows) {
-    owners.prices.caption = "The " + grouped(most_rows) + " dearest of " + grouped(primitives.size()) + " primitives";
-    owners.primitive.resize(most_rows);
+  if (owners.primitive.size() > max_rows) {
+    owners.prices.caption =
+        "The " + grouped(max_rows) + " most expensive of " + grouped(primitives.size()) + " primitives";
+    owners.primitive.resize(max_rows);
   }
   const std::vector<std::uint64_t> pixels = observe::pixels_seen(frame, program);
   const double whole = whole_clocks(data);
@@ -116,18 +117,18 @@ OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const 
   return owners;
 }
 
-/// The drawing with stories of the background and of the primitives, in the order of their table.
+/// The drawing, with histories of the background and of the primitives in the order of their table.
 Drawing drawing_with_stories(const OwnerPicture& owners, const story::Subject& subject,
                              const machines::Machine& machine, const Context& context) {
   Drawing drawing = record_drawing(subject.program, machine);
   drawing.explain = context.explain;
-  std::vector<std::uint32_t> told{observe::no_owner};
-  told.insert(told.end(), owners.primitive.begin(), owners.primitive.end());
-  add_stories(subject, machine, central_pixels(owners.owner, owners.picture.width, told), drawing);
+  std::vector<std::uint32_t> owners_with_story{observe::no_owner};
+  owners_with_story.insert(owners_with_story.end(), owners.primitive.begin(), owners.primitive.end());
+  add_stories(subject, machine, central_pixels(owners.owner, owners.picture.width, owners_with_story), drawing);
   return drawing;
 }
 
-/// What the stats say of it in words.
+/// The sentences in the stats: the bound and the knobs.
 std::vector<Part> in_words(const Json& data) {
   std::vector<Part> parts = sentences(data, "/bound_by");
   for (Part& knob : sentences(data, "/knobs")) parts.push_back(std::move(knob));
@@ -135,7 +136,7 @@ std::vector<Part> in_words(const Json& data) {
 }
 
 Table dearest(const Json& data) {
-  Table table{"The dearest primitives", {"primitive", "place", "clocks", "share", "pieces", "half-spaces"}, {}};
+  Table table{"Most expensive primitives", {"primitive", "place", "clocks", "share", "pieces", "half-spaces"}, {}};
   const Json& rows = data["dearest"];
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string at = "/dearest/" + std::to_string(i);

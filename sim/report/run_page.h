@@ -1,3 +1,5 @@
+// The page of a single run.
+// Used by sim/session and sim/viewer.
 #pragma once
 
 #include "hw/isa/program.h"
@@ -8,8 +10,8 @@
 
 namespace csgsim::report {
 
-/// The page of one run: its stats file, its picture, and its drawing, for which it is run once more. The counts are
-/// those of the stats, whatever keys they hold. With a model, stories of pixels name its half-spaces.
+/// The page of one run: its stats, its picture, and its drawing, for which the Program runs once more. All counts come
+/// from the stats. With a model, the histories of pixels name its half-spaces.
 Page run_page(const Json& stats, const observe::Frame& frame, const isa::Program& program,
               const machines::Machine& machine, const Context& context, const story::HalfspaceFinder* model = nullptr);
 

@@ -16,7 +16,7 @@ namespace csgsim::report {
 
 namespace {
 
-/// Rows plus columns from each pixel to the nearest of another owner, or beside the picture.
+/// Rows plus columns from each pixel to the nearest pixel of another owner or outside the picture.
 std::vector<std::uint32_t> distances_to_others(std::span<const std::uint32_t> owner, std::size_t width) {
   const std::size_t height = owner.size() / width;
   std::vector<std::uint32_t> distances(owner.size(), static_cast<std::uint32_t>(width + height));
@@ -35,13 +35,13 @@ std::vector<std::uint32_t> distances_to_others(std::span<const std::uint32_t> ow
   return distances;
 }
 
-/// Pixels of an owner that are equally far from others.
+/// Pixels of an owner at the largest distance from other owners.
 struct Farthest {
   std::uint32_t distance = 0;
   std::vector<std::size_t> pixels;
 };
 
-/// The owner of a pixel as a primitive, not a piece of it.
+/// The owner of a pixel as a primitive, rather than a piece of it.
 std::uint32_t primitive_seen(const isa::Facts& facts, const story::Story& story) {
   return story.owner == observe::no_owner ? story.owner : isa::primitive_of(facts, story.owner);
 }
@@ -81,17 +81,17 @@ void add_stories(const story::Subject& subject, const machines::Machine& machine
   std::uint64_t instructions = 0;
   for (const std::size_t pixel : pixels) {
     if (drawing.stories.size() == limits.pixels) break;
-    const auto is_told = [&](const PixelStory& one) { return one.y * width + one.x == pixel; };
-    if (std::ranges::any_of(drawing.stories, is_told)) continue;
+    const auto has_story = [&](const PixelStory& one) { return one.y * width + one.x == pixel; };
+    if (std::ranges::any_of(drawing.stories, has_story)) continue;
     const story::Story story =
         teller.story_of(static_cast<std::uint32_t>(pixel % width), static_cast<std::uint32_t>(pixel / width));
-    PixelStory told{story.x, story.y, primitive_seen(*subject.program.facts, story), story::parts_of(subject, story)};
-    for (const story::TextPart& part : told.parts) bytes += part.text.size();
+    PixelStory text{story.x, story.y, primitive_seen(*subject.program.facts, story), story::parts_of(subject, story)};
+    for (const story::TextPart& part : text.parts) bytes += part.text.size();
     for (const story::StorySegment& segment : story.segments) instructions += segment.end - segment.first;
     if ((bytes > limits.bytes || instructions > limits.instructions) && !drawing.stories.empty()) break;
-    drawing.stories.push_back(std::move(told));
+    drawing.stories.push_back(std::move(text));
   }
-  drawing.told += fmt::format(" Pixels whose stories the page holds: {}.", drawing.stories.size());
+  drawing.summary += fmt::format(" Pixels with a history on this page: {}.", drawing.stories.size());
 }
 
 }  // namespace csgsim::report

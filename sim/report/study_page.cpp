@@ -21,7 +21,7 @@ Page begun_page(const std::string& title, Json data, const StudyContext& study) 
   if (study.picture) {
     page.sections.push_back({"Picture", {Gallery{{*study.picture}}}});
   } else if (!study.no_picture.empty()) {
-    page.sections.push_back({"Picture", {Paragraph{"There is no picture: " + study.no_picture}}});
+    page.sections.push_back({"Picture", {Paragraph{"No picture: " + study.no_picture}}});
   }
   return page;
 }
@@ -37,7 +37,7 @@ Section plots_section(std::span<const plots::Plot> plots) {
 
 void end_page(Page& page, const StudyContext& study) {
   if (std::vector<Part> words = sentences(page.data, "/knobs"); !words.empty())
-    page.sections.push_back({"In words", std::move(words)});
+    page.sections.push_back({"Summary", std::move(words)});
   page.sections.push_back(configuration_section(page.data, study.context));
 }
 

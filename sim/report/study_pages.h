@@ -1,3 +1,5 @@
+// Common parts of the pages of studies.
+// Used by sim/report, sim/app, sim/session and sim/studies.
 #pragma once
 
 #include <optional>
@@ -10,22 +12,22 @@
 
 namespace csgsim::report {
 
-/// What is told of every study besides its points.
+/// Context of a study's page, in addition to its points.
 struct StudyContext {
   Context context;
-  std::string model;               ///< the name of its file
-  std::optional<Picture> picture;  ///< of the model
-  std::string no_picture;          ///< why there is none
+  std::string model;               ///< name of the model's file
+  std::optional<Picture> picture;  ///< picture of the model
+  std::string no_picture;          ///< reason why there is no picture
 };
 
-/// A page that begins with the picture and ends with the configuration; what is between them, others add.
+/// Begins a page with the picture. The caller adds sections before end_page() adds the configuration.
 Page begun_page(const std::string& title, Json data, const StudyContext& study);
 void end_page(Page& page, const StudyContext& study);
 
-/// A section of those among these that have something to show.
+/// A section of the plots that are not empty.
 Section plots_section(std::span<const plots::Plot> plots);
 
-/// The page of effects.json. The pictures are with all effects, with none, and without each.
+/// The page of effects.json, with pictures with all effects, without any, and without each.
 Page effects_page(const Json& file, std::vector<Picture> pictures, const StudyContext& study);
 
 }  // namespace csgsim::report

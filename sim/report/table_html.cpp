@@ -13,7 +13,7 @@ namespace {
 
 bool is_number(const Json& value) { return value.is_number(); }
 
-/// As it is shown; words as they are.
+/// The displayed text of a value.
 std::string text_of(const Json& value) {
   if (value.is_null()) return "";
   if (value.is_string()) return value.get<std::string>();
@@ -35,7 +35,7 @@ std::string share_html(double share) {
 std::string cell_html(const Cell& cell, bool is_header) {
   std::string attributes = is_header ? " scope=row" : "";
   if (is_number(cell.value)) attributes += " class=n";
-  constexpr std::size_t long_text = 32;  // bytes; it is broken into lines
+  constexpr std::size_t long_text = 32;  // bytes; longer texts are wrapped
   if (cell.value.is_string() && cell.value.get_ref<const std::string&>().size() > long_text) attributes += " class=w";
   if (!cell.at.empty()) attributes += " data-at=\"" + markup_text(cell.at) + "\"";
   const std::string text = cell.show == Show::share && is_number(cell.value) ? "" : text_of(cell.value);
@@ -47,7 +47,7 @@ std::string cell_html(const Cell& cell, bool is_header) {
   return fmt::format("<{}{}>{}</{}>", name, attributes, content, name);
 }
 
-/// Whether the cells of a column are numbers: its title stands above them then.
+/// Whether a column has numbers; its title is then aligned with them.
 bool is_column_of_numbers(const Table& table, std::size_t column) {
   for (const Row& row : table.rows)
     if (column < row.size() && is_number(row[column].value)) return true;
@@ -57,7 +57,7 @@ bool is_column_of_numbers(const Table& table, std::size_t column) {
 }  // namespace
 
 std::string table_html(const Table& table, const std::vector<std::string>& more) {
-  constexpr std::size_t long_table = 30;  // rows; it has a height of its own
+  constexpr std::size_t long_table = 30;  // rows; longer tables scroll
   std::string html =
       fmt::format("<div class=\"scroll{}\" tabindex=0 role=region aria-label=\"{}\"><table{}>",
                   table.rows.size() > long_table ? " long" : "",

@@ -17,7 +17,7 @@ namespace csgsim::report {
 
 namespace {
 
-/// How B's number is to A's, if both are there and A's is not 0.
+/// The ratio of B to A, if both exist and A is not 0.
 Cell ratio(const Cell& a, const Cell& b) {
   if (!a.value.is_number() || !b.value.is_number() || a.value.get<double>() == 0) return {};
   return {b.value.get<double>() / a.value.get<double>()};
@@ -31,7 +31,7 @@ Row row_of(const std::string& name, const Json& data, const std::string& at) {
 }
 
 Table counts(const Json& data) {
-  Table table{"Counts of both frames", {"count", "A", "B", "B of A"}, {}};
+  Table table{"Counts of both frames", {"count", "A", "B", "B / A"}, {}};
   for (const auto& [name, at] : run_counts) {
     Row row = row_of(name, data, at);
     if (!row[1].value.is_null() || !row[2].value.is_null()) table.rows.push_back(std::move(row));
@@ -39,9 +39,9 @@ Table counts(const Json& data) {
   return table;
 }
 
-/// A row for each key of the accounts, of A and then of those that B alone has.
+/// One row per key of the accounts: the keys of A, then those that only B has.
 Table account(const Json& data, const std::string& at, const char* caption, const char* what) {
-  Table table{caption, {what, "A, clocks", "B, clocks", "B of A"}, {}};
+  Table table{caption, {what, "A, clocks", "B, clocks", "B / A"}, {}};
   const auto add = [&](const char* side, const char* other, bool only) {
     const Json::json_pointer pointer(side + at);
     if (!data.contains(pointer)) return;
@@ -57,14 +57,14 @@ Table account(const Json& data, const std::string& at, const char* caption, cons
 }
 
 Section pictures_section(const ShownRun& a, const ShownRun& b, Difference difference,
-                         const std::vector<std::string>& told) {
+                         const std::vector<std::string>& sentences) {
   Section section{"Pictures", {}};
   section.parts.emplace_back(Paragraph{"A: " + a.name});
   section.parts.emplace_back(Paragraph{"B: " + b.name});
-  for (const std::string& sentence : told) section.parts.emplace_back(Paragraph{sentence});
-  section.parts.emplace_back(Gallery{{picture_of(a.drawn.frame, a.drawn.program, "A", "The picture that A drew"),
-                                      picture_of(b.drawn.frame, b.drawn.program, "B", "The picture that B drew"),
-                                      std::move(difference.picture)}});
+  for (const std::string& sentence : sentences) section.parts.emplace_back(Paragraph{sentence});
+  section.parts.emplace_back(
+      Gallery{{picture_of(a.drawn.frame, a.drawn.program, "A", "Picture drawn by A"),
+               picture_of(b.drawn.frame, b.drawn.program, "B", "Picture drawn by B"), std::move(difference.picture)}});
   return section;
 }
 
@@ -102,7 +102,7 @@ Drawing drawing_of(const ShownRun& run, std::span<const std::size_t> pixels) {
 
 Page two_page(const ShownRun& a, const ShownRun& b, const FirstDifference& first, const Context& context) {
   Difference difference =
-      difference_of(a.drawn, b.drawn, "Pixels that show another colour or primitive, over A in grey", "");
+      difference_of(a.drawn, b.drawn, "Pixels that differ in colour or primitive, over A in grey", "");
   difference.picture.alt = grouped(difference.pixels) + " pixels differ between A and B";
   Page page;
   page.data = {{"a", without_wall_times(a.stats)}, {"b", without_wall_times(b.stats)}};
@@ -112,11 +112,11 @@ Page two_page(const ShownRun& a, const ShownRun& b, const FirstDifference& first
   page.command = context.command;
   page.title = title(a.drawn.program, b.drawn.program);
   const std::vector<std::size_t> pixels = pixels_of_stories(a, first, difference);
-  page.sections.push_back(pictures_section(a, b, std::move(difference), first.told));
+  page.sections.push_back(pictures_section(a, b, std::move(difference), first.sentences));
   page.sections.push_back({"Counts", {counts(page.data)}});
   page.sections.push_back({"Where the clocks go",
-                           {account(page.data, "/by_purpose", "Clocks by what instructions were for", "purpose"),
-                            account(page.data, "/by_effect", "Clocks by the effect that called for them", "effect")}});
+                           {account(page.data, "/by_purpose", "Clocks by purpose of instructions", "purpose"),
+                            account(page.data, "/by_effect", "Clocks by effect", "effect")}});
   page.sections.push_back({"Drawing of A", {drawing_of(a, pixels)}});
   page.sections.push_back({"Drawing of B", {drawing_of(b, pixels)}});
   page.sections.push_back(configuration_section(page.data, context));

@@ -1,3 +1,5 @@
+// The page that compares two runs.
+// Used by sim/app.
 #pragma once
 
 #include <cstddef>
@@ -12,25 +14,25 @@
 
 namespace csgsim::report {
 
-/// One of two runs that a page shows beside each other.
+/// One of two runs on a page.
 struct ShownRun {
-  std::string name;  ///< of what was drawn, on which machine
+  std::string name;  ///< name of what was drawn, and the machine
   DrawnProgram drawn;
   const machines::Machine& machine;
-  Json stats;           ///< as of a stats file
-  std::string explain;  ///< as Context::explain
+  Json stats;           ///< content of a stats file
+  std::string explain;  ///< see Context::explain
 };
 
 /// The first difference of two runs.
 struct FirstDifference {
-  std::vector<std::string> told;     ///< in sentences
-  std::optional<std::size_t> pixel;  ///< in row order, whose stories come first
+  std::vector<std::string> sentences;  ///< description for the page
+  std::optional<std::size_t> pixel;    ///< index in row order; its histories come first
 };
 
-/// The page of two runs of pictures of one size, A and B: both pictures and where they differ, their counts and clocks
-/// side by side, and the drawing of each, for which it is run once more, with stories of the same pixels: some that
-/// differ, the background and A's primitives, the most expensive first. The data are `a` and `b`, the stats of each,
-/// and `difference`: how many `pixels` differ, and the `first`, or null.
+/// The page of two runs, A and B, with pictures of one size: both pictures and their difference, counts and clocks side
+/// by side, and the drawing of each, for which the Program runs once more. Both drawings have histories of the same
+/// pixels: some that differ, the background, and A's primitives, most expensive first. The data are `a` and `b`, the
+/// stats of each, and `difference`: the number of differing `pixels`, and the `first` of them or null.
 Page two_page(const ShownRun& a, const ShownRun& b, const FirstDifference& first, const Context& context);
 
 }  // namespace csgsim::report

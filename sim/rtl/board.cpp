@@ -12,7 +12,7 @@ namespace csgsim::rtl {
 
 namespace {
 
-/// A channel's upper bits, with zeros below them where it has fewer than leave the board.
+/// The upper bits of a channel, padded with zeros if it has fewer bits than the board outputs.
 std::string channel_bits(unsigned top, unsigned width, unsigned wanted) {
   const unsigned taken = std::min(width, wanted);
   if (taken == 0) return fmt::format("{}'d0", wanted);
@@ -20,7 +20,7 @@ std::string channel_bits(unsigned top, unsigned width, unsigned wanted) {
   return taken == wanted ? bits : fmt::format("{}, {}'d0", bits, wanted - taken);
 }
 
-/// Of each pixel that is shown in a clock: red, green and blue on wires, red highest.
+/// Assigns the channels of each pixel shown in a clock to wires, red highest.
 std::string video_lines(const BoardWires& wires, unsigned channel) {
   const std::array<unsigned, 3> widths = isa::channel_widths(wires.colour_bits);
   std::string lines;
@@ -40,7 +40,7 @@ std::string video_lines(const BoardWires& wires, unsigned channel) {
 }  // namespace
 
 void add_board(std::vector<Filling>& fillings, const BoardWires& wires) {
-  const unsigned channel = std::min(most_channel_bits, isa::channel_widths(wires.colour_bits)[1]);
+  const unsigned channel = std::min(max_channel_bits, isa::channel_widths(wires.colour_bits)[1]);
   fillings.push_back({"CHANNEL_BITS", fmt::format("{}", channel)});
   fillings.push_back({"BOARD_VIDEO", video_lines(wires, channel)});
   fillings.push_back(

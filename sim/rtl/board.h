@@ -1,3 +1,5 @@
+// Template values for FPGA boards.
+// Used by design.cpp.
 #pragma once
 
 #include <vector>
@@ -6,17 +8,17 @@
 
 namespace csgsim::rtl {
 
-/// What a board has to connect of a design.
+/// Wires of a design that a board connects.
 struct BoardWires {
-  unsigned colour_bits = 0;  ///< of a pixel
-  unsigned scan_pixels = 0;  ///< that are shown in a clock
-  bool has_line = false;     ///< a serial line to the host, in place of a Program in memory
+  unsigned colour_bits = 0;  ///< bits of a pixel
+  unsigned scan_pixels = 0;  ///< pixels shown per clock
+  bool has_line = false;     ///< a serial line to the host instead of a Program in memory
 };
 
-/// Bits of each channel that leave a board, at most: what a small converter of video takes.
-inline constexpr unsigned most_channel_bits = 4;
+/// Maximum bits per channel on a board: enough for a small video DAC.
+inline constexpr unsigned max_channel_bits = 4;
 
-/// Adds what templates of boards say of the wires: names with BOARD_ and CHANNEL_BITS.
+/// Adds the fillings of board templates that concern wires: names with BOARD_, and CHANNEL_BITS.
 void add_board(std::vector<Filling>& fillings, const BoardWires& wires);
 
 }  // namespace csgsim::rtl

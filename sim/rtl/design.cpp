@@ -24,7 +24,7 @@ std::uint32_t value_of(const std::vector<Parameter>& parameters, std::string_vie
   return std::ranges::find(parameters, name, &Parameter::name)->value;
 }
 
-/// Lines of an instance, each with the figure of the machine's description that it is.
+/// The parameter lines of an instance, each with the key of the machine description it comes from.
 std::string parameter_lines(const std::vector<Parameter>& parameters) {
   std::string lines;
   for (const Parameter& parameter : parameters) {
@@ -38,7 +38,7 @@ std::string parameter_lines(const std::vector<Parameter>& parameters) {
 
 void check_picture(const isa::Program& program) {
   if (program.colour.width > 0) return;
-  throw InputError("the Program shows no picture, so nothing would be scanned out; compile a model to one");
+  throw InputError("the Program has no colours, so nothing would be scanned out; compile a model that draws a picture");
 }
 
 std::vector<Filling> fillings_of(const machines::Machine& machine, const isa::Program* program,

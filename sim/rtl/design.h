@@ -1,3 +1,5 @@
+// Generates a Verilog design.
+// Used by sim/app.
 #pragma once
 
 #include <string>
@@ -8,15 +10,15 @@
 
 namespace csgsim::rtl {
 
-/// A file of a design's folder.
+/// A file in the folder of a design.
 struct DesignFile {
-  std::string path;  ///< in the folder
+  std::string path;  ///< relative to the folder
   std::string content;
 };
 
-/// The machine in Verilog with a testbench, a Makefile, constraints of boards and a README: with the Program in a
-/// memory beside it, or, without one (null), with a serial line in its place. Throws InputError as parameters_of does,
-/// and for a Program that shows no picture.
+/// The machine in Verilog with a testbench, a Makefile, board constraints and a README. A Program is stored in a memory
+/// beside the machine; without one (null), a serial line takes its place. Throws InputError as parameters_of does, and
+/// for a Program without a picture.
 std::vector<DesignFile> design_files(const machines::Machine& machine, const isa::Program* program);
 
 }  // namespace csgsim::rtl

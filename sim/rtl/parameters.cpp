@@ -17,14 +17,14 @@ namespace {
 
 void refuse_other_kind(const machines::Machine& machine) {
   if (machine.kind == &pixel_planes::kind) return;
-  throw InputError(fmt::format("{} is of the kind {}, which is not there in Verilog; take one of the kind {}, as {}",
+  throw InputError(fmt::format("{} is of the kind {}, which has no Verilog; take a machine of the kind {}, such as {}",
                                machine.name, machine.kind->name, pixel_planes::kind.name, "pixel-planes-4"));
 }
 
 void refuse_above_one(const machines::Machine& machine, std::string_view figure, std::uint32_t value) {
   if (value == 1) return;
-  throw InputError(
-      fmt::format("{}: {} is {}, and the Verilog has 1; add --set {}=1", machine.name, figure, value, figure));
+  throw InputError(fmt::format("{}: {} is {}, but the Verilog supports only 1; add --set {}=1", machine.name, figure,
+                               value, figure));
 }
 
 bool takes_root(const isa::Program& program) {
@@ -61,8 +61,8 @@ std::vector<Parameter> parameters_of(const machines::Machine& machine, const isa
       {"SCAN_PIXELS", std::min(own.scan_out_pixels, machine.array.width), "scan_out.pixels"},
       {"SCAN_SHARED", is_shared ? 1U : 0U, "scan_out.port"},
       {"BUFFERS", own.scan_out_buffers, "scan_out.buffers"},
-      {"COLOUR_BITS", program != nullptr ? program->colour.width : isa::most_colour_bits, ""},
-      {"CHIP", std::min(pixels, most_chip_pixels), ""},
+      {"COLOUR_BITS", program != nullptr ? program->colour.width : isa::max_colour_bits, ""},
+      {"CHIP", std::min(pixels, max_chip_pixels), ""},
   };
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr unsigned digit_bits = 4;
 
-/// Digits of a word, the highest first.
+/// Appends the hexadecimal digits of a word, highest first.
 void append_word(std::string& text, const isa::LinkWord& word, unsigned link_width) {
   for (unsigned digit = (link_width + digit_bits - 1) / digit_bits; digit-- > 0;) {
     const unsigned first = digit * digit_bits;

@@ -1,3 +1,5 @@
+// Memory files of a Program for $readmemh.
+// Used by design.cpp.
 #pragma once
 
 #include <cstddef>
@@ -7,15 +9,15 @@
 
 namespace csgsim::rtl {
 
-/// A Program as memory files for $readmemh, a word a line in hexadecimal digits.
+/// A Program as memory files for $readmemh, one hexadecimal word per line.
 struct ProgramMemory {
-  std::string words;   ///< of the link, in the order in which they are sent
-  std::string begins;  ///< for each instruction, and one more, the number of the word from which on it is sent
+  std::string words;   ///< words of the link, in the order of sending
+  std::string begins;  ///< number of the first word of each instruction, and the end
   std::size_t word_count = 0;
   std::size_t begin_count = 0;
 };
 
-/// The frame in words of that many bits. Throws as isa::encode does.
+/// The frame in words of `link_width` bits. Throws as isa::encode does.
 ProgramMemory program_memory(const isa::Program& program, unsigned link_width);
 
 }  // namespace csgsim::rtl

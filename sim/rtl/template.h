@@ -1,3 +1,5 @@
+// Replaces names in templates.
+// Used by board.h and design.cpp.
 #pragma once
 
 #include <span>
@@ -6,13 +8,13 @@
 
 namespace csgsim::rtl {
 
-/// What stands in a template's @NAME@.
+/// The text that replaces @NAME@ in a template.
 struct Filling {
   std::string_view name;
   std::string value;
 };
 
-/// The text with every @NAME@, in capitals, replaced. Throws std::logic_error for one that has no filling.
+/// Replaces every @NAME@, in capitals. Throws std::logic_error for a name without a filling.
 std::string filled(std::string_view text, std::span<const Filling> fillings);
 
 }  // namespace csgsim::rtl

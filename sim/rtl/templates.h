@@ -1,3 +1,5 @@
+// Embedded Verilog and templates.
+// Used by design.cpp and templates.cpp.in.
 #pragma once
 
 #include <span>
@@ -5,17 +7,17 @@
 
 namespace csgsim::rtl {
 
-/// A text that comes with the program.
+/// An embedded text file.
 struct EmbeddedFile {
   std::string_view name;  ///< without folders
   std::string_view text;
 };
 
-/// The Verilog of hw/rtl: one file a module, and what they include.
+/// The Verilog of hw/rtl: one file per module, and their include files.
 std::span<const EmbeddedFile> verilog_files();
 
-/// What is written around it for a design, with @NAMES@ in place of what depends on the design.
-/// Throws std::out_of_range for a name that there is none of.
+/// A template of a design, with @NAMES@ for the parts that depend on the design. Throws std::out_of_range for an
+/// unknown name.
 std::string_view template_text(std::string_view name);
 
 }  // namespace csgsim::rtl

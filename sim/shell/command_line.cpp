@@ -23,7 +23,7 @@ namespace {
 constexpr InputKind settings_input{"name a settings file, .toml", std::size_t{1} << 20U,
                                    "a command has far fewer options"};
 
-/// An option with its texts as the library reads them.
+/// An option with the texts that CLI11 has parsed for it.
 struct Tokens {
   Option* option = nullptr;
   CLI::Option* read = nullptr;
@@ -31,7 +31,7 @@ struct Tokens {
   std::vector<std::string> texts;
 };
 
-/// The library only takes the words apart: what they may be is the option's own (sim/session/options/option_list.h).
+/// CLI11 only splits the words; the option validates them (sim/session/options/option_list.h).
 void add_to(CLI::App& app, Tokens& tokens) {
   const std::string names = fmt::format("{}", fmt::join(tokens.option->names, ","));
   if (tokens.option->takes == Takes::flag) {
@@ -49,13 +49,13 @@ void add_to(CLI::App& app, Tokens& tokens) {
   throw UsageError(message);
 }
 
-/// What the command line says stays, but what the settings say has to be right all the same.
+/// Validates a setting that the command line overrides.
 void refuse_problem(const Option& option, const Setting& setting) {
   const std::string problem = option.problem(setting.values);
   if (!problem.empty()) throw InputError(fmt::format("{}: {}: {}", setting.place, option.shown_name(), problem));
 }
 
-/// Gives what the command line does not say.
+/// Gives the settings that the command line does not override.
 void give(std::span<const Setting> settings, Command& command) {
   std::vector<std::pair<Option*, const Setting*>> to_give;
   for (const Setting& setting : settings) {
@@ -69,8 +69,8 @@ void give(std::span<const Setting> settings, Command& command) {
   }
   for (const auto& [option, setting] : to_give) {
     if (command.excluded_by(*option) != nullptr)
-      throw InputError(fmt::format("{}: {} stands in place of another option that is set; leave one out",
-                                   setting->place, setting->name));
+      throw InputError(
+          fmt::format("{}: {} excludes another option that is set; leave one out", setting->place, setting->name));
     const bool is_unset_flag = option->takes == Takes::flag && setting->values.front() == "false";
     if (is_unset_flag) continue;
     option->given = setting->values;
@@ -80,19 +80,19 @@ void give(std::span<const Setting> settings, Command& command) {
 
 }  // namespace
 
-void Command::prints_summary() { flag("-q,--quiet", is_quiet_, "Print nothing; errors and warnings are still told"); }
+void Command::prints_summary() { flag("-q,--quiet", is_quiet_, "Print nothing but errors and warnings"); }
 
 void Command::run() const {
   if (is_quiet_) silence_prints();
   action_();
 }
 
-/// A command line that has been taken apart.
+/// A parsed command line.
 struct CommandLine::Read {
   Command* command = nullptr;
   std::string settings_file;
   bool wants_help = false;
-  bool wants_dump = false;  ///< of all options as a settings file
+  bool wants_dump = false;  ///< print all options as a settings file
 };
 
 CommandLine::CommandLine(std::string description, std::string program)
@@ -119,7 +119,7 @@ std::vector<SettableOption> CommandLine::options_of(std::string_view command) co
 
 CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments, bool takes_settings) {
   Read read{arguments.size() < 2 ? nullptr : command_named(arguments[1]), {}};
-  if (read.command == nullptr) throw UsageError("no command");  // explained() says which
+  if (read.command == nullptr) throw UsageError("no command");  // explained() replaces this message
   read.command->clear();
   CLI::App app;
   std::deque<Tokens> all;
@@ -148,8 +148,8 @@ std::vector<Setting> CommandLine::settings_in(const std::string& file, const Com
   return read_settings(read_file(file, settings_input), file, known, command.name());
 }
 
-/// One line for people about a command line that could not be read, for the reason given; unknown commands and options
-/// name the nearest known one.
+/// One line about a command line that could not be parsed, with the given reason. For unknown commands and options it
+/// suggests the nearest known one.
 std::string CommandLine::explained(std::string_view reason, std::span<const std::string> arguments) const {
   if (arguments.size() < 2) return "a subcommand is required; see csgsim --help";
   const std::string_view first = arguments[1];
@@ -187,7 +187,7 @@ void CommandLine::carry_out(std::span<const std::string> arguments, const std::f
   }
 }
 
-/// What is asked of the program itself. The first argument is its name.
+/// Handles the options of the program itself. The first argument is the program's name.
 bool CommandLine::is_answered(std::span<const std::string> arguments) const {
   if (arguments.size() < 2) return false;
   const std::string_view first = arguments[1];

@@ -1,3 +1,5 @@
+// Commands, their parsing and their help.
+// Used by sim/shell and sim/app.
 #pragma once
 
 #include <deque>
@@ -12,51 +14,51 @@
 
 namespace csgsim::shell {
 
-/// A command of a command line: a request, and what is done with it.
+/// A command of the command line: a request and its action.
 class Command : public OptionList {
  public:
   using OptionList::OptionList;
 
-  /// Adds --quiet: nothing is printed, whatever the command prints.
+  /// Adds --quiet, which suppresses all output of the command except errors and warnings.
   void prints_summary();
 
-  /// What the command does, when the command line has been read.
+  /// Sets the action, which runs after the command line has been parsed.
   void runs(std::function<void()> action) { action_ = std::move(action); }
 
   void run() const;
 
-  std::string subject;  ///< under which help has it
+  std::string subject;  ///< heading of its group in help
   std::string description;
-  std::string footer;  ///< of its help: examples, and remarks
+  std::string footer;  ///< end of its help: examples and remarks
 
  private:
   bool is_quiet_ = false;
   std::function<void()> action_;
 };
 
-/// A command line that asks for one of several commands.
+/// A command line that selects one of several commands.
 class CommandLine {
  public:
   CommandLine(std::string description, std::string program);
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  /// The command stays where it is.
+  /// Adds a command. The reference stays valid.
   Command& add(const std::string& name, std::string_view subject, const std::string& description,
                const std::string& footer);
 
-  /// Adds --version, and --describe FOLDER, which writes manual pages and shells' completion there.
+  /// Adds --version, and --describe FOLDER, which writes manual pages and shell completion there.
   void add_own_options() { has_own_options_ = true; }
 
-  /// Every option and operand of the command that settings know.
+  /// Every option and operand of the command that a settings file may give.
   [[nodiscard]] std::vector<SettableOption> options_of(std::string_view command) const;
 
-  /// Runs the command that the arguments (the first is the program's name) ask for, or prints the help they ask for.
-  /// Throws UsageError with one line for people, and what the command throws.
+  /// Runs the command that the arguments (the first is the program's name) select, or prints help. Throws UsageError
+  /// with a one-line message, and what the command throws.
   void run(std::span<char* const> arguments);
 
-  /// Runs the command that the first word names, with settings that another file records; `watch` sees its run. No
-  /// settings file is read. Throws as run does, and InputError with a setting's place.
+  /// Runs the command that the first word names, with settings recorded in another file; `watch` observes its run.
+  /// Reads no settings file. Throws as the other overload does, and InputError with a setting's place.
   void run(std::vector<std::string> words, std::span<const Setting> settings, const RunWatch& watch = {});
 
  private:

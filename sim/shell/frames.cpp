@@ -34,7 +34,7 @@ void refuse_other_outputs(const RunRequest& run) {
   }
 }
 
-/// One a frame; none where no picture is asked for.
+/// One path per frame; empty if no picture is requested.
 std::vector<fs::path> picture_paths(const fs::path& picture, std::uint32_t frames) {
   std::vector<fs::path> paths;
   for (std::uint32_t i = 0; i < frames && !picture.empty(); ++i) {

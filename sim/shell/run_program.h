@@ -1,3 +1,5 @@
+// Runs a Program and prints its summary.
+// Used by sim/app.
 #pragma once
 
 #include "sim/session/run/finished_run.h"
@@ -6,10 +8,10 @@ namespace csgsim::shell {
 
 using namespace session;
 
-/// Runs the Program at the level asked for, writes what was asked for and prints the summary. Where there is a judge,
-/// its verdict goes into the stats under `accuracy`; what the run follows from is under `configuration`. `advice`
-/// says what may be tried to better it.
-void run_program(const OptionList& asked, const RunSubject& subject, const RunRequest& request, RunOutputs& outputs,
+/// Runs the Program at the requested level, writes the requested files and prints the summary. The verdict of a judge,
+/// if there is one, goes into the stats under `accuracy`; all inputs of the run are under `configuration`. `advice`
+/// describes changes that may speed the run up.
+void run_program(const OptionList& options, const RunSubject& subject, const RunRequest& request, RunOutputs& outputs,
                  const Advice& advice, const Judge& judge = {}, const CheckpointOptions& checkpoints = {});
 
 }  // namespace csgsim::shell

@@ -12,14 +12,14 @@
 #include "hw/isa/facts.h"
 #include "hw/machines/kind.h"
 #include "sim/observe/bound.h"
-#include "sim/observe/dearest.h"
+#include "sim/observe/primitive_costs.h"
 #include "sim/session/options/numbers.h"
 
 namespace csgsim::shell {
 
 namespace {
 
-/// With three significant digits.
+/// Three significant digits, or more for large ratios.
 std::string ratio_text(double ratio) {
   return ratio < 100.0 ? fmt::format("{:.3g}", ratio) : fmt::format("{:.0f}", ratio);
 }
@@ -79,7 +79,7 @@ void print_purposes(const observe::Report& report) {
              percent(report.result.latency_clocks, whole), "", "", "until the last instruction reaches the pixels");
 }
 
-/// waiting_for_host as `wait: host`.
+/// Turns waiting_for_host into `wait: host`.
 std::string heading(std::string_view activity) {
   constexpr std::string_view waiting = "waiting_for_";
   std::string text(activity.starts_with(waiting) ? activity.substr(waiting.size()) : activity);
@@ -106,7 +106,7 @@ void print_part(const machines::PartAccount& part, std::uint64_t frame) {
   fmt::print("\n");
 }
 
-/// What the machine's kind tells of the frame: counts, shares, and where the clocks of each part went.
+/// Prints the machine's own account of the frame: counts, shares, and the clocks of each unit by activity.
 void print_account(const observe::Report& report) {
   const machines::Account& account = report.result.account;
   if (!account.counts.empty() || !account.shares.empty()) fmt::print("\n");
@@ -123,19 +123,19 @@ void print_account(const observe::Report& report) {
   }
 }
 
-constexpr std::size_t most_knobs_printed = 3;
+constexpr std::size_t max_printed_knobs = 3;
 
 void print_rest(const std::string& name, std::uint64_t clocks, std::uint64_t whole) {
   if (clocks == 0) return;
   fmt::print("  {:<40}{:>16}{:>7.1f} %\n", name, grouped(clocks), percent(clocks, whole));
 }
 
-void print_dearest(const observe::Report& report, const observe::Frame& picture) {
+void print_most_expensive(const observe::Report& report, const observe::Frame& picture) {
   const observe::ClockShares shares = observe::clock_shares(report.program, report.result, report.stats);
   if (shares.whole == 0) return;
   const std::vector<std::uint64_t> pixels = observe::pixels_seen(picture, report.program);
-  fmt::print("\n{:<28}{:<14}{:>16}{:>9}{:>9}{:>13}{:>11}\n", "dearest primitives", "line:column", "clocks", "share",
-             "pieces", "half-spaces", "pixels");
+  fmt::print("\n{:<28}{:<14}{:>16}{:>9}{:>9}{:>13}{:>11}\n", "most expensive primitives", "line:column", "clocks",
+             "share", "pieces", "half-spaces", "pixels");
   for (const observe::PrimitiveCost& one : shares.dearest) {
     const std::string name = one.name.substr(0, one.source.empty() ? one.name.size() : one.name.rfind('@'));
     fmt::print("  {:<26}{:<14}{:>16}{:>7.1f} %{:>9}{:>13}{:>11}\n", fmt::format("p{} {}", one.primitive, name),
@@ -145,18 +145,18 @@ void print_dearest(const observe::Report& report, const observe::Frame& picture)
   print_rest(counted(shares.other_primitives, "other primitive"), shares.other_clocks, shares.whole);
   for (const observe::EffectCost& effect : shares.effects)
     print_rest("effect " + effect.name, effect.clocks, shares.whole);
-  print_rest("of no primitive", shares.rest, shares.whole);
+  print_rest("no primitive", shares.rest, shares.whole);
   fmt::print("  {:<40}{:>16}\n", "all", grouped(shares.whole));
 }
 
 void print_knobs(const observe::Report& report, const Advice& advice) {
   if (advice.machine.empty()) return;
-  for (std::size_t i = 0; i < std::min(report.knobs.size(), most_knobs_printed); ++i) {
+  for (std::size_t i = 0; i < std::min(report.knobs.size(), max_printed_knobs); ++i) {
     const observe::Knob& knob = report.knobs[i];
     fmt::print("{:<18}{}\n", i == 0 ? "knobs" : "", printable(knob.sentence));
     if (!knob.sentence.starts_with(knob.option)) fmt::print("{:<18}  {}\n", "", printable(knob.option));
   }
-  if (advice.is_asked && report.knobs.empty()) fmt::print("{:<18}nothing that was tried helps\n", "knobs");
+  if (advice.is_asked && report.knobs.empty()) fmt::print("{:<18}no tried change helps\n", "knobs");
   if (!advice.is_asked) fmt::print("{:<18}{}\n", report.knobs.empty() ? "knobs" : "", advice.ask);
   for (const std::string& command : advice.commands) fmt::print("{:<18}{}\n", "", command);
 }
@@ -173,11 +173,11 @@ void print_summary(const observe::Report& report) {
              time_text(simulated));
   print_frame(report);
   print_host(report);
-  fmt::print("{:<18}{} carried out, {} skipped\n", "instructions", grouped(total.instructions),
+  fmt::print("{:<18}{} executed, {} skipped\n", "instructions", grouped(total.instructions),
              grouped(report.result.skipped));
   fmt::print("{:<18}{} rendered into Z1, {} classified against Z1, {}\n", "scan-conversions", grouped(compile.rendered),
              grouped(compile.classified), counted(compile.depth_tests, "depth test"));
-  fmt::print("{:<18}{} clocks at pixels, {} of them at enabled ones: utilisation {:.2f} %\n", "pixel operations",
+  fmt::print("{:<18}{} pixel clocks, {} at enabled pixels: utilisation {:.2f} %\n", "pixel operations",
              grouped(total.pixel_operations), grouped(total.enabled), percent(total.enabled, total.pixel_operations));
   fmt::print("{:<18}{} of {} bits a pixel, {} of them for the classification\n", "memory",
              observe::used_memory_bits(report.program), report.machine.array.memory_bits, compile.stack_bits);
@@ -191,7 +191,7 @@ void print_summary(const observe::Report& report) {
 }
 
 void print_words(const observe::Report& report, const observe::Frame& picture, const Advice& advice) {
-  print_dearest(report, picture);
+  print_most_expensive(report, picture);
   fmt::print("\n");
   if (const std::optional<observe::Bound> bound = observe::bound_of(report.result, report.machine))
     fmt::print("{:<18}{}\n", "bound", bound->sentence);

@@ -1,3 +1,5 @@
+// Printed summary of a run.
+// Used by run_program.cpp.
 #pragma once
 
 #include "sim/observe/frame.h"
@@ -8,10 +10,10 @@ namespace csgsim::shell {
 
 using namespace session;
 
-/// The readable summary of a run on standard output.
+/// Prints the summary of a run to standard output.
 void print_summary(const observe::Report& report);
 
-/// Prints which part bounds the frame, the dearest primitives, and the knobs.
+/// Prints the unit that bounds the frame, the most expensive primitives, and the knobs.
 void print_words(const observe::Report& report, const observe::Frame& picture, const Advice& advice);
 
 }  // namespace csgsim::shell

@@ -34,14 +34,14 @@ Picture draw(const RayCaster& rays, Method& method, RayCounts* counts) {
 }
 
 Seconds timed(const RayCaster& rays, const std::function<std::unique_ptr<Method>()>& make) {
-  constexpr unsigned most_times = 5;
+  constexpr unsigned max_runs = 5;
   constexpr double enough = 0.2;
   constexpr double never = std::numeric_limits<double>::infinity();
-  Seconds least{never, never};
+  Seconds min_seconds{never, never};
   Picture picture = blank(rays);
   RayBand band;
   double spent = 0;
-  for (unsigned i = 0; i < most_times && spent < enough; ++i) {
+  for (unsigned i = 0; i < max_runs && spent < enough; ++i) {
     Seconds seconds;
     const std::unique_ptr<Method> method = make();
     for (std::uint32_t row = 0; row < rays.height(); row += band_rows) {
@@ -52,10 +52,11 @@ Seconds timed(const RayCaster& rays, const std::function<std::unique_ptr<Method>
       method->classify(band, rows_of(picture, band));
       seconds.classification += seconds_since(cast);
     }
-    least = {std::min(least.rays, seconds.rays), std::min(least.classification, seconds.classification)};
+    min_seconds = {std::min(min_seconds.rays, seconds.rays),
+                   std::min(min_seconds.classification, seconds.classification)};
     spent += seconds.rays + seconds.classification;
   }
-  return least;
+  return min_seconds;
 }
 
 std::string hash_of(const Picture& picture) {

@@ -1,3 +1,5 @@
+// Drawing of pictures by a classification method.
+// Used by work.h and by the studies of software.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +14,28 @@
 
 namespace csgsim::software {
 
-/// What is seen at each pixel, row by row.
+/// The visible surface at each pixel, row by row.
 struct Picture {
   std::vector<Seen> seen;
 };
 
-/// Draws a picture, a band of rays after another. With `counts`, what rays take is added to them.
+/// Draws a picture band by band. If `counts` is given, the cost of the rays is added to it.
 Picture draw(const RayCaster& rays, Method& method, RayCounts* counts = nullptr);
 
-/// Seconds of wall time on this computer.
+/// Wall time on this computer in seconds.
 struct Seconds {
-  double rays = 0;            ///< intersecting and sorting
-  double classification = 0;  ///< of a method that takes planes, all of it
+  double rays = 0;            ///< time to intersect and sort
+  double classification = 0;  ///< for a method that takes planes, the total time
 };
 
-/// Draws a picture again and again, until a fifth of a second has passed, five times at most, and takes the time of its
-/// parts: the least of each.
+/// Draws the picture repeatedly, up to five times or until 0.2 seconds have passed, and returns the minimum time of
+/// each part.
 Seconds timed(const RayCaster& rays, const std::function<std::unique_ptr<Method>()>& make);
 
-/// Of depth and owner of every pixel.
+/// Hash of depth and owner of every pixel.
 std::string hash_of(const Picture& picture);
 
-/// What the rays of a picture meet until they get into the solid.
+/// Statistics of the rays of a picture up to the point at which they enter the solid.
 Survey survey(const RayCaster& rays, const Picture& picture);
 
 }  // namespace csgsim::software

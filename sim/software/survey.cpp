@@ -29,7 +29,7 @@ void Surveyor::add_ray(std::span<const Event> events, const Seen& seen) {
     sequence_.push_back(events[i].primitive());
   }
   survey_.points += points;
-  survey_.most_points = std::max(survey_.most_points, points);
+  survey_.max_points = std::max(survey_.max_points, points);
   if (survey_.sequences > 0 && sequence_ == last_) return;
   ++survey_.sequences;
   last_ = sequence_;

@@ -1,3 +1,5 @@
+// Statistics of the rays of a picture.
+// Used by csgsim classify.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +12,20 @@
 
 namespace csgsim::software {
 
-/// Rays as the thesis counts them (table 4.9). A sequence is the primitives that a ray meets until it gets into the
-/// solid, or all of them if it never does, in order.
+/// Rays as the thesis counts them (table 4.9). A sequence is the ordered list of primitives that a ray intersects until
+/// it enters the solid, or all of them if it never does.
 struct Survey {
   std::uint64_t rays = 0;
-  std::uint64_t met = 0;        ///< with an event at least: rays with points
-  std::uint64_t hits = 0;       ///< that get into the solid
-  std::uint64_t points = 0;     ///< events at one depth are one, until a ray gets into the solid
-  std::uint64_t sequences = 0;  ///< rays whose sequence is not that of the last ray that met something
+  std::uint64_t met = 0;        ///< rays with at least one event; the thesis's rays with points
+  std::uint64_t hits = 0;       ///< rays that enter the solid
+  std::uint64_t points = 0;     ///< until a ray enters the solid; events at the same depth are one point
+  std::uint64_t sequences = 0;  ///< rays whose sequence differs from that of the previous ray with events
   std::uint64_t different_sequences = 0;
-  std::uint64_t combinations = 0;  ///< of primitives, in whatever order and however often rays meet them
-  std::uint64_t most_points = 0;   ///< of a ray
+  std::uint64_t combinations = 0;  ///< distinct sets of primitives in sequences
+  std::uint64_t max_points = 0;    ///< maximum per ray
 };
 
-/// Goes through rays in the order of pixels.
+/// Collects statistics of rays in the order of pixels.
 class Surveyor {
  public:
   void add(const RayBand& band, std::span<const Seen> seen);

@@ -1,3 +1,5 @@
+// Cost of drawing a picture by software.
+// Used by the studies of software.
 #pragma once
 
 #include <optional>
@@ -9,44 +11,44 @@
 
 namespace csgsim::software {
 
-/// What a picture takes by a method: counted, and measured on this computer. A method that takes intervals or planes
-/// has no use for what comes before these, which counts nothing then.
+/// The cost of a picture drawn by a method: operation counts, and the time measured on this computer. If a method takes
+/// intervals or planes, the preceding stages are not needed and count nothing.
 struct Work {
   Picture picture;
-  Counts counts;     ///< of classification
-  RayCounts rays;    ///< of what rays meet, and of putting it in order
+  Counts counts;     ///< classification
+  RayCounts rays;    ///< ray intersection and sorting
   Seconds measured;  ///< wall time
 };
 
-/// Draws the picture, once counting and then to take the time. Throws InputError as the method does.
+/// Draws the picture once to count operations, then measures the time. Throws InputError as the method does.
 Work work_of(const Choice& choice, const Subject& subject, const RayCaster& rays);
 
-/// A processor that work is priced for.
+/// A processor for which costs are computed.
 struct Priced {
   std::string name;
-  std::optional<processors::Processor> processor;  ///< nothing for this computer
+  std::optional<processors::Processor> processor;  ///< empty for this computer
 };
 
-/// By name, file or `this-computer`. Throws as load_processor does.
-Priced priced(const std::string& said);
+/// Loads a processor by name or file, or `this-computer`. Throws as load_processor does.
+Priced priced(const std::string& name);
 
-/// Of every figure, as machines have one; of this computer, of its name.
+/// Hash of all parameters, like that of a machine; of the name for this computer.
 std::string hash_of(const Priced& processor);
 
-/// Seconds of classifying alone, as the thesis tells them, and of all that the picture takes.
+/// Seconds of classification alone, as given in the thesis, and of the whole picture.
 struct PricedSeconds {
   double classification = 0;
   double all = 0;
 };
 
-/// Operations of classification, and whose compiler's factor its traversal has.
+/// Operations of classification, and the compiler whose factor applies to the traversal.
 struct Classifying {
   Operations operations;
-  Operations traversal;  ///< of these
+  Operations traversal;  ///< subset of `operations`
   processors::Compiled compiled = processors::Compiled::general;
 };
 
-/// Of operations on a processor, or of what was measured on this computer.
+/// Seconds computed from operations for a processor, or measured on this computer.
 PricedSeconds seconds_of(const Operations& rays, const Operations& sorting, const Classifying& classification,
                          const Seconds& measured, const Priced& processor);
 

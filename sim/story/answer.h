@@ -1,3 +1,5 @@
+// Text and JSON that explain a pixel.
+// Used by sim/session and sim/viewer.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +12,14 @@
 
 namespace csgsim::story {
 
-/// All that is told of a pixel.
+/// The explanation of a pixel.
 struct Answer {
-  std::string text;             ///< for people: why a primitive is not seen, if that is asked, and then the story
-  nlohmann::ordered_json json;  ///< the same; docs/debugging.md describes every key with its unit
+  std::string text;             ///< text: why a primitive is not visible, if requested, and then the history
+  nlohmann::ordered_json json;  ///< the same as JSON; docs/debugging.md describes every key with its unit
 };
 
-/// `missed`: a primitive of which it is asked why it is not seen there. Throws InputError as Teller and its story_of
-/// do.
+/// `missed`: a primitive for which the answer explains why it is not visible. Throws InputError as Teller and its
+/// story_of do.
 Answer answer_of(const Subject& subject, const machines::Machine& machine, std::uint32_t x, std::uint32_t y,
                  std::optional<std::uint32_t> missed);
 

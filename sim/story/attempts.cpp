@@ -10,7 +10,7 @@ namespace {
 
 using Events = std::span<const Event>;
 
-/// Whether the event belongs to the surface that was rendered last.
+/// Whether the event belongs to the surface rendered last.
 bool goes_on(const Event& event, std::uint32_t primitive, std::uint32_t segment) {
   const isa::Origin& origin = event.origin;
   if (event.segment != segment) return false;
@@ -29,7 +29,7 @@ bool goes_on(const Event& event, std::uint32_t primitive, std::uint32_t segment)
   return false;
 }
 
-/// The last event of the attempt for which that holds.
+/// The last event of the attempt that satisfies the predicate.
 template <class Holds>
 std::optional<std::size_t> last_that(Events events, const Attempt& attempt, Holds holds) {
   for (std::size_t i = attempt.last_event; i > attempt.first_event; --i)
@@ -41,15 +41,14 @@ std::optional<std::size_t> last_of(Events events, const Attempt& attempt, What w
   return last_that(events, attempt, [what](const Event& event) { return event.what == what; });
 }
 
-/// Depth tests that the pixel passed: one for each product, where these are tested one by one.
+/// Number of depth tests that the pixel passed: one per product, where products are tested one by one.
 std::ptrdiff_t passed_tests(Events events, const Attempt& attempt) {
   const Events own = events.subspan(attempt.first_event, attempt.last_event + 1 - attempt.first_event);
   return std::ranges::count_if(
       own, [](const Event& event) { return event.what == What::depth_test && event.decision && event.enabled_after; });
 }
 
-/// The attempt up to where Z1 is taken back, if it is, since the surface is not admitted: all depth tests after that
-/// are in vain.
+/// The attempt up to the withdrawal of Z1, if the surface is not admitted: all later depth tests are without effect.
 Attempt until_withdrawn(const isa::Program& program, Events events, const Attempt& attempt) {
   Attempt until = attempt;
   const auto withdrawn = last_that(events, attempt, [&](const Event& event) {
@@ -59,13 +58,13 @@ Attempt until_withdrawn(const isa::Program& program, Events events, const Attemp
   return until;
 }
 
-/// Whether the depth test itself took the pixel out, not what stands beside it.
+/// Whether the depth test itself disabled the pixel, rather than an instruction beside it.
 bool is_behind(const Event& surface, const Event& test) {
   return test.cut && test.decision && surface.decision &&
          test.cut->instruction.fields[0] == surface.decision->instruction.fields[0];
 }
 
-void tell_classified(const isa::Program& program, Events events, Attempt& attempt) {
+void find_classification(const isa::Program& program, Events events, Attempt& attempt) {
   attempt.fate = Fate::classified;
   const auto emptied = last_that(events, attempt, [&](const Event& event) {
     const Change* const mask = event.change_of(program, isa::FieldRole::mask);
@@ -78,7 +77,7 @@ void tell_classified(const isa::Program& program, Events events, Attempt& attemp
   const auto count = std::count_if(events.begin() + static_cast<std::ptrdiff_t>(until.first_event),
                                    events.begin() + static_cast<std::ptrdiff_t>(until.last_event) + 1,
                                    [](const Event& event) { return event.what == What::comparison; });
-  // Which leaf a label waits for is a result of those before.
+  // The leaf that a label waits for depends on earlier results.
   const bool has_labels = isa::field_of(program, isa::FieldRole::label).width > 0;
   const bool has_products = passed_tests(events, attempt) > 1;
   const bool is_alone = count == 1 || (emptied && !events[*emptied].by_results && !has_labels && !has_products);
@@ -90,8 +89,8 @@ bool writes(const Event& event, isa::Field field) {
                      [field](const Change& one) { return one.field == field; });
 }
 
-/// Whether an event after the merge takes from the pixel what was merged: another merge of the same drawing into that
-/// depth, its beginning anew, or that of the whole picture.
+/// Whether an event after the merge removes the merged surface from the pixel: another merge of the same drawing into
+/// that depth field, or a new beginning of that drawing or of the whole picture.
 bool covers(const isa::Program& program, const Event& event, const Event& merge) {
   if (event.what == What::setup)
     return writes(event, merge.merged_into) || event.change_of(program, isa::FieldRole::depth) != nullptr;
@@ -99,19 +98,19 @@ bool covers(const isa::Program& program, const Event& event, const Event& merge)
          event.origin.effect == merge.origin.effect;
 }
 
-/// The next event that takes from the pixel what was merged.
+/// The next event that removes the merged surface from the pixel.
 std::optional<std::size_t> covered_by(const isa::Program& program, Events events, std::size_t merge) {
   for (std::size_t i = merge + 1; i < events.size(); ++i)
     if (covers(program, events[i], events[merge])) return i;
   return std::nullopt;
 }
 
-/// The pixel had the surface, and did not take it.
-void tell_unmerged(const isa::Program& program, Events events, Attempt& attempt) {
+/// Finds the fate of a surface that was at the pixel but was not merged.
+void find_unmerged_fate(const isa::Program& program, Events events, Attempt& attempt) {
   const Attempt tested = until_withdrawn(program, events, attempt);
   const auto test = last_of(events, tested, What::depth_test);
   if (!test || !events[*test].enabled_before) {
-    // Another piece of the same solid, with which it is compared before its depth.
+    // another piece of the same solid is compared before the depth test
     const auto joint =
         last_that(events, tested, [](const Event& event) { return event.what == What::comparison && !event.cut; });
     if (joint) {
@@ -126,10 +125,10 @@ void tell_unmerged(const isa::Program& program, Events events, Attempt& attempt)
     attempt.deciding_event = *test;
     return;
   }
-  tell_classified(program, events, attempt);
+  find_classification(program, events, attempt);
 }
 
-void tell_fate(const isa::Program& program, Events events, Attempt& attempt) {
+void find_fate(const isa::Program& program, Events events, Attempt& attempt) {
   const Event& surface = events[attempt.first_event];
   attempt.deciding_event = attempt.first_event;
   if (!surface.enabled_after) {
@@ -137,16 +136,16 @@ void tell_fate(const isa::Program& program, Events events, Attempt& attempt) {
     return;
   }
   const auto merge = last_of(events, attempt, What::merge);
-  if (!merge) return tell_unmerged(program, events, attempt);
+  if (!merge) return find_unmerged_fate(program, events, attempt);
   if (events[*merge].takes_pixel) attempt.shown = events[attempt.last_event].owner_after;
   const auto covering = covered_by(program, events, *merge);
   attempt.fate = covering ? Fate::covered : Fate::seen;
   attempt.deciding_event = covering.value_or(*merge);
 }
 
-/// Several surfaces may end uncovered. The nearest, the last that took the pixel, is seen, and the others have a part
-/// in the colour.
-void tell_blended(Events events, std::span<Attempt> attempts, std::uint32_t owner) {
+/// Several surfaces may end uncovered. The nearest one, which took the pixel last, is visible; the others contribute to
+/// the colour.
+void mark_blended(Events events, std::span<Attempt> attempts, std::uint32_t owner) {
   const auto nearest = std::find_if(attempts.rbegin(), attempts.rend(), [&](const Attempt& one) {
     return one.fate == Fate::seen && events[one.deciding_event].takes_pixel;
   });
@@ -168,10 +167,10 @@ std::vector<Attempt> attempts_of(const isa::Program& program, std::span<const Ev
     while (attempt.last_event + 1 < events.size() &&
            goes_on(events[attempt.last_event + 1], attempt.primitive, events[i].segment))
       ++attempt.last_event;
-    tell_fate(program, events, attempt);
+    find_fate(program, events, attempt);
     attempts.push_back(attempt);
   }
-  tell_blended(events, attempts, owner);
+  mark_blended(events, attempts, owner);
   return attempts;
 }
 

@@ -19,19 +19,19 @@ using isa::Purpose;
 
 bool compares_fields(Opcode opcode) { return opcode == Opcode::field_lt || opcode == Opcode::field_le; }
 
-/// Whether what is classified is compared with nothing yet: its depths are stored.
+/// Whether the classified depths are stored and not compared yet.
 bool stores(const isa::Origin& origin) { return origin.purpose == Purpose::classify && origin.node == isa::no_node; }
 
 bool adds_to_expression(Opcode opcode) { return opcode == Opcode::linear_plus || opcode == Opcode::linear_minus; }
 
-/// Whether the instruction may make the depth of a surface, of its own or of a quadric's.
+/// Whether the instruction may produce the depth of a facet or of a quadric.
 bool may_set_depth(Opcode opcode) {
   if (opcode == Opcode::copy || adds_to_expression(opcode)) return true;
   return opcode == Opcode::load_linear || opcode == Opcode::set_constant || opcode == Opcode::keep_max ||
          opcode == Opcode::keep_min;
 }
 
-/// Whether such an instruction made the depth that the pixel has afterwards.
+/// Whether the instruction produced the pixel's depth.
 bool sets_depth(Opcode opcode, const PixelStep& step) {
   if (!step.enabled_before) return false;
   if (opcode == Opcode::keep_max) return step.value > static_cast<std::int64_t>(step.met);
@@ -39,20 +39,20 @@ bool sets_depth(Opcode opcode, const PixelStep& step) {
   return true;
 }
 
-/// An event that is not finished.
+/// An event in progress.
 struct Open {
   Event event;
-  bool is_met = false;       ///< the pixel was enabled, or written to
-  bool tests_depth = false;  ///< holds a comparison of fields
+  bool is_met = false;       ///< the pixel was enabled or written
+  bool tests_depth = false;  ///< includes a comparison of fields
 };
 
-/// Goes through the steps of a run and closes an event where the origin changes.
+/// Splits the steps of a run into events; an event ends where the origin changes.
 class Narrator {
  public:
   Narrator(const isa::Program& program, const PixelRun& run, std::span<const std::uint64_t> first_numbers)
       : program_(program), run_(run), first_numbers_(first_numbers) {}
 
-  std::vector<Event> tell() {
+  std::vector<Event> narrate() {
     for (const PixelStep& step : run_.steps) {
       if (open_ && open_->event.segment != step.segment) close();
       take(step);
@@ -80,7 +80,7 @@ class Narrator {
     return decision;
   }
 
-  /// Whether it may use a depth that was worked out of a root: where surfaces are drawn or compared.
+  /// Whether the instruction may use a depth computed from a root: surfaces are drawn or compared there.
   [[nodiscard]] bool uses_quadric(const isa::Instruction& instruction) const {
     const Purpose purpose = instruction.origin.purpose;
     if (purpose != Purpose::render && purpose != Purpose::classify) return false;
@@ -89,7 +89,7 @@ class Narrator {
            adds_to_expression(instruction.opcode);
   }
 
-  /// Whether it is about a depth that was stored before.
+  /// Whether the instruction uses a depth stored earlier.
   [[nodiscard]] bool uses_stored_depth(const isa::Instruction& instruction) const {
     if (stores(instruction.origin)) return false;
     return std::ranges::any_of(instruction.fields,
@@ -106,7 +106,7 @@ class Narrator {
     return has_role(field, FieldRole::stack) || has_role(field, FieldRole::product);
   }
 
-  /// Whether a surface's colours are being written beside Z1.
+  /// Whether the surface's colours are being written beside Z1.
   [[nodiscard]] bool goes_on_with_surface(const isa::Origin& origin) const {
     return open_ && open_->event.what == What::surface &&
            (origin.purpose == Purpose::shade ||
@@ -151,7 +151,7 @@ class Narrator {
     if (!step.fits && step.enabled_before && !open_->event.misfit) open_->event.misfit = decision_of(step);
     if (compares_fields(instruction.opcode)) {
       open_->tests_depth = true;
-      // Within a surface it is a facet's depth that is compared, not what decides in the end.
+      // Within a surface, the comparison concerns a facet's depth and does not decide the final result.
       if (step.enabled_before && what != What::surface) open_->event.decision = decision_of(step);
     }
     if (what == What::shade && instruction.opcode == Opcode::linear_eq && step.enabled_after)
@@ -196,7 +196,7 @@ class Narrator {
     }
   }
 
-  /// What quadrics are worked out in, or a part of a depth, is no surface's depth.
+  /// Whether the field holds intermediate values of quadrics or a part of a depth, not a surface's depth.
   [[nodiscard]] bool is_scratch(isa::Field field) const {
     return std::any_of(program_.facts->fields.begin(), program_.facts->fields.end(), [&](const isa::NamedField& named) {
       return named.field.overlaps(field) &&
@@ -204,7 +204,7 @@ class Narrator {
     });
   }
 
-  /// Follows how the depth of a quadric comes about.
+  /// Follows the computation of a quadric's depth.
   void note_quadric(const isa::Instruction& instruction, const PixelStep& step) {
     const isa::Segment& segment = program_.segments[step.segment];
     if (instruction.opcode == Opcode::load_linear) {
@@ -236,7 +236,7 @@ class Narrator {
     if (sets_depth(instruction.opcode, step)) open_->event.decision = decision_of(step);
   }
 
-  /// Whether what the mask is narrowed by next is the last comparison alone.
+  /// Determines whether the next narrowing of the mask depends on the last comparison only.
   void note_bits(const isa::Instruction& instruction, const PixelStep& step) {
     if (instruction.origin.purpose != Purpose::stack) return;
     const isa::Operands& operands = isa::operands_of(instruction.opcode);
@@ -275,11 +275,11 @@ class Narrator {
 
   void close() {
     if (!open_) return;
-    if (is_told(*open_)) events_.push_back(open_->event);
+    if (is_reported(*open_)) events_.push_back(open_->event);
     open_.reset();
   }
 
-  [[nodiscard]] static bool is_told(const Open& open) {
+  [[nodiscard]] static bool is_reported(const Open& open) {
     const std::vector<Change>& changes = open.event.changes;
     const bool differs = std::any_of(changes.begin(), changes.end(), [](const Change& one) { return one.differs(); });
     switch (open.event.what) {
@@ -303,8 +303,8 @@ class Narrator {
   std::vector<Event> events_;
   std::optional<Open> open_;
   std::uint32_t owner_ = observe::no_owner;
-  isa::Field z1_;                        ///< in which the surface's depth is
-  std::optional<QuadricDepth> quadric_;  ///< worked out last
+  isa::Field z1_;                        ///< field of the surface's depth
+  std::optional<QuadricDepth> quadric_;  ///< computed last
   bool with_results_ = false;            ///< E holds results of several comparisons
 };
 
@@ -312,7 +312,7 @@ class Narrator {
 
 std::vector<Event> events_of(const isa::Program& program, const PixelRun& run,
                              std::span<const std::uint64_t> first_numbers) {
-  return Narrator(program, run, first_numbers).tell();
+  return Narrator(program, run, first_numbers).narrate();
 }
 
 }  // namespace csgsim::story

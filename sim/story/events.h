@@ -1,3 +1,5 @@
+// Splits a pixel's run into events and surfaces.
+// Used by attempts.cpp and story.cpp.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +11,13 @@
 
 namespace csgsim::story {
 
-/// The events of a pixel's run; `first_numbers`: isa::first_numbers. Clocks are left empty.
-/// Stretches that neither met the pixel enabled nor wrote to its memory are no events, nor are those of questions that
-/// skip nothing, and combinations of results that change nothing.
+/// The events of a pixel's run; `first_numbers` comes from isa::first_numbers. Clocks are left empty. Not reported are
+/// stretches that neither find the pixel enabled nor write its memory, skip instructions that skip nothing, and
+/// combinations of results that change nothing.
 std::vector<Event> events_of(const isa::Program& program, const PixelRun& run,
                              std::span<const std::uint64_t> first_numbers);
 
-/// The surfaces among the events, and how each ended. `owner` of the pixel in the end.
+/// The surfaces among the events, and how each ended. `owner` is the pixel's final owner.
 std::vector<Attempt> attempts_of(const isa::Program& program, std::span<const Event> events, std::uint32_t owner);
 
 }  // namespace csgsim::story

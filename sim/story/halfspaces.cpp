@@ -11,7 +11,7 @@ namespace csgsim::story {
 
 namespace {
 
-/// The instruction that the host makes of a plane for that region.
+/// The instruction that the host generates from a plane for that region.
 isa::Linear broadcast(const view::View& view, const view::ScreenPlane& plane, const isa::Region& region) {
   isa::Segment segment{region, {}, {}};
   emit::Broadcast out(segment, view.sampling);
@@ -26,7 +26,7 @@ isa::Linear broadcast(const view::View& view, const view::ScreenPlane& plane, co
   return segment.instructions.front().linear;
 }
 
-/// The two instructions that the host makes of a quadric's discriminant for that region.
+/// The two instructions that the host generates from a quadric's discriminant for that region.
 std::pair<isa::Linear, isa::Linear> broadcast(const view::View& view, const view::ScreenQuadric& quadric,
                                               const isa::Region& region) {
   isa::Segment segment{region, {}, {}};
@@ -37,7 +37,7 @@ std::pair<isa::Linear, isa::Linear> broadcast(const view::View& view, const view
   return {segment.instructions[0].linear, segment.instructions[1].linear};
 }
 
-/// The width is not compared: it depends on the pixels.
+/// Compares all but the width, which depends on the pixels.
 bool same_plane(const isa::Linear& one, const isa::Linear& other) {
   return one.a == other.a && one.b == other.b && one.c == other.c && one.shift == other.shift;
 }
@@ -93,8 +93,8 @@ std::optional<ModelQuadric> HalfspaceFinder::find_in(std::uint32_t primitive, co
   return std::nullopt;
 }
 
-/// What `find_in` finds for the primitive that an instruction belongs to, or for one that makes one convex solid with
-/// it. A primitive that is compared is looked at alone.
+/// Applies `find_in` to the primitive of an instruction, then to those that form one convex solid with it. For a
+/// comparison only the compared primitive is searched.
 template <class FindIn>
 auto HalfspaceFinder::find_of(const isa::Origin& origin, const FindIn& find_in) const {
   const bool compares = origin.purpose == isa::Purpose::classify && origin.node != isa::no_node;

@@ -1,3 +1,5 @@
+// Finds the half-space or quadric behind an instruction.
+// Used by sim/story and sim/session.
 #pragma once
 
 #include <cstddef>
@@ -17,45 +19,45 @@ namespace csgsim::story {
 /// A half-space of a primitive in the model: normal . p <= distance.
 struct ModelHalfspace {
   std::uint32_t primitive = 0;
-  std::size_t index = 0;  ///< among the primitive's, from 0 on
-  std::size_t count = 0;  ///< that the primitive has
-  glm::dvec3 normal{0};   ///< points out of the solid; of length 1
-  double distance = 0;    ///< from the origin along the normal, model units
+  std::size_t index = 0;  ///< among those of the primitive, from 0
+  std::size_t count = 0;  ///< number of half-spaces of the primitive
+  glm::dvec3 normal{0};   ///< unit vector that points out of the solid
+  double distance = 0;    ///< from the origin along the normal, in model units
 };
 
 /// A quadric that bounds a primitive in the model.
 struct ModelQuadric {
   std::uint32_t primitive = 0;
-  std::size_t index = 0;  ///< among the primitive's, from 0 on
-  std::size_t count = 0;  ///< that the primitive has
+  std::size_t index = 0;  ///< among those of the primitive, from 0
+  std::size_t count = 0;  ///< number of quadrics of the primitive
   facet::QuadricKind kind{};
-  glm::dvec3 origin{0};  ///< centre, a point of the axis, or apex; model units
-  glm::dvec3 axis{0};    ///< of cylinders and cones, of length 1
+  glm::dvec3 origin{0};  ///< centre, a point of the axis, or apex; in model units
+  glm::dvec3 axis{0};    ///< unit vector of cylinders and cones
 };
 
-/// Finds whose plane an instruction streams, by its coefficients. A Program does not say it.
+/// Finds the plane that an instruction streams by its coefficients, since a Program does not record it.
 class HalfspaceFinder {
  public:
   /// Keeps a reference to the geometry.
   HalfspaceFinder(const model::Tree& tree, const facet::Geometry& geometry, view::View view);
 
-  /// The picture that the half-spaces are in.
+  /// The view of the half-spaces.
   [[nodiscard]] const view::View& view() const { return view_; }
 
-  /// A half-space of the primitive whose surface is drawn or that it is compared with, or of one that makes one convex
-  /// solid with it. None where the instruction has no linear expression, or one of another origin: a rectangle of
-  /// pixels, a sample beside the pixel's centre, a model in a mirror.
+  /// A half-space of the primitive whose surface is drawn or compared, or of one that forms one convex solid with it.
+  /// Nothing if the instruction has no linear expression, or one of another origin: a rectangle of pixels, a sample
+  /// beside the pixel's centre, a model in a mirror.
   [[nodiscard]] std::optional<ModelHalfspace> find(const isa::Instruction& instruction,
                                                    const isa::Region& region) const;
 
-  /// The same for a discriminant, whose coefficients two instructions stream.
+  /// The same for a discriminant, whose coefficients are streamed by two instructions.
   [[nodiscard]] std::optional<ModelQuadric> find(const isa::Instruction& squares, const isa::Instruction& linear,
                                                  const isa::Region& region) const;
 
-  /// Primitives that may be drawn as one solid with that one, itself among them, in tree order.
+  /// Primitives that may be drawn as one solid with this one, including itself, in tree order.
   [[nodiscard]] const csg::ConvexSet& set_of(std::uint32_t primitive) const { return sets_[set_of_[primitive]]; }
 
-  /// Pixels beside which the primitive is nowhere.
+  /// Rectangle of pixels that contains the primitive.
   [[nodiscard]] const view::PixelRect& rectangle_of(std::uint32_t primitive) const {
     return view_.extents[primitive].pixels;
   }
@@ -73,7 +75,7 @@ class HalfspaceFinder {
   const facet::Geometry& geometry_;
   view::View view_;
   std::vector<csg::ConvexSet> sets_;
-  std::vector<std::size_t> set_of_;  ///< one a primitive
+  std::vector<std::size_t> set_of_;  ///< one per primitive
 };
 
 }  // namespace csgsim::story

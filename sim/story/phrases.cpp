@@ -55,7 +55,7 @@ std::string depth_text(const isa::Program& program, std::uint32_t steps) {
 
 std::string colour_text(const isa::Program& program, std::uint32_t colour) {
   const unsigned bits = program.colour.width;
-  if (bits < isa::fewest_colour_bits || bits > isa::most_colour_bits) return fmt::format("{:#x}", colour);
+  if (bits < isa::minimum_colour_bits || bits > isa::max_colour_bits) return fmt::format("{:#x}", colour);
   const std::array<std::uint8_t, 3> channels = isa::unpack_colour(colour, bits);
   return fmt::format("#{:02x}{:02x}{:02x}", channels[0], channels[1], channels[2]);
 }
@@ -121,7 +121,7 @@ std::string place_text(const glm::dvec3& place) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", place.x, place.y, place.z);
 }
 
-/// D, its root and what became of that.
+/// D, its root and the depth computed from it.
 std::string working_text(const isa::Program& program, const QuadricDepth& depth) {
   const auto half = static_cast<std::uint16_t>(depth.field.width / 2);
   const isa::Field root{static_cast<std::uint16_t>(depth.field.base + half + 1U), half};

@@ -24,8 +24,8 @@ bool has_linear(const isa::Instruction& instruction) {
   return isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear);
 }
 
-/// An instruction as the one pixel of an array meets it: of the sum, with the squares before it, the bits that are
-/// streamed, as a constant.
+/// An instruction as seen by the only pixel of an array: the streamed bits of the sum, with preceding squares, become a
+/// constant.
 struct AtPixel {
   isa::Instruction instruction;
   bool fits = true;
@@ -54,7 +54,7 @@ isa::Field target_of(const isa::Program& program, const isa::Instruction& instru
   return writes ? named_around(program, instruction.fields[0]) : isa::Field{};
 }
 
-/// What a field of any width holds; 0 of none.
+/// Value of a field of any width; 0 for no field.
 std::uint64_t read_whole(const reference::ReferenceArray& pixel, isa::Field field) {
   std::uint64_t value = 0;
   for (unsigned at = 0; at < field.width; at += isa::max_field_width) {
@@ -65,7 +65,7 @@ std::uint64_t read_whole(const reference::ReferenceArray& pixel, isa::Field fiel
   return value;
 }
 
-/// Runs the segments that hold a pixel.
+/// Runs the segments that contain a pixel.
 class Runner {
  public:
   Runner(const isa::Program& program, std::uint32_t x, std::uint32_t y)
@@ -76,13 +76,13 @@ class Runner {
         depth_(isa::field_of(program, isa::FieldRole::depth)),
         frame_(program) {}
 
-  /// `skips`: from the first of the segment on, if there is one.
+  /// `skips` begins with the first skip of the segment, if there is one.
   void run_segment(std::uint32_t number, std::span<const machines::Skip> skips) {
     const isa::Segment& segment = program_.segments[number];
     run_.segments.push_back(number);
     reference::ReferenceArray pixel({x_, y_, 1, 1}, program_.shape.memory_bits);
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
-      PixelStep step = carry_out(number, static_cast<std::uint32_t>(i), pixel);
+      PixelStep step = execute(number, static_cast<std::uint32_t>(i), pixel);
       if (!skips.empty() && skips.front() == machines::Skip{number, step.index}) {
         step.skipped = segment.instructions[i].constant;
         skips = skips.subspan(1);
@@ -103,7 +103,7 @@ class Runner {
   }
 
  private:
-  PixelStep carry_out(std::uint32_t number, std::uint32_t index, reference::ReferenceArray& pixel) {
+  PixelStep execute(std::uint32_t number, std::uint32_t index, reference::ReferenceArray& pixel) {
     const isa::Segment& segment = program_.segments[number];
     const isa::Instruction& instruction = segment.instructions[index];
     const AtPixel here = at_pixel(segment, index, x_ - segment.region.x, y_ - segment.region.y);
@@ -124,11 +124,11 @@ class Runner {
     step.enabled_after = pixel.enabled(0, 0);
     step.after = value_of(step.target);
     step.takes_pixel = step.enabled_after && frame_.merges(instruction);
-    step.owner = owner_so_far(pixel);
+    step.owner = current_owner(pixel);
     return step;
   }
 
-  [[nodiscard]] std::uint32_t owner_so_far(const reference::ReferenceArray& pixel) const {
+  [[nodiscard]] std::uint32_t current_owner(const reference::ReferenceArray& pixel) const {
     if (const std::uint32_t pane = frame_.pane_owner(place_); pane != observe::no_owner) return pane;
     const bool is_empty = depth_.width > 0 && read_whole(pixel, depth_) == (1ULL << depth_.width) - 1;
     return is_empty ? observe::no_owner : frame_.frame().owner[place_];
@@ -161,7 +161,7 @@ isa::Field named_around(const isa::Program& program, isa::Field field) {
 
 machines::RunRecord record_of(const isa::Program& program, const machines::Machine& machine) {
   machines::check_runs_on(program, machine);
-  return functional::record_of_run(program, machine);
+  return functional::make_run_record(program, machine);
 }
 
 PixelRun run_pixel(const isa::Program& program, std::span<const machines::Skip> skips, std::uint32_t x,

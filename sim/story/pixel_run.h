@@ -1,3 +1,5 @@
+// Executes a Program at a single pixel.
+// Used by events.h and story.cpp.
 #pragma once
 
 #include <cstdint>
@@ -9,54 +11,53 @@
 
 namespace csgsim::story {
 
-/// What one instruction of a segment did at a pixel.
+/// The action of one instruction of a segment at a pixel.
 struct PixelStep {
   std::uint32_t segment = 0;
   std::uint32_t index = 0;  ///< within the segment
   bool enabled_before = false;
   bool enabled_after = false;
-  bool fits = true;           ///< A*x + B*y + C fits the width, or need not
+  bool fits = true;           ///< A*x + B*y + C fits the width, or may be cut
   std::int64_t value = 0;     ///< F at the pixel; 0 without a linear expression
-  std::uint64_t met = 0;      ///< what the instruction's first field held before; 0 without one
-  std::uint64_t met_too = 0;  ///< the same of the second field
-  isa::Field target;          ///< of pixel memory that it may have written; of width 0 if none
-  std::uint64_t before = 0;   ///< value of the target
-  std::uint64_t after = 0;    ///< the same
-  std::uint32_t owner = 0;    ///< primitive that owns the pixel afterwards; observe::no_owner if none does
-  bool takes_pixel = false;   ///< it made its primitive the owner
-  std::uint64_t skipped = 0;  ///< instructions after it that it leaves out
+  std::uint64_t met = 0;      ///< value of the instruction's first field before it; 0 without one
+  std::uint64_t met_too = 0;  ///< the same for the second field
+  isa::Field target;          ///< field of pixel memory that it may write; of width 0 if none
+  std::uint64_t before = 0;   ///< value of the target before
+  std::uint64_t after = 0;    ///< value of the target after
+  std::uint32_t owner = 0;    ///< primitive that owns the pixel afterwards; observe::no_owner if none
+  bool takes_pixel = false;   ///< the instruction made its primitive the owner
+  std::uint64_t skipped = 0;  ///< number of following instructions that it skips
 };
 
-/// A surface that a finished picture shows at a pixel.
+/// A visible surface of a finished picture at a pixel.
 struct ShownSurface {
-  std::uint32_t owner = 0;  ///< primitive whose it is; observe::no_owner where nothing is seen
-  std::uint32_t depth = 0;  ///< steps; all ones where nothing is seen
+  std::uint32_t owner = 0;  ///< visible primitive; observe::no_owner if none
+  std::uint32_t depth = 0;  ///< steps; all ones if nothing is visible
 };
 
-/// A frame as one pixel sees it.
+/// A frame from the point of view of one pixel.
 struct PixelRun {
-  std::vector<std::uint32_t> segments;  ///< that hold the pixel, in order
-  std::vector<PixelStep> steps;         ///< instructions that were carried out, in order
+  std::vector<std::uint32_t> segments;  ///< segments that contain the pixel, in order
+  std::vector<PixelStep> steps;         ///< executed instructions, in order
   ShownSurface nearest;
-  ShownSurface opaque;       ///< the nearest, or what is seen through that
-  std::uint32_t colour = 0;  ///< the same
+  ShownSurface opaque;       ///< the nearest opaque surface; may be the same
+  std::uint32_t colour = 0;  ///< colour as the colour field holds it
 };
 
-/// Carries out one pixel's part of a Program by the meanings of the instructions, bit by bit (sim/reference): the other
-/// pixels matter to it by what a skip_if_none leaves out alone, which `skips` tells. A picture
-/// drawn several times, one over the other, has several segments that hold the pixel. Throws InputError where the
-/// picture has no such pixel.
+/// Executes one pixel's part of a Program bit by bit (sim/reference). Other pixels matter only for the instructions
+/// that a skip_if_none skips, which `skips` lists. A picture drawn several times, one over the other, has several
+/// segments that contain the pixel. Throws InputError if the picture has no such pixel.
 ///
-/// Where a target lies within a field that the Program names, the change is that of the whole field (named_around).
+/// If a target lies within a named field of the Program, the change is reported for the whole field (named_around).
 PixelRun run_pixel(const isa::Program& program, std::span<const machines::Skip> skips, std::uint32_t x,
                    std::uint32_t y);
 
-/// What a run of all pixels tells of the Program's clocks (at the functional level). Throws InputError if the machine
-/// cannot run it.
+/// Run-time outcomes that the Program's clocks depend on, from a run of all pixels at the functional level. Throws
+/// InputError if the machine cannot run the Program.
 machines::RunRecord record_of(const isa::Program& program, const machines::Machine& machine);
 
-/// The smallest field with a name that holds this one, of several the first; the field itself if there is none. Of a
-/// depth, whose bits are scratch for effects in between, a part is none.
+/// The smallest named field that contains this one, the first of several; the field itself if there is none. A part of
+/// a depth field does not count as contained, since effects use the bits of depths as scratch in between.
 isa::Field named_around(const isa::Program& program, isa::Field field);
 
 }  // namespace csgsim::story

@@ -14,8 +14,8 @@ namespace csgsim::story {
 
 namespace {
 
-/// From the beginning of the first instruction of the event to the end of the last. `clocks`: of the segment's
-/// instructions at the pixel.
+/// The clocks from the beginning of the event's first instruction to the end of its last. `clocks` are those of the
+/// segment's instructions at the pixel.
 machines::ClockSpan clocks_of(const Event& event, std::uint64_t first_number,
                               const std::vector<machines::ClockSpan>& clocks) {
   if (event.what == What::skip) return {};
@@ -40,7 +40,7 @@ Teller::Teller(const isa::Program& program, const machines::Machine& machine)
       machine_(machine),
       first_numbers_(isa::first_numbers(program)),
       record_(record_of(program, machine)),
-      timeline_(machine.kind->timeline(program, machine, record_.told())) {}
+      timeline_(machine.kind->timeline(program, machine, record_.outcome())) {}
 
 Story Teller::story_of(std::uint32_t x, std::uint32_t y) const {
   const PixelRun run = run_pixel(program_, record_.skips, x, y);

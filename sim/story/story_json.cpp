@@ -55,7 +55,7 @@ Json quadric_json(const Subject& subject, const ModelQuadric& quadric) {
   return json;
 }
 
-/// How a depth of a quadric came about; instructions by their numbers.
+/// The computation of a quadric's depth; instructions by their numbers.
 Json working_json(const QuadricDepth& depth) {
   return {
       {"side", depth.far ? "far" : "near"},

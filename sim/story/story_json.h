@@ -1,3 +1,5 @@
+// A pixel's history as JSON.
+// Used by answer.cpp.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,7 +10,7 @@
 
 namespace csgsim::story {
 
-/// The whole story; docs/debugging.md describes every key with its unit.
+/// The whole history; docs/debugging.md describes every key with its unit.
 nlohmann::ordered_json to_json(const Subject& subject, const Story& story);
 
 nlohmann::ordered_json to_json(const Subject& subject, const Story& story, const WhyNot& answer);

@@ -17,9 +17,9 @@ namespace csgsim::story {
 
 namespace {
 
-constexpr std::size_t most_beside = 6;  ///< names of surfaces that are beside the pixel
+constexpr std::size_t max_names_beside = 6;  ///< limit for names of surfaces beside the pixel
 
-/// The line of the model's file that a name like cylinder@9:9 tells; nothing for another name.
+/// The line of the model's file in a name like cylinder@9:9; empty for other names.
 std::string line_text(const isa::Program& program, std::uint32_t piece) {
   const std::uint32_t primitive = isa::primitive_of(*program.facts, piece);
   if (primitive >= program.facts->primitives.size()) return "";
@@ -41,7 +41,7 @@ std::string numbers_text(const Event& event) {
 
 constexpr std::size_t title_width = 12;
 
-/// Lines after the first so far to the right.
+/// Indents all lines but the first.
 std::string indented(std::string_view text, std::size_t indent) {
   std::string out;
   for (const char c : text) {
@@ -79,7 +79,7 @@ class Writer {
     return halfspace.empty() ? "" : fmt::format("\n{:<12}{}", "", indented(halfspace, 12));
   }
 
-  /// What is opaque behind the nearest surface.
+  /// The visible opaque surface behind the nearest one.
   [[nodiscard]] std::string through_text() const {
     const std::optional<double> distance = distance_of(program_, story_.opaque_depth);
     const std::string name = primitive_text(program_, story_.opaque_owner);
@@ -115,7 +115,7 @@ class Writer {
     return text;
   }
 
-  /// On lines of its own.
+  /// The deciding instruction and its geometry, on separate lines.
   [[nodiscard]] std::string decided(std::string_view how, const Decision& decision) const {
     const std::string halfspace = geometry_text(subject_, decision);
     return fmt::format("\n{} {}", how, decision_text(program_, decision)) + (halfspace.empty() ? "" : "\n" + halfspace);
@@ -171,26 +171,27 @@ class Writer {
     return fmt::format("[{}] ", printable(effects[event.origin.effect]));
   }
 
-  /// Whether the primitive whose depths are stored is at the pixel: those that it has none of are set last.
+  /// Whether the primitive whose depths are stored is at the pixel: absent ones are initialised last.
   static bool is_here(const Event& stored) { return !stored.enabled_after; }
 
-  /// Which events are worth a line: not those of surfaces beside the pixel, nor what is skipped of others.
-  [[nodiscard]] std::vector<bool> told() const {
-    std::vector<bool> told;
+  /// Marks the events that get a line: no surfaces beside the pixel, no skipped instructions.
+  [[nodiscard]] std::vector<bool> reported() const {
+    std::vector<bool> reported;
     for (const Event& event : story_.events)
-      told.push_back(event.what != What::skip && (event.what != What::stored || is_here(event)));
+      reported.push_back(event.what != What::skip && (event.what != What::stored || is_here(event)));
     for (const Attempt& attempt : story_.attempts) {
-      for (std::size_t i = attempt.first_event; i <= attempt.last_event; ++i) told[i] = attempt.fate != Fate::outside;
+      for (std::size_t i = attempt.first_event; i <= attempt.last_event; ++i)
+        reported[i] = attempt.fate != Fate::outside;
     }
-    return told;
+    return reported;
   }
 
-  /// How an attempt ended, in a few words.
+  /// The fate of an attempt in a few words.
   [[nodiscard]] std::string verdict(const Attempt& attempt) const {
     const Event& deciding = story_.events[attempt.deciding_event];
     switch (attempt.fate) {
       case Fate::outside: return "beside this pixel";
-      case Fate::no_depth: return "nothing of it is left here";
+      case Fate::no_depth: return "no part of it remains here";
       case Fate::refused: return "not admitted";
       case Fate::behind: return "behind " + primitive_text(program_, deciding.owner_before);
       case Fate::classified: {
@@ -200,15 +201,15 @@ class Writer {
                            primitive_text(program_, comparison.origin.node));
       }
       case Fate::covered:
-        return deciding.what == What::setup ? fmt::format("the picture is begun anew at i{}", deciding.first)
+        return deciding.what == What::setup ? fmt::format("the picture restarts at i{}", deciding.first)
                                             : fmt::format("merged; covered at i{}", deciding.first);
-      case Fate::blended: return "merged; a part of the colour";
-      case Fate::seen: return "merged; this is what is seen";
+      case Fate::blended: return "merged; contributes to the colour";
+      case Fate::seen: return "merged; this is the visible surface";
     }
     return "";
   }
 
-  /// After the last event of an attempt.
+  /// Adds the verdict after the last event of an attempt.
   void write_verdict(std::size_t event, std::size_t indent) {
     for (const Attempt& attempt : story_.attempts) {
       if (attempt.last_event != event) continue;
@@ -226,9 +227,9 @@ class Writer {
     }
     if (beside.empty()) return;
     std::string names;
-    for (std::size_t i = 0; i < std::min(beside.size(), most_beside); ++i)
+    for (std::size_t i = 0; i < std::min(beside.size(), max_names_beside); ++i)
       names += (i == 0 ? "" : ", ") + primitive_text(program_, beside[i]);
-    if (beside.size() > most_beside) names += fmt::format(" and {} more", beside.size() - most_beside);
+    if (beside.size() > max_names_beside) names += fmt::format(" and {} more", beside.size() - max_names_beside);
     line("  beside this pixel: {}", names);
   }
 
@@ -245,17 +246,17 @@ class Writer {
       return;
     }
     line("\nsegment {}, i{}..i{}", part.segment, part.first, part.end - 1);
-    const std::vector<bool> is_told = told();
+    const std::vector<bool> is_reported = reported();
     std::size_t numbers = 0;
     std::size_t clocks = 0;
     for (std::size_t i = 0; i < story_.events.size(); ++i) {
-      if (!is_told[i] || story_.events[i].segment != part.segment) continue;
+      if (!is_reported[i] || story_.events[i].segment != part.segment) continue;
       numbers = std::max(numbers, numbers_text(story_.events[i]).size());
       clocks = std::max(clocks, clocks_text(story_.events[i]).size());
     }
     if (clocks > 1) line("  {:{}}  clocks", "", numbers);
     for (std::size_t i = 0; i < story_.events.size(); ++i) {
-      if (!is_told[i] || story_.events[i].segment != part.segment) continue;
+      if (!is_reported[i] || story_.events[i].segment != part.segment) continue;
       const Event& event = story_.events[i];
       begin_part();
       line("  {:<{}}  {:<{}}  {:<{}}{}{}", numbers_text(event), numbers, clocks_text(event), clocks,

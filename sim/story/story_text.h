@@ -1,3 +1,5 @@
+// A pixel's history as text.
+// Used by sim/story, sim/app and sim/report.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +11,14 @@
 
 namespace csgsim::story {
 
-/// For people: what the pixel shows and why, then the story, an event a line. Surfaces that are beside the pixel are
-/// counted, not told.
+/// Text for the user: what the pixel shows and why, then the history with one event per line. Surfaces beside the pixel
+/// are only summarised.
 std::string text_of(const Subject& subject, const Story& story);
 
 /// Whole lines of that text.
 struct TextPart {
   std::string text;
-  std::uint64_t end = 0;  ///< of an event: the number of its last instruction plus 1; 0 for other lines
+  std::uint64_t end = 0;  ///< number after the last instruction of an event; 0 for other lines
 };
 
 /// The same text in parts: what the pixel shows, then each event, with the lines between events.

@@ -14,7 +14,7 @@ namespace csgsim::story {
 
 namespace {
 
-/// The first instruction of the story's segments for which that holds; null if there is none.
+/// The first instruction of the story's segments that satisfies the predicate; null if there is none.
 template <class Holds>
 const isa::Instruction* find_instruction(const Subject& subject, const Story& story, Holds holds) {
   for (const StorySegment& part : story.segments) {
@@ -31,7 +31,7 @@ bool is_drawn(const Subject& subject, const Story& story, std::uint32_t primitiv
          }) != nullptr;
 }
 
-/// The first of those that are drawn as one with it: as the model says, or as the facets' colours are billed.
+/// The primitive as which this one is drawn: by the model's convex solids, or by the origin of its facets' colours.
 std::uint32_t drawn_as(const Subject& subject, const Story& story, std::uint32_t primitive) {
   if (is_drawn(subject, story, primitive)) return primitive;
   if (subject.model != nullptr && is_drawn(subject, story, subject.model->set_of(primitive).front()))
@@ -76,12 +76,12 @@ std::string classified_text(const Subject& subject, const Story& story, const At
 }
 
 std::string covered_text(const Subject& subject, const Event& by) {
-  if (by.what == What::setup) return fmt::format("merged, but the picture was begun anew at i{}", by.first);
+  if (by.what == What::setup) return fmt::format("merged, but the picture restarted at i{}", by.first);
   return fmt::format("merged, but {} was merged over it at i{}", primitive_text(subject.program, by.origin.primitive),
                      by.first);
 }
 
-/// Names the primitive, not a piece of it.
+/// Names the primitive, rather than a piece of it.
 std::string name_text(const Subject& subject, const WhyNot& answer) {
   const isa::Facts& facts = *subject.program.facts;
   const std::uint32_t primitive = isa::primitive_of(facts, answer.pieces.first);
@@ -98,7 +98,7 @@ view::PixelRect rectangle_of(const HalfspaceFinder& model, const isa::PieceRange
 std::string nowhere_text(const Subject& subject, const Story& story, const WhyNot& answer) {
   const std::string name = name_text(subject, answer);
   if (answer.is_broadcast)
-    return fmt::format("the instructions that draw {} meet this pixel disabled, or are skipped", name);
+    return fmt::format("the instructions that draw {} find this pixel disabled, or are skipped", name);
   if (subject.model != nullptr) {
     const view::PixelRect pixels = rectangle_of(*subject.model, answer.pieces);
     const auto x = static_cast<std::int32_t>(story.x);
@@ -110,7 +110,7 @@ std::string nowhere_text(const Subject& subject, const Story& story, const WhyNo
     }
   }
   return fmt::format(
-      "no instruction of {} draws {}: it is beside the segment's pixels, or pruning found that it cannot be seen there "
+      "no instruction of {} draws {}: it is beside the segment's pixels, or pruning found that it is not visible there "
       "(csgsim render --pruning none draws it)",
       story.segments.empty() ? "any segment" : fmt::format("segment {}", story.segments.back().segment), name);
 }
@@ -138,13 +138,13 @@ std::string fate_text(const Subject& subject, const Story& story, const Attempt&
   const auto cut = [&] { return event.cut ? with_halfspace(subject, *event.cut) : std::string("E"); };
   switch (attempt.fate) {
     case Fate::outside: return "outside it by " + cut();
-    case Fate::no_depth: return "nothing of it is left here, by " + cut();
+    case Fate::no_depth: return "no part of it remains here, by " + cut();
     case Fate::refused: return "not admitted by " + cut();
     case Fate::behind: return behind_text(subject, event);
     case Fate::classified: return classified_text(subject, story, attempt);
     case Fate::covered: return covered_text(subject, event);
     case Fate::blended:
-      return fmt::format("merged at i{}; a part of the colour, but not the nearest seen", event.first);
+      return fmt::format("merged at i{}; contributes to the colour, but is not the nearest", event.first);
     case Fate::seen: return fmt::format("merged at i{}", event.first);
   }
   return "";
@@ -163,7 +163,7 @@ std::string text_of(const Subject& subject, const Story& story, const WhyNot& an
     if (!is_whole) text += "  " + isa::piece_label(*subject.program.facts, attempt.primitive) + ":";
     text += (is_whole ? "  " : " ") + fate_text(subject, story, attempt);
     if (attempt.fate == Fate::seen && !answer.is_seen)
-      text += "; the facet seen here is of " + primitive_text(subject.program, story.owner);
+      text += "; the facet visible here belongs to " + primitive_text(subject.program, story.owner);
     text += "\n";
   }
   return text;

@@ -1,3 +1,5 @@
+// Explains why a primitive is not visible at a pixel.
+// Used by answer.cpp, story_json.h and story_text.cpp.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +13,15 @@
 
 namespace csgsim::story {
 
-/// Why a primitive is not what a pixel shows.
+/// The reason why a primitive is not visible at a pixel.
 struct WhyNot {
   isa::PieceRange pieces;
-  /// The primitive whose surface shows the first of them: itself, or the first of those that make one convex solid
-  /// with it.
+  /// The primitive whose surface shows the first piece: itself, or the first of those that form one convex solid with
+  /// it.
   std::uint32_t drawn_as = 0;
-  bool is_seen = false;               ///< one of them is what the pixel shows
+  bool is_seen = false;               ///< one of the pieces is visible at the pixel
   bool is_broadcast = false;          ///< some instruction of the segment draws such a surface
-  std::vector<std::size_t> attempts;  ///< into Story::attempts
+  std::vector<std::size_t> attempts;  ///< indices into Story::attempts
 };
 
 WhyNot why_not(const Subject& subject, const Story& story, std::uint32_t primitive);
@@ -27,7 +29,7 @@ WhyNot why_not(const Subject& subject, const Story& story, std::uint32_t primiti
 /// One sentence on how an attempt ended.
 std::string fate_text(const Subject& subject, const Story& story, const Attempt& attempt);
 
-/// The answer for people, in lines.
+/// The answer as text, in lines.
 std::string text_of(const Subject& subject, const Story& story, const WhyNot& answer);
 
 }  // namespace csgsim::story

@@ -15,19 +15,19 @@ namespace csgsim::studies {
 
 namespace {
 
-constexpr InputKind table_file{"a .csv file", std::size_t{256} << 20U, "take another place for the study with -o",
+constexpr InputKind table_file{"a .csv file", std::size_t{256} << 20U, "choose another folder for the study with -o",
                                true};
-constexpr InputKind title_file{"a .study file", std::size_t{4} << 20U, "take another place for the study with -o",
+constexpr InputKind title_file{"a .study file", std::size_t{4} << 20U, "choose another folder for the study with -o",
                                true};
 
-/// All of the file, or nothing if there is none.
+/// The content of the file; empty if it does not exist.
 std::string text_of(const std::filesystem::path& path, const InputKind& kind) {
   std::error_code error;
   return std::filesystem::exists(path, error) ? read_regular_file(path, kind) : std::string();
 }
 
 [[noreturn]] void refuse_other(const std::filesystem::path& path) {
-  throw InputError(path.native() + ": holds another study; give this one a place of its own with -o, or delete that");
+  throw InputError(path.native() + ": holds another study; choose another folder with -o, or delete the file");
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ CsvFile study_table(const std::filesystem::path& path, const std::string& title,
 void CsvFile::refuse(std::size_t found, std::string_view why) const {
   const auto above = static_cast<std::size_t>(std::ranges::count(begin_, '\n'));
   throw InputError(
-      fmt::format("{}:{}:1: {}; delete the line to have it measured anew", path_.native(), above + found + 1, why));
+      fmt::format("{}:{}:1: {}; delete the line to measure it again", path_.native(), above + found + 1, why));
 }
 
 void CsvFile::append(const std::string& line) const {
@@ -71,7 +71,7 @@ void CsvFile::append(const std::string& line) const {
   const off_t end = ::lseek(file.number(), 0, SEEK_END);
   std::error_code error = end < 0 ? last_error() : write_all(file, line + "\n");
   if (!error) error = sync(file);
-  // Where even this cannot be done, the next start cuts off what is left of the line.
+  // If truncating fails, the next start removes the partial line.
   if (error && end >= 0) static_cast<void>(::ftruncate(file.number(), end));
   if (!error) error = file.close();
   if (error) fail_to_write(path_, error);
@@ -85,7 +85,7 @@ void CsvFile::replace(const std::vector<std::string>& lines) const {
 
 std::vector<std::string> split_cells(std::string_view line) {
   if (line.find_first_of("\n\r") != std::string_view::npos)
-    throw InputError("a line break within the line, maybe of an editor that ends lines with CR LF");
+    throw InputError("the line contains a line break, perhaps from an editor that ends lines with CR LF");
   std::vector<std::string> cells(1);
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -100,7 +100,7 @@ std::vector<std::string> split_cells(std::string_view line) {
       cells.back() += line[i];
     }
   }
-  if (quoted) throw InputError("a quote is left open");
+  if (quoted) throw InputError("a quote is not closed");
   return cells;
 }
 
@@ -115,7 +115,7 @@ std::string_view first_cells(std::string_view line, std::size_t cells) {
 
 std::string to_cell(const std::string& text) {
   if (text.find_first_of("\n\r") != std::string::npos)
-    throw InputError("'" + text + "': a line break does not go into a table; take another name");
+    throw InputError("'" + text + "': a table cell cannot hold a line break; choose another name");
   if (text.find_first_of(",\"") == std::string::npos) return text;
   std::string cell = "\"";
   for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);

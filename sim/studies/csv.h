@@ -1,3 +1,5 @@
+// CSV files of studies that are extended row by row.
+// Used by the tables and shards of studies.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,25 +20,25 @@
 
 namespace csgsim::studies {
 
-/// A file of CSV that grows by a line at a time, so that an interrupted study can go on: a second start reads what is
-/// there.
+/// A CSV file that is extended row by row, so that an interrupted study can be resumed: a second start reads the
+/// existing rows.
 class CsvFile {
  public:
-  /// Opens the file, or begins it with these lines; part of a line, which an interrupted write has left, is cut off.
-  /// Throws InputError if the file begins otherwise, is too long or cannot be read or written.
+  /// Opens the file, or creates it with the lines `begin`. Removes a partial last line left by an interrupted write.
+  /// Throws InputError if the file begins differently, is too long, or cannot be read or written.
   CsvFile(std::filesystem::path path, std::string begin);
 
-  /// The lines that were there when it was opened, below those that it begins with.
+  /// The lines below `begin` that the file had when it was opened.
   [[nodiscard]] const std::vector<std::string>& found() const { return found_; }
 
-  /// Throws InputError that says which of the lines found cannot be used, and why.
+  /// Throws InputError that names the line `found` and the reason why it cannot be used.
   [[noreturn]] void refuse(std::size_t found, std::string_view why) const;
 
-  /// Adds a line, or several with line breaks between them, and has it on the disk. Throws InputError if it cannot: no
-  /// part of it is left then, unless the file cannot even be shortened.
+  /// Appends a line (or several separated by line breaks) and syncs the file. Throws InputError on failure, and then
+  /// removes the partial line unless truncating fails too.
   void append(const std::string& line) const;
 
-  /// Puts other lines in place of all below those that it begins with, at once: nobody sees part of them.
+  /// Atomically replaces all lines below `begin`.
   void replace(const std::vector<std::string>& lines) const;
 
  private:
@@ -45,24 +47,25 @@ class CsvFile {
   std::vector<std::string> found_;
 };
 
-/// The table of a study: plain CSV, whose first line names the columns. Its title, which says what study it is, is a
-/// line in a file beside it that ends in .study; tables of csgsim 0.1.0 from before December 2026 have it as a comment
-/// above all, and are made plain. Throws InputError as CsvFile does, and where the title is another.
+/// The table of a study: plain CSV with the column names in the first line. Its title, which identifies the study, is
+/// the only line of a file with the same name and the extension .study. Tables written by csgsim 0.1.0 before December
+/// 2026 start with the title as a comment; they are converted. Throws InputError as CsvFile does, and if the title
+/// differs.
 CsvFile study_table(const std::filesystem::path& path, const std::string& title, const std::string& header);
 
-/// The cells of a line. Throws InputError where a quote is left open, or where it is not one line.
+/// The cells of a line. Throws InputError if a quote is not closed or the text contains a line break.
 std::vector<std::string> split_cells(std::string_view line);
 
-/// The line up to the end of its first cells, so many of them.
+/// The part of the line that holds the first `cells` cells.
 std::string_view first_cells(std::string_view line, std::size_t cells);
 
-/// Text as a cell: in quotes where it has to be. Throws InputError for text of several lines.
+/// Text as a cell, quoted if necessary. Throws InputError if the text contains a line break.
 std::string to_cell(const std::string& text);
 
 template <class Number>
 requires std::is_arithmetic_v<Number> std::string to_cell(Number number) { return fmt::format("{}", number); }
 
-/// Nothing as an empty cell.
+/// An empty optional becomes an empty cell.
 template <class Number>
 std::string to_cell(const std::optional<Number>& number) {
   return number ? to_cell(*number) : std::string{};
@@ -70,14 +73,14 @@ std::string to_cell(const std::optional<Number>& number) {
 
 inline void from_cell(const std::string& cell, std::string& text) { text = cell; }
 
-/// Throws InputError; also for what is not finite, which nobody measures.
+/// Throws InputError if the cell is not a finite number.
 template <class Number>
 requires std::is_arithmetic_v<Number>
 void from_cell(const std::string& cell, Number& number) {
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
   bool is_number = error == std::errc{} && end == cell.data() + cell.size();
   if constexpr (std::is_floating_point_v<Number>) is_number = is_number && std::isfinite(number);
-  if (!is_number) throw InputError("'" + cell + "' is no number");
+  if (!is_number) throw InputError("'" + cell + "' is not a number");
 }
 
 template <class Number>

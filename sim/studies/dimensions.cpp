@@ -15,17 +15,17 @@ bool has_stack_bits(std::string_view name) {
   });
 }
 
-std::vector<double> tolerances_in(const std::string& text) {
+std::vector<double> parse_tolerances(const std::string& text) {
   std::vector<double> tolerances;
   for (const std::string& word : session::parse_words(text)) {
     tolerances.push_back(session::numbers<double>(word, ',', 1, "--tolerances", "0.1,0.05")[0]);
     if (!(tolerances.back() > 0))
-      throw InputError(printable(word) + " is no tolerance; take a number of model units above 0");
+      throw InputError(printable(word) + " is not a tolerance; use a positive number of model units");
   }
   return tolerances;
 }
 
-std::vector<std::string> different(const std::vector<std::string>& names) {
+std::vector<std::string> without_duplicates(const std::vector<std::string>& names) {
   std::vector<std::string> once;
   for (const std::string& name : names) {
     if (std::ranges::find(once, name) == once.end()) once.push_back(name);

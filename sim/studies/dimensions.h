@@ -1,3 +1,5 @@
+// Option values shared by several studies.
+// Used by the studies' options.
 #pragma once
 
 #include <string>
@@ -7,10 +9,10 @@
 #include "host/emit/options.h"
 #include "sim/session/options/lists.h"
 
-/// Dimensions that several studies vary: what their options take.
+/// Option values that several studies vary.
 namespace csgsim::studies {
 
-/// Names of strategies, colourings and the like.
+/// Names of strategies, colourings and similar choices.
 template <class Choices>
 std::vector<std::string> names_of(const Choices& choices) {
   std::vector<std::string> names;
@@ -19,7 +21,7 @@ std::vector<std::string> names_of(const Choices& choices) {
   return names;
 }
 
-/// Without `auto`, which chooses by the memory at hand.
+/// Names without `auto`, which chooses by the available memory.
 template <class Choices>
 std::vector<std::string> fixed_names_of(const Choices& choices) {
   std::vector<std::string> names;
@@ -29,13 +31,13 @@ std::vector<std::string> fixed_names_of(const Choices& choices) {
   return names;
 }
 
-/// Each once, in their order.
-std::vector<std::string> different(const std::vector<std::string>& names);
+/// Removes duplicates and keeps the order.
+std::vector<std::string> without_duplicates(const std::vector<std::string>& names);
 
-/// Faceting tolerances in model units, with commas between them. Throws InputError or UsageError.
-std::vector<double> tolerances_in(const std::string& text);
+/// Parses faceting tolerances in model units, separated by commas. Throws InputError or UsageError.
+std::vector<double> parse_tolerances(const std::string& text);
 
-/// Whether --stack-bits has an effect on the strategy of that name.
+/// Whether --stack-bits affects the strategy with this name.
 bool has_stack_bits(std::string_view name);
 
 }  // namespace csgsim::studies

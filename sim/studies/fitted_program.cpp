@@ -17,7 +17,7 @@ namespace csgsim::studies {
 
 namespace {
 
-/// Of all that the pixels see of it.
+/// Hash of everything in the segment that affects pixels.
 std::uint64_t segment_hash(const isa::Segment& segment) {
   Hash hash;
   const auto add = [&](std::uint64_t number) {
@@ -48,31 +48,31 @@ Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, co
     return emit::compile(tree, scene, view, machine, options);
   };
   std::optional<isa::Program> program;
-  if (guess.likely > 0 && guess.likely <= guess.most) {
+  if (guess.likely > 0 && guess.likely <= guess.upper_bound) {
     try {
       program = compile(guess.likely);
     } catch (const InputError&) {
-      program.reset();  // too few, or there are none that would do
+      program.reset();  // too few bits, or no number of bits suffices
     }
   }
-  if (!program) program = compile(guess.most);
-  // Where fields lie may depend on how many bits there are, but not how many are taken.
+  if (!program) program = compile(guess.upper_bound);
+  // The positions of fields may depend on the number of available bits, but the number of used bits does not.
   const std::uint32_t used = observe::used_memory_bits(*program);
   if (used != machine.array.memory_bits) program = compile(used);
   return {std::move(*program), std::move(machine)};
 }
 
 machines::FrameTiming RunTimer::time(const isa::Program& program, const machines::Machine& machine) {
-  return host::time_frame(program, machine, told(program, machine));
+  return host::time_frame(program, machine, outcome(program, machine));
 }
 
-machines::Told RunTimer::told(const isa::Program& program, const machines::Machine& machine) {
-  if (!functional::asks_for_run(program, machine)) return {};
+machines::RunOutcome RunTimer::outcome(const isa::Program& program, const machines::Machine& machine) {
+  if (!functional::needs_run(program, machine)) return {};
   std::vector<std::uint64_t> key;
   key.reserve(program.segments.size() + 1);
-  key.push_back(machine.kind->asks_for_pixels(machine) ? 1 : 0);
+  key.push_back(machine.kind->depends_on_pixels(machine) ? 1 : 0);
   for (const isa::Segment& segment : program.segments) key.push_back(segment_hash(segment));
-  return runs_.get(std::move(key), [&] { return functional::record_of_run(program, machine); }).told();
+  return runs_.get(std::move(key), [&] { return functional::make_run_record(program, machine); }).outcome();
 }
 
 }  // namespace csgsim::studies

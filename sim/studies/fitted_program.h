@@ -1,3 +1,5 @@
+// Programs compiled for the smallest sufficient pixel memory, and their timing.
+// Used by the studies that compare machines and designs.
 #pragma once
 
 #include <cstdint>
@@ -14,37 +16,37 @@
 
 namespace csgsim::studies {
 
-/// A Program, and the machine with just as many memory bits a pixel as it takes.
+/// A Program and the machine with exactly the memory bits per pixel that it uses.
 struct Fitted {
   isa::Program program;
   machines::Machine machine;
 };
 
-/// Memory bits a pixel to compile with.
+/// Memory bits per pixel to compile with.
 struct MemoryGuess {
-  std::uint32_t likely = 0;  ///< that the Program takes; 0 if nobody knows
-  std::uint32_t most = 0;    ///< that it may take
+  std::uint32_t likely = 0;       ///< expected number of bits used; 0 if unknown
+  std::uint32_t upper_bound = 0;  ///< upper bound
 };
 
-/// Compiles for the machine with just as many memory bits as the Program takes then. A right guess saves time and
-/// changes nothing. Neither strategy nor colouring may be automatic: what they choose depends on the memory at hand.
-/// Throws InputError where the model does not fit the most.
+/// Compiles for the machine with exactly the memory bits that the Program uses. A correct guess saves time and does not
+/// change the result. Neither strategy nor colouring may be automatic, because automatic choices depend on the
+/// available memory. Throws InputError if the model does not fit into guess.upper_bound bits.
 Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, const view::View& view,
                        machines::Machine machine, const emit::Options& options, const MemoryGuess& guess);
 
-/// Tells what runs take. What of a Program is skipped, and which pixels its instructions meet, depends on these alone,
-/// not on the machine's clocks: Programs with the same instructions are run once, on whatever machines that ask for the
-/// same. Several threads may ask at the same time.
+/// Computes the timing of runs. The skipped parts of a Program and the pixels that its instructions affect depend only
+/// on its instructions, not on the machine's clocks. Programs with the same instructions are therefore run once for all
+/// machines that request the same kind of record. Thread-safe.
 class RunTimer {
  public:
-  /// As a run of the Program on the machine tells it.
+  /// The timing of a run of the Program on the machine.
   machines::FrameTiming time(const isa::Program& program, const machines::Machine& machine);
 
-  /// What that run tells; it is there as long as the timer.
-  machines::Told told(const isa::Program& program, const machines::Machine& machine);
+  /// The run-time outcome that exact timing needs; empty if the timing needs no run.
+  machines::RunOutcome outcome(const isa::Program& program, const machines::Machine& machine);
 
  private:
-  Memo<std::vector<std::uint64_t>, machines::RunRecord> runs_;  ///< by hashes of the segments
+  Memo<std::vector<std::uint64_t>, machines::RunRecord> runs_;  ///< keyed by hashes of the segments
 };
 
 }  // namespace csgsim::studies

@@ -21,18 +21,18 @@ namespace csgsim::studies {
 
 namespace {
 
-/// Endings of all files that studies write.
+/// Extensions of the files that studies write.
 constexpr auto written_endings = std::to_array<std::string_view>({".csv", ".study", ".json", ".png", ".svg"});
 
 std::filesystem::path made_folder(const std::filesystem::path& folder) {
-  if (folder.empty()) throw session::UsageError("--output", "the name is empty; name the folder");
+  if (folder.empty()) throw session::UsageError("--output", "the name is empty; specify a folder");
   if (is_standard_output(folder))
-    throw session::UsageError("--output", "a folder is needed for several files; name one");
+    throw session::UsageError("--output", "the study writes several files; specify a folder");
   make_folder(folder);
   return folder;
 }
 
-/// What is in the folder under names that a study may write.
+/// Files in the folder whose names a study may use for output.
 std::vector<std::filesystem::path> replaceable(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
@@ -47,15 +47,16 @@ std::vector<std::filesystem::path> replaceable(const std::filesystem::path& fold
   return files;
 }
 
-/// A study writes files of its own. Links would lead it to others, and pipes and devices keep it waiting.
+/// Rejects files that a study must not write to: a link would redirect the output, a pipe or device would block.
 void refuse_foreign(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::symlink_status(file, error);
   if (std::filesystem::is_regular_file(status) || std::filesystem::is_directory(status) ||
       !std::filesystem::exists(status))
     return;
-  throw InputError(fmt::format("{}: it is {}, where a study may write a file of its own; delete it, or take another -o",
-                               file.native(), std::filesystem::is_symlink(status) ? "a link" : "a pipe or a device"));
+  throw InputError(
+      fmt::format("{} is {}; a study may write a file with this name: delete it, or choose another folder with -o",
+                  file.native(), std::filesystem::is_symlink(status) ? "a link" : "a pipe or a device"));
 }
 
 }  // namespace
@@ -79,27 +80,27 @@ std::string study_title(const session::OptionList& command, const std::set<std::
   return title;
 }
 
-std::string told_of(const std::string& model, const std::string& reason) {
+std::string with_model_name(const std::string& model, const std::string& reason) {
   return reason.starts_with(model) ? reason : model + ": " + reason;
 }
 
 std::string failed_models(std::span<const std::string> failed, std::size_t models, const std::string& table) {
-  constexpr std::size_t most_named = 5;
-  const std::span<const std::string> named = failed.first(std::min(failed.size(), most_named));
-  return fmt::format("{} of {} models could not be drawn: {}{}; {} says why", failed.size(), models,
+  constexpr std::size_t max_named = 5;
+  const std::span<const std::string> named = failed.first(std::min(failed.size(), max_named));
+  return fmt::format("{} of {} models could not be drawn: {}{}; see {} for the reasons", failed.size(), models,
                      fmt::join(named, ", "), named.size() < failed.size() ? " and others" : "", table);
 }
 
-std::string whose_fault(bool has_read_rows) {
-  if (!has_read_rows) return "this is a fault of csgsim, please report it";
-  return "what was read of them may not be as it was measured: measure all anew, in another folder (-o), and if that "
-         "says the same, report it";
+std::string fault_hint(bool has_read_rows) {
+  if (!has_read_rows) return "this is an error in csgsim, please report it";
+  return "rows read from the table may have been changed: measure everything again in another folder (-o), and if the "
+         "error remains, report it";
 }
 
-void tell_stale(const std::filesystem::path& table, const std::set<std::string>& changed) {
+void warn_stale(const std::filesystem::path& table, const std::set<std::string>& changed) {
   if (changed.empty()) return;
-  tell_line(fmt::format("{}: {} {} changed since some of it was measured; these points are measured anew",
-                        table.native(), fmt::join(changed, " and "), changed.size() == 1 ? "has" : "have"));
+  report_line(fmt::format("{}: {} {} changed since some points were measured; they are measured again", table.native(),
+                          fmt::join(changed, " and "), changed.size() == 1 ? "has" : "have"));
 }
 
 }  // namespace csgsim::studies

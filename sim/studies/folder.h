@@ -1,3 +1,5 @@
+// The output folder of a study and messages about tables.
+// Used by the runner and by several studies.
 #pragma once
 
 #include <array>
@@ -13,11 +15,11 @@
 
 namespace csgsim::studies {
 
-/// The folder that a study writes to: made if it is not there, and kept for this process as long as the object lives.
+/// The output folder of a study: created if missing, and locked by this process for the lifetime of the object.
 class StudyFolder {
  public:
-  /// Throws InputError if it cannot be, if another process writes there, and UsageError if something that is
-  /// read has a name there that a study writes to.
+  /// Throws InputError if the folder cannot be created or another process writes to it, and UsageError if an input file
+  /// has the name of a file that the study may write.
   StudyFolder(const std::filesystem::path& folder, const std::string& study,
               std::span<const std::filesystem::path> inputs);
 
@@ -28,25 +30,25 @@ class StudyFolder {
   system::FolderLock lock_;
 };
 
-/// `csgsim STUDY` with the options that are not as they are by default, but for those named and those that change no
-/// result (the output, threads, progress, plots): tells what a table is of.
+/// `csgsim STUDY` with all options that differ from their defaults, except those in `but` and those that do not affect
+/// results (output, threads, progress, plots). Identifies the content of a table.
 std::string study_title(const session::OptionList& command, const std::set<std::string>& but);
 
-/// Options of studies that change no result.
+/// Options of studies that do not affect results.
 inline constexpr auto options_without_effect = std::to_array<std::string_view>(
     {"output", "threads", "progress", "no-plots", "report", "quiet", "shard", "openscad-time", "json"});
 
-/// The reason, behind the model's name if it does not begin with that.
-std::string told_of(const std::string& model, const std::string& reason);
+/// The reason, prefixed by the model's name unless it already begins with it.
+std::string with_model_name(const std::string& model, const std::string& reason);
 
-/// The last line of a study of so many models that went on past some, which its table tells the reasons of.
+/// The last line printed by a study that skipped some of its `models` models; `table` holds the reasons.
 std::string failed_models(std::span<const std::string> failed, std::size_t models, const std::string& table);
 
-/// Whose fault results may be that cannot be, and the mend: csgsim's, if it has measured all of them in this process;
-/// of rows that were read nobody knows.
-std::string whose_fault(bool has_read_rows);
+/// Error text for inconsistent results: the likely cause and a fix. If all rows were measured by this process, the
+/// fault is in csgsim; rows that were read may have been changed.
+std::string fault_hint(bool has_read_rows);
 
-/// Tells on standard error what has changed since some rows of a table were measured.
-void tell_stale(const std::filesystem::path& table, const std::set<std::string>& changed);
+/// Warns on standard error about the inputs that changed since some rows of the table were measured.
+void warn_stale(const std::filesystem::path& table, const std::set<std::string>& changed);
 
 }  // namespace csgsim::studies

@@ -17,10 +17,10 @@ std::string place(const ShardFile& file) {
   return fmt::format("shard {} ({})", to_text(file.header.shard), file.path.native());
 }
 
-/// All files have to say the same of their study as the first.
+/// Throws InputError if the file's header differs from that of the first file.
 void refuse_other_study(const ShardFile& first, const ShardFile& file) {
-  const auto refuse = [&](const std::string& why, const std::string& mend) {
-    throw InputError(fmt::format("{} and {} are {}; {}", place(file), place(first), why, mend));
+  const auto refuse = [&](const std::string& why, const std::string& fix) {
+    throw InputError(fmt::format("{} and {} are {}; {}", place(file), place(first), why, fix));
   };
   const ShardHeader& a = first.header;
   const ShardHeader& b = file.header;
@@ -28,23 +28,22 @@ void refuse_other_study(const ShardFile& first, const ShardFile& file) {
     refuse(fmt::format("of different commands: {} and {}", fmt::join(b.words, " "), fmt::join(a.words, " ")),
            "gather one study at a time");
   if (a.shard.count != b.shard.count)
-    refuse(fmt::format("of {} and of {} shards", b.shard.count, a.shard.count),
-           "delete the files of the ones or the others");
+    refuse(fmt::format("of {} and of {} shards", b.shard.count, a.shard.count), "delete one of the two sets of files");
   std::vector<std::string> changed = differences(a.inputs, b.inputs);
   if (a.points != b.points) changed.emplace_back("the number of points");
   if (first.columns != file.columns) changed.emplace_back("the columns");
   if (!changed.empty())
     refuse(fmt::format("not of the same study: {} changed between them", fmt::join(changed, " and ")),
-           "run again those from before the change");
+           "run the earlier shards again");
 }
 
-/// The one folder that each shard is in.
+/// Checks that each shard is in one folder only.
 class Folders {
  public:
   void add(const Shard& shard, std::size_t study, std::span<const fs::path> studies) {
     const auto [known, is_new] = study_of_.emplace(shard.number, study);
     if (is_new || known->second == study) return;
-    throw InputError(fmt::format("shard {} is in {} and in {}; leave one of them out", to_text(shard),
+    throw InputError(fmt::format("shard {} is in {} and in {}; omit one of them", to_text(shard),
                                  studies[known->second].native(), studies[study].native()));
   }
 
@@ -52,18 +51,18 @@ class Folders {
   std::map<unsigned, std::size_t> study_of_;
 };
 
-/// Processes of one shard may both have measured a point: then they have to agree.
+/// Several processes may have measured a point of one shard; their results must agree.
 void add_lines(const ShardFile& file, const std::vector<unsigned>& shard_of, Gathered& gathered) {
   for (const ShardLine& line : file.lines) {
     if (shard_of[line.point] != file.header.shard.number)
-      throw InputError(fmt::format("{}: point {} is of shard {}/{}; delete the file and run its shard again",
+      throw InputError(fmt::format("{}: point {} belongs to shard {}/{}; delete the file and run its shard again",
                                    file.path.native(), line.point, shard_of[line.point], gathered.shards));
     std::string& row = gathered.rows[line.point];
     if (!row.empty() && row != line.row)
-      throw InputError(fmt::format(
-          "{} and {} have different results for point {}; a machine or csgsim is at fault, or a file was changed: "
-          "delete both and run the shard again",
-          gathered.measured[line.point].native(), file.path.native(), line.point));
+      throw InputError(
+          fmt::format("{} and {} have different results for point {}, because of a faulty computer, an error in "
+                      "csgsim, or a changed file: delete both and run the shard again",
+                      gathered.measured[line.point].native(), file.path.native(), line.point));
     row = line.row;
     gathered.measured[line.point] = file.path;
   }
@@ -92,7 +91,7 @@ Gathered gather(std::span<const fs::path> studies) {
     }
   }
   if (files.empty())
-    throw InputError(fmt::format("{}: no shard of a study is there yet", shards_folder(studies.front()).native()));
+    throw InputError(fmt::format("{}: contains no shard of a study yet", shards_folder(studies.front()).native()));
   const ShardHeader& header = files.front().header;
   Gathered gathered;
   gathered.shards = header.shard.count;

@@ -1,3 +1,5 @@
+// Joins the results of the shards of a study.
+// Used by csgsim gather.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +13,21 @@
 
 namespace csgsim::studies {
 
-/// What all shards of a study have measured together.
+/// The combined results of all shards of a study.
 struct Gathered {
   unsigned shards = 0;
   Inputs inputs;
-  std::vector<std::string> words;  ///< the study's command, but for what changes no result
+  std::vector<std::string> words;  ///< the study's command without options that do not affect results
   std::string columns;
-  std::vector<std::string> rows;                ///< of each point, empty where it has not been measured
-  std::vector<std::filesystem::path> measured;  ///< the file that has the row of each point
-  std::size_t missing = 0;                      ///< points
-  std::vector<unsigned> unfinished;             ///< numbers of the shards that these belong to, ascending
-  std::filesystem::path first;                  ///< one of the files, all of which are of the same command
+  std::vector<std::string> rows;                ///< one per point; empty if not measured
+  std::vector<std::filesystem::path> measured;  ///< file with the row of each point
+  std::size_t missing = 0;                      ///< number of points without a row
+  std::vector<unsigned> unfinished;             ///< numbers of the shards with missing points, ascending
+  std::filesystem::path first;                  ///< one of the files; all have the same command
 };
 
-/// Joins the shards in these folders, which were given to them as places for the study. Throws InputError if they are
-/// of several studies, if one is in two folders, or if a point has two results.
+/// Joins the shards in these study folders. Throws InputError if they belong to several studies, if a shard is in two
+/// folders, or if a point has two different results.
 Gathered gather(std::span<const std::filesystem::path> studies);
 
 }  // namespace csgsim::studies

@@ -25,7 +25,7 @@ namespace csgsim::studies {
 
 namespace {
 
-/// Of one shard, for a shell.
+/// The shell command that runs one shard.
 std::string shard_command(const Gathered& gathered, unsigned number, const std::string& folder) {
   std::string line = "csgsim";
   for (const std::string& word :
@@ -37,7 +37,7 @@ std::string shard_command(const Gathered& gathered, unsigned number, const std::
 void refuse_missing(const Gathered& gathered, const std::string& folder) {
   if (gathered.missing == 0) return;
   const bool is_one = gathered.unfinished.size() == 1;
-  throw InputError(fmt::format("{}: {} of {} points are missing: {} {} of {} {} not done; run {}{}", folder,
+  throw InputError(fmt::format("{}: {} of {} points are missing: {} {} of {} {} not complete; run {}{}", folder,
                                gathered.missing, gathered.rows.size(), is_one ? "shard" : "shards",
                                compact(gathered.unfinished), gathered.shards, is_one ? "is" : "are",
                                shard_command(gathered, gathered.unfinished.front(), folder),
@@ -48,7 +48,7 @@ void print_missing(const Gathered& gathered, const std::string& folder) {
   for (const unsigned number : gathered.unfinished) fmt::print("{}\n", shard_command(gathered, number, folder));
 }
 
-/// A study that words of a shard ask for. Throws UsageError for words that ask for none.
+/// The study that the words of a shard's command select. Throws UsageError if there is no such study.
 class GatheredStudy {
  public:
   GatheredStudy(std::span<const StudyRow* const> studies, const std::vector<std::string>& words)
@@ -57,7 +57,7 @@ class GatheredStudy {
     list_.take();
   }
 
-  /// The words as csgsim writes them in a shard.
+  /// The words as csgsim writes them into a shard.
   [[nodiscard]] std::vector<std::string> words() const { return list_.words(options_without_effect); }
   [[nodiscard]] StudyCommand& command() const { return *command_; }
 
@@ -65,7 +65,7 @@ class GatheredStudy {
   static const StudyRow& row_of(std::span<const StudyRow* const> studies, std::string_view name) {
     const auto is_named = [&](const StudyRow* row) { return row->has_shards && row->name == name; };
     const auto found = std::ranges::find_if(studies, is_named);
-    if (found == studies.end()) throw session::UsageError(fmt::format("there is no study '{}'", name));
+    if (found == studies.end()) throw session::UsageError(fmt::format("unknown study '{}'", name));
     return **found;
   }
 
@@ -73,18 +73,19 @@ class GatheredStudy {
   std::shared_ptr<StudyCommand> command_;
 };
 
-/// What a shard says of its command is data: it has to be as csgsim writes it, a study with options that change a
-/// result. So it names no file that is written or read besides.
+/// A shard's command is untrusted input. It must be exactly as csgsim writes it: a study with options that affect
+/// results. It therefore cannot name further files to be read or written.
 void refuse_other_words(std::span<const StudyRow* const> studies, const Gathered& gathered) {
   const auto refuse = [&](const std::string& why) {
     throw InputError(
-        fmt::format("{}:1:1: its command is none that shards are of ({}); delete the file and run its "
+        fmt::format("{}:1:1: the command is not one of a shard ({}); delete the file and run its "
                     "shard again, with csgsim {}",
                     gathered.first.native(), why, gathered.inputs.csgsim));
   };
   std::vector<std::string> words;
   try {
-    words = GatheredStudy(studies, with_words(gathered.words, {"--output", "."})).words();  // which some studies need
+    words =
+        GatheredStudy(studies, with_words(gathered.words, {"--output", "."})).words();  // some studies require --output
   } catch (const session::UsageError& error) {
     refuse(error.what());
   }
@@ -98,32 +99,32 @@ std::vector<std::string> output_words(const std::string& output, const GatherReq
   return words;
 }
 
-void tell_other_csgsim(const Gathered& gathered, const std::string& output) {
+void warn_other_version(const Gathered& gathered, const std::string& output) {
   const std::string here = session::version_and_build();
   if (gathered.inputs.csgsim == here) return;
-  tell_line(fmt::format("{}: measured by csgsim {}; this is {}", output, gathered.inputs.csgsim, here));
+  report_line(fmt::format("{}: measured by csgsim {}; this is {}", output, gathered.inputs.csgsim, here));
 }
 
 }  // namespace
 
 void GatherRequest::add_to(session::OptionList& list) {
-  list.option("FOLDER", folders, "Where the shards were told to write, with -o").required();
-  list.option("-o,--output", output, "Folder for the results; FOLDER if there is one only").folder();
-  list.option("--report", page, "The study's page, for a browser").check(session::not_empty);
-  list.flag("--no-plots", no_plots, "Do without plots (gnuplot)");
-  list.flag("--missing", missing, "Only print the command of each shard that is not done, a line each");
+  list.option("FOLDER", folders, "Folders given to the shards with -o").required();
+  list.option("-o,--output", output, "Folder for the results; default: FOLDER if there is only one").folder();
+  list.option("--report", page, "Write the study's page, for a browser").check(session::not_empty);
+  list.flag("--no-plots", no_plots, "Omit plots (drawn by gnuplot)");
+  list.flag("--missing", missing, "Only print the command of each incomplete shard, one per line");
 }
 
 void run_gather(std::span<const StudyRow* const> studies, const GatherRequest& options) {
   if (options.folders.size() > 1 && options.output.empty() && !options.missing)
-    throw session::UsageError("--output", "the shards are in several folders; name one for the results");
+    throw session::UsageError("--output", "the shards are in several folders; specify one for the results");
   const std::vector<std::filesystem::path> folders(options.folders.begin(), options.folders.end());
   const Gathered gathered = gather(folders);
   const std::string output = options.output.empty() ? options.folders.front() : options.output;
   refuse_other_words(studies, gathered);
   if (options.missing) return print_missing(gathered, options.folders.front());
   refuse_missing(gathered, options.folders.front());
-  tell_other_csgsim(gathered, output);
+  warn_other_version(gathered, output);
   const GatheredStudy study(studies, with_words(gathered.words, output_words(output, options)));
   show_gathered(study.command(), gathered);
 }

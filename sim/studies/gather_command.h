@@ -1,3 +1,5 @@
+// The command csgsim gather.
+// Used by the application.
 #pragma once
 
 #include <span>
@@ -9,7 +11,7 @@
 
 namespace csgsim::studies {
 
-/// What shards have measured, to be joined.
+/// Options of csgsim gather.
 struct GatherRequest {
   std::vector<std::string> folders;
   std::string output;
@@ -20,7 +22,7 @@ struct GatherRequest {
   void add_to(session::OptionList& list);
 };
 
-/// Joins shards of one of these studies, and shows it. Throws InputError, UsageError.
+/// Joins the shards of one of these studies and shows the results. Throws InputError, UsageError.
 void run_gather(std::span<const StudyRow* const> studies, const GatherRequest& options);
 
 }  // namespace csgsim::studies

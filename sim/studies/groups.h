@@ -1,3 +1,5 @@
+// Grouping of rows by model, machine or another key.
+// Used by studies with points on several models and machines.
 #pragma once
 
 #include <algorithm>
@@ -10,10 +12,9 @@
 #include "hw/base/error.h"
 #include "sim/studies/folder.h"
 
-/// Rows that belong together, of studies whose points are of several models and machines.
 namespace csgsim::studies {
 
-/// Rows of one model follow each other.
+/// Groups the rows by model; rows of one model are adjacent.
 template <class Row>
 std::vector<std::span<const Row>> by_model(std::span<const Row> rows) {
   std::vector<std::span<const Row>> models;
@@ -26,7 +27,7 @@ std::vector<std::span<const Row>> by_model(std::span<const Row> rows) {
   return models;
 }
 
-/// Rows with equal keys, in the order in which the keys come.
+/// Groups the rows by key, in order of first appearance of the keys.
 template <class Row, class KeyOf>
 auto grouped_by(std::span<const Row> rows, const KeyOf& key_of) {
   using Key = std::decay_t<decltype(key_of(rows.front()))>;
@@ -40,7 +41,7 @@ auto grouped_by(std::span<const Row> rows, const KeyOf& key_of) {
   return groups;
 }
 
-/// The machines of the rows, in their order.
+/// The machines of the rows, in order of first appearance.
 template <class Row>
 std::vector<std::string> machines_of(std::span<const Row> rows) {
   std::vector<std::string> names;
@@ -50,7 +51,7 @@ std::vector<std::string> machines_of(std::span<const Row> rows) {
   return names;
 }
 
-/// Throws InputError that names the models of which no row was measured; `table` is the file that says why.
+/// Throws InputError that lists the models without any measured row; `table` is the file with the reasons.
 template <class Row>
 void refuse_models(std::span<const Row> rows, const std::string& table) {
   std::vector<std::string> failed;

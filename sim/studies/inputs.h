@@ -1,3 +1,5 @@
+// The inputs that a row was measured from.
+// Used to detect stale rows of tables and shards.
 #pragma once
 
 #include <cstddef>
@@ -6,11 +8,11 @@
 
 namespace csgsim::studies {
 
-/// What a row was measured from, beside what its point and the title of its table say.
+/// The inputs of a row that neither its point nor the title of its table specifies.
 struct Inputs {
-  std::string model_hash;    ///< of the bytes of the model's file
-  std::string machine_hash;  ///< of every figure of the machine as it was read
-  std::string csgsim;        ///< the program's version and build
+  std::string model_hash;    ///< hash of the bytes of the model's file
+  std::string machine_hash;  ///< hash of all parameters of the machine
+  std::string csgsim;        ///< version and build of the program
 
   bool operator==(const Inputs&) const = default;
 
@@ -23,7 +25,7 @@ struct Inputs {
 
 inline constexpr std::size_t input_columns = 3;
 
-/// What differs, for people: `the model`, `the machine`, `csgsim`.
+/// The inputs that differ, as text: `the model`, `the machine`, `csgsim`.
 std::vector<std::string> differences(const Inputs& before, const Inputs& now);
 
 }  // namespace csgsim::studies

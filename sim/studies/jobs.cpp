@@ -40,12 +40,12 @@ isa::Program compile(const Job& job) {
   const Subject& subject = *job.subject;
   const view::View view = view::make_view(subject.scene, subject.tree, job.camera, job.sampling);
   return emit::compile(subject.tree, subject.scene, view, job.machine, job.options,
-                       [&](const isa::Program& program) { return functional::clocks_of_run(program, job.machine); });
+                       [&](const isa::Program& program) { return functional::measure_clocks(program, job.machine); });
 }
 
 JobMaker::Key JobMaker::key(const session::ModelRequest& options, const machines::Machine& machine) {
-  // Facets may depend on what a pixel covers; which surfaces stay curved on what the machine can draw, and in how many
-  // bits.
+  // Facets may depend on the size of a pixel. The choice of surfaces that stay curved depends on what the machine can
+  // draw and on the number of bits.
   const bool is_faceted = options.curves == emit::name_of(emit::Curves::facets) ||
                           (options.curves == emit::name_of(emit::Curves::automatic) && machine.evaluator_degree < 2);
   std::string curves;

@@ -1,3 +1,5 @@
+// Pictures to be drawn by studies, with all their inputs.
+// Used by sweep and explore, and by the studies that draw on machines.
 #pragma once
 
 #include <map>
@@ -17,42 +19,42 @@
 
 namespace csgsim::studies {
 
-/// A model, ready to be looked at by any number of threads.
+/// A model, read-only and shared by threads.
 struct Subject {
   model::Tree tree;
   facet::Geometry scene;
-  std::string hash;  ///< of the bytes of the model's file
+  std::string hash;  ///< hash of the bytes of the model's file
 };
 
-/// A picture with all that it is made from. Jobs do not depend on each other.
+/// A picture with all its inputs. Jobs are independent of each other.
 struct Job {
-  std::shared_ptr<const Subject> subject;  ///< null where the model cannot be read
+  std::shared_ptr<const Subject> subject;  ///< null if the model cannot be read
   view::Camera camera;
   view::Sampling sampling;
   machines::Machine machine;
   emit::Options options;
   Inputs inputs;
-  std::string reason{};  ///< escaped(): why it cannot be drawn; empty as far as is known
+  std::string reason{};  ///< escaped reason why it cannot be drawn; empty if none is known
 };
 
-/// Throws InputError where the model does not fit the machine.
+/// Throws InputError if the model does not fit the machine.
 isa::Program compile(const Job& job);
 
-/// Makes jobs, of which each model is read once for all that draw the same facets and quadrics of it.
+/// Creates jobs. Reads a model once for all jobs that draw the same facets and quadrics of it.
 class JobMaker {
  public:
-  /// With the options with which `csgsim render` would draw it. A model that cannot be read, or seen, is the job's
-  /// reason. Throws InputError for machines.
+  /// Creates a job with the options that `csgsim render` would use. If the model cannot be read or viewed, the job
+  /// holds the reason. Throws InputError for invalid machines.
   Job job_of(const session::ModelRequest& options);
 
  private:
-  /// A model, or why it cannot be read.
+  /// A model, or the reason why it cannot be read.
   struct Read {
     std::shared_ptr<const Subject> subject;
     std::string reason;
-    std::string hash;  ///< of what was read; of a model that cannot be, of its bytes, as far as there are any, and why
+    std::string hash;  ///< hash of what was read; if reading failed, of the available bytes and the reason
   };
-  /// What facets and quadrics depend on, beside the options of a study that its machines share.
+  /// What facets and quadrics depend on, apart from options that all machines of a study share.
   using Key = std::tuple<std::string, std::uint32_t, std::uint32_t, std::string>;
 
   static Key key(const session::ModelRequest& options, const machines::Machine& machine);

@@ -1,3 +1,5 @@
+// The option --json of studies.
+// Used by the studies of software.
 #pragma once
 
 #include <filesystem>
@@ -11,19 +13,19 @@
 
 namespace csgsim::studies {
 
-/// --json of a study: what it is made from, by which others can judge its counts.
+/// Option --json of a study: exports the inputs of its counts, so that other programs can verify them.
 class JsonExport {
  public:
-  /// `what` is in the file.
+  /// `what` describes the content of the file.
   void add_to(session::OptionList& command, const std::string& what);
 
-  [[nodiscard]] bool is_asked() const { return !file_.empty(); }
+  [[nodiscard]] bool is_requested() const { return !file_.empty(); }
 
   /// Called with each item of the list.
   using Put = std::function<void(const nlohmann::ordered_json& item)>;
 
-  /// Writes the file, if it is asked for: the facts, and behind them a list with that name, an item a line. Throws
-  /// UsageError for a file that is read, InputError where it cannot be written.
+  /// Writes the file if it was requested: the facts, followed by a list named `list` with one item per line. Throws
+  /// UsageError if the file is also an input, InputError if it cannot be written.
   void write(std::span<const std::filesystem::path> inputs, const std::function<nlohmann::ordered_json()>& facts,
              std::string_view list, const std::function<void(const Put& put)>& items) const;
 

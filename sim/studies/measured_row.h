@@ -1,3 +1,5 @@
+// Rows that hold either results or the reason for a failure.
+// Used by studies whose points can fail.
 #pragma once
 
 #include "hw/base/error.h"
@@ -6,7 +8,7 @@
 
 namespace csgsim::studies {
 
-/// A row of that point, which `measure(row)` fills; where it throws InputError, nothing but the reason.
+/// Creates the row of a point, which `measure(row)` fills. If that throws InputError, the row holds only the reason.
 template <class Row, class Point, class Measure>
 Row measured_row(const Point& point, const Inputs& inputs, const Measure& measure) {
   const auto begun = [&] {

@@ -1,3 +1,5 @@
+// Thread-safe memoization.
+// Used to share results between the threads of a study.
 #pragma once
 
 #include <map>
@@ -6,12 +8,11 @@
 
 namespace csgsim::studies {
 
-/// Values that are computed once for each key, by the thread that asks first; the others wait for it. They stay where
-/// they are.
+/// Values computed once per key, by the first thread that requests them; other threads wait. References stay valid.
 template <class Key, class Value>
 class Memo {
  public:
-  /// An exception of `compute` is passed on, and the next call tries again.
+  /// If `compute` throws, the exception is passed on and the next call tries again.
   template <class Compute>
   const Value& get(Key key, const Compute& compute) {
     Entry* entry = nullptr;
@@ -29,7 +30,7 @@ class Memo {
     Value value{};
   };
 
-  std::mutex lock_;  ///< of the map, not of its entries
+  std::mutex lock_;  ///< guards the map, not its entries
   std::map<Key, Entry> entries_;
 };
 

@@ -35,7 +35,7 @@ void from_cell(const std::string& text, OperationsCell& cell) {
     const auto* const row =
         std::ranges::find_if(operation_rows, [&](const processors::OperationRow& one) { return one.name == name; });
     if (equals == std::string::npos || row == operation_rows.end())
-      throw InputError("'" + word + "' is not of the form operation=times");
+      throw InputError("'" + word + "' is not of the form operation=count");
     from_cell(word.substr(equals + 1), cell.operations.counts[static_cast<std::size_t>(row - operation_rows.begin())]);
   }
 }

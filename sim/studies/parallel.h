@@ -1,3 +1,5 @@
+// Parallel loops with serialised results.
+// Used by the studies to measure points.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +16,15 @@
 
 namespace csgsim::studies {
 
-/// Calls work(i, finish) for i below `count` on that many threads; work hands what is done on by finish(f), which calls
-/// f(), one at a time, and tells whether to go on. The first exception ends it and is thrown again; no f is called
-/// after it. The threads can be interrupted as this one.
+/// Calls work(i, finish) for each i below `count` on `threads` threads. Work delivers a result with finish(f), which
+/// calls f() for one thread at a time and returns whether to continue. The first exception ends the loop and is
+/// rethrown; no f is called after it. The threads are interruptible like the calling thread.
 template <class Work>
-void share_out(std::size_t count, unsigned threads, const Work& work) {
+void parallel_for(std::size_t count, unsigned threads, const Work& work) {
   std::atomic<std::size_t> next = 0;
   std::mutex lock;
   std::exception_ptr failure;
-  // What f() throws is kept before the lock is let go: nobody else calls one after that.
+  // An exception of f() is stored before the lock is released, so that no other thread calls an f after it.
   const auto finish = [&](const auto& f) {
     const std::lock_guard guard(lock);
     if (failure) return false;
@@ -34,7 +36,7 @@ void share_out(std::size_t count, unsigned threads, const Work& work) {
     }
     return !failure;
   };
-  const std::stop_token stop = stop_of_thread();
+  const std::stop_token stop = thread_stop_token();
   const auto take = [&] {
     const Interruptible looks_for(stop);
     for (std::size_t i = next++; i < count; i = next++) {
@@ -52,11 +54,11 @@ void share_out(std::size_t count, unsigned threads, const Work& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-/// Calls measure(i) for i below `count` on that many threads, and finished(result) with each result, one at a time, in
-/// the order in which they are done. Exceptions as above.
+/// Calls measure(i) for each i below `count` on `threads` threads, and finished(result) for one result at a time, in
+/// order of completion. Exceptions as in parallel_for.
 template <class Measure, class Finished>
 void measure_each(std::size_t count, unsigned threads, const Measure& measure, const Finished& finished) {
-  share_out(count, threads, [&](std::size_t i, const auto& finish) {
+  parallel_for(count, threads, [&](std::size_t i, const auto& finish) {
     auto result = measure(i);
     static_cast<void>(finish([&] { finished(std::move(result)); }));
   });

@@ -7,12 +7,12 @@
 namespace csgsim::studies {
 
 std::string plot_stem(const std::filesystem::path& model) {
-  constexpr std::size_t longest = 100;
+  constexpr std::size_t max_length = 100;
   std::string stem = model.stem().native();
-  if (stem.size() <= longest) return stem;
+  if (stem.size() <= max_length) return stem;
   Hash hash;
   hash.add(stem);
-  return stem.substr(0, longest) + "-" + hash.text();
+  return stem.substr(0, max_length) + "-" + hash.text();
 }
 
 std::vector<std::string> tick_names(std::span<const std::string> machines) {

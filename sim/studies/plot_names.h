@@ -1,3 +1,5 @@
+// Names of plots and labels of machines on axes.
+// Used by the studies that draw plots.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +10,10 @@
 
 namespace csgsim::studies {
 
-/// A file's name without its ending, of at most so many bytes that endings and numbers fit behind it.
+/// The file name without extension, shortened so that extensions and numbers can be appended.
 std::string plot_stem(const std::filesystem::path& model);
 
-/// Names of plots, numbered from the second use on: `a`, `a-2`.
+/// Names of plots; repeated names are numbered: `a`, `a-2`.
 class PlotNames {
  public:
   std::string next(const std::string& name) {
@@ -23,7 +25,7 @@ class PlotNames {
   std::map<std::string, unsigned> uses_;
 };
 
-/// What an axis calls machines: one that is another of them with a figure changed is called by that figure alone, as
+/// Labels of machines on an axis. A machine that is another one with changed parameters is labelled by the change only:
 /// `pixel-planes-4` and `+alu.bits=2`.
 std::vector<std::string> tick_names(std::span<const std::string> machines);
 

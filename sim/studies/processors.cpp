@@ -12,7 +12,7 @@
 
 namespace csgsim::studies {
 
-std::vector<software::Priced> processors_in(const std::string& list) {
+std::vector<software::Priced> parse_processors(const std::string& list) {
   std::vector<software::Priced> processors;
   for (const std::string& name : session::parse_words(list)) processors.push_back(software::priced(name));
   return processors;
@@ -21,8 +21,8 @@ std::vector<software::Priced> processors_in(const std::string& list) {
 void add_processors(session::OptionList& command, std::string& list) {
   command
       .option("--processors", list,
-              "List of processors that the work is priced for, by name or .toml file; this-computer is measured")
-      .check(session::is_read_by(processors_in));
+              "Processors to compute costs for, as names or .toml files separated by commas; this-computer is measured")
+      .check(session::is_read_by(parse_processors));
 }
 
 void add_model_without_machine(session::ModelRequest& model, session::OptionList& command) {

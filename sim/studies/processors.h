@@ -1,3 +1,5 @@
+// Options that the studies of software share.
+// Used by trace, classify, display, mesh and subdivide.
 #pragma once
 
 #include <filesystem>
@@ -8,22 +10,21 @@
 #include "sim/session/options/option_list.h"
 #include "sim/software/work.h"
 
-/// What studies of software have in common.
 namespace csgsim::studies {
 
-/// Names and files with commas between them. Throws as software::priced does.
-std::vector<software::Priced> processors_in(const std::string& list);
+/// Parses names and files separated by commas. Throws as software::priced does.
+std::vector<software::Priced> parse_processors(const std::string& list);
 
-/// --processors, this-computer among them.
+/// Adds the option --processors.
 void add_processors(session::OptionList& command, std::string& list);
 
-/// The options of a model without those that only machines have a use for.
+/// Adds the model options except those that only affect machines.
 void add_model_without_machine(session::ModelRequest& model, session::OptionList& command);
 
-/// Four digits; of 1000 seconds and more those before the point, in groups.
+/// Seconds with four significant digits; from 1,000 on rounded to an integer with grouped digits.
 std::string seconds_text(double seconds);
 
-/// The files of a model, and those of processors.
+/// The files of a model and of the listed processors.
 std::vector<std::filesystem::path> inputs_with_processors(const session::ModelRequest& model, const std::string& list);
 
 }  // namespace csgsim::studies

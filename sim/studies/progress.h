@@ -1,3 +1,5 @@
+// Progress display of a study.
+// Used by the runner.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,11 +13,11 @@
 
 namespace csgsim::studies {
 
-/// Tells on standard error, where that is a terminal, how many points of a study are done, the rate and the time left;
-/// and warns, after some seconds, of a study that will take minutes.
+/// Shows progress on standard error if it is a terminal: points done, rate and time left. Warns after some seconds if
+/// the study will take minutes.
 class Progress {
  public:
-  /// `known` of the points were measured before; so many are measured at the same time.
+  /// `known` points were measured before; `threads` points are measured concurrently.
   Progress(std::size_t points, std::size_t known, bool wanted, unsigned threads = 1)
       : points_(points), known_(known), threads_(threads), show_(wanted) {
     show();
@@ -28,7 +30,7 @@ class Progress {
 
   void done() {
     ++measured_;
-    // Those that are measured at the same time are nearly done too.
+    // Points that are measured concurrently are assumed to be nearly done.
     const std::size_t missing = points_ - known_;
     const std::size_t done = std::min(measured_ + threads_ - 1, missing);
     work_.at_point(done, missing);
@@ -52,7 +54,7 @@ class Progress {
   std::size_t threads_;
   std::size_t measured_ = 0;
   bool show_;
-  observe::LongWork work_{"this study", "fewer points and a smaller --size take less; what is measured is kept"};
+  observe::LongWork work_{"this study", "fewer points and a smaller --size take less time; measured points are kept"};
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

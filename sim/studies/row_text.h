@@ -1,3 +1,5 @@
+// Conversion of rows to and from lines of CSV.
+// Used by the tables and shards of studies.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +14,8 @@
 
 namespace csgsim::studies {
 
-/// Names of a row's columns as a line of CSV. Row::columns(row, visit) calls visit(name, member) for each, in order.
+/// Column names of a row type as a line of CSV. Row::columns(row, visit) calls visit(name, member) for each column in
+/// order.
 template <class Row>
 std::string header_of() {
   std::string line;
@@ -32,30 +35,31 @@ std::string to_line(const Row& row) {
   return line;
 }
 
-/// Throws InputError that says which cell cannot be read, or is not as printable() leaves texts.
+/// Throws InputError that names the cell that cannot be read or contains unprintable characters.
 template <class Row>
 Row from_line(const std::string& line) {
   Row row;
   const std::vector<std::string> cells = split_cells(line);
   std::size_t next = 0;
   Row::columns(row, [&](const char* name, auto& member) {
-    if (next == cells.size()) throw InputError(std::string("there is no ") + name);
+    if (next == cells.size()) throw InputError(std::string("missing cell ") + name);
     const std::string& cell = cells[next++];
-    if (printable(cell) != cell) throw InputError(fmt::format("{} is '{}', no text of a table", name, printable(cell)));
+    if (printable(cell) != cell)
+      throw InputError(fmt::format("{} contains unprintable characters: '{}'", name, printable(cell)));
     from_cell(cell, member);
   });
-  if (next < cells.size()) throw InputError("'" + cells[next] + "' is one cell too many");
+  if (next < cells.size()) throw InputError("'" + cells[next] + "' is an extra cell");
   return row;
 }
 
-/// What of a table's rows has to be known to keep them as lines.
+/// What a table needs to handle rows as lines.
 struct RowFormat {
-  std::string columns;                              ///< their names, as a line
-  std::size_t point_columns = 0;                    ///< the first ones, which say which point it is
-  void (*check)(const std::string& row) = nullptr;  ///< throws InputError for a line that is no row
+  std::string columns;                              ///< column names as a line
+  std::size_t point_columns = 0;                    ///< number of leading columns that identify the point
+  void (*check)(const std::string& row) = nullptr;  ///< throws InputError if a line is not a valid row
 };
 
-/// `Row::point_columns` of the columns say which point it is.
+/// The first `Row::point_columns` columns identify the point.
 template <class Row>
 RowFormat format_of() {
   return {header_of<Row>(), Row::point_columns, [](const std::string& row) { static_cast<void>(from_line<Row>(row)); }};

@@ -1,3 +1,5 @@
+// The table of all studies.
+// Used by the application, the page server and csgsim gather.
 #pragma once
 
 #include <span>
@@ -6,7 +8,7 @@
 
 namespace csgsim::studies {
 
-/// Every study, in the order of help.
+/// All studies, in the order in which help lists them.
 std::span<const StudyRow* const> all();
 
 }  // namespace csgsim::studies

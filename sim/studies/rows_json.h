@@ -1,3 +1,5 @@
+// Conversion of rows to JSON.
+// Used by the JSON files of studies.
 #pragma once
 
 #include <concepts>
@@ -14,7 +16,7 @@
 
 namespace csgsim::studies {
 
-/// Sets a column of a row; overloads beside the types of other columns do the same.
+/// Sets a column of a row. Types of other columns provide their own overloads.
 void set_json(nlohmann::ordered_json& row, const char* name, std::uint64_t value);
 void set_json(nlohmann::ordered_json& row, const char* name, double value);
 void set_json(nlohmann::ordered_json& row, const char* name, const std::string& value);
@@ -29,26 +31,26 @@ void set_json(nlohmann::ordered_json& row, const char* name, const std::optional
   value ? set_json(row, name, *value) : set_json(row, name, std::nullopt);
 }
 
-/// The columns of a row; of a point that could not be measured only which it is, and why.
+/// Sets the columns of a row; for a point that could not be measured, only the columns of the point and the reason.
 template <class Row>
 void set_columns(nlohmann::ordered_json& json, const Row& row) {
   bool is_refused = false;
   if constexpr (requires { row.reason.empty(); }) is_refused = !row.reason.empty();
-  const std::size_t told = is_refused ? Row::point_columns + input_columns : static_cast<std::size_t>(-1);
+  const std::size_t shown_columns = is_refused ? Row::point_columns + input_columns : static_cast<std::size_t>(-1);
   std::size_t column = 0;
   Row::columns(row, [&](const char* name, const auto& member) {
-    if (column++ < told || std::string_view(name) == "reason") set_json(json, name, member);
+    if (column++ < shown_columns || std::string_view(name) == "reason") set_json(json, name, member);
   });
 }
 
-/// Calls set(json, point) for each of a study's points.
+/// Calls set(json, point) for each point of a study.
 using SetPoint = std::function<void(nlohmann::ordered_json& json, std::size_t point)>;
 
-/// A study's file of so many points.
+/// The JSON of a study with `points` points.
 nlohmann::ordered_json points_json(const std::string& title, std::size_t points, const SetPoint& set);
 std::string points_text(const std::string& title, std::size_t points, const SetPoint& set);
 
-/// As it is written to a file.
+/// The JSON formatted as in a file.
 std::string file_text(const nlohmann::ordered_json& json);
 
 template <class Row>

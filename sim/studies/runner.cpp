@@ -13,6 +13,7 @@
 #include "hw/base/interruption.h"
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
+#include "sim/plots/common_looks.h"
 #include "sim/plots/files.h"
 #include "sim/report/points.h"
 #include "sim/report/study_pages.h"
@@ -34,37 +35,37 @@ namespace {
 namespace fs = std::filesystem;
 using Rows = std::vector<std::string>;
 
-/// Rows that are written at once, where they come faster than the disk takes them one at a time.
-constexpr std::size_t most_pending = 8;
+/// Number of rows that are written together if they arrive faster than the disk can take single rows.
+constexpr std::size_t max_pending = 8;
 
-fs::path folder_of(const StudyCommand& asked) {
-  return asked.options.folder.empty() ? asked.study->usual_folder() : asked.options.folder;
+fs::path folder_of(const StudyCommand& request) {
+  return request.options.folder.empty() ? request.study->default_folder() : request.options.folder;
 }
 
-std::string title_of(const StudyCommand& asked) {
-  const std::string model = asked.study->table_model();
-  std::string title = study_title(asked.command, asked.study->varied());
+std::string title_of(const StudyCommand& request) {
+  const std::string model = request.study->table_model();
+  std::string title = study_title(request.command, request.study->varied());
   if (!model.empty()) title += " of " + escaped(fs::path(model).filename().native());
   return title;
 }
 
-unsigned threads_of(const StudyCommand& asked) { return asked.row->is_parallel ? asked.options.threads : 1; }
+unsigned threads_of(const StudyCommand& request) { return request.row->is_parallel ? request.options.threads : 1; }
 
-void measure(StudyCommand& asked, std::span<const std::size_t> points, const Study::Finished& finished) {
-  const unsigned threads = threads_of(asked);
-  session::with_memory_for_threads(threads, "points", [&] { asked.study->measure(points, threads, finished); });
+void measure(StudyCommand& request, std::span<const std::size_t> points, const Study::Finished& finished) {
+  const unsigned threads = threads_of(request);
+  session::with_memory_for_threads(threads, "points", [&] { request.study->measure(points, threads, finished); });
 }
 
-/// Measures the points that the table has not.
-Rows complete(StudyCommand& asked, std::span<const Asked> points, Table& table) {
+/// Measures the points that are missing from the table.
+Rows complete(StudyCommand& request, std::span<const PointRequest> points, Table& table) {
   const std::vector<std::size_t> missing = table.missing(points);
   {
-    Progress progress(points.size(), points.size() - missing.size(), session::shows_progress(asked.options.progress),
-                      threads_of(asked));
+    Progress progress(points.size(), points.size() - missing.size(), session::shows_progress(request.options.progress),
+                      threads_of(request));
     Rows pending;
     const auto write = [&] { table.add(std::exchange(pending, {})); };
-    const std::size_t at_once = asked.row->is_quick ? most_pending : 1;
-    measure(asked, missing, [&](std::size_t /*point*/, std::string row) {
+    const std::size_t at_once = request.row->is_quick ? max_pending : 1;
+    measure(request, missing, [&](std::size_t /*point*/, std::string row) {
       pending.push_back(std::move(row));
       if (pending.size() == at_once) write();
       progress.done();
@@ -75,37 +76,40 @@ Rows complete(StudyCommand& asked, std::span<const Asked> points, Table& table) 
   return table.in_order(points);
 }
 
-/// Of all points together.
-Inputs inputs_of(std::span<const Asked> points) {
+/// Combined inputs of all points.
+Inputs inputs_of(std::span<const PointRequest> points) {
   Hash models;
   Hash machines;
-  for (const Asked& one : points) {
+  for (const PointRequest& one : points) {
     models.add(one.inputs.model_hash + "\n");
     machines.add(one.inputs.machine_hash + "\n");
   }
   return {models.text(), machines.text(), session::version_and_build()};
 }
 
-void refuse_page(const StudyCommand& asked) {
-  if (!asked.options.report.asked()) return;
-  throw session::UsageError("--report", "a shard has no page; csgsim gather writes it from all of them");
+void refuse_page(const StudyCommand& request) {
+  if (!request.options.report.asked()) return;
+  throw session::UsageError("--report", "a shard has no page; csgsim gather writes one from all shards");
 }
 
-void run_shard(StudyCommand& asked) {
-  refuse_page(asked);
-  if (asked.study->looks_further())
-    throw session::UsageError("--shard", "a search goes on from what has been measured; leave out one of both");
-  const std::vector<Asked> points = asked.study->ask();
-  if (points.size() > most_points)
-    throw InputError(fmt::format("{} points are too many to be shared out, {} at most; take several studies",
-                                 points.size(), most_points));
-  ShardRun run(folder_of(asked),
-               {*asked.options.shard, points.size(), inputs_of(points), asked.command.words(options_without_effect)},
-               asked.study->format().columns);
+void run_shard(StudyCommand& request) {
+  refuse_page(request);
+  if (request.study->is_adaptive())
+    throw session::UsageError(
+        "--shard", "a search depends on earlier results and cannot be sharded; remove --shard or the search");
+  const std::vector<PointRequest> points = request.study->request_points();
+  if (points.size() > max_points)
+    throw InputError(
+        fmt::format("{} points are too many to be sharded, the maximum is {}; split them into several studies",
+                    points.size(), max_points));
+  ShardRun run(
+      folder_of(request),
+      {*request.options.shard, points.size(), inputs_of(points), request.command.words(options_without_effect)},
+      request.study->format().columns);
   {
     Progress progress(run.points(), run.points() - run.missing().size(),
-                      session::shows_progress(asked.options.progress));
-    measure(asked, run.missing(), [&](std::size_t point, std::string row) {
+                      session::shows_progress(request.options.progress));
+    measure(request, run.missing(), [&](std::size_t point, std::string row) {
       run.add(point, std::move(row));
       progress.done();
     });
@@ -113,8 +117,8 @@ void run_shard(StudyCommand& asked) {
   run.print();
 }
 
-report::StudyContext page_context(const StudyCommand& asked, const PageSubject& subject) {
-  const session::ReportOption& report = asked.options.report;
+report::StudyContext page_context(const StudyCommand& request, const PageSubject& subject) {
+  const session::ReportOption& report = request.options.report;
   report::StudyContext context = subject.has_picture
                                      ? session::study_context(report, subject.model, subject.machines)
                                      : session::plain_study_context(report, subject.model.model, subject.machines);
@@ -122,9 +126,9 @@ report::StudyContext page_context(const StudyCommand& asked, const PageSubject& 
   return context;
 }
 
-report::Page page_of(const StudyCommand& asked, const std::string& json, std::span<const plots::Plot> plots) {
-  const Study& study = *asked.study;
-  const report::StudyContext context = page_context(asked, study.page_subject());
+report::Page page_of(const StudyCommand& request, const std::string& json, std::span<const plots::Plot> plots) {
+  const Study& study = *request.study;
+  const report::StudyContext context = page_context(request, study.page_subject());
   report::Page page = report::begun_page(study.page_title() + ": " + context.model,
                                          study.page_data(report::Json::parse(json)), context);
   for (report::Section& section : study.sections(page.data)) page.sections.push_back(std::move(section));
@@ -133,69 +137,71 @@ report::Page page_of(const StudyCommand& asked, const std::string& json, std::sp
   if (page.data.contains("points"))
     page.sections.push_back(
         {"Points",
-         {report::points_table(page.data, "/points", "All that was measured", page_columns(study.format().columns))}});
+         {report::points_table(page.data, "/points", "All measured points", page_columns(study.format().columns))}});
   report::end_page(page, context);
   return page;
 }
 
-/// Where results go, which are shown in any case.
+/// Destinations of the results.
 struct Places {
-  std::optional<StudyFolder> folder;  ///< none if nothing is kept
+  std::optional<StudyFolder> folder;  ///< empty if results are not kept
   session::ReportFile report;
   std::string title;
 
-  Places(const StudyCommand& asked, std::span<const fs::path> inputs)
-      : report(asked.options.report, inputs), title(title_of(asked)) {
-    const bool is_kept = asked.folder != Folder::optional || !asked.options.folder.empty();
-    if (is_kept) folder.emplace(folder_of(asked), asked.row->name, inputs);
+  Places(const StudyCommand& request, std::span<const fs::path> inputs)
+      : report(request.options.report, inputs), title(title_of(request)) {
+    const bool is_kept = request.folder != Folder::optional || !request.options.folder.empty();
+    if (is_kept) folder.emplace(folder_of(request), request.row->name, inputs);
   }
 
-  [[nodiscard]] fs::path file(const StudyCommand& asked, const char* ending) const {
-    return folder->path() / (std::string(asked.row->name) + ending);
+  [[nodiscard]] fs::path file(const StudyCommand& request, const char* ending) const {
+    return folder->path() / (std::string(request.row->name) + ending);
   }
 };
 
-Table table_of(const StudyCommand& asked, const Places& places) {
-  const Study& study = *asked.study;
+Table table_of(const StudyCommand& request, const Places& places) {
+  const Study& study = *request.study;
   const auto serves = [&study](std::size_t point, const std::string& row) { return study.serves(point, row); };
   if (!places.folder) return Table(study.format(), serves);
-  return {places.file(asked, ".csv"), places.title, study.format(), serves};
+  return {places.file(request, ".csv"), places.title, study.format(), serves};
 }
 
-/// Plots and the page, as they were asked for; returns whether there are files of plots.
-bool write_shown(const StudyCommand& asked, Places& places, const std::string& json) {
-  const bool has_plot_files = places.folder && !asked.options.no_plots;
+/// Writes plots and the page if requested; returns whether plot files were written.
+bool write_shown(const StudyCommand& request, Places& places, const std::string& json) {
+  const bool has_plot_files = places.folder && !request.options.no_plots;
   std::vector<plots::Plot> plots;
-  if (has_plot_files || places.report.asked()) plots = asked.study->plots();
+  if (has_plot_files || places.report.asked()) plots = request.study->plots();
+  // Series with the same name look the same in all plots of the study, even if several models have their own plots.
+  plots::give_common_looks(plots);
   const bool are_drawn = has_plot_files && !plots.empty();
   if (are_drawn) plots::draw(plots, places.folder->path());
-  if (places.report.asked()) places.report.write(page_of(asked, json, plots));
+  if (places.report.asked()) places.report.write(page_of(request, json, plots));
   return are_drawn;
 }
 
-void show(const StudyCommand& asked, Places& places) {
-  const Study& study = *asked.study;
+void show(const StudyCommand& request, Places& places) {
+  const Study& study = *request.study;
   const std::string json = places.folder || places.report.asked() ? study.json(places.title) : "";
-  if (places.folder) write_file(places.file(asked, ".json"), json);
+  if (places.folder) write_file(places.file(request, ".json"), json);
   study.print();
-  const bool are_drawn = write_shown(asked, places, json);
+  const bool are_drawn = write_shown(request, places, json);
   if (places.folder)
-    fmt::print("\n{}: {}.csv, {}.json{}\n", printable(folder_of(asked).native()), asked.row->name, asked.row->name,
-               are_drawn ? fmt::format(", and {}", asked.row->plots) : "");
+    fmt::print("\n{}: {}.csv, {}.json{}\n", printable(folder_of(request).native()), request.row->name,
+               request.row->name, are_drawn ? fmt::format(", and {}", request.row->plots) : "");
   study.refuse();
 }
 
-/// All points that the study asks for are measured, or in the table.
-void measure_all(StudyCommand& asked, std::vector<Asked> more, const Places& places) {
-  Study& study = *asked.study;
-  Table table = table_of(asked, places);
+/// Measures all points that the study requests, or takes them from the table.
+void measure_all(StudyCommand& request, std::vector<PointRequest> more, const Places& places) {
+  Study& study = *request.study;
+  Table table = table_of(request, places);
   const bool are_read = !table.rows().empty();
-  std::vector<Asked> points;
+  std::vector<PointRequest> points;
   do {
     points.insert(points.end(), more.begin(), more.end());
     const std::set<std::string> changed = table.drop_stale(points, study.is_of_one_machine());
-    if (places.folder) tell_stale(places.file(asked, ".csv"), changed);
-    study.take(complete(asked, points, table), are_read);
+    if (places.folder) warn_stale(places.file(request, ".csv"), changed);
+    study.take(complete(request, points, table), are_read);
     more = study.more();
   } while (!more.empty());
 }
@@ -210,34 +216,35 @@ void add_shard(session::OptionList& command, std::optional<Shard>& shard) {
           throw session::UsageError("--shard", error.what());
         }
       },
-      "Measure only the k-th of n shares of the points, as 3/16, into FOLDER/shards; csgsim gather joins them");
+      "Measure only share k of n of the points, such as 3/16, into FOLDER/shards; csgsim gather joins the shares");
 }
 
 void add_folder(const StudyRow& row, Folder kept, session::OptionList& command, std::string& folder) {
-  std::string unsaid;
-  if (kept == Folder::usual) unsaid = fmt::format("; MODEL-{} if not given", row.name);
-  if (kept == Folder::optional) unsaid = "; nothing is kept if not given";
-  session::Option& option = command.option(
-      "-o,--output", folder, fmt::format("Folder for {}.csv, {}.json and the plots{}", row.name, row.name, unsaid));
+  std::string default_value;
+  if (kept == Folder::usual) default_value = fmt::format("; default: MODEL-{}", row.name);
+  if (kept == Folder::optional) default_value = "; without it, results are not kept";
+  session::Option& option =
+      command.option("-o,--output", folder,
+                     fmt::format("Folder for {}.csv, {}.json and the plots{}", row.name, row.name, default_value));
   if (kept == Folder::named) option.required();
   option.folder();
 }
 
-/// What every study has.
+/// Adds the options that every study has.
 std::shared_ptr<StudyCommand> describe_kept(session::OptionList& list, const StudyRow& row, Folder kept) {
-  auto asked = std::make_shared<StudyCommand>(StudyCommand{&row, row.make(), {}, list, kept});
-  RunnerOptions& options = asked->options;
+  auto request = std::make_shared<StudyCommand>(StudyCommand{&row, row.make(), {}, list, kept});
+  RunnerOptions& options = request->options;
   options.threads = std::max(1U, std::thread::hardware_concurrency());
-  asked->study->add_options(list);
+  request->study->add_options(list);
   add_folder(row, kept, list, options.folder);
   if (row.is_parallel)
-    list.option("--threads", options.threads, "Points that are measured at the same time")
-        .between(1U, session::most_threads);
-  list.flag("--no-plots", options.no_plots, "Do without plots (gnuplot)");
+    list.option("--threads", options.threads, "Number of points to measure in parallel")
+        .between(1U, session::max_threads);
+  list.flag("--no-plots", options.no_plots, "Omit plots (drawn by gnuplot)");
   if (row.has_shards) add_shard(list, options.shard);
   options.report.add_to(list);
   session::add_progress(list, options.progress);
-  return asked;
+  return request;
 }
 
 }  // namespace
@@ -247,35 +254,35 @@ std::shared_ptr<StudyCommand> describe(session::OptionList& list, const StudyRow
 }
 
 std::shared_ptr<StudyCommand> describe_for_caller(session::OptionList& list, const StudyRow& row) {
-  std::shared_ptr<StudyCommand> asked = describe_kept(list, row, Folder::optional);
+  std::shared_ptr<StudyCommand> request = describe_kept(list, row, Folder::optional);
   if (row.has_shards) list.remove("--shard");
-  return asked;
+  return request;
 }
 
-std::string conduct(StudyCommand& asked) {
-  std::vector<Asked> points = asked.study->ask();
-  Places places(asked, asked.study->inputs());
-  measure_all(asked, std::move(points), places);
-  std::string json = asked.study->json(places.title);
-  if (places.folder) write_file(places.file(asked, ".json"), json);
-  write_shown(asked, places, json);
-  asked.study->refuse();
+std::string conduct(StudyCommand& request) {
+  std::vector<PointRequest> points = request.study->request_points();
+  Places places(request, request.study->inputs());
+  measure_all(request, std::move(points), places);
+  std::string json = request.study->json(places.title);
+  if (places.folder) write_file(places.file(request, ".json"), json);
+  write_shown(request, places, json);
+  request.study->refuse();
   return json;
 }
 
-void run_study(StudyCommand& asked) {
-  if (asked.options.shard) return run_shard(asked);
-  std::vector<Asked> points = asked.study->ask();
-  Places places(asked, asked.study->inputs());
-  measure_all(asked, std::move(points), places);
-  show(asked, places);
+void run_study(StudyCommand& request) {
+  if (request.options.shard) return run_shard(request);
+  std::vector<PointRequest> points = request.study->request_points();
+  Places places(request, request.study->inputs());
+  measure_all(request, std::move(points), places);
+  show(request, places);
 }
 
-void show_gathered(StudyCommand& asked, const Gathered& gathered) {
-  Places places(asked, asked.study->inputs());
-  Table table = table_of(asked, places);
-  asked.study->take(table.put(gathered), true);
-  show(asked, places);
+void show_gathered(StudyCommand& request, const Gathered& gathered) {
+  Places places(request, request.study->inputs());
+  Table table = table_of(request, places);
+  request.study->take(table.put(gathered), true);
+  show(request, places);
 }
 
 std::vector<std::string> with_words(const std::vector<std::string>& command, const std::vector<std::string>& more) {

@@ -1,3 +1,5 @@
+// Runs studies: options, tables, threads, shards, files and pages.
+// Used by the application and by callers such as the Python module.
 #pragma once
 
 #include <memory>
@@ -23,33 +25,34 @@ struct RunnerOptions {
   std::string progress = "auto";
 };
 
-/// A study that is asked for, with its options, which are described by a list that outlives it.
+/// A selected study with its options. The option list that describes them must outlive it.
 struct StudyCommand {
   const StudyRow* row = nullptr;
   std::unique_ptr<Study> study;
   RunnerOptions options;
   session::OptionList& command;
-  Folder folder = Folder::named;  ///< the row's, or optional for callers
+  Folder folder = Folder::named;  ///< the row's, or optional for library callers
 };
 
-/// Describes the study's options in the list.
+/// Adds the study's options to the list.
 std::shared_ptr<StudyCommand> describe(session::OptionList& list, const StudyRow& row);
 
-/// The same for a caller, who gets what is measured: it is kept only in a folder that is asked for, is not shared out,
-/// and nothing is printed.
+/// The same for a library caller, who receives the results: they are written only if a folder is given, sharding is not
+/// available, and nothing is printed.
 std::shared_ptr<StudyCommand> describe_for_caller(session::OptionList& list, const StudyRow& row);
 
-/// Measures what the study's table has not yet, writes all if there is a folder or a page, and returns the text of the
-/// study's JSON file. An Interruptible study ends with Interrupted; its table has what had been measured.
-std::string conduct(StudyCommand& asked);
+/// Measures the points that are missing from the study's table, writes the results if there is a folder or a page, and
+/// returns the text of the study's JSON file. An interrupted study throws Interrupted; its table keeps the measured
+/// points.
+std::string conduct(StudyCommand& request);
 
-/// Measures what the study's table has not yet, and shows all.
-void run_study(StudyCommand& asked);
+/// Measures the points that are missing from the study's table and shows all results.
+void run_study(StudyCommand& request);
 
-/// Shows what shards have measured as the study that its options ask for, which have been read.
-void show_gathered(StudyCommand& asked, const Gathered& gathered);
+/// Shows the results of shards. The study's options must have been read.
+void show_gathered(StudyCommand& request, const Gathered& gathered);
 
-/// The command with these words behind its name, before those that it was given.
+/// Inserts these words after the command's name, before its other words.
 std::vector<std::string> with_words(const std::vector<std::string>& command, const std::vector<std::string>& more);
 
 }  // namespace csgsim::studies

@@ -23,7 +23,7 @@ std::optional<unsigned> number_in(std::string_view text) {
   return number;
 }
 
-/// The finaliser of SplitMix64 (Steele, Lea, Flood 2014): different numbers have different results.
+/// The finaliser of SplitMix64 (Steele, Lea, Flood 2014), a bijection.
 std::uint64_t scattered(std::uint64_t number) {
   std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15ULL;
   z = (z ^ z >> 30U) * 0xbf58476d1ce4e5b9ULL;
@@ -38,12 +38,13 @@ Shard parse_shard(std::string_view text) {
   const std::optional<unsigned> number = number_in(text.substr(0, slash));
   const std::optional<unsigned> count = slash < text.size() ? number_in(text.substr(slash + 1)) : std::nullopt;
   if (!number || !count)
-    throw InputError(fmt::format("'{}' is no shard; take k/n, as 3/16: the third of sixteen", printable(text)));
-  if (*count < 1 || *count > most_shards)
-    throw InputError(fmt::format("{} shards are not within 1 to {}", *count, most_shards));
-  if (*number < 1 || *number > *count)
     throw InputError(
-        fmt::format("there is no shard {} of {}; they are 1/{} to {}/{}", *number, *count, *count, *count, *count));
+        fmt::format("'{}' is not a shard; use k/n, such as 3/16 for the third of sixteen", printable(text)));
+  if (*count < 1 || *count > max_shards)
+    throw InputError(fmt::format("the number of shards, {}, is not in 1 to {}", *count, max_shards));
+  if (*number < 1 || *number > *count)
+    throw InputError(fmt::format("shard {} of {} does not exist; choose one of 1/{} to {}/{}", *number, *count, *count,
+                                 *count, *count));
   return {*number, *count};
 }
 

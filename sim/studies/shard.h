@@ -1,3 +1,5 @@
+// Shards: shares of the points of a study.
+// Used to distribute a study over independent processes.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +9,7 @@
 
 namespace csgsim::studies {
 
-/// One of the parts into which the points of a study are shared out, to be measured by processes that know nothing of
-/// each other.
+/// A share of the points of a study, measured by processes that do not communicate.
 struct Shard {
   unsigned number = 1;  ///< from 1 to count
   unsigned count = 1;
@@ -16,19 +17,19 @@ struct Shard {
   bool operator==(const Shard&) const = default;
 };
 
-inline constexpr unsigned most_shards = 1'000'000;
+inline constexpr unsigned max_shards = 1'000'000;
 
-/// `3/16`. Throws InputError that says how it is mended.
+/// Parses `3/16`. Throws InputError that suggests a fix.
 Shard parse_shard(std::string_view text);
 
 std::string to_text(const Shard& shard);
 
-/// Numbers of points, ascending, as in `1,4-7`.
+/// Ascending numbers of points in the form `1,4-7`.
 std::string compact(const std::vector<unsigned>& ascending);
 
-/// The number of the shard that each of so many points belongs to. The points are put in an order that looks random and
-/// depends on how many they are alone, and dealt out in turn: shards differ by one point at most, and no regularity of
-/// a study gives one shard all that is dear.
+/// The number of the shard of each point. The points are shuffled in an order that depends only on their number, and
+/// dealt out in turn: shard sizes differ by at most one point, and regularities of a study do not concentrate expensive
+/// points in one shard.
 std::vector<unsigned> shard_of_each(std::size_t points, unsigned shards);
 
 }  // namespace csgsim::studies

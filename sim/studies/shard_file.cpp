@@ -20,14 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr InputKind shard_input{"a shard's file", std::size_t{256} << 20U, "take more shards"};
+constexpr InputKind shard_input{"a shard's file", std::size_t{256} << 20U, "use more shards"};
 
 constexpr std::string_view mark = "csgsim shard";
 constexpr std::string_view point_column = "point,";
 constexpr std::string_view ending = ".shard";
 constexpr std::string_view former_ending = ".csv";
 
-/// Cells of the first line before the words of the command.
+/// Number of cells in the first line before the words of the command.
 constexpr std::size_t cells_before_words = 7;
 
 std::string title_of(const ShardHeader& header) {
@@ -40,14 +40,14 @@ std::string title_of(const ShardHeader& header) {
 
 ShardHeader header_from(std::string_view title) {
   const std::vector<std::string> cells = split_cells(title);
-  if (cells.size() <= cells_before_words || cells[0] != mark) throw InputError("this is no shard of a study");
+  if (cells.size() <= cells_before_words || cells[0] != mark) throw InputError("this is not a shard of a study");
   ShardHeader header;
   from_cell(cells[1], header.shard.number);
   from_cell(cells[2], header.shard.count);
   header.shard = parse_shard(to_text(header.shard));
   from_cell(cells[3], header.points);
-  if (header.points < 1 || header.points > most_points)
-    throw InputError(fmt::format("{} points are not within 1 to {}", header.points, most_points));
+  if (header.points < 1 || header.points > max_points)
+    throw InputError(fmt::format("the number of points, {}, is not in 1 to {}", header.points, max_points));
   header.inputs = {cells[4], cells[5], cells[6]};
   header.words.assign(cells.begin() + cells_before_words, cells.end());
   return header;
@@ -55,15 +55,16 @@ ShardHeader header_from(std::string_view title) {
 
 ShardLine line_from(const std::string& text, std::size_t points) {
   const std::size_t comma = text.find(',');
-  if (comma == std::string::npos) throw InputError("there is no row");
+  if (comma == std::string::npos) throw InputError("the row is missing");
   ShardLine line;
   from_cell(text.substr(0, comma), line.point);
-  if (line.point >= points) throw InputError(fmt::format("there is no point {} of {}", line.point, points));
+  if (line.point >= points)
+    throw InputError(fmt::format("point {} does not exist among {} points", line.point, points));
   line.row = text.substr(comma + 1);
   return line;
 }
 
-/// As in `sweep-03-of-16.`: what the names of a shard's files begin with.
+/// Prefix of the names of a shard's files, such as `sweep-03-of-16.`.
 std::string stem_of(const ShardHeader& header) {
   return fmt::format("{}-{:0{}}-of-{}.", header.words.front(), header.shard.number,
                      fmt::formatted_size("{}", header.shard.count), header.shard.count);
@@ -85,9 +86,8 @@ std::vector<fs::path> shard_files(const fs::path& study, const std::optional<Sha
   }
   const bool is_new = of && error == std::errc::no_such_file_or_directory;
   if (error && !is_new) {
-    throw InputError(
-        fmt::format("{}: no shards of a study are there ({}); name the folder that was given to them with -o",
-                    study.native(), error.message()));
+    throw InputError(fmt::format("{}: contains no shards of a study ({}); specify the folder given to them with -o",
+                                 study.native(), error.message()));
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -103,13 +103,13 @@ ShardFile read_shard_file(const fs::path& path) {
       if (++number == 1) {
         file.header = header_from(std::string_view(line).substr(line.starts_with("# ") ? 2 : 0));
       } else if (number == 2) {
-        if (!line.starts_with(point_column)) throw InputError("these are no columns of a shard");
+        if (!line.starts_with(point_column)) throw InputError("these are not the columns of a shard");
         file.columns = line.substr(point_column.size());
       } else {
         file.lines.push_back(line_from(line, file.header.points));
       }
     }
-    if (number < 2) throw InputError("this is no shard of a study");
+    if (number < 2) throw InputError("this is not a shard of a study");
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}:{}:1: {}; delete the file and run its shard again", path.native(),
                                  std::max<std::size_t>(number, 1), error.what()));

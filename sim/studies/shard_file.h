@@ -1,3 +1,5 @@
+// Files that hold the measured points of shards.
+// Used by shard_run.h and gather.h.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +14,20 @@
 
 namespace csgsim::studies {
 
-/// Of a study that is shared out: its table, which is read whole, has no room for more.
-inline constexpr std::size_t most_points = 1'000'000;
+/// Maximum number of points of a sharded study; the joined table is read as a whole and cannot hold more.
+inline constexpr std::size_t max_points = 1'000'000;
 
-/// What the points in a shard's file are of.
+/// Identifies the study and the shard of a file.
 struct ShardHeader {
   Shard shard;
-  std::size_t points = 0;          ///< of all shards together
-  Inputs inputs;                   ///< of all points together
-  std::vector<std::string> words;  ///< the study's command, but for what changes no result
+  std::size_t points = 0;          ///< number of points of all shards together
+  Inputs inputs;                   ///< combined inputs of all points
+  std::vector<std::string> words;  ///< the study's command without options that do not affect results
 
   bool operator==(const ShardHeader&) const = default;
 };
 
-/// A point that has been measured: its number in the study, from 0, and its row as in the study's own table.
+/// A measured point: its number in the study, from 0, and its row as in the study's table.
 struct ShardLine {
   std::size_t point = 0;
   std::string row;
@@ -33,33 +35,33 @@ struct ShardLine {
   bool operator==(const ShardLine&) const = default;
 };
 
-/// A file of a shard, as it was read.
+/// Content of a shard's file.
 struct ShardFile {
   std::filesystem::path path;
   ShardHeader header;
-  std::string columns;  ///< of the rows
+  std::string columns;  ///< column names of the rows
   std::vector<ShardLine> lines;
 };
 
-/// The folder within a study's folder where the files of its shards are.
+/// The subfolder of a study's folder that holds the files of shards.
 std::filesystem::path shards_folder(const std::filesystem::path& study);
 
-/// All files of shards in a study's folder, by name; of one study's shard only, where one is asked for. Throws
-/// InputError if there is no such folder and none is asked for.
+/// All files of shards in a study's folder, sorted by name; only those of the shard `of` if given. Throws InputError if
+/// the folder does not exist and `of` is not given.
 std::vector<std::filesystem::path> shard_files(const std::filesystem::path& study,
                                                const std::optional<ShardHeader>& of = {});
 
-/// Part of a line at the end, which has been interrupted or is being written, is left out. Throws InputError for a file
-/// that is none of a shard's.
+/// Reads a file; ignores a partial last line, which was interrupted or is being written. Throws InputError if the file
+/// does not belong to a shard.
 ShardFile read_shard_file(const std::filesystem::path& path);
 
-/// A file of a shard that nobody else has, in the study's folder: processes of the same shard, on whatever machines,
-/// each write their own, so that none needs a lock. It is there when the first row is.
+/// Writes a file of a shard with a unique name in the study's folder: processes of the same shard, even on different
+/// computers, each write their own file and need no lock. The file is created with the first row.
 class ShardWriter {
  public:
   ShardWriter(std::filesystem::path study, ShardHeader header, std::string columns);
 
-  /// Adds a row, and has it on the disk. Throws InputError if it cannot.
+  /// Appends a row and syncs the file. Throws InputError on failure.
   void add(const ShardLine& line);
 
  private:

@@ -17,20 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws InputError if the file is of another study than the header.
+/// Throws InputError if the file belongs to another study than the header.
 void refuse_other_study(const ShardFile& file, const ShardHeader& header, const fs::path& folder) {
   if (file.header.words == header.words && file.header.shard == header.shard) return;
-  throw InputError(
-      fmt::format("{}: holds a shard of another study, {}; give this one a folder of its own with -o, or delete {}",
-                  file.path.native(), printable(fmt::format("{}", fmt::join(file.header.words, " "))),
-                  shards_folder(folder).native()));
+  throw InputError(fmt::format("{}: holds a shard of another study, {}; choose another folder with -o, or delete {}",
+                               file.path.native(), printable(fmt::format("{}", fmt::join(file.header.words, " "))),
+                               shards_folder(folder).native()));
 }
 
 }  // namespace
 
 ShardRun::ShardRun(fs::path folder, ShardHeader header, std::string columns)
     : folder_(std::move(folder)), header_(std::move(header)), writer_(folder_, header_, std::move(columns)) {
-  if (folder_.empty()) throw session::UsageError("--output", "a shard is kept in a folder; name one");
+  if (folder_.empty()) throw session::UsageError("--output", "a shard needs a folder; specify one");
   std::set<std::size_t> known;
   std::set<std::string> changed;
   for (const fs::path& path : shard_files(folder_, header_)) {
@@ -44,9 +43,9 @@ ShardRun::ShardRun(fs::path folder, ShardHeader header, std::string columns)
     std::error_code error;
     fs::remove(path, error);
     if (error)
-      throw InputError(fmt::format("{}: is out of date and cannot be deleted ({})", path.native(), error.message()));
+      throw InputError(fmt::format("{} is out of date and cannot be deleted ({})", path.native(), error.message()));
   }
-  tell_stale(shards_folder(folder_), changed);
+  warn_stale(shards_folder(folder_), changed);
   const std::vector<unsigned> shard_of = shard_of_each(header_.points, header_.shard.count);
   for (std::size_t i = 0; i < shard_of.size(); ++i) {
     if (shard_of[i] != header_.shard.number) continue;
@@ -56,8 +55,8 @@ ShardRun::ShardRun(fs::path folder, ShardHeader header, std::string columns)
 }
 
 void ShardRun::print() const {
-  fmt::print("shard {}: {} of the {} points are in {}, {} of them measured now\n", to_text(header_.shard), points_,
-             header_.points, printable(shards_folder(folder_).native()), missing_.size());
+  fmt::print("shard {}: {} of the {} points are in {}, {} of them measured by this run\n", to_text(header_.shard),
+             points_, header_.points, printable(shards_folder(folder_).native()), missing_.size());
 }
 
 }  // namespace csgsim::studies

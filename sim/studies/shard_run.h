@@ -1,3 +1,5 @@
+// Measurement of one shard by one process.
+// Used by the runner.
 #pragma once
 
 #include <cstddef>
@@ -9,22 +11,22 @@
 
 namespace csgsim::studies {
 
-/// A process's share of a study.
+/// The share of a study that this process measures.
 class ShardRun {
  public:
-  /// Reads what was measured before; what that was measured from and has changed since is told, and measured anew.
-  /// Throws InputError if the folder holds another study.
+  /// Reads the points measured before. Points whose inputs have changed are reported and measured again. Throws
+  /// InputError if the folder holds another study.
   ShardRun(std::filesystem::path folder, ShardHeader header, std::string columns);
 
-  /// Numbers of the shard's points that have to be measured.
+  /// Numbers of the shard's points that remain to be measured.
   [[nodiscard]] const std::vector<std::size_t>& missing() const { return missing_; }
 
-  /// Of all points of the shard.
+  /// Number of points of the shard.
   [[nodiscard]] std::size_t points() const { return points_; }
 
   void add(std::size_t point, std::string row) { writer_.add({point, std::move(row)}); }
 
-  /// Says on standard output what is there now.
+  /// Prints the state of the shard on standard output.
   void print() const;
 
  private:

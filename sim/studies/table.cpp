@@ -10,7 +10,7 @@ namespace csgsim::studies {
 
 namespace {
 
-/// What a row was measured from; all of the row has been checked.
+/// The inputs that a row was measured from. The row must have been checked.
 Inputs inputs_of(const std::string& row, std::size_t point_columns) {
   const std::vector<std::string> cells = split_cells(row);
   return {cells.at(point_columns), cells.at(point_columns + 1), cells.at(point_columns + 2)};
@@ -37,8 +37,8 @@ std::string Table::point_of(const std::string& row) const {
   return std::string(first_cells(row, format_.point_columns));
 }
 
-bool Table::has_inputs(const std::string& row, const Asked& asked) const {
-  return row.starts_with(asked.cells + "," + to_line(asked.inputs) + ",");
+bool Table::has_inputs(const std::string& row, const PointRequest& requested) const {
+  return row.starts_with(requested.cells + "," + to_line(requested.inputs) + ",");
 }
 
 void Table::take(std::vector<std::string> rows) {
@@ -47,16 +47,16 @@ void Table::take(std::vector<std::string> rows) {
   for (std::size_t i = 0; i < rows_.size(); ++i) places_.emplace(point_of(rows_[i]), i);
 }
 
-std::set<std::string> Table::drop_stale(std::span<const Asked> asked, bool is_of_one_machine) {
-  std::unordered_map<std::string, const Asked*> now;
-  for (const Asked& one : asked) now.emplace(one.cells, &one);
+std::set<std::string> Table::drop_stale(std::span<const PointRequest> requested, bool is_of_one_machine) {
+  std::unordered_map<std::string, const PointRequest*> now;
+  for (const PointRequest& one : requested) now.emplace(one.cells, &one);
   std::set<std::string> changed;
   std::vector<std::string> kept;
   for (const std::string& row : rows_) {
     const auto same = now.find(point_of(row));
-    const Asked* const known = same != now.end()                     ? same->second
-                               : is_of_one_machine && !asked.empty() ? &asked.front()
-                                                                     : nullptr;
+    const PointRequest* const known = same != now.end()                         ? same->second
+                                      : is_of_one_machine && !requested.empty() ? &requested.front()
+                                                                                : nullptr;
     const std::vector<std::string> names = known == nullptr
                                                ? std::vector<std::string>{}
                                                : differences(inputs_of(row, format_.point_columns), known->inputs);
@@ -69,19 +69,19 @@ std::set<std::string> Table::drop_stale(std::span<const Asked> asked, bool is_of
   return changed;
 }
 
-const std::string* Table::find(std::span<const Asked> asked, std::size_t point) const {
-  const auto [begin, end] = places_.equal_range(asked[point].cells);
+const std::string* Table::find(std::span<const PointRequest> requested, std::size_t point) const {
+  const auto [begin, end] = places_.equal_range(requested[point].cells);
   for (auto place = begin; place != end; ++place) {
     const std::string& row = rows_[place->second];
-    if (has_inputs(row, asked[point]) && serves_(point, row)) return &row;
+    if (has_inputs(row, requested[point]) && serves_(point, row)) return &row;
   }
   return nullptr;
 }
 
-std::vector<std::size_t> Table::missing(std::span<const Asked> asked) const {
+std::vector<std::size_t> Table::missing(std::span<const PointRequest> requested) const {
   std::vector<std::size_t> points;
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    if (find(asked, i) == nullptr) points.push_back(i);
+  for (std::size_t i = 0; i < requested.size(); ++i) {
+    if (find(requested, i) == nullptr) points.push_back(i);
   }
   return points;
 }
@@ -97,12 +97,12 @@ void Table::add(std::span<const std::string> rows) {
   }
 }
 
-std::vector<std::string> Table::in_order(std::span<const Asked> asked) {
+std::vector<std::string> Table::in_order(std::span<const PointRequest> requested) {
   std::vector<std::string> rows;
   std::unordered_set<std::string> points;
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    rows.push_back(*find(asked, i));
-    points.insert(asked[i].cells);
+  for (std::size_t i = 0; i < requested.size(); ++i) {
+    rows.push_back(*find(requested, i));
+    points.insert(requested[i].cells);
   }
   if (!file_) return rows;
   std::vector<std::string> all = rows;
@@ -118,9 +118,10 @@ std::vector<std::string> Table::in_order(std::span<const Asked> asked) {
 
 std::vector<std::string> Table::put(const Gathered& gathered) {
   if (gathered.columns != format_.columns) {
-    throw InputError(path_.native() +
-                     ": this csgsim has other columns than the one that measured the shards; gather with " +
-                     gathered.inputs.csgsim);
+    throw InputError(
+        path_.native() +
+        ": this csgsim writes other columns than the version that measured the shards; gather with version " +
+        gathered.inputs.csgsim);
   }
   for (std::size_t i = 0; i < gathered.rows.size(); ++i) {
     try {
@@ -133,7 +134,7 @@ std::vector<std::string> Table::put(const Gathered& gathered) {
   const std::unordered_set<std::string> lines(gathered.rows.begin(), gathered.rows.end());
   for (const std::string& row : rows_) {
     if (!lines.contains(row))
-      throw InputError(path_.native() + ": has points that the shards do not have; take another place with -o");
+      throw InputError(path_.native() + ": has points that the shards lack; choose another folder with -o");
   }
   if (file_) file_->replace(gathered.rows);
   take(gathered.rows);

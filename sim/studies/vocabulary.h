@@ -1,3 +1,5 @@
+// Column headings of the pages of studies.
+// Used by the runner.
 #pragma once
 
 #include <string_view>
@@ -7,7 +9,7 @@
 
 namespace csgsim::studies {
 
-/// The columns of a table that a page shows, in their order, with what they are called there: those of the vocabulary.
+/// The columns of a table that a page shows, in the table's order, with their headings on the page.
 std::vector<report::PointColumn> page_columns(std::string_view header);
 
 }  // namespace csgsim::studies

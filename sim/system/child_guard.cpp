@@ -13,15 +13,15 @@
 
 #include "hw/base/blocked_signals.h"
 
-// Whatever runs between fork and exec may call only what a signal handler may call: other threads may have held locks.
+// Between fork and exec only async-signal-safe functions may be called, since other threads may have held locks.
 
 namespace csgsim::system {
 
 namespace {
 
-constexpr std::size_t kibibyte = 1024;  // the unit of ru_maxrss
+constexpr std::size_t kibibyte = 1024;  // unit of ru_maxrss
 
-/// What handles a signal in csgsim has nothing to do here; what is ignored stays so.
+/// Resets signal handlers to their defaults; ignored signals stay ignored.
 void drop_handlers() {
   for (int signal = 1; signal <= SIGRTMAX; ++signal) {
     struct sigaction action {};
@@ -41,12 +41,12 @@ void limit(int what, std::size_t most) {
   ::setrlimit(what, &now);
 }
 
-void tell(int file, const GuardReport& report) {
-  // So few bytes go into a pipe at once. Where nobody reads them any more, nobody misses them.
+void report_to(int file, const GuardReport& report) {
+  // A write of this size to a pipe is atomic. If the reader is gone, the report is not needed.
   static_cast<void>(!::write(file, &report, sizeof report));
 }
 
-/// Ends with the process that started it; not if that has ended already.
+/// Requests the signal for the end of the parent process, and raises it if the parent has ended already.
 void follow(pid_t parent, int signal) {
   ::prctl(PR_SET_PDEATHSIG, signal);
   if (::getppid() != parent) ::raise(signal);
@@ -63,17 +63,17 @@ void follow(pid_t parent, int signal) {
   ::close_range(STDERR_FILENO + 1, std::numeric_limits<unsigned>::max(), CLOSE_RANGE_CLOEXEC);
   ::pthread_sigmask(SIG_SETMASK, &signals, nullptr);
   ::execvp(program.words[0], program.words);
-  tell(program.told, {errno, 0, 0});
+  report_to(program.report, {errno, 0, 0});
   ::_exit(1);
 }
 
-/// Only what is written to: ends of pipes that others read must not stay open here.
+/// Closes all other files: open ends of pipes would block their readers.
 void close_all_but(int kept) {
   ::dup2(kept, STDIN_FILENO);
   ::close_range(STDIN_FILENO + 1, std::numeric_limits<unsigned>::max(), 0);
 }
 
-/// Waits until the program has ended, or this is told to stop.
+/// Waits until the program ends or SIGTERM arrives.
 void wait_for(pid_t program) {
   sigset_t awaited;
   ::sigemptyset(&awaited);
@@ -89,18 +89,18 @@ void wait_for(pid_t program) {
   ::setpgid(0, 0);
   drop_handlers();
   follow(parent, SIGTERM);
-  ::prctl(PR_SET_CHILD_SUBREAPER, 1);  // what the program leaves behind is waited for here
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);  // orphans of the program become children of the guard
   const pid_t self = ::getpid();
   const pid_t child = ::fork();
   if (child == 0) become(program, self, signals);
   if (child < 0) {
-    tell(program.told, {errno, 0, 0});
+    report_to(program.report, {errno, 0, 0});
     ::_exit(1);
   }
   ::setpgid(child, child);
-  close_all_but(program.told);
+  close_all_but(program.report);
   wait_for(child);
-  // The group keeps its number until its last process has been waited for.
+  // the group keeps its number until its last process has been waited for
   ::kill(-child, SIGKILL);
   GuardReport report;
   int status = 0;
@@ -109,7 +109,7 @@ void wait_for(pid_t program) {
     if (ended == child) report.status = status;
     report.memory = std::max(report.memory, static_cast<std::size_t>(usage.ru_maxrss) * kibibyte);
   }
-  tell(STDIN_FILENO, report);
+  report_to(STDIN_FILENO, report);
   ::_exit(0);
 }
 

@@ -1,3 +1,5 @@
+// A guard process that runs and terminates a child program.
+// Used by child_process.cpp.
 #pragma once
 
 #include <sys/types.h>
@@ -6,26 +8,26 @@
 
 namespace csgsim::system {
 
-/// What a program is started with.
+/// Arguments for starting a program.
 struct GuardedProgram {
-  char* const* words = nullptr;  ///< ended by a null pointer
-  int input = -1;                ///< open files that become its standard ones
+  char* const* words = nullptr;  ///< terminated by a null pointer
+  int input = -1;                ///< open files that become standard input, output and error
   int output = -1;
   int errors = -1;
-  int told = -1;           ///< where its guard writes a GuardReport
-  std::size_t memory = 0;  ///< RLIMIT_AS of its processes; the greatest number is none
+  int report = -1;         ///< file to which the guard writes a GuardReport
+  std::size_t memory = 0;  ///< RLIMIT_AS of its processes; the maximum value means no limit
 };
 
-/// How the program has ended.
+/// Report on the end of the program.
 struct GuardReport {
-  int error = 0;           ///< errno, if it could not be run
-  int status = 0;          ///< as waitpid tells it
-  std::size_t memory = 0;  ///< most bytes that a process of its group had in memory
+  int error = 0;           ///< errno if it could not be run
+  int status = 0;          ///< status from waitpid
+  std::size_t memory = 0;  ///< peak resident memory of a process of its group, in bytes
 };
 
-/// Starts a process that runs the program in a process group and waits for it: the guard. When the program ends, when
-/// the guard is told to stop (SIGTERM), and when the thread that started it ends with its process, by whatever signal,
-/// the guard ends all that is left of the group, and itself. Returns the guard's number, or -1 and errno.
+/// Starts a guard: a process that runs the program in a process group and waits for it. When the program ends, when the
+/// guard receives SIGTERM, or when the thread that started it or its process ends by any signal, the guard kills the
+/// rest of the group and exits. Returns the process number of the guard, or -1 and errno.
 pid_t start_guard(const GuardedProgram& program);
 
 }  // namespace csgsim::system

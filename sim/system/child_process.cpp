@@ -26,8 +26,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct Pipe {
-  Descriptor out;  ///< read from
-  Descriptor in;   ///< written to
+  Descriptor out;  ///< read end
+  Descriptor in;   ///< write end
 };
 
 [[noreturn]] void fail(const std::string& program, int error) {
@@ -42,7 +42,7 @@ Pipe make_pipe(const std::string& program) {
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-/// The guard of a program. It is ended with the object, and the program with it.
+/// The guard of a program. The destructor terminates both.
 class Guard {
  public:
   explicit Guard(pid_t number) : number_(number) {}
@@ -57,14 +57,15 @@ class Guard {
   pid_t number_;
 };
 
-/// What comes out of a pipe, up to a limit.
+/// Bytes read from a pipe, up to a limit.
 struct Stream {
   Descriptor file;
   std::string& bytes;
   std::size_t most;
-  Exceeded exceeded;  ///< what more than that is
+  Exceeded exceeded;  ///< reported if there are more bytes
 
-  /// Takes what there is. More than the limit is left there, but for a byte that tells of it.
+  /// Reads the available bytes. Beyond the limit it reads only one byte, which indicates the excess; returns false
+  /// then.
   [[nodiscard]] bool take() {
     std::array<char, std::size_t{1} << 16U> block{};
     for (;;) {
@@ -88,14 +89,14 @@ int milliseconds_until(Clock::time_point end) {
   return static_cast<int>(std::clamp(left, std::chrono::milliseconds(0), longest).count());
 }
 
-/// Takes what the program writes until the guard reports its end, or a limit is passed. Throws Interrupted.
-Exceeded listen(const Descriptor& told, std::array<Stream, 2>& streams, Clock::time_point end) {
-  // Nothing wakes the thread when its work is to stop.
+/// Reads the program's output until the guard reports its end or a limit is exceeded. Throws Interrupted.
+Exceeded listen(const Descriptor& report, std::array<Stream, 2>& streams, Clock::time_point end) {
+  // poll() is not woken by a stop request
   constexpr int look_after = 50;  // milliseconds
-  const bool is_interruptible = stop_of_thread().stop_possible();
+  const bool is_interruptible = thread_stop_token().stop_possible();
   for (;;) {
     end_if_interrupted();
-    std::array<pollfd, 3> files{pollfd{told.number(), POLLIN, 0}, pollfd{streams[0].file.number(), POLLIN, 0},
+    std::array<pollfd, 3> files{pollfd{report.number(), POLLIN, 0}, pollfd{streams[0].file.number(), POLLIN, 0},
                                 pollfd{streams[1].file.number(), POLLIN, 0}};
     const int longest = milliseconds_until(end);
     const int ready = ::poll(files.data(), files.size(), is_interruptible ? std::min(longest, look_after) : longest);
@@ -127,26 +128,26 @@ std::optional<ChildEnd> run_child(std::span<const std::string> words, const Memo
   const std::string& program = words.front();
   Pipe output = make_pipe(program);
   Pipe errors = make_pipe(program);
-  Pipe told = make_pipe(program);
+  Pipe report_pipe = make_pipe(program);
   const Clock::time_point end = Clock::now() + limits.time;
   const pid_t number = start_guard({arguments.data(), input.descriptor().number(), output.in.number(),
-                                    errors.in.number(), told.in.number(), limits.memory});
+                                    errors.in.number(), report_pipe.in.number(), limits.memory});
   if (number < 0) fail(program, errno);
-  for (Pipe* const pipe : {&output, &errors, &told}) static_cast<void>(pipe->in.close());
+  for (Pipe* const pipe : {&output, &errors, &report_pipe}) static_cast<void>(pipe->in.close());
   ChildEnd ended;
   {
     const Guard guard(number);
     std::array<Stream, 2> streams{Stream{std::move(output.out), ended.output, limits.output, Exceeded::output},
                                   Stream{std::move(errors.out), ended.errors, limits.errors, Exceeded::errors}};
-    ended.exceeded = listen(told.out, streams, end);
-    // What it wrote last may have come after it was looked for.
+    ended.exceeded = listen(report_pipe.out, streams, end);
+    // The last output may have arrived after the last poll.
     for (Stream& stream : streams) {
       if (ended.exceeded == Exceeded::nothing && stream.file.is_open() && !stream.take())
         ended.exceeded = stream.exceeded;
     }
   }
-  GuardReport report{0, SIGKILL, 0};  // of a guard that somebody has ended
-  static_cast<void>(!::read(told.out.number(), &report, sizeof report));
+  GuardReport report{0, SIGKILL, 0};  // used if the guard was killed
+  static_cast<void>(!::read(report_pipe.out.number(), &report, sizeof report));
   if (is_missing(report.error)) return std::nullopt;
   if (report.error != 0) fail(program, report.error);
   ended.status = report.status;
@@ -159,13 +160,13 @@ bool is_done(const ChildEnd& end) { return end.exceeded == Exceeded::nothing && 
 std::string why_failed(const ChildEnd& end, const ChildLimits& limits) {
   switch (end.exceeded) {
     case Exceeded::nothing: break;
-    case Exceeded::time: return fmt::format("it is not done after {} s", limits.time.count());
-    case Exceeded::output: return "it writes more than " + binary_size(limits.output);
-    case Exceeded::errors: return fmt::format("it writes more than {} of messages", binary_size(limits.errors));
+    case Exceeded::time: return fmt::format("it did not finish within {} s", limits.time.count());
+    case Exceeded::output: return "it wrote more than " + binary_size(limits.output);
+    case Exceeded::errors: return fmt::format("it wrote more than {} of messages", binary_size(limits.errors));
   }
   if (WIFSIGNALED(end.status)) {
-    return std::string("it was ended by a signal: ") + ::strsignal(WTERMSIG(end.status)) +
-           (limits.memory == ChildLimits::none ? "" : "; it may have " + binary_size(limits.memory) + " of memory");
+    return std::string("it was killed by a signal: ") + ::strsignal(WTERMSIG(end.status)) +
+           (limits.memory == ChildLimits::none ? "" : "; its memory limit is " + binary_size(limits.memory));
   }
   const std::size_t begin = std::min(end.errors.find_first_not_of(" \n"), end.errors.size());
   return end.errors.substr(begin, end.errors.find('\n', begin) - begin);

@@ -1,3 +1,5 @@
+// Runs other programs within limits.
+// Used by sim/plots, sim/session, sim/viewer and sim/waves.
 #pragma once
 
 #include <chrono>
@@ -12,40 +14,40 @@
 
 namespace csgsim::system {
 
-/// What a program that is run may take.
+/// Limits of a child program.
 struct ChildLimits {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  std::chrono::seconds time{};  ///< until it has ended
-  std::size_t output = 0;       ///< bytes that it may write to its standard output
-  std::size_t errors = 0;       ///< bytes that it may write to its standard error
-  std::size_t memory = none;    ///< bytes of addresses that each of its processes may have (RLIMIT_AS)
+  std::chrono::seconds time{};  ///< running time
+  std::size_t output = 0;       ///< bytes on its standard output
+  std::size_t errors = 0;       ///< bytes on its standard error
+  std::size_t memory = none;    ///< address space of each of its processes in bytes (RLIMIT_AS)
 };
 
-/// The limit that ended a program.
+/// The limit at which a program was stopped.
 enum class Exceeded : std::uint8_t { nothing, time, output, errors };
 
-/// How a program that was run has ended.
+/// Result of a child program.
 struct ChildEnd {
-  int status = 0;          ///< as waitpid tells it
-  std::size_t memory = 0;  ///< most bytes that one of its processes had in memory; at least what its caller has
+  int status = 0;          ///< status from waitpid
+  std::size_t memory = 0;  ///< peak resident bytes of one of its processes; at least those of its caller
   Exceeded exceeded = Exceeded::nothing;
   std::string output;  ///< up to its limit
   std::string errors;  ///< up to its limit
 };
 
-/// Runs the program that the first word names, found as a shell finds it, and waits for its end. It reads `input` and
-/// has no other file of this process. It works in a process group of its own, of which nothing is left when this
-/// returns, nor when this process ends, by whatever signal. None if there is no such program; throws InputError, which
-/// begins with the first word, if it cannot be run for another reason, and Interrupted where this thread's work is to
-/// stop.
+/// Runs the program named by the first word, found on the PATH like in a shell, and waits for its end. It reads `input`
+/// and gets no other file of this process. It runs in a separate process group; no process of the group survives this
+/// function, nor this process, whatever signal ends it. Returns nothing if the program does not exist. Throws
+/// InputError, which begins with the first word, if it cannot be run for another reason, and Interrupted if the current
+/// thread's work must stop.
 std::optional<ChildEnd> run_child(std::span<const std::string> words, const MemoryFile& input,
                                   const ChildLimits& limits);
 
-/// Whether it ended as it should, within the limits.
+/// Whether it ended successfully and within the limits.
 bool is_done(const ChildEnd& end);
 
-/// Why it did not: the limit, the signal, or the first line of what it said.
+/// Why it failed: the limit, the signal, or the first line of its messages.
 std::string why_failed(const ChildEnd& end, const ChildLimits& limits);
 
 }  // namespace csgsim::system

@@ -17,28 +17,28 @@ namespace csgsim::system {
 
 namespace {
 
-constexpr std::size_t most_said = 200;
+constexpr std::size_t max_holder_bytes = 200;
 
 [[noreturn]] void fail(const std::filesystem::path& folder, const std::error_code& error) {
-  throw InputError(fmt::format("{}: cannot be locked: {}; check the path, its permissions and the room on the disk",
+  throw InputError(fmt::format("{}: cannot be locked: {}; check the path, its permissions and the free disk space",
                                folder.native(), error.message()));
 }
 
 [[noreturn]] void fail_held(const std::filesystem::path& folder, const Descriptor& file) {
   std::string holder;
-  static_cast<void>(read_to_end(file, holder, most_said));
-  throw InputError(fmt::format("{}: another csgsim is writing there ({}); wait until it is done, or take another -o",
-                               folder.native(), holder.empty() ? "it has just begun" : printable(holder)));
+  static_cast<void>(read_to_end(file, holder, max_holder_bytes));
+  throw InputError(fmt::format("{}: another csgsim is writing there ({}); wait until it ends, or choose another -o",
+                               folder.native(), holder.empty() ? "just started" : printable(holder)));
 }
 
 [[noreturn]] void fail_foreign(const std::filesystem::path& path) {
   throw InputError(
       path.native() +
-      ": it is no lock of csgsim's, but a link, or a file with other names or of another kind; delete it, or "
-      "take another -o");
+      ": not a lock file of csgsim, but a link, a file with several names or a special file; delete it, or choose "
+      "another -o");
 }
 
-/// Opens or makes it, and never anything that it leads to: what it says is replaced.
+/// Opens or creates the lock file without following links, since its content is replaced.
 Descriptor open_lock(const std::filesystem::path& folder, const std::filesystem::path& path) {
   Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0666));
   if (!file.is_open() && errno == ELOOP) fail_foreign(path);
@@ -48,7 +48,7 @@ Descriptor open_lock(const std::filesystem::path& folder, const std::filesystem:
   return file;
 }
 
-/// A lock counts only if its file still has the name: the one that held it before may have deleted it meanwhile.
+/// A lock is valid only if its file still has the name: the previous holder may have deleted it meanwhile.
 bool has_name(const Descriptor& file, const std::filesystem::path& path) {
   struct stat open {};
   struct stat named {};
@@ -67,7 +67,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, std::string_view pur
     }
   } while (!has_name(file_, path_));
   registered_.emplace(path_);
-  // Whose it is helps people only: it does not matter whether there is room to say it.
+  // The holder's name is informative only; write errors do not matter.
   static_cast<void>(::ftruncate(file_.number(), 0));
   static_cast<void>(write_all(file_, fmt::format("process {}, {}", ::getpid(), purpose)));
 }

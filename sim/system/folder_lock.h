@@ -1,3 +1,5 @@
+// An exclusive lock on an output folder.
+// Used by sim/studies.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +11,12 @@
 
 namespace csgsim::system {
 
-/// Keeps a folder for this process: no two write tables there at the same time. The lock ends with the object or the
-/// process, however that ends.
+/// Locks a folder for this process, so that no two processes write tables there at the same time. The lock ends with
+/// the object or with the process, however it ends.
 class FolderLock {
  public:
-  /// `purpose` says who this is, as in "sweep". Throws InputError that names the process that holds the folder, if one
-  /// does.
+  /// `purpose` names the holder, as in "sweep". Throws InputError that names the process holding the folder, if it is
+  /// locked.
   FolderLock(const std::filesystem::path& folder, std::string_view purpose);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

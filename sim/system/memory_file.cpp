@@ -15,14 +15,14 @@ namespace csgsim::system {
 
 namespace {
 
-/// Writes of this process that a limit on the size of files (ulimit -f) has refused.
+/// Number of writes of this process refused by a file size limit (ulimit -f).
 std::atomic<unsigned> refused_writes = 0;
 static_assert(std::atomic<unsigned>::is_always_lock_free);
 
 extern "C" void count_refused_write(int) { ++refused_writes; }
 
-/// The kernel tells of each such write by a signal. Where that is ignored the library that wrote may hide the error,
-/// so from now on it is counted. Programs that are started get it as it is by default, and end by it.
+/// The kernel signals each such write. If the signal is ignored, the writing library may hide the error, so the refused
+/// writes are counted. Child programs get the default action, which ends them.
 void watch_refused_writes() {
   struct sigaction action {};
   if (::sigaction(SIGXFSZ, nullptr, &action) != 0 || action.sa_handler != SIG_IGN) return;
@@ -41,7 +41,7 @@ MemoryFile::MemoryFile(std::filesystem::path purpose)
 }
 
 void MemoryFile::fail(const std::error_code& error) const {
-  throw InputError(fmt::format("{}: cannot be made in memory: {}; check the limits of this process (ulimit -a)",
+  throw InputError(fmt::format("{}: cannot create a file in memory: {}; check the limits of this process (ulimit -a)",
                                purpose_.native(), error.message()));
 }
 

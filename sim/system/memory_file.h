@@ -1,3 +1,5 @@
+// Files in memory.
+// Used by sim/system, sim/pictures, sim/plots, sim/session and sim/waves.
 #pragma once
 
 #include <filesystem>
@@ -9,30 +11,30 @@
 
 namespace csgsim::system {
 
-/// A file that is in memory only: for libraries and programs that write to files without telling whether it worked. No
-/// disk can be full under it; a limit on the size of files (ulimit -f) holds for it too. Linux only. Each function
-/// throws InputError that begins with the purpose.
+/// A file in memory, for libraries and programs that write to files without reporting errors. No disk can be full under
+/// it, but a file size limit (ulimit -f) applies. Linux only. Each function throws InputError that begins with the
+/// purpose.
 class MemoryFile {
  public:
-  /// `purpose` is the file that its content is for, in messages. Throws if the system has none to give.
+  /// `purpose` is the file that the content is for, in messages. Throws if the system provides no such file.
   explicit MemoryFile(std::filesystem::path purpose);
 
-  /// A name by which this process can open it, for reading or writing.
+  /// A path by which this process can open it for reading or writing.
   [[nodiscard]] std::string path() const;
 
   [[nodiscard]] const Descriptor& descriptor() const { return descriptor_; }
 
-  /// Writes the bytes at its place, and goes back to its beginning.
+  /// Writes the bytes at the current position, and returns to the beginning.
   void write(std::string_view bytes);
 
-  /// Writes the bytes at its place, and stays behind them.
+  /// Appends the bytes at the current position.
   void append(std::string_view bytes);
 
-  /// Goes back to its beginning.
+  /// Returns to the beginning.
   void rewind() const;
 
-  /// All that was written. Throws if it cannot be read, or if a limit on the size of files has refused any write of
-  /// this process since this file was made, so that something may be missing.
+  /// The whole content. Throws if it cannot be read, or if a file size limit has refused any write of this process
+  /// since this file was created, so that bytes may be missing.
   [[nodiscard]] std::string content() const;
 
  private:

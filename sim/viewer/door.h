@@ -1,3 +1,5 @@
+// Access control of the page's server.
+// Used by sim/app.
 #pragma once
 
 #include <cstdint>
@@ -6,27 +8,27 @@
 
 #include "sim/viewer/http.h"
 
-/// Who is let in: the page that csgsim itself has sent to a browser of this computer, and nobody else.
+/// Access control: only the page that csgsim itself has sent to a browser on this computer is admitted.
 namespace csgsim::viewer {
 
-/// 128 random bits in hexadecimal digits: whoever knows the address of the page may ask. Throws InputError where
-/// the system has none to give.
+/// 128 random bits in hexadecimal, the secret part of the page's address. Throws InputError if the system provides no
+/// random numbers.
 std::string make_token();
 
 struct Door {
   std::uint16_t port = 0;
   std::string token;
 
-  /// Where the page is.
+  /// URL of the page.
   [[nodiscard]] std::string address() const;
 };
 
-/// Where a request is let in, its path behind the token (`draw` of `/TOKEN/draw`); else the answer that refuses it. A
-/// name that is not this computer's (DNS rebinding), a page of another origin, a wrong token and anything but JSON in a
-/// POST are refused.
+/// Result of checking a request: the path behind the token (`draw` of `/TOKEN/draw`), or the reply that refuses it.
+/// Rejected are foreign host names (DNS rebinding), pages of another origin, a wrong token, and anything but JSON in a
+/// POST.
 struct Admission {
   bool is_admitted = false;
-  std::string_view path{};  ///< of the request
+  std::string_view path{};  ///< path of the request behind the token
   Reply refusal{};
 };
 

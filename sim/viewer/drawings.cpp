@@ -19,19 +19,19 @@ namespace csgsim::viewer {
 
 namespace {
 
-constexpr std::size_t most_kept = 2;  ///< two are compared
+constexpr std::size_t max_kept = 2;  ///< enough to compare two
 
 std::optional<std::string> source_in(const Json& wish) {
   const Json& text = member_in(wish, "source", Json::value_t::string, "a text");
   return text.is_null() ? std::nullopt : std::optional(text.get<std::string>());
 }
 
-/// A machine's file is read if it is the one that the session began with, and no other.
+/// Rejects machine files other than the one that the session began with.
 void refuse_other_file(const std::string& machine, const Json& begun_with) {
   const std::string_view file = machines::file_of(machine);
   const std::string known = begun_with.is_string() ? begun_with.get<std::string>() : "";
   if (!file.empty() && file != machines::file_of(known))
-    throw WishError(fmt::format("machine: {} is a file; begin csgsim view with it: --machine {}", file, file));
+    throw WishError(fmt::format("machine: {} is a file; start csgsim view with --machine {}", file, file));
 }
 
 void add_words(std::vector<std::string>& words, const std::string& name, const Json& value) {
@@ -39,7 +39,7 @@ void add_words(std::vector<std::string>& words, const std::string& name, const J
     if (value.get<bool>()) words.push_back("--" + name);
     return;
   }
-  if (!value.is_string()) throw WishError(name + " has to be a text");
+  if (!value.is_string()) throw WishError(name + " must be a text");
   for (std::string& word : session::option_words(name, value.get<std::string>())) words.push_back(std::move(word));
 }
 
@@ -62,22 +62,22 @@ std::vector<std::string> Drawings::words_of(const Json& wish) const {
   words.insert(words.end(), beginning_.words.begin(), beginning_.words.end());
   const Json wished = object_in(wish, "knobs");
   for (const auto& [name, value] : wished.items()) {
-    if (std::ranges::find(knobs, name) == knobs.end()) throw WishError(fmt::format("there is no knob '{}'", name));
+    if (std::ranges::find(knobs, name) == knobs.end()) throw WishError(fmt::format("there is no setting '{}'", name));
     if (name == "machine" && value.is_string())
       refuse_other_file(value.get<std::string>(), beginning_.knobs.value("machine", Json()));
     if (name != "set") {
       add_words(words, name, value);
       continue;
     }
-    if (!value.is_array()) throw WishError("set has to be an array of texts");
+    if (!value.is_array()) throw WishError("set must be an array of texts");
     for (const Json& one : value) add_words(words, name, one);
   }
   return words;
 }
 
-Drawings::Asked Drawings::asked_by(const Json& asked) const {
-  Json wish{{"knobs", object_in(asked, "knobs")}};
-  const std::optional<std::string> source = source_in(asked);
+Drawings::ParsedWish Drawings::parsed(const Json& request) const {
+  Json wish{{"knobs", object_in(request, "knobs")}};
+  const std::optional<std::string> source = source_in(request);
   if (source) wish["source"] = *source;
   std::vector<std::string> words = words_of(wish);
   session::ModelRequest options = session::model_request_in(words);
@@ -85,27 +85,27 @@ Drawings::Asked Drawings::asked_by(const Json& asked) const {
   return {std::move(wish), std::move(words), std::move(options), std::move(text)};
 }
 
-/// The tree as it was read last, if the same would be read.
-session::ModelFile Drawings::model_of(const Asked& asked) const {
+/// The model of the latest drawing if its file would be read the same way; otherwise reads it.
+session::ModelFile Drawings::model_of(const ParsedWish& parsed) const {
   const std::shared_ptr<const Drawing> last = latest();
-  const auto is_same = [&](const char* name) { return knob_of(last->wish, name) == knob_of(asked.wish, name); };
-  const bool is_read = last != nullptr && last->text == asked.text && is_same("snap") && is_same("set");
+  const auto is_same = [&](const char* name) { return knob_of(last->wish, name) == knob_of(parsed.wish, name); };
+  const bool is_read = last != nullptr && last->text == parsed.text && is_same("snap") && is_same("set");
   return is_read ? session::ModelFile{last->model.tree, last->model.hash}
-                 : session::read_model_text(asked.options, asked.text);
+                 : session::read_model_text(parsed.options, parsed.text);
 }
 
-std::shared_ptr<Drawing> Drawings::evaluated(Asked asked) const {
-  const KeptLines told;
+std::shared_ptr<Drawing> Drawings::evaluated(ParsedWish parsed) const {
+  const CollectedLines messages;
   const auto begin = std::chrono::steady_clock::now();
-  machines::Machine machine = session::machine_of(asked.options);
-  session::CompiledModel model = session::compile_model(model_of(asked), asked.options, machine);
-  return std::make_shared<Drawing>(Drawing{.wish = std::move(asked.wish),
-                                           .text = std::move(asked.text),
-                                           .options = std::move(asked.options),
+  machines::Machine machine = session::machine_of(parsed.options);
+  session::CompiledModel model = session::compile_model(model_of(parsed), parsed.options, machine);
+  return std::make_shared<Drawing>(Drawing{.wish = std::move(parsed.wish),
+                                           .text = std::move(parsed.text),
+                                           .options = std::move(parsed.options),
                                            .machine = std::move(machine),
                                            .model = std::move(model),
-                                           .words = std::move(asked.words),
-                                           .warnings = told.lines(),
+                                           .words = std::move(parsed.words),
+                                           .warnings = messages.lines(),
                                            .compiling = seconds_since(begin)});
 }
 
@@ -120,9 +120,9 @@ std::shared_ptr<const Drawing> Drawings::latest() const {
   return kept_.empty() ? nullptr : kept_.front();
 }
 
-std::shared_ptr<Drawing> Drawings::kept(const Asked& asked) {
+std::shared_ptr<Drawing> Drawings::kept(const ParsedWish& parsed) {
   const std::lock_guard lock(mutex_);
-  const auto is_same = [&](const auto& one) { return one->wish == asked.wish && one->text == asked.text; };
+  const auto is_same = [&](const auto& one) { return one->wish == parsed.wish && one->text == parsed.text; };
   const auto same = std::ranges::find_if(kept_, is_same);
   if (same == kept_.end()) return nullptr;
   std::rotate(kept_.begin(), same, same + 1);
@@ -132,26 +132,26 @@ std::shared_ptr<Drawing> Drawings::kept(const Asked& asked) {
 void Drawings::keep(const std::shared_ptr<Drawing>& next) {
   const std::lock_guard lock(mutex_);
   kept_.insert(kept_.begin(), next);
-  if (kept_.size() > most_kept) kept_.pop_back();
+  if (kept_.size() > max_kept) kept_.pop_back();
 }
 
-std::shared_ptr<std::mutex> Drawings::turn_of(const Asked& asked) {
+std::shared_ptr<std::mutex> Drawings::turn_of(const ParsedWish& parsed) {
   const std::lock_guard lock(mutex_);
   std::erase_if(turns_, [](const auto& one) { return one.second.expired(); });
-  std::weak_ptr<std::mutex>& turn = turns_[hash_of(asked.wish, asked.text)];
+  std::weak_ptr<std::mutex>& turn = turns_[hash_of(parsed.wish, parsed.text)];
   std::shared_ptr<std::mutex> mine = turn.lock();
   if (!mine) turn = mine = std::make_shared<std::mutex>();
   return mine;
 }
 
 std::shared_ptr<Drawing> Drawings::compiled(const Json& wish, Evaluation& evaluation) {
-  Asked asked = asked_by(wish);
-  if (std::shared_ptr<Drawing> same = kept(asked)) return same;
-  const std::shared_ptr<std::mutex> turn = turn_of(asked);
+  ParsedWish request = parsed(wish);
+  if (std::shared_ptr<Drawing> same = kept(request)) return same;
+  const std::shared_ptr<std::mutex> turn = turn_of(request);
   const std::lock_guard waits(*turn);
-  if (std::shared_ptr<Drawing> same = kept(asked)) return same;
+  if (std::shared_ptr<Drawing> same = kept(request)) return same;
   evaluation.begin(Doing::evaluating);
-  std::shared_ptr<Drawing> next = evaluated(std::move(asked));
+  std::shared_ptr<Drawing> next = evaluated(std::move(request));
   evaluation.begin(Doing::drawing);
   keep(next);
   return next;

@@ -1,3 +1,5 @@
+// Compiled and drawn models of a viewer session.
+// Used by session.h.
 #pragma once
 
 #include <cstddef>
@@ -20,76 +22,77 @@
 
 namespace csgsim::viewer {
 
-/// What the command line that began a session says.
+/// The command line that started a session.
 struct Beginning {
-  std::string model;               ///< file
-  std::vector<std::string> words;  ///< all but the model and the knobs
-  Json knobs;                      ///< those that are given, as texts by their names; texts of `set` in an array
+  std::string model;               ///< path of its file
+  std::vector<std::string> words;  ///< all words except the model and the knobs
+  Json knobs;                      ///< given knobs as texts by name; `set` is an array of texts
 };
 
-/// What has been found out about a drawing, once it has been asked for.
-struct FoundOut {
-  std::mutex mutex;  ///< held while one of these is made or changed
+/// Results about a drawing, computed on demand.
+struct DrawingResults {
+  std::mutex mutex;  ///< held while a member is created or changed
   std::optional<session::Drawn> drawn{};
   std::unique_ptr<Instants> instants{};
   std::unique_ptr<ActiveTrees> active_trees{};
-  std::shared_ptr<const Lanes> lanes{};  ///< of the whole frame
+  std::shared_ptr<const Lanes> lanes{};  ///< lanes of the whole frame
 };
 
-/// A wish that was compiled. It stays where it is, and is not changed.
+/// A compiled wish. Its address is stable and it is immutable, except for `found`.
 struct Drawing {
   Json wish;
-  std::string text;  ///< of the model, as it was read
+  std::string text;  ///< text of the model as it was read
   session::ModelRequest options;
   machines::Machine machine;
   session::CompiledModel model;
-  std::vector<std::string> words;  ///< of a command line: the model and its options
+  std::vector<std::string> words;  ///< words of a command line: the model and its options
   std::vector<std::string> warnings;
   double compiling = 0;  ///< seconds
-  std::unique_ptr<FoundOut> found = std::make_unique<FoundOut>();
+  std::unique_ptr<DrawingResults> found = std::make_unique<DrawingResults>();
 
-  /// The command line of the command of that name for the same model and options.
+  /// The command line of the named command for the same model and options.
   [[nodiscard]] std::string command(const std::string& name) const;
 };
 
-/// The drawings that were wished for last. Several threads may ask at a time: models are evaluated side by side, but
-/// one that several wish for is evaluated once.
+/// The latest drawings. Thread-safe: different models are evaluated in parallel, and a model that several threads
+/// request is evaluated once.
 class Drawings {
  public:
-  /// Throws InputError where the model's file cannot be read, or is no regular file.
+  /// Throws InputError if the model's file cannot be read or is not a regular file.
   explicit Drawings(Beginning beginning);
 
   [[nodiscard]] const Beginning& beginning() const { return beginning_; }
 
-  /// The same as before if nothing that it is made of has changed. Throws WishError, InputError, UsageError for
-  /// options that make no sense, and Interrupted.
+  /// Returns the existing drawing if none of its inputs has changed. Throws WishError, InputError, UsageError for
+  /// invalid options, and Interrupted.
   std::shared_ptr<Drawing> compiled(const Json& wish, Evaluation& evaluation);
   std::shared_ptr<Drawing> drawn(const Json& wish, Evaluation& evaluation);
 
-  /// The one that was asked for last; null before the first.
+  /// The drawing requested last; null before the first.
   [[nodiscard]] std::shared_ptr<const Drawing> latest() const;
 
  private:
-  /// What a wish is made of.
-  struct Asked {
+  /// A wish with the command line and the text that it stands for.
+  struct ParsedWish {
     Json wish;
     std::vector<std::string> words;
     session::ModelRequest options;
-    std::string text;  ///< of the model
+    std::string text;  ///< text of the model
   };
 
   [[nodiscard]] std::vector<std::string> words_of(const Json& wish) const;
-  [[nodiscard]] Asked asked_by(const Json& wish) const;
-  [[nodiscard]] session::ModelFile model_of(const Asked& asked) const;
-  [[nodiscard]] std::shared_ptr<Drawing> evaluated(Asked asked) const;
-  std::shared_ptr<Drawing> kept(const Asked& asked);
+  [[nodiscard]] ParsedWish parsed(const Json& request) const;
+  [[nodiscard]] session::ModelFile model_of(const ParsedWish& parsed) const;
+  [[nodiscard]] std::shared_ptr<Drawing> evaluated(ParsedWish parsed) const;
+  std::shared_ptr<Drawing> kept(const ParsedWish& parsed);
   void keep(const std::shared_ptr<Drawing>& next);
-  std::shared_ptr<std::mutex> turn_of(const Asked& asked);
+  std::shared_ptr<std::mutex> turn_of(const ParsedWish& parsed);
 
   Beginning beginning_;
-  mutable std::mutex mutex_;                                ///< of what follows, never held for long
+  mutable std::mutex mutex_;                                ///< protects the members below; never held for long
   std::vector<std::shared_ptr<Drawing>> kept_;              ///< the latest first
-  std::map<std::size_t, std::weak_ptr<std::mutex>> turns_;  ///< of those that evaluate, by a hash of what they evaluate
+  std::map<std::size_t, std::weak_ptr<std::mutex>> turns_;  ///< one per running evaluation, by a hash of what it
+                                                            ///< evaluates
 };
 
 }  // namespace csgsim::viewer

@@ -31,7 +31,7 @@ Json section_json(const scene::Section& section) {
             {"is_list", section.is_list},
             {"keys", Json::array()}};
   for (const scene::KeyValue& one : section.blank()) {
-    // A table of colours is for a scene file.
+    // Colour tables can only be given in scene files.
     if (one.key.kind != scene::ValueKind::colour_table) json["keys"].push_back(key_json(one));
   }
   return json;

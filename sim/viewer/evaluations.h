@@ -1,3 +1,5 @@
+// Progress, time limit and cancellation of requests.
+// Used by drawings.h and session.h.
 #pragma once
 
 #include <chrono>
@@ -13,36 +15,35 @@
 
 namespace csgsim::viewer {
 
-/// What the work on an answer is at.
+/// Stage of the work on an answer.
 enum class Doing : std::uint8_t {
   waiting,
-  evaluating,  ///< the model's text: OpenSCAD, reading, compiling. This has a limit of time
+  evaluating,  ///< the model's text: OpenSCAD, reading, compiling; has a time limit
   drawing,
 };
 
-/// Why work was ended before it was done.
+/// Reason why work was stopped before its end.
 enum class Ended : std::uint8_t { not_yet, cancelled, overdue, closed };
 
 class Evaluation;
 
-/// The answers that are being worked out, so that the page can see how far they are and take them back. Any thread may
-/// call any of this.
+/// The answers in progress, so that the page can show their progress and cancel them. All functions are thread-safe.
 class Evaluations {
  public:
-  /// `most` is the time that an evaluation may take.
+  /// `most` is the time limit of an evaluation.
   explicit Evaluations(std::chrono::milliseconds most) : most_(most) {}
 
-  /// Those of that name, which the page has chosen.
+  /// Cancels the evaluations with this name, which the page has chosen.
   void cancel(std::string_view name);
 
-  /// All: the session is about to end.
+  /// Cancels all evaluations: the session is about to end.
   void close();
 
-  /// Those that evaluate for longer than they may. Called now and then.
+  /// Cancels evaluations that exceed the time limit. Called periodically.
   void end_overdue();
 
-  /// The state of the first of that name: `doing`, the `seconds` since that began, and `most` of them, if it has a
-  /// limit. Empty if there is none.
+  /// State of the first evaluation with this name: `doing`, `seconds` since this stage began, and `most` seconds if it
+  /// has a limit. Empty if there is no such evaluation.
   [[nodiscard]] Json progress(std::string_view name) const;
 
   [[nodiscard]] std::chrono::milliseconds most() const { return most_; }
@@ -67,11 +68,11 @@ class Evaluations {
   bool is_closed_ = false;
 };
 
-/// The work on one answer, by this thread, while it lives: the work throws Interrupted when it is to end
-/// (hw/base/interruption.h).
+/// The work on one answer by the current thread, for the lifetime of the object. The work throws Interrupted when it
+/// must stop (hw/base/interruption.h).
 class Evaluation {
  public:
-  /// `name` may be empty: it cannot be taken back then.
+  /// An evaluation with an empty name cannot be cancelled.
   Evaluation(Evaluations& all, std::string name);
   ~Evaluation();
   Evaluation(const Evaluation&) = delete;

@@ -1,3 +1,5 @@
+// Embedded files of the page.
+// Used by files.cpp.in and page.cpp.
 #pragma once
 
 #include <span>
@@ -5,7 +7,7 @@
 
 namespace csgsim::viewer {
 
-/// A file of `page/`, which is part of the program.
+/// An embedded file of `page/`.
 struct PageFile {
   std::string_view name;
   std::string_view text;

@@ -1,3 +1,5 @@
+// HTTP requests and replies.
+// Used by sim/viewer.
 #pragma once
 
 #include <functional>
@@ -6,14 +8,14 @@
 
 namespace csgsim::viewer {
 
-/// What a browser asks for. Headers that are not there are empty.
+/// An HTTP request. Missing headers are empty.
 struct Request {
   std::string method{};
   std::string path{};
   std::string host{};          ///< header Host
   std::string origin{};        ///< header Origin
   std::string site{};          ///< header Sec-Fetch-Site
-  std::string content_type{};  ///< of the body
+  std::string content_type{};  ///< header Content-Type
   std::string body{};
 };
 
@@ -21,10 +23,10 @@ struct Reply {
   int status = 200;
   std::string type = "text/plain; charset=utf-8";
   std::string body{};
-  bool has_scripts = false;  ///< a page with its style and script in it, which asks for nothing else
+  bool has_scripts = false;  ///< a self-contained page with inline style and script, which loads nothing else
 };
 
-/// A JSON object with the message as its `error`. The message is printable and has no quotes or backslashes.
+/// A JSON object with the message as `error`. The message must be printable, without quotes and backslashes.
 inline Reply error_reply(int status, std::string_view message) {
   return {.status = status, .type = "application/json", .body = "{\"error\":\"" + std::string(message) + "\"}\n"};
 }

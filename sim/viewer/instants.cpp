@@ -22,13 +22,13 @@ namespace csgsim::viewer {
 
 namespace {
 
-constexpr std::uint64_t listed_before = 12;  // instructions of the listing
+constexpr std::uint64_t listed_before = 12;  // instructions shown in the listing
 constexpr std::uint64_t listed_after = 24;
 constexpr const char* enable = "E";
 
 }  // namespace
 
-/// The colours of segments that have come to their end.
+/// Collects the colours of completed segments.
 class Instants::Finished : public engine::Observer {
  public:
   explicit Finished(const isa::Program& program)
@@ -39,7 +39,7 @@ class Instants::Finished : public engine::Observer {
     if (program_.colour.width > 0 && !program_.segments[segment].instructions.empty()) put(state, colours_);
   }
 
-  /// With those of the segment at hand.
+  /// The colours of completed segments and of the current one.
   [[nodiscard]] std::vector<std::uint32_t> with(const engine::PixelState& state) const {
     std::vector<std::uint32_t> all = colours_;
     if (program_.colour.width > 0) put(state, all);
@@ -85,7 +85,7 @@ isa::Field Instants::field_named(const std::string& name) const {
   if (name == enable) return {};
   const auto found = std::ranges::find(program_.facts->fields, name, &isa::NamedField::name);
   if (found == program_.facts->fields.end())
-    throw InputError(fmt::format("there is no field '{}'; there are {}", name, fmt::join(fields(), ", ")));
+    throw InputError(fmt::format("there is no field '{}'; the fields are {}", name, fmt::join(fields(), ", ")));
   return found->field;
 }
 
@@ -107,13 +107,13 @@ std::uint64_t Instants::first_of(std::uint64_t primitive) const {
       ++number;
     }
   }
-  throw InputError(fmt::format("no instruction draws p{}: it is not seen, or there is no such primitive", primitive));
+  throw InputError(fmt::format("no instruction draws p{}: it is not visible or does not exist", primitive));
 }
 
 std::vector<std::uint8_t> Instants::pixels_of(isa::Field field, std::string& scale) const {
   std::vector<std::uint8_t> pixels;
   if (field == program_.colour && field.width > 0) {
-    scale = "the colour, in its colours";
+    scale = "colour";
     const bool is_begun = !program_.segments[run_->place().segment].instructions.empty();
     for (const std::uint32_t packed : is_begun ? finished_->with(*run_) : finished_->colours()) {
       const std::array<std::uint8_t, 3> channels = isa::unpack_colour(packed, field.width);
@@ -143,17 +143,17 @@ void Instants::tint(std::vector<std::uint8_t>& pixels) const {
   }
 }
 
-nlohmann::ordered_json Instants::told_of(std::uint64_t number) const {
+nlohmann::ordered_json Instants::instruction_json(std::uint64_t number) const {
   const engine::Place place = numbers_.place(number);
   const isa::Instruction& instruction = program_.segments[place.segment].instructions[place.index];
-  nlohmann::ordered_json told{{"number", number},
+  nlohmann::ordered_json json{{"number", number},
                               {"text", isa::text_of(instruction, program_.facts->fields)},
                               {"serves", report::served_by(instruction, *program_.facts)}};
   const std::uint32_t piece = instruction.origin.primitive;
-  if (piece != isa::no_primitive) told["primitive"] = isa::primitive_of(*program_.facts, piece);
+  if (piece != isa::no_primitive) json["primitive"] = isa::primitive_of(*program_.facts, piece);
   const std::uint32_t against = instruction.origin.node;
-  if (against != isa::no_primitive) told["against"] = isa::primitive_of(*program_.facts, against);
-  return told;
+  if (against != isa::no_primitive) json["against"] = isa::primitive_of(*program_.facts, against);
+  return json;
 }
 
 std::uint64_t Instants::number_of(const InstantWish& wish) {
@@ -161,7 +161,7 @@ std::uint64_t Instants::number_of(const InstantWish& wish) {
   return wish.clock ? clocks_.first_after(*wish.clock, 0) : std::min(wish.number, numbers_.count());
 }
 
-/// Nothing of a kind of machine that does not tell.
+/// Adds the clocks of issue, or the reason why the machine's kind does not provide them.
 void Instants::put_clocks(engine::Place place, nlohmann::ordered_json& instant) {
   try {
     const machines::ClockSpan span = clocks_.issued(place);
@@ -186,7 +186,7 @@ nlohmann::ordered_json Instants::at(const InstantWish& wish) {
                                  {"instructions", nlohmann::ordered_json::array()}};
   const std::uint64_t first = number < listed_before ? 0 : number - listed_before;
   for (std::uint64_t i = first; i < std::min(number + listed_after, numbers_.count()); ++i)
-    instant["instructions"].push_back(told_of(i));
+    instant["instructions"].push_back(instruction_json(i));
   if (number == numbers_.count()) return instant;
   const engine::Place place = numbers_.place(number);
   put_clocks(place, instant);

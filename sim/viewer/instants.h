@@ -1,3 +1,5 @@
+// Pixel memory between two instructions.
+// Used by drawings.h.
 #pragma once
 
 #include <cstdint>
@@ -13,30 +15,30 @@
 
 namespace csgsim::viewer {
 
-/// What is asked of an instant.
+/// A request for the state at an instant.
 struct InstantWish {
-  std::uint64_t number = 0;  ///< instructions that come before it
+  std::uint64_t number = 0;  ///< number of instructions before it
   std::string field;         ///< name of a field, or `E`; empty: the colour
-  bool is_tinted = false;    ///< enabled pixels are
-  // In place of a number: before the first instruction that serves the primitive, or of which something is still to be
-  // issued when the clock begins.
+  bool is_tinted = false;    ///< tint the enabled pixels
+  // Alternatives to the number: the first instruction that serves the primitive, or the first one not completely issued
+  // at the clock.
   std::optional<std::uint64_t> primitive{};
   std::optional<std::uint64_t> clock{};
 };
 
-/// A run that is looked at before any of its instructions, at the functional level.
+/// A run at the functional level that can be inspected before any of its instructions.
 class Instants {
  public:
   /// Both have to outlive it.
   Instants(const isa::Program& program, const machines::Machine& machine);
   ~Instants();
 
-  /// What stands in pixel memory there, as a picture; which instruction comes next, whom it serves, in which clocks it
-  /// is issued, in which segment it is and which piece it draws; and the instructions around it. A skip may pass the
-  /// number: `number` tells where it is. Throws InputError for a field that does not exist.
+  /// Pixel memory at that instant as a picture, and the next instruction: what it serves, its clocks of issue, its
+  /// segment, the piece it draws; and the instructions around it. A skip may pass the number: `number` is the actual
+  /// position. Throws InputError for an unknown field.
   nlohmann::ordered_json at(const InstantWish& wish);
 
-  /// Names of fields that can be asked for.
+  /// Names of the available fields.
   [[nodiscard]] std::vector<std::string> fields() const;
 
  private:
@@ -48,7 +50,7 @@ class Instants {
   [[nodiscard]] isa::Field field_named(const std::string& name) const;
   [[nodiscard]] std::vector<std::uint8_t> pixels_of(isa::Field field, std::string& scale) const;
   void tint(std::vector<std::uint8_t>& pixels) const;
-  [[nodiscard]] nlohmann::ordered_json told_of(std::uint64_t number) const;
+  [[nodiscard]] nlohmann::ordered_json instruction_json(std::uint64_t number) const;
   void put_clocks(engine::Place place, nlohmann::ordered_json& instant);
 
   const isa::Program& program_;

@@ -1,3 +1,5 @@
+// Names of the settings that the page can change.
+// Used by sim/viewer and sim/app.
 #pragma once
 
 #include <array>
@@ -5,8 +7,8 @@
 
 namespace csgsim::viewer {
 
-/// What can be turned on the page: options of `csgsim render`, by their long names, but those that name files or limit
-/// the work.
+/// Settings that the page can change: options of `csgsim render` by their long names, except those that name files or
+/// limit the work.
 inline constexpr auto knobs = std::to_array<std::string_view>(
     {"camera",      "projection",    "view-all",  "near",          "size",     "machine",    "memory-bits",
      "set",         "colour-scheme", "tolerance", "curves",        "strategy", "stack-bits", "colouring",

@@ -11,11 +11,11 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::uint64_t told_apart = 400;  ///< stretches side by side in a lane
+constexpr std::uint64_t resolution = 400;  ///< stretches per lane
 
 }  // namespace
 
-/// A lane's stretches, one after the other, as the page gets them.
+/// The stretches of a lane in the form sent to the page; short neighbours are merged.
 class Lanes::Shortened {
  public:
   Shortened(const std::vector<std::string>& texts, std::uint64_t grain) : texts_(texts), grain_(grain) {}
@@ -54,7 +54,7 @@ class Lanes::Shortened {
 
   const std::vector<std::string>& texts_;
   std::uint64_t grain_;
-  std::map<std::uint32_t, std::uint64_t> held_;  ///< clocks by texts, of what is put together
+  std::map<std::uint32_t, std::uint64_t> held_;  ///< clocks by text, of the merged stretches
   std::uint64_t begin_ = 0;
   std::uint64_t end_ = 0;
   std::size_t count_ = 0;
@@ -62,8 +62,8 @@ class Lanes::Shortened {
 };
 
 Lanes::Lanes(std::string_view trace_events) : begin_(std::numeric_limits<std::uint64_t>::max()) {
-  constexpr int of_events = 2;  // nested so deep: in the file's object, in the array
-  // Events are taken as they come, and not kept.
+  constexpr int of_events = 2;  // nesting depth: the file's object, the array
+  // Events are consumed while parsing and not stored.
   const auto taken = [this](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
     if (depth != of_events || event != nlohmann::json::parse_event_t::object_end) return true;
     take(parsed);
@@ -101,7 +101,7 @@ void Lanes::take(const nlohmann::json& event) {
 
 Json Lanes::between(std::uint64_t begin, std::uint64_t end) const {
   Json lanes = Json::array();
-  const std::uint64_t grain = std::max<std::uint64_t>(1, (end - std::min(begin, end)) / told_apart);
+  const std::uint64_t grain = std::max<std::uint64_t>(1, (end - std::min(begin, end)) / resolution);
   for (const Lane& lane : lanes_) {
     Shortened shortened(texts_, grain);
     const auto ends_before = [](const Stretch& one, std::uint64_t clock) { return one.end() <= clock; };

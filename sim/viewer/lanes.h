@@ -1,3 +1,5 @@
+// Activities of a machine's units, merged for display.
+// Used by drawings.h.
 #pragma once
 
 #include <cstddef>
@@ -10,19 +12,19 @@
 
 namespace csgsim::viewer {
 
-/// What the parts of a machine are at, clock for clock, as lanes that can be looked at from near and from far.
+/// Activities of the machine's units by clock, as lanes that the page can zoom.
 class Lanes {
  public:
-  /// Of a file of trace events as waves::TraceEvents writes it.
+  /// Reads trace events as waves::TraceEvents writes them.
   explicit Lanes(std::string_view trace_events);
 
-  /// The first clock of which something is known, and the one after the last.
+  /// The first recorded clock, and the one after the last.
   [[nodiscard]] std::uint64_t begin() const { return begin_; }
   [[nodiscard]] std::uint64_t end() const { return end_; }
 
-  /// Of these clocks an array of lanes: `part`, `name` and `stretches`, each [first clock, clocks, what is shown].
-  /// Those that are too short to be told apart are put together: [first clock, clocks, what the most of them show, how
-  /// many, clocks in which something is shown].
+  /// The lanes between two clocks, as an array of `part`, `name` and `stretches`, each [first clock, clocks, text].
+  /// Stretches too short to be distinguished are merged: [first clock, clocks, most frequent text, number of stretches,
+  /// clocks with activity].
   [[nodiscard]] nlohmann::ordered_json between(std::uint64_t begin, std::uint64_t end) const;
 
  private:
@@ -36,7 +38,7 @@ class Lanes {
   struct Lane {
     std::string part;
     std::string name;
-    std::vector<Stretch> stretches;  ///< in order
+    std::vector<Stretch> stretches;  ///< ordered by time
   };
   class Shortened;
 
@@ -44,9 +46,9 @@ class Lanes {
   std::uint32_t index_of(const std::string& text);
 
   std::vector<std::string> texts_;
-  std::unordered_map<std::string, std::uint32_t> indices_;  ///< of the texts
-  std::unordered_map<unsigned, std::string> parts_;         ///< by their numbers in the file
-  std::unordered_map<unsigned, std::size_t> lane_of_;       ///< the same
+  std::unordered_map<std::string, std::uint32_t> indices_;  ///< index of each text
+  std::unordered_map<unsigned, std::string> parts_;         ///< unit names by their numbers in the file
+  std::unordered_map<unsigned, std::size_t> lane_of_;       ///< index into lanes_, by number in the file
   std::vector<Lane> lanes_;
   std::uint64_t begin_ = 0;
   std::uint64_t end_ = 0;

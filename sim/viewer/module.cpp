@@ -20,7 +20,7 @@ using boost::system::error_code;
 
 constexpr auto tick = 100ms;
 
-/// Without SO_REUSEPORT, with which two servers would share a port. Returns what is wrong.
+/// Listens without SO_REUSEPORT, which would let two servers share the port. Returns the error.
 error_code listen(tcp::acceptor& acceptor, std::uint16_t port) {
   const tcp::endpoint here(boost::asio::ip::address_v4::loopback(), port);
   error_code error;
@@ -31,14 +31,14 @@ error_code listen(tcp::acceptor& acceptor, std::uint16_t port) {
   return error;
 }
 
-/// Accepts connections, and ends with the last page.
+/// Accepts connections, and stops the server after the last page is closed.
 class Attendant {
  public:
   Attendant(Server& server, tcp::acceptor& acceptor) : server_(server), acceptor_(acceptor), timer_(server.io) {}
 
   void accept() {
     acceptor_.async_accept([this](error_code error, tcp::socket socket) {
-      // The process may have no more files; the next tick tries again.
+      // The process may be out of file descriptors; the next tick tries again.
       is_accepting_ = !error;
       if (error) return;
       const auto connection = std::make_shared<Connection>(std::move(socket), server_);
@@ -71,7 +71,7 @@ std::string serve(const Serving& serving) {
   Server server{.serving = serving};
   tcp::acceptor acceptor(server.io);
   if (listen(acceptor, serving.port))
-    return "port " + std::to_string(serving.port) + " of 127.0.0.1 cannot be had; is it in use?";
+    return "port " + std::to_string(serving.port) + " of 127.0.0.1 is not available; choose another one with --port";
   serving.begun(acceptor.local_endpoint().port());
   Attendant attendant(server, acceptor);
   attendant.accept();
@@ -86,6 +86,6 @@ std::string serve(const Serving& serving) {
 
 }  // namespace csgsim::viewer
 
-// The name is that of module_symbol.
+// The name must equal module_symbol.
 extern "C" [[gnu::visibility("default")]] const csgsim::viewer::Module csgsim_viewer_3;
 const csgsim::viewer::Module csgsim_viewer_3{csgsim::viewer::serve};

@@ -1,3 +1,5 @@
+// Interface of the server module.
+// Used by serve.h and server.h.
 #pragma once
 
 #include <chrono>
@@ -11,38 +13,40 @@
 
 namespace csgsim::viewer {
 
-/// How long a connection may take for what it does.
+/// Time limits of a connection.
 struct ConnectionTimes {
-  std::chrono::milliseconds request = std::chrono::seconds(10);  ///< from the answer before it, or the beginning
-  std::chrono::milliseconds reply = std::chrono::seconds(60);    ///< until the client has taken it
-  std::chrono::milliseconds leave = std::chrono::seconds(2);     ///< until the client of a last reply is gone
-  std::chrono::milliseconds between_events{500};                 ///< of a page that stays open
+  std::chrono::milliseconds request = std::chrono::seconds(10);  ///< time for a request, from the answer before it or
+                                                                 ///< from the beginning
+  std::chrono::milliseconds reply = std::chrono::seconds(60);    ///< time for the client to take the reply
+  std::chrono::milliseconds leave = std::chrono::seconds(2);     ///< time for the client to close after a last reply
+  std::chrono::milliseconds between_events{500};                 ///< between events to an open page
 };
 
-/// How long to serve, and whom.
+/// Parameters and callbacks of the server.
 struct Serving {
-  std::uint16_t port = 0;  ///< 0: any that is free
+  std::uint16_t port = 0;  ///< 0: any free port
   RequestLimits limits{};
   ConnectionTimes times{};
-  std::chrono::milliseconds patience{};       ///< after the last page was closed; none: without an end
+  std::chrono::milliseconds patience{};       ///< running time after the last page is closed; 0: unlimited
   std::function<void(std::uint16_t)> begun;   ///< called with the port, before the first request
   RequestReader::Gate gate;                   ///< called with each header, before the body is read
-  Handler handler;                            ///< of all requests that the gate admits
-  std::function<bool(const Request&)> stays;  ///< whether a GET is a page's that stays open as long as the page is
+  Handler handler;                            ///< answers all requests that the gate admits
+  std::function<bool(const Request&)> stays;  ///< whether a GET is the request that a page keeps open
   std::function<void()> tick;                 ///< called ten times a second
-  std::function<void()> ending;  ///< called before the server waits for the requests that are being handled
+  std::function<void()> ending;               ///< called before the server waits for the requests in progress
 };
 
-/// The module of csgsim view: a shared library that is opened when a page is asked for, since a server takes long to
-/// load. It is of the same build as what opens it.
+/// The module of csgsim view: a shared library that is opened on demand, since a server takes long to load. It comes
+/// from the same build as the program that opens it.
 struct Module {
-  /// Serves 127.0.0.1 until there is nobody left. Returns why it could not, or nothing.
+  /// Serves 127.0.0.1 until the last page is closed. Returns an error message, or an empty string.
   std::string (*serve)(const Serving& serving);
 };
 
 inline constexpr const char* module_file = "csgsim_viewer.so";
 
-/// Of the only symbol of the module, a Module. It changes with this file, so that another version's is not taken.
+/// Name of the only symbol of the module, a Module. It changes with this file, so that a module of another version is
+/// not accepted.
 inline constexpr const char* module_symbol = "csgsim_viewer_3";
 
 }  // namespace csgsim::viewer

@@ -1,3 +1,5 @@
+// Serves the files of the page.
+// Used by sim/app.
 #pragma once
 
 #include <optional>
@@ -7,7 +9,7 @@
 
 namespace csgsim::viewer {
 
-/// The page itself, its style or its script, by the path behind the token; nothing for any other.
+/// A file of the page by its path behind the token; nothing for an unknown path.
 std::optional<Reply> page_file(std::string_view path);
 
 }  // namespace csgsim::viewer

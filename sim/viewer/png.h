@@ -1,3 +1,5 @@
+// PNG pictures as data URLs.
+// Used by instants.cpp, session.cpp and two.cpp.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +9,10 @@
 
 namespace csgsim::viewer {
 
-/// A PNG of pixels in red, green and blue as an address that holds it (`data:`).
+/// A PNG of RGB pixels as a `data:` URL.
 std::string png_url(std::span<const std::uint8_t> pixels, std::uint32_t width, std::uint32_t height);
 
-/// The same of a PNG file.
+/// The same for an encoded PNG file.
 std::string png_url(std::string_view png);
 
 }  // namespace csgsim::viewer

@@ -13,11 +13,11 @@ namespace csgsim::viewer {
 
 namespace {
 
-/// The program that this process runs.
+/// Path of the running program.
 std::string own_program() {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) throw InputError("csgsim: its own file cannot be found: " + error.message());
+  if (error) throw InputError("csgsim: cannot find its own program file: " + error.message());
   return program.native();
 }
 
@@ -36,11 +36,11 @@ std::string recorded_by(const std::string& csgsim, const isa::Program& program, 
   system::MemoryFile input("the Program of a wave");
   input.write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   std::optional<system::ChildEnd> end = system::run_child(words, input, limits);
-  if (!end) throw InputError("csgsim wave cannot be run: its program has been moved");
+  if (!end) throw InputError("cannot run csgsim wave: the program file has been moved");
   if (system::is_done(*end)) return std::move(end->output);
   const std::string why = system::why_failed(*end, limits);
   if (end->exceeded == system::Exceeded::nothing) throw InputError(why);
-  throw InputError("csgsim wave: " + why + "; make the picture smaller, or record it with csgsim wave and a --window");
+  throw InputError("csgsim wave: " + why + "; use a smaller picture, or record it with csgsim wave and a --window");
 }
 
 }  // namespace csgsim::viewer

@@ -1,3 +1,5 @@
+// Records waveforms in a separate csgsim process.
+// Used by sim/viewer and sim/web.
 #pragma once
 
 #include <chrono>
@@ -10,16 +12,15 @@
 
 namespace csgsim::viewer {
 
-/// What `csgsim wave` prints of the Program, with these options besides its name and its output: recorded in a process
-/// of its own, since SystemC elaborates once a process. Throws InputError with what that says, or where it takes longer
-/// than three minutes, or prints more than 512 MB.
+/// Output of `csgsim wave` for the Program with these options. It runs in a separate process, since SystemC allows one
+/// elaboration per process. Throws InputError with its message, or if it exceeds three minutes or 512 MB of output.
 std::string recorded(const isa::Program& program, std::span<const std::string> options);
 
-/// The limits of that run of csgsim wave.
+/// Limits of that process.
 inline constexpr system::ChildLimits wave_limits{
     .time = std::chrono::minutes(3), .output = std::size_t{512} << 20U, .errors = 1U << 16U};
 
-/// The same by the program of that name.
+/// The same with the program of that name.
 std::string recorded_by(const std::string& csgsim, const isa::Program& program, std::span<const std::string> options,
                         const system::ChildLimits& limits = wave_limits);
 

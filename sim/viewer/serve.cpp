@@ -9,7 +9,7 @@ namespace csgsim::viewer {
 
 void serve(const Serving& serving) {
   const void* const symbol =
-      module_symbol_of({.file = module_file, .symbol = module_symbol, .does = "talks with browsers"});
+      load_module_symbol({.file = module_file, .symbol = module_symbol, .does = "serves pages to browsers"});
   const std::string wrong = static_cast<const Module*>(symbol)->serve(serving);
   if (!wrong.empty()) throw InputError(wrong);
 }

@@ -41,7 +41,7 @@ std::string camera_text(const view::Camera& camera) {
                      camera.centre.z);
 }
 
-/// The number of at most nine digits at a place of the text, which is left behind it; none if there is no digit.
+/// Reads a number of at most nine digits and advances `at` past it; nothing if there is no digit.
 std::optional<unsigned> number_at(const std::string& text, std::size_t& at) {
   constexpr unsigned most = 100'000'000;
   const std::size_t begin = at;
@@ -51,8 +51,8 @@ std::optional<unsigned> number_at(const std::string& text, std::size_t& at) {
   return at == begin ? std::nullopt : std::optional(number);
 }
 
-/// Line and column of a message that begins with the file's name and these, or the line of OpenSCAD's, which reads the
-/// text from its standard input.
+/// Adds line and column of a message that begins with the file's name and place, or the line of an OpenSCAD message,
+/// since OpenSCAD reads the text from standard input.
 void put_place(Json& answer, const std::string& message, const std::string& file) {
   constexpr std::string_view in_scad = "in file <stdin>, line ";
   if (std::size_t at = message.find(in_scad); at != message.npos) {
@@ -80,7 +80,8 @@ Reply json_reply(const Json& json, int status = 200) {
   return {.status = status, .type = "application/json", .body = text_of(json)};
 }
 
-/// Of csgsim wave: which pixel and levels, and when. As one word each, so that no text is taken for another option.
+/// Options of csgsim wave for pixel, window and tree levels. Each is one word, so that no text can act as another
+/// option.
 std::vector<std::string> probing_options(const Json& wish) {
   std::vector<std::string> options;
   for (const char* const name : {"pixel", "window"}) {
@@ -90,7 +91,7 @@ std::vector<std::string> probing_options(const Json& wish) {
   return options;
 }
 
-/// Beside an instant: what the surface is compared with that its instruction draws.
+/// Adds to an instant the active tree of the surface that its instruction draws.
 void put_active_tree(const Drawing& drawing, Json& instant) {
   if (!instant.contains("piece")) return;
   std::unique_ptr<ActiveTrees>& trees = drawing.found->active_trees;
@@ -106,23 +107,23 @@ Json stats_of(const session::CompiledModel& model, const machines::Machine& mach
   return report::without_wall_times(observe::to_json(report));
 }
 
-Reply nothing_there() { return {.status = 404, .body = "there is nothing of that name\n"}; }
+Reply not_found_reply() { return {.status = 404, .body = "there is no page of that name\n"}; }
 
 bool is_drawn(const Drawing& drawing) {
   const std::lock_guard lock(drawing.found->mutex);
   return drawing.found->drawn.has_value();
 }
 
-/// The answer to a question whose work was ended.
+/// The answer to a question whose work was stopped.
 Reply ended_reply(Ended why, const std::string& model, std::chrono::milliseconds most) {
   switch (why) {
     case Ended::overdue:
       return json_reply(
-          {{"error", fmt::format("{}: evaluating it takes longer than {:g} s; make the model simpler, or begin csgsim "
-                                 "view with more time, --evaluation-time SECONDS",
+          {{"error", fmt::format("{}: evaluating it takes longer than {:g} s; simplify the model, or start csgsim "
+                                 "view with a longer --evaluation-time SECONDS",
                                  model, std::chrono::duration<double>(most).count())}},
           422);
-    case Ended::closed: return json_reply({{"error", "csgsim view ends"}}, 503);
+    case Ended::closed: return json_reply({{"error", "csgsim view is stopping"}}, 503);
     case Ended::not_yet:
     case Ended::cancelled: break;
   }
@@ -156,8 +157,8 @@ Json Session::explain(const Json& wish, Evaluation& evaluation) {
   if (!why_not.empty()) missed = session::primitive_named(program, why_not, "why not");
   return session::with_memory_for_picture(drawing.machine.array, [&]() -> Json {
     const story::HalfspaceFinder finder = session::halfspaces_of(drawing.model, drawing.options, drawing.machine);
-    story::Answer told = story::answer_of({program, &finder}, drawing.machine, pixel.x, pixel.y, missed);
-    return {{"text", std::move(told.text)}, {"story", std::move(told.json)}};
+    story::Answer history = story::answer_of({program, &finder}, drawing.machine, pixel.x, pixel.y, missed);
+    return {{"text", std::move(history.text)}, {"story", std::move(history.json)}};
   });
 }
 
@@ -179,7 +180,7 @@ Json Session::instant(const Json& wish, Evaluation& evaluation) {
       return answer;
     });
   } catch (const Interrupted&) {
-    instants.reset();  // between two instants
+    instants.reset();  // the state may be between two instants
     throw;
   }
 }
@@ -195,7 +196,7 @@ std::string Session::recorded_of(const isa::Program& program, const std::vector<
 }
 
 std::shared_ptr<const Lanes> Session::lanes_of(const Drawing& drawing, const Json& wish) {
-  // Lanes without a pixel are of the whole frame, and recorded once.
+  // Lanes without a pixel cover the whole frame and are recorded once.
   const bool is_probed = wish.contains("pixel");
   if (!is_probed) {
     const std::lock_guard lock(drawing.found->mutex);
@@ -278,7 +279,7 @@ Json Session::about() const {
           {"usual", {{"machine", usual.machine}, {"strategy", usual.strategy}, {"z-bits", usual.z_bits}}}};
 }
 
-/// What is asked by a POST.
+/// A question that the page sends by POST.
 struct Session::Question {
   std::string_view name;
   Json (Session::*answer)(const Json& wish, Evaluation& evaluation);
@@ -293,7 +294,7 @@ const Session::Question Session::questions[] = {
 Reply Session::answered_post(const Request& request, std::string_view path) {
   constexpr session::JsonLimits limits{.depth = 16, .values = 10'000};
   const Json wish = session::parsed_json(request.body, limits);
-  if (!wish.is_object()) throw WishError("a wish has to be an object");
+  if (!wish.is_object()) throw WishError("a wish must be an object");
   const std::string evaluation_name = text_in(wish, "evaluation");
   if (path == "progress") return json_reply(evaluations_.progress(evaluation_name));
   if (path == "cancel") {
@@ -301,7 +302,7 @@ Reply Session::answered_post(const Request& request, std::string_view path) {
     return json_reply(Json::object());
   }
   const auto question = std::ranges::find(questions, path, &Question::name);
-  if (question == std::end(questions)) return nothing_there();
+  if (question == std::end(questions)) return not_found_reply();
   Evaluation evaluation(evaluations_, evaluation_name);
   try {
     return json_reply((this->*question->answer)(wish, evaluation));
@@ -315,7 +316,7 @@ Reply Session::answered(const Request& request, std::string_view path) {
   if (request.method == "GET" && path == "about") return json_reply(about());
   if (request.method == "GET" && path == "report")
     return {.type = "text/html; charset=utf-8", .body = report(), .has_scripts = true};
-  return nothing_there();
+  return not_found_reply();
 }
 
 Reply Session::answer(const Request& request, std::string_view path) {

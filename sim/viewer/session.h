@@ -1,3 +1,5 @@
+// Answers the questions of the page.
+// Used by sim/app and sim/web.
 #pragma once
 
 #include <chrono>
@@ -19,49 +21,49 @@
 namespace csgsim::viewer {
 
 struct SessionOptions {
-  /// The limit on evaluating a model's text.
+  /// Time limit for evaluating a model's text.
   std::chrono::milliseconds evaluation_time = std::chrono::seconds(10);
-  /// Records the machine's wires (recorded.h).
+  /// Records waveforms of the machine (recorded.h).
   std::function<std::string(const isa::Program& program, std::span<const std::string> options)> recorder = recorded;
 };
 
-/// A model, drawn as the page wishes. A wish is an object with
-/// - `knobs`: texts by the names of options (knobs.h); of `set` an array of texts; of flags true;
-/// - `source`: the model's text in place of its file's, if it was edited;
-/// - `evaluation`: a name of the question, by which it can be cancelled;
-/// and what belongs to the question. What cannot be drawn is answered with the status 422 and `error`, and `line` and
-/// `column` if they are the model's.
+/// Answers the page's questions about a model. A question is sent with a wish, an object with
+/// - `knobs`: texts by option name (knobs.h); an array of texts for `set`; true for flags;
+/// - `source`: the edited text of the model, instead of the text of its file;
+/// - `evaluation`: a name by which the question can be cancelled;
+/// and the members of the question. Failures are answered with status 422 and `error`, with `line` and `column` if they
+/// concern the model.
 class Session {
  public:
-  /// Throws InputError where the file cannot be read.
+  /// Throws InputError if the file cannot be read.
   explicit Session(Beginning beginning, SessionOptions options = {})
       : options_(std::move(options)), drawings_(std::move(beginning)), evaluations_(options_.evaluation_time) {}
 
-  /// The questions, with the members of their wishes:
-  /// - `about`: what the page has to know first;
+  /// The questions, with the additional members of their wishes:
+  /// - `about`: what the page needs at its start;
   /// - `draw`: a picture, with the stats of csgsim render;
-  /// - `explain`: the story of a pixel. `pixel`, `x,y`, and `why_not`, a primitive as --why-not names it;
+  /// - `explain`: the history of a pixel. `pixel`, `x,y`, and `why_not`, a primitive as in --why-not;
   /// - `instant`: pixel memory before an instruction, with the active tree of the surface that it draws (instants.h,
-  ///   trees.h). `number`, `primitive` or `clock`, `field` and `tinted`;
-  /// - `tree`: the model's (trees.h);
-  /// - `lanes`: what the parts are at (lanes.h) from clock `begin` to `end`, or over the frame; or in a `window` with
-  ///   those of a `pixel` and of levels of trees, `probes`, each as csgsim wave has them;
+  /// trees.h). `number`, `primitive` or `clock`, `field` and `tinted`;
+  /// - `tree`: the model's tree (trees.h);
+  /// - `lanes`: activities of the units (lanes.h) from clock `begin` to `end`, or over the frame; or in a `window`,
+  /// with those of a `pixel` and of tree levels, `probes`, each as in csgsim wave;
   /// - `wave`: a value change dump of such a window;
-  /// - `advice`: what could be turned, and what that is worth;
-  /// - `verdict`: how many pixels are wrong;
-  /// - `two`: two drawings compared (two.h). `a` and `b`, wishes;
-  /// - `report`: the page of csgsim render --report, of what was drawn last;
-  /// - `progress`: how far the question is that has this `evaluation`, a name that the page has chosen (evaluations.h);
-  /// - `cancel`: ends that question. Its answer has `cancelled`.
+  /// - `advice`: possible changes and their worth;
+  /// - `verdict`: the number of wrong pixels;
+  /// - `two`: a comparison of two drawings (two.h). `a` and `b`, wishes;
+  /// - `report`: the page of csgsim render --report for the latest drawing;
+  /// - `progress`: progress of the question with this `evaluation`, a name chosen by the page (evaluations.h);
+  /// - `cancel`: cancels that question. Its answer has `cancelled`.
   ///
-  /// Any number of threads may ask: a question waits for another only if both are of one drawing and change what is
-  /// known of it, or wish for the same model while it is evaluated, or record wires.
+  /// Thread-safe. A question waits for another only if both change the results of one drawing, evaluate the same model,
+  /// or record waveforms.
   Reply answer(const Request& request, std::string_view path);
 
-  /// Ends evaluations that take longer than they may. Called several times a second.
+  /// Stops evaluations that exceed the time limit. Called several times a second.
   void end_overdue() { evaluations_.end_overdue(); }
 
-  /// Ends all work, and what is asked from now on.
+  /// Stops all work, now and in later questions.
   void close() { evaluations_.close(); }
 
  private:
@@ -89,7 +91,7 @@ class Session {
   SessionOptions options_;
   Drawings drawings_;
   Evaluations evaluations_;
-  std::mutex recording_;  ///< held while wires are recorded, one run at a time
+  std::mutex recording_;  ///< held while recording: one run at a time
 };
 
 }  // namespace csgsim::viewer

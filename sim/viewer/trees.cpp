@@ -20,9 +20,9 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t most_rows = 4000;
+constexpr std::size_t max_rows = 4000;
 
-/// A node that is still to be shown.
+/// A node that has not been shown yet.
 struct Waiting {
   std::uint32_t node = 0;
   std::size_t depth = 0;
@@ -49,7 +49,7 @@ Json primitive_row(std::size_t depth, std::uint32_t piece, const isa::Facts& fac
   return {{"depth", depth}, {"text", "p" + std::to_string(primitive) + name}, {"primitive", primitive}};
 }
 
-/// Puts the operands where they are shown next, the first of them first.
+/// Pushes the operands in reverse, so that the first is shown next.
 void put_operands(const std::vector<std::uint32_t>& operands, std::size_t depth, std::vector<Waiting>& waiting) {
   std::transform(operands.rbegin(), operands.rend(), std::back_inserter(waiting), [depth](std::uint32_t operand) {
     return Waiting{operand, depth};
@@ -67,7 +67,7 @@ Json rows_of(const csg::ActiveTree& active, const isa::Facts& facts) {
   Json rows = Json::array();
   std::vector<Waiting> waiting;
   put_operands(active.operands, 0, waiting);
-  while (!waiting.empty() && rows.size() < most_rows) {
+  while (!waiting.empty() && rows.size() < max_rows) {
     const Waiting at = waiting.back();
     waiting.pop_back();
     const csg::ActiveNode& node = active.nodes[at.node];
@@ -88,7 +88,7 @@ Json tree_of(const model::Tree& tree, const isa::Facts& facts) {
   Json rows = Json::array();
   std::vector<Waiting> waiting;
   if (tree.root != model::no_index) waiting.push_back({tree.root, 0});
-  while (!waiting.empty() && rows.size() < most_rows) {
+  while (!waiting.empty() && rows.size() < max_rows) {
     const Waiting at = waiting.back();
     waiting.pop_back();
     const model::Node& node = tree.nodes[at.node];

@@ -1,3 +1,5 @@
+// Model trees and active trees as rows.
+// Used by drawings.h.
 #pragma once
 
 #include <cstdint>
@@ -13,30 +15,30 @@
 
 namespace csgsim::viewer {
 
-/// A model's tree, each node before its operands: an array of `depth`, 0 for the root, `text`, what the node is, and of
-/// a primitive its number, `primitive`. Pieces of one node of the file are that node. Of a large tree, the first few
-/// thousand.
+/// A model's tree, each node before its operands, as an array of `depth` (0 for the root), `text`, and, for a
+/// primitive, its number `primitive`. The pieces of one node of the file appear as that node. A large tree is cut after
+/// the first few thousand rows.
 nlohmann::ordered_json tree_of(const model::Tree& tree, const isa::Facts& facts);
 
-/// Active trees, region by region, as the host prunes them for a Program.
+/// Active trees by region, as the host prunes them for a Program.
 class ActiveTrees {
  public:
-  /// Nothing is done before one is asked for. The arguments have to outlive it.
+  /// Does nothing until the first request. The arguments have to outlive it.
   ActiveTrees(const session::CompiledModel& model, const session::ModelRequest& options,
               const machines::Machine& machine)
       : model_(model), options_(options), machine_(machine) {}
 
-  /// What the surface of that piece is compared with in the segment, in the form of tree_of: at depth 0 operands, all
-  /// of which it has to be in, or, of a primitive that is `complemented`, outside. Several primitives that are compared
-  /// as one convex solid are one row, of the first. Empty where the surface is seen wherever it is drawn; none if it is
-  /// not drawn there.
+  /// The active tree of the surface of that piece in the segment, in the form of tree_of. The surface must be inside
+  /// every operand at depth 0, or outside if it is `complemented`. Several primitives that are compared as one convex
+  /// solid share one row, that of the first. Empty if the surface is visible wherever it is drawn; nothing if it is not
+  /// drawn there.
   [[nodiscard]] std::optional<nlohmann::ordered_json> of(std::uint32_t piece, std::uint32_t segment);
 
  private:
   const session::CompiledModel& model_;
   const session::ModelRequest& options_;
   const machines::Machine& machine_;
-  std::optional<emit::SegmentPlan> plan_;  ///< of the last segment
+  std::optional<emit::SegmentPlan> plan_;  ///< plan of the last segment
   std::uint32_t segment_ = 0;
 };
 

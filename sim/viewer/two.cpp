@@ -19,7 +19,7 @@ namespace {
 
 std::string instruction_text(const isa::Program& program, std::uint64_t number) {
   const engine::Numbers numbers(program);
-  if (number >= numbers.count()) return "nothing more";
+  if (number >= numbers.count()) return "the end of the Program";
   const engine::Place place = numbers.place(number);
   return isa::text_of(program.segments[place.segment].instructions[place.index], program.facts->fields);
 }
@@ -32,15 +32,15 @@ nlohmann::ordered_json two_at_once(const report::DrawnProgram& a, const report::
                                  a.frame.height, b.frame.width, b.frame.height));
   }
   const report::Difference found = report::difference_of(a, b, "", "");
-  nlohmann::ordered_json told{{"pixels", found.pixels}, {"first", nullptr}};
-  if (found.pixels > 0) told["first"] = {found.first % a.frame.width, found.first / a.frame.width};
-  told["picture"] = png_url(found.picture.png);
-  told["instruction"] = nullptr;
+  nlohmann::ordered_json json{{"pixels", found.pixels}, {"first", nullptr}};
+  if (found.pixels > 0) json["first"] = {found.first % a.frame.width, found.first / a.frame.width};
+  json["picture"] = png_url(found.picture.png);
+  json["instruction"] = nullptr;
   if (const std::optional<std::uint64_t> other = lockstep::first_other_instruction(a.program, b.program)) {
-    told["instruction"] = {
+    json["instruction"] = {
         {"number", *other}, {"a", instruction_text(a.program, *other)}, {"b", instruction_text(b.program, *other)}};
   }
-  return told;
+  return json;
 }
 
 }  // namespace csgsim::viewer

@@ -1,3 +1,5 @@
+// Comparison of two drawings.
+// Used by session.cpp.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,9 +8,9 @@
 
 namespace csgsim::viewer {
 
-/// How two drawings compare: `pixels` that show another colour or another primitive, the `first` of them; a `picture`
-/// of A in grey in which these stand out; and `instruction`, the number of the first that differs, with both texts, or
-/// nothing. Throws InputError where the pictures are not equally large.
+/// Comparison of two drawings: the number of `pixels` that differ in colour or primitive, the `first` of them, a
+/// `picture` of A in grey in which they stand out, and `instruction`, the number of the first instruction that differs
+/// with both texts, or null. Throws InputError if the pictures differ in size.
 nlohmann::ordered_json two_at_once(const report::DrawnProgram& a, const report::DrawnProgram& b);
 
 }  // namespace csgsim::viewer

@@ -8,7 +8,7 @@ const Json& member_in(const Json& wish, const char* key, Json::value_t type, con
   static const Json nothing;
   const auto found = wish.find(key);
   if (found == wish.end() || found->is_null()) return nothing;
-  if (found->type() != type) throw WishError(fmt::format("{} has to be {}", key, type_name));
+  if (found->type() != type) throw WishError(fmt::format("{} must be {}", key, type_name));
   return *found;
 }
 
@@ -20,7 +20,7 @@ std::string text_in(const Json& wish, const char* key) {
 std::vector<std::string> texts_in(const Json& wish, const char* key) {
   std::vector<std::string> texts;
   for (const Json& one : member_in(wish, key, Json::value_t::array, "an array of texts")) {
-    if (!one.is_string()) throw WishError(fmt::format("{} has to be an array of texts", key));
+    if (!one.is_string()) throw WishError(fmt::format("{} must be an array of texts", key));
     texts.push_back(one.get<std::string>());
   }
   return texts;

@@ -1,3 +1,5 @@
+// Access to members of JSON requests.
+// Used by drawings.h, evaluations.h and session.h.
 #pragma once
 
 #include <cstdint>
@@ -7,34 +9,34 @@
 #include <string>
 #include <vector>
 
-/// What the page asks for: members of a JSON object, none of which has to be there.
+/// Requests of the page: JSON objects whose members are all optional.
 namespace csgsim::viewer {
 
 using Json = nlohmann::ordered_json;
 
-/// What the page may not ask for.
+/// A request that the page must not make.
 class WishError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Each throws WishError for a member of another type.
+// Each function throws WishError for a member of another type.
 
-/// Null if it is not there.
+/// Null if the member is missing.
 const Json& member_in(const Json& wish, const char* key, Json::value_t type, const char* type_name);
 
-/// Empty if it is not there.
+/// Empty if the member is missing.
 std::string text_in(const Json& wish, const char* key);
 std::vector<std::string> texts_in(const Json& wish, const char* key);
 
 std::optional<std::uint64_t> number_in(const Json& wish, const char* key);
 
-/// False if it is not there.
+/// False if the member is missing.
 bool flag_in(const Json& wish, const char* key);
 
-/// An object, empty if it is not there.
+/// Empty if the member is missing.
 Json object_in(const Json& wish, const char* key);
 
-/// The text that is sent for it. Bytes that are not UTF-8 are replaced.
+/// The text to send. Bytes that are not UTF-8 are replaced.
 std::string text_of(const Json& json);
 
 }  // namespace csgsim::viewer

@@ -13,7 +13,7 @@ class Watcher final : public engine::Observer {
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
 
   void after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) override {
-    if (isa::is_question(step.instruction.opcode)) known_.answers.push_back(step.enabled_pixels > 0);
+    if (isa::needs_global_or(step.instruction.opcode)) known_.answers.push_back(step.enabled_pixels > 0);
   }
 
   void after_segment(std::uint32_t segment, const engine::PixelState& state) override {
@@ -36,7 +36,7 @@ Foreknowledge foresee(const isa::Program& program, const machines::Machine& mach
   Watcher watcher(program, known);
   engine::Observer* const watchers[] = {&watcher};
   known.result = engine::make_functional_engine(machine)->run(program, watchers);
-  known.timeline = machines::timeline(program, machine, engine::told_of(known.result));
+  known.timeline = machines::timeline(program, machine, engine::run_outcome(known.result));
   return known;
 }
 

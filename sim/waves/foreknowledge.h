@@ -1,3 +1,5 @@
+// Results of a functional run that waveform recording needs.
+// Used by sim/waves and sim/app.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +11,18 @@
 #include "hw/machines/timing.h"
 #include "sim/engine/engine.h"
 
-/// Waves of a run: which clocks, and the file.
+/// Waveforms of a run: selection of clocks, recording and files.
 namespace csgsim::waves {
 
-/// What a run at the functional level tells before a wave is recorded.
+/// Results of a run at the functional level, needed before a waveform is recorded.
 struct Foreknowledge {
   engine::RunResult result;
-  std::vector<bool> answers;           ///< to each question that is asked, in order: is any pixel enabled?
-  std::vector<std::uint32_t> picture;  ///< of a Program of one segment with colours: its pixels', in row order
+  std::vector<bool> answers;           ///< result of each question in order: whether any pixel is enabled
+  std::vector<std::uint32_t> picture;  ///< pixels in row order, for a Program of one segment with colours
   machines::Timeline timeline;
 };
 
-/// Throws InputError as the engine does, and for a kind of machine that has no timeline.
+/// Throws InputError as the engine does, and for kinds of machines without a timeline.
 Foreknowledge foresee(const isa::Program& program, const machines::Machine& machine);
 
 }  // namespace csgsim::waves

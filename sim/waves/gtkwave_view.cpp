@@ -13,20 +13,20 @@ namespace csgsim::waves {
 
 namespace {
 
-constexpr std::uint64_t most_clocks_in_view = 64;
-constexpr unsigned window_width = 1900;  // pixels of the screen
+constexpr std::uint64_t max_clocks_in_view = 64;
+constexpr unsigned window_width = 1900;  // screen pixels
 constexpr unsigned names_width = 560;
 constexpr unsigned row_height = 23;
 
-/// GTKWave's flags for the way a signal is shown.
+/// GTKWave's flags for the display of a signal.
 std::string_view flags_of(wave::Show show) {
   constexpr auto flags = std::to_array<std::string_view>({"@28\n", "@24\n", "@22\n", "@820\n"});
   return flags.at(static_cast<std::size_t>(show));
 }
 
-/// GTKWave shows 2^-zoom units of time in 200 pixels of the screen.
+/// GTKWave shows 2^-zoom time units in 200 screen pixels.
 double zoom_of(std::uint64_t clocks, std::uint64_t period) {
-  const auto shown = static_cast<double>(std::min(clocks, most_clocks_in_view) * period);
+  const auto shown = static_cast<double>(std::min(clocks, max_clocks_in_view) * period);
   return -std::log2(shown * 200.0 / (window_width - names_width));
 }
 
@@ -38,7 +38,7 @@ std::string gtkwave_view(const Shown& shown) {
   const wave::Window& first = windows.front();
   std::string view;
   auto out = std::back_inserter(view);
-  // A name that would end its line or its quotes is left out: the file is then named beside this one.
+  // A name that would break its line or quotes is omitted; the user names the file on the command line.
   const bool is_plain = printable(waveform) == waveform && waveform.find('"') == std::string::npos;
   if (is_plain) fmt::format_to(out, "[dumpfile] \"{}\"\n", waveform);
   fmt::format_to(out, "[timestart] {}\n[size] {} {}\n[pos] -1 -1\n", (first.begin + 1) * period, window_width,

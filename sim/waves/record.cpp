@@ -20,19 +20,19 @@ namespace csgsim::waves {
 namespace {
 
 /// The pixels of a Program of one segment, by their places in the array.
-systemc::Foretold foretold_of(const isa::Program& program, const Foreknowledge& known, const wave::Request& request) {
-  systemc::Foretold foretold{.pixels = {},
-                             .answers = known.answers,
-                             .skips = known.result.skips,
-                             .timeline = &known.timeline,
-                             .picture = known.picture};
+systemc::EarlierRun foretold_of(const isa::Program& program, const Foreknowledge& known, const wave::Request& request) {
+  systemc::EarlierRun foretold{.pixels = {},
+                               .answers = known.answers,
+                               .skips = known.result.skips,
+                               .timeline = &known.timeline,
+                               .picture = known.picture};
   const isa::Region& region = program.segments.front().region;
   for (const wave::Pixel pixel : request.pixels) foretold.pixels.push_back({pixel.x - region.x, pixel.y - region.y});
   return foretold;
 }
 
-/// Nobody looks at what instructions leave.
-class Nobody final : public systemc::RunListener {};
+/// The states after instructions are not used.
+class NoListener final : public systemc::RunListener {};
 
 bool can_be_probed(const isa::Program& program, const machines::Machine& machine, const wave::Request& request) {
   const isa::Region whole{0, 0, machine.array.width, machine.array.height};
@@ -58,7 +58,8 @@ systemc::EvaluatorForm evaluator_for(const machines::Machine& machine, const wav
 Recording record(const isa::Program& program, const machines::Machine& machine, const Foreknowledge& known,
                  const wave::Request& request, Fidelity fidelity, systemc::EvaluatorForm form, Format format) {
   cycle::claim_elaboration(machine);
-  sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);  // that it has been stopped
+  sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);  // suppresses the message about
+                                                                                      // the stop
   const bool probes = fidelity == Fidelity::probed && can_be_probed(program, machine, request);
   const std::unique_ptr<systemc::ClockedMachine> hardware =
       probes ? kinds::make_probed_machine(machine, foretold_of(program, known, request), form)
@@ -70,13 +71,13 @@ Recording record(const isa::Program& program, const machines::Machine& machine, 
       .reached = false, .taps = hardware->taps(program, request), .top = wave::identifier(machine.kind->name)};
   if (recording.taps.empty()) {
     throw InputError("machines of the kind " + std::string(machine.kind->name) +
-                     " have no waves; take another --machine");
+                     " have no waveforms; take another --machine");
   }
   const std::uint64_t first = hardware->skip_to(program, {request.windows.front().begin, request.windows.back().end});
   const auto picoseconds = static_cast<std::uint64_t>(std::llround(period.to_seconds() * 1e12));
   recorder.arm(writer_of(recording, picoseconds, request, format), request.windows, first, true);
-  Nobody nobody;
-  hardware->run(program, nobody);
+  NoListener no_listener;
+  hardware->run(program, no_listener);
   recording.writing_seconds = recorder.writing().count();
   recording.reached = recorder.finish();
   return recording;

@@ -1,3 +1,5 @@
+// Records waveforms of a clocked machine.
+// Used by sim/waves and sim/app.
 #pragma once
 
 #include <cstdint>
@@ -13,33 +15,33 @@
 
 namespace csgsim::waves {
 
-/// What of the machine is stepped.
+/// The simulated part of the machine.
 enum class Fidelity : std::uint8_t {
-  probed,  ///< where the kind can: the probed pixels alone, from shortly before the first window on
-  whole,   ///< all of it, from the frame's first clock on
+  probed,  ///< only the probed pixels, from shortly before the first window, if the kind supports it
+  whole,   ///< everything, from the first clock of the frame
 };
 
-/// Of the trees: stepped where the request looks into them and they can be, else worked out.
+/// Form of the multiplier trees: stepped if the request probes them and the kind supports it, else worked out.
 systemc::EvaluatorForm evaluator_for(const machines::Machine& machine, const wave::Request& request);
 
-/// What a file is.
+/// Format of the output.
 enum class Format : std::uint8_t {
   value_changes,     ///< a value change dump
-  trace_events,      ///< what parts are at: TraceEvents of the texts
+  trace_events,      ///< activities of units: TraceEvents of texts
   all_trace_events,  ///< TraceEvents of texts and numbers
 };
 
-/// What a file has been written of.
+/// The result of a recording.
 struct Recording {
-  double writing_seconds = 0;   ///< wall time to sample the taps and to write what they show
-  bool reached = false;         ///< a window: else the frame is over before the first
-  std::vector<wave::Tap> taps;  ///< as they are in the file, within `top`; not to be sampled
+  double writing_seconds = 0;   ///< wall time for sampling and writing
+  bool reached = false;         ///< a window was reached; otherwise the frame ended before the first
+  std::vector<wave::Tap> taps;  ///< taps of the file, within `top`; must not be sampled
   std::string top;
 };
 
-/// Runs the Program on the clocked machine until the last window is over, and writes the windows to request.write. One
-/// run a process: SystemC elaborates once. Throws InputError for a machine without waves, and for a pixel or tree level
-/// that the machine has not, or for trees that it cannot have in that form.
+/// Runs the Program on the clocked machine until the end of the last window, and writes the windows to request.write.
+/// Only one run per process is possible, since SystemC elaborates once. Throws InputError for a machine without
+/// waveforms, for a nonexistent pixel or tree level, and for trees that the machine cannot have in that form.
 Recording record(const isa::Program& program, const machines::Machine& machine, const Foreknowledge& known,
                  const wave::Request& request, Fidelity fidelity, systemc::EvaluatorForm form, Format format);
 

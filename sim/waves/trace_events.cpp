@@ -20,14 +20,14 @@ std::string name_event(std::string_view kind, unsigned part, unsigned lane, std:
                      json_string(name));
 }
 
-/// The number as its tap is to be shown.
+/// The number in the display format of its tap.
 std::string text_of(std::uint64_t number, const wave::Tap& tap) {
   if (tap.show == wave::Show::bits) return fmt::format("{:0{}b}", number, tap.width);
   if (tap.show == wave::Show::hexadecimal) return fmt::format("{:0{}x}", number, (tap.width + 3) / 4);
   return std::to_string(number);
 }
 
-/// What the tap shows in a clock, as text.
+/// Returns a function that reads the tap in a clock, as text.
 std::function<std::string()> reader_of(const wave::Tap& tap) {
   if (tap.show == wave::Show::text) return tap.text;
   return [tap] {

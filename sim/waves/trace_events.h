@@ -1,3 +1,5 @@
+// Writes waveforms as Chrome trace events.
+// Used by record.cpp.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +14,15 @@
 
 namespace csgsim::waves {
 
-/// Writes what the parts of a machine are at over a run as trace events of Chrome ("Trace Event Format", Google, 2016),
-/// which Perfetto shows as lanes. A part is a process, each of its taps is a thread, and a stretch of clocks in which
-/// it shows the same is a complete event (`"ph": "X"`), of which `args` has the first clock and how many there are.
-/// Times are in microseconds from the rising edge of clock 0 on.
+/// Writes the activities of a machine's units over a run as Chrome trace events ("Trace Event Format", Google, 2016),
+/// which Perfetto shows as lanes. A unit is a process, each of its taps is a thread, and a stretch of clocks with the
+/// same value is a complete event (`"ph": "X"`), whose `args` hold the first clock and the number of clocks. Times are
+/// in microseconds from the rising edge of clock 0.
 class TraceEvents final : public wave::Writer {
  public:
   enum class Shown : std::uint8_t { texts, all };
 
-  /// `write` takes the text, piece by piece.
+  /// `write` receives the text in pieces.
   TraceEvents(const std::vector<wave::Tap>& taps, Shown shown, std::uint64_t period_ps,
               std::function<void(std::string_view)> write);
 
@@ -32,8 +34,8 @@ class TraceEvents final : public wave::Writer {
     std::function<std::string()> text;
     unsigned part = 0;
     unsigned number = 0;
-    std::string shown;        ///< empty: nothing
-    std::uint64_t begin = 0;  ///< clock from which on it is shown
+    std::string shown;        ///< current text; empty: none
+    std::uint64_t begin = 0;  ///< first clock of that text
   };
 
   void put(std::string_view event);
@@ -43,7 +45,7 @@ class TraceEvents final : public wave::Writer {
   std::vector<Lane> lanes_;
   std::uint64_t period_;  ///< picoseconds
   wave::Pieces out_;
-  std::uint64_t next_ = 0;  ///< clock that would follow the last one
+  std::uint64_t next_ = 0;  ///< clock after the last sampled one
   bool has_events_ = false;
 };
 

@@ -1,3 +1,5 @@
+// Save files for waveform viewers.
+// Used by sim/waves and sim/app.
 #pragma once
 
 #include <array>
@@ -13,23 +15,23 @@
 
 namespace csgsim::waves {
 
-/// What a file shows, for viewers.
+/// Contents of a recording, for viewer files.
 struct Shown {
   const Recording& recording;
   std::span<const wave::Window> windows;
-  std::uint64_t marked = 0;  ///< clock at which the marker stands
-  std::string waveform;      ///< the file, as a save file names it
+  std::uint64_t marked = 0;  ///< clock of the marker
+  std::string waveform;      ///< the waveform file, as named in a save file
   const machines::Machine& machine;
 };
 
-/// A save file for GTKWave that shows a recording from its first window on, the probed pixels first, each tap as it is
-/// meant.
+/// A save file for GTKWave that shows a recording from its first window on: the probed pixels first, each tap in its
+/// display format.
 std::string gtkwave_view(const Shown& shown);
 
-/// Commands for Surfer that show the same (docs.surfer-project.org, Commands); numbers stay as it shows them.
+/// Commands for Surfer that show the same (docs.surfer-project.org, Commands); numbers keep its default format.
 std::string surfer_view(const Shown& shown);
 
-/// A file beside the waveform, by the ending of its name.
+/// A viewer file beside the waveform, with its extension.
 struct View {
   std::string_view ending;
   std::string (*text)(const Shown& shown);
@@ -37,13 +39,13 @@ struct View {
 
 inline constexpr auto views = std::to_array<View>({{".gtkw", gtkwave_view}, {".sucl", surfer_view}});
 
-/// Picoseconds a clock, rounded as SystemC does.
+/// Clock period in picoseconds, rounded as in SystemC.
 std::uint64_t period_of(const machines::Machine& machine);
 
-/// The taps as viewers list them: pixels first.
+/// The taps in the order of viewers: pixels first.
 std::vector<const wave::Tap*> listed(const Recording& recording);
 
-/// `controller` of `controller.state`.
+/// The part of a name before the last dot: `controller` of `controller.state`.
 std::string_view part_of(const wave::Tap& tap);
 
 }  // namespace csgsim::waves

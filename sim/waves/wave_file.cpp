@@ -20,19 +20,19 @@ namespace csgsim::waves {
 
 namespace {
 
-/// Of vcd2fst, which packs as much as it is given.
+/// Limits of vcd2fst, whose input has no other limit.
 constexpr system::ChildLimits limits{.time = std::chrono::hours(1),
                                      .output = std::size_t{1} << 20U,
                                      .errors = std::size_t{1} << 20U,
                                      .memory = std::size_t{8} << 30U};
 
-/// vcd2fst writes files of its own beside the one it is told.
+/// A temporary folder, since vcd2fst writes other files beside its output.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(const std::filesystem::path& purpose) {
     std::string name = (std::filesystem::temp_directory_path() / "csgsim-XXXXXX").native();
     if (::mkdtemp(name.data()) == nullptr)
-      throw InputError(purpose.native() + ": there can be no temporary folder; check TMPDIR");
+      throw InputError(purpose.native() + ": cannot create a temporary folder; check TMPDIR");
     path_ = name;
   }
   ~TemporaryFolder() {
@@ -65,20 +65,20 @@ void WaveFile::write(std::string_view text) {
 void WaveFile::finish() {
   if (!dump_) return;
   dump_->rewind();
-  const BlockedSignals held;  // so that they leave no temporary folder behind
+  const BlockedSignals held;  // a signal must not leave the temporary folder behind
   const TemporaryFolder folder(file_.asked());
   const std::string made = (folder.path() / "wave.fst").native();
   const std::array<std::string, 3> words{"vcd2fst", "-", made};
   const std::optional<system::ChildEnd> ended = system::run_child(words, *dump_, limits);
   if (!ended) {
     throw InputError(file_.asked().native() +
-                     ": vcd2fst cannot be run; install it (package gtkwave) or choose a name that ends in .vcd");
+                     ": cannot run vcd2fst; install it (package gtkwave) or choose a name that ends in .vcd");
   }
   std::ifstream fst(made, std::ios::binary);
   const std::string content((std::istreambuf_iterator<char>(fst)), std::istreambuf_iterator<char>());
   if (!system::is_done(*ended) || content.empty()) {
-    throw InputError(fmt::format("{}: vcd2fst did not make it ({}); choose a name that ends in .vcd",
-                                 file_.asked().native(), system::why_failed(*ended, limits)));
+    throw InputError(fmt::format("{}: vcd2fst failed ({}); choose a name that ends in .vcd", file_.asked().native(),
+                                 system::why_failed(*ended, limits)));
   }
   file_.write(content);
 }

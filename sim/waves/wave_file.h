@@ -1,3 +1,5 @@
+// Writes waveform files, VCD or FST.
+// Used by sim/app.
 #pragma once
 
 #include <optional>
@@ -8,20 +10,21 @@
 
 namespace csgsim::waves {
 
-/// Takes a value change dump piece by piece, to the file, or to one in GTKWave's format FST, which vcd2fst makes of it.
+/// Receives a value change dump in pieces and writes it to the file, directly or converted to GTKWave's format FST by
+/// vcd2fst.
 class WaveFile {
  public:
-  /// The file has to live as long as this one. Throws InputError where there is no room.
+  /// The file has to outlive this object. Throws InputError if memory for the dump is not available.
   WaveFile(OutputFile& file, bool is_fst);
 
   void write(std::string_view text);
 
-  /// After the last piece. Throws InputError if vcd2fst cannot be run or does not do its work.
+  /// Called after the last piece. Throws InputError if vcd2fst cannot be run or fails.
   void finish();
 
  private:
   OutputFile& file_;
-  std::optional<system::MemoryFile> dump_;  ///< for vcd2fst
+  std::optional<system::MemoryFile> dump_;  ///< input of vcd2fst
 };
 
 }  // namespace csgsim::waves

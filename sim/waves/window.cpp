@@ -24,13 +24,13 @@ namespace csgsim::waves {
 
 namespace {
 
-constexpr std::uint64_t small_gap = 16;    // clocks between stretches that are shown as one
-constexpr std::uint64_t most_before = 40;  // clocks shown before an instruction comes to the pixel
+constexpr std::uint64_t small_gap = 16;          // clocks; stretches closer than this are joined
+constexpr std::uint64_t max_clocks_before = 40;  // clocks recorded before an instruction reaches the pixel
 constexpr std::string_view forms =
     "clocks FIRST:END, instructions iFIRST:iEND or iN, primitive:NAME, purpose:NAME or effect:NAME";
 
 [[noreturn]] void fail(std::string_view text) {
-  throw InputError(fmt::format("'{}' is no window; it is one of {}", text, forms));
+  throw InputError(fmt::format("'{}' is not a window; use {}", text, forms));
 }
 
 std::optional<std::uint64_t> number_of(std::string_view text) {
@@ -40,7 +40,7 @@ std::optional<std::uint64_t> number_of(std::string_view text) {
   return value;
 }
 
-/// A number, which has an `i` before it if it is an instruction's.
+/// Parses a number, preceded by `i` if it is an instruction number.
 std::optional<std::uint64_t> end_of_range(std::string_view text, bool is_instruction) {
   if (!is_instruction) return number_of(text);
   if (text.empty() || text.front() != 'i') return std::nullopt;
@@ -55,8 +55,7 @@ WindowRequest range_of(std::string_view text) {
   const auto end = colon == std::string_view::npos ? std::optional(*first + 1)
                                                    : end_of_range(text.substr(colon + 1), counts_instructions);
   if (!end) fail(text);
-  if (*end <= *first)
-    throw InputError(fmt::format("the window '{}' ends before it begins; END comes after FIRST", text));
+  if (*end <= *first) throw InputError(fmt::format("the window '{}' is empty; END must be greater than FIRST", text));
   using Kind = WindowRequest::Kind;
   return {counts_instructions ? Kind::instructions : Kind::clocks, *first, *end, ""};
 }
@@ -66,7 +65,7 @@ constexpr auto named_kinds =
                                                                      {"purpose:", WindowRequest::Kind::purpose},
                                                                      {"effect:", WindowRequest::Kind::effect}});
 
-/// The index of a name. Throws InputError that names the nearest.
+/// The index of a name. Throws InputError with the nearest name.
 std::size_t index_of(std::string_view what, std::string_view name, std::span<const std::string_view> names) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
@@ -96,14 +95,14 @@ Belongs belongs_to(const WindowRequest& request, const isa::Program& program) {
              const isa::Instruction& one) { return one.origin.effect == index; };
 }
 
-/// Gathers the clocks of instructions.
+/// Collects the clocks of instructions.
 class Stretches {
  public:
   Stretches(const isa::Program& program, const machines::Machine& machine, const Foreknowledge& known,
             std::span<const wave::Pixel> pixels)
       : program_(program), machine_(machine), known_(known), pixels_(pixels) {}
 
-  /// Those of a segment that `belongs` takes, by number and instruction.
+  /// Adds the instructions of a segment for which `belongs` returns true, given number and instruction.
   void add(std::uint32_t segment, const std::function<bool(std::uint64_t, const isa::Instruction&)>& belongs) {
     const std::vector<isa::Instruction>& all = program_.segments[segment].instructions;
     const std::uint64_t first = isa::first_numbers(program_)[segment];
@@ -187,10 +186,11 @@ std::vector<wave::Window> windows_of(const WindowRequest& request, const isa::Pr
   }
   std::vector<wave::Window> windows = std::move(stretches).joined();
   if (windows.empty()) {
-    throw InputError(by_number ? fmt::format("none of the instructions i{} to i{} is carried out; the Program has {}",
-                                             request.begin, request.end - 1, isa::first_numbers(program).back())
-                               : fmt::format("nothing of {} is carried out where the probed pixels are; choose others",
-                                             request.name));
+    throw InputError(
+        by_number
+            ? fmt::format("none of the instructions i{} to i{} is executed; the Program has {}", request.begin,
+                          request.end - 1, isa::first_numbers(program).back())
+            : fmt::format("no instruction of {} is executed at the probed pixels; choose other pixels", request.name));
   }
   return windows;
 }
@@ -233,7 +233,7 @@ LastWrite last_write(std::string_view what, const isa::Program& program, const m
           last.index = i;
         }
       }
-      if (isa::is_question(instruction.opcode))
+      if (isa::needs_global_or(instruction.opcode))
         i += static_cast<std::uint32_t>(isa::skipped_after(instruction, known.answers.at(questions++) ? 1 : 0));
     }
   }
@@ -245,7 +245,7 @@ LastWrite last_write(std::string_view what, const isa::Program& program, const m
   last.at_pixel = machines::at_pixel(known.timeline, program, machine, last.segment, pixel.x, pixel.y)[last.index];
   const std::uint64_t issued = known.timeline.issued[last.segment][last.index].begin;
   const std::uint64_t way = last.at_pixel.begin - std::min(issued, last.at_pixel.begin);
-  last.windows = {{last.at_pixel.begin - std::min(way, most_before), last.at_pixel.end + 1}};
+  last.windows = {{last.at_pixel.begin - std::min(way, max_clocks_before), last.at_pixel.end + 1}};
   return last;
 }
 

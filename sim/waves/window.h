@@ -1,3 +1,5 @@
+// Windows of clocks to record.
+// Used by sim/app.
 #pragma once
 
 #include <cstdint>
@@ -13,42 +15,42 @@
 
 namespace csgsim::waves {
 
-/// What of a run a wave shows, as people ask for it.
+/// The part of a run to record, as requested by the user.
 struct WindowRequest {
   enum class Kind : std::uint8_t { clocks, instructions, primitive, purpose, effect };
 
   Kind kind = Kind::clocks;
-  std::uint64_t begin = 0;  ///< clock; number of an instruction among all of the Program; index of the primitive
-  std::uint64_t end = 0;    ///< the first that does not belong to it
-  std::string name;         ///< of the primitive, as people wrote it, of the purpose or of the effect
+  std::uint64_t begin = 0;  ///< clock, instruction number in the whole Program, or index of the primitive
+  std::uint64_t end = 0;    ///< exclusive end
+  std::string name;         ///< name of the primitive as typed, of the purpose or of the effect
 };
 
-/// `FIRST:END` clocks; `iFIRST:iEND` or `iN` instructions; `primitive:NAME`, of which the index is left to who knows
-/// the names; `purpose:NAME`, `effect:NAME`. Throws InputError for anything else.
+/// Parses `FIRST:END` clocks; `iFIRST:iEND` or `iN` instructions; `primitive:NAME`, whose index the caller resolves;
+/// `purpose:NAME`, `effect:NAME`. Throws InputError for any other text.
 WindowRequest parse_window(std::string_view text);
 
-/// The clocks in which what is asked for is on its way or carried out at one of the pixels, and one more, which shows
-/// what it has left. Instructions of a
-/// primitive, purpose or effect are those of the segments that hold the pixels; stretches of them that are more than a
-/// few clocks apart are windows of their own. Throws InputError for a name that the Program has not, the nearest one
-/// named, and where nothing is carried out.
+/// The clocks from issue to execution of the requested instructions at any of the pixels, and one more clock, which
+/// shows their result. For a primitive, purpose or effect, only segments that contain the pixels count. Stretches more
+/// than a few clocks apart become separate windows. Throws InputError for an unknown name, with the nearest one, and if
+/// nothing is executed.
 std::vector<wave::Window> windows_of(const WindowRequest& request, const isa::Program& program,
                                      const machines::Machine& machine, const Foreknowledge& known,
                                      std::span<const wave::Pixel> pixels);
 
-/// With so many clocks before and behind each; what touches then is one. The frame may end before a window does.
+/// Adds this number of clocks before and after each window and joins windows that touch. The frame may end before a
+/// window does.
 std::vector<wave::Window> padded(std::span<const wave::Window> windows, std::uint64_t clocks);
 
-/// The write that left the value of a field in a pixel.
+/// The write that set the final value of a field in a pixel.
 struct LastWrite {
   std::uint32_t segment = 0;
-  std::uint32_t index = 0;            ///< of the instruction in the segment
-  std::uint64_t number = 0;           ///< among all of the Program
-  machines::ClockSpan at_pixel;       ///< in which it is carried out there
-  std::vector<wave::Window> windows;  ///< it, some clocks before it, and one after it
+  std::uint32_t index = 0;            ///< index of the instruction in the segment
+  std::uint64_t number = 0;           ///< number in the whole Program
+  machines::ClockSpan at_pixel;       ///< clocks of its execution at the pixel
+  std::vector<wave::Window> windows;  ///< the write with some clocks before and one after
 };
 
-/// `what`: owner or colour, depth, or the name of a field. Throws InputError where no instruction writes it.
+/// `what`: owner or colour, depth, or the name of a field. Throws InputError if no instruction changes it.
 LastWrite last_write(std::string_view what, const isa::Program& program, const machines::Machine& machine,
                      const Foreknowledge& known, wave::Pixel pixel);
 

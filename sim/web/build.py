@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Compiles the session of csgsim view to WebAssembly, beside CMake: build.py FOLDER CLIPPER makes FOLDER/csgsim.wasm.
+"""Compiles the session of csgsim view to WebAssembly without CMake: build.py FOLDER CLIPPER builds FOLDER/csgsim.wasm.
 
-CLIPPER names clipper.cpp of Debian's source package libpolyclipping, whose library is for this machine alone. The
-sources are those that the rooms' CMakeLists.txt name, but what asks the system for something that a page has not; what
-the others need of that is in wasm/ and lacking/. ./setup.sh web installs what this needs.
+CLIPPER names clipper.cpp of Debian's source package libpolyclipping, whose binary is for this machine only. The
+sources are those listed in the CMakeLists.txt of the rooms, except files that need system services a page lacks;
+wasm/ and lacking/ replace the parts that the remaining files use. ./setup.sh web installs the required packages.
 """
 import subprocess
 import sys
@@ -17,10 +17,10 @@ EMSCRIPTEN = Path("/usr/share/emscripten/system/lib")
 ROOMS = """base toml isa machines division processors host pixel_planes scan_line pixel_square multi_processor bit_serial_memory kinds
 model view facet csg scene lighting convex emit effects functional observe read flat solids judges reference checkpoint
 lockstep swept commands""".split()
-# Those that answer in JSON.
+# Rooms whose files use JSON.
 JSON_ROOMS = "debug story plots report session viewer".split()
 
-# What asks for files, processes, shared libraries, or takes a library that is not headers alone.
+# Sources that need files, processes, shared libraries or a compiled library.
 LEFT_OUT = {
     "base": """descriptor file_roles input_file inputs_kept module output_file partial_files standard_streams""",
     "flat": "svg page shapes",
@@ -29,7 +29,7 @@ LEFT_OUT = {
     "session": "finished_run levels run_outputs scad version",
     "viewer": "door page recorded serve files",
 }
-# Files whose names are others' too.
+# Files whose names clash with those of other files in a batch.
 ALONE = "quoting text_parse choice lane_kernels linear_kernels quadratic_kernels root_kernels".split()
 BATCH = 8
 
@@ -40,41 +40,41 @@ FLAGS = """--target=wasm32-wasi -std=c++20 -O2 -DNDEBUG -D_LIBCPP_HARDENING_MODE
 -DCGAL_DISABLE_GMP -DCGAL_HAS_NO_THREADS -DCGAL_NO_DEPRECATED_CODE -DCGAL_ALWAYS_ROUND_TO_NEAREST
 -Wall -Wextra -Wno-unused-command-line-argument""".replace("\n", " ")
 
-# Headers that are compiled once.
+# Precompiled headers.
 COMMON = """algorithm array cmath cstdint filesystem functional limits map memory optional set span stdexcept string
 string_view utility variant vector fmt/format.h glm/geometric.hpp""".split()
 PRECOMPILED = {"common": COMMON, "json": [*COMMON, "nlohmann/json.hpp"]}
 
-# What wasm/session.cpp has for the page.
+# Functions of wasm/session.cpp that the page calls.
 EXPORTS = "input output output_size keep begin answer".split()
 
-# Of the memory at first and at most: past 2 GB differences of pointers would be negative.
+# Initial and maximum memory; above 2 GB differences of pointers would be negative.
 FIRST_MEMORY = 1 << 26
 MOST_MEMORY = 1 << 31
 STACK = 1 << 23
 
 
 def link_headers(out):
-    """Libraries that are headers alone, without the system's other headers beside them."""
+    """Links header-only libraries into a folder without other system headers."""
     include = out / "include"
     include.mkdir(parents=True, exist_ok=True)
     for name in "boost fmt tao toml++ nlohmann hwy glm polyclipping".split():
         if not (include / name).exists():
             (include / name).symlink_to(f"/usr/include/{name}")
-    # CGAL 5.5 names a base() that clang 19 misses.
+    # CGAL 5.5 calls base(), which clang 19 does not find.
     if not (include / "CGAL").exists():
         subprocess.run(["cp", "-rs", "/usr/include/CGAL", include / "CGAL"], check=True)
         iterator = include / "CGAL/boost/graph/iterator.h"
         text = iterator.read_text()
         iterator.unlink()
         write(iterator, text.replace("this->base() == nullptr", "g == nullptr"))
-    # libc++ declares std::fstream only where there is a file system, which toml++ names.
+    # toml++ names std::fstream, which libc++ declares only if there is a file system.
     site = Path("/usr/include/wasm32-wasi/c++/v1/__config_site").read_text()
     write(include / "__config_site", site.replace("#define _LIBCPP_HAS_NO_FILESYSTEM", ""))
 
 
 def batches_of(room, made):
-    """Files that are compiled together, by a name."""
+    """Maps names of batches to the files that are compiled together."""
     left_out = set(LEFT_OUT.get(room, "").split())
     sources = sources_of(room, made)
     if strangers := left_out - {file.stem for file in sources}:
@@ -121,7 +121,7 @@ def compiled(name, files, headers, made, more=""):
 
 
 def runtime_of_exceptions(made):
-    """Emscripten's, whose sources Debian has: its libc++abi for WASI is compiled without exceptions."""
+    """Builds Emscripten's exception runtime from Debian's sources, since libc++abi for WASI is compiled without exceptions."""
     unwind = (EMSCRIPTEN / "libunwind/src/Unwind-wasm.c").read_text()
     write(made / "unwind.c", unwind.replace("#include <threads.h>", "#define thread_local _Thread_local"))
     lines = ["build unwind.o: runtime made/unwind.c", "  cc = clang-19",

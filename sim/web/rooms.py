@@ -1,4 +1,4 @@
-"""Which sources the rooms have, as their CMakeLists.txt say, and those that CMake makes."""
+"""The sources of each room, read from its CMakeLists.txt, and the sources that CMake generates."""
 import re
 import subprocess
 from pathlib import Path
@@ -7,7 +7,7 @@ TOP = Path(__file__).resolve().parents[2]
 
 
 def write(path, text):
-    """Only where it says something else, so that nothing is compiled again."""
+    """Writes the file only if it changes, to avoid recompilation."""
     path.parent.mkdir(parents=True, exist_ok=True)
     if not path.exists() or path.read_text() != text:
         path.write_text(text)
@@ -18,17 +18,17 @@ def words_of(cmake, name):
 
 
 def filled(template, values):
-    """What configure_file makes of it."""
+    """Returns the output of configure_file."""
     text = (TOP / template).read_text()
     for name, value in values.items():
         text = text.replace(f"@{name}@", value)
     if lacking := re.search(r"^@(\w+)@", text, re.MULTILINE):
-        raise SystemExit(f"{template} asks for {lacking.group(1)}, which sim/web/rooms.py does not give")
+        raise SystemExit(f"{template} needs {lacking.group(1)}, which sim/web/rooms.py does not provide")
     return text
 
 
 def make_rows(folder, output, headers, namespace, kind, function, names):
-    """What csgsim_rows makes."""
+    """Writes the output of csgsim_rows."""
     write(folder / output, filled("cmake/rows.cpp.in", {
         "includes": "".join(f'#include "{header}"\n' for header in headers),
         "declarations": "".join(f"extern const {kind} {name};\n" for name in names if "::" not in name),
@@ -37,7 +37,7 @@ def make_rows(folder, output, headers, namespace, kind, function, names):
 
 
 def make_calls(cmake, folder, words=None):
-    """What csgsim_rows and csgsim_embed make for each of their calls in a CMakeLists.txt; words are what its lists hold."""
+    """Writes the output of each csgsim_rows and csgsim_embed call in a CMakeLists.txt; words are the values of its lists."""
     text = re.sub(r"\$\{(\w+)\}", lambda name: (words or {}).get(name.group(1), name.group(0)), (TOP / cmake).read_text())
     for output, headers, namespace, kind, function, names in re.findall(r'^csgsim_rows\((\S+) "?([^" ]+)"? (\S+) (\S+) (\S+)\s+([^)]*)\)', text, re.MULTILINE):
         make_rows(folder, output, headers.split(";"), namespace, kind, function, names.split())
@@ -49,7 +49,7 @@ def make_calls(cmake, folder, words=None):
 
 
 def make_sources(made):
-    """Into made/ROOM/, what CMake writes into the build folder."""
+    """Writes to made/ROOM/ the sources that CMake generates in the build folder."""
     kinds, machines = (words_of("hw/kinds/CMakeLists.txt", name) for name in ("kinds", "machines"))
     make_calls("hw/kinds/CMakeLists.txt", made / "kinds", {
         "headers": ";".join(f"hw/{kind}/kind.h" for kind in kinds), "rows": " ".join(f"{kind}::kind" for kind in kinds),
@@ -66,7 +66,7 @@ def make_sources(made):
 
 
 def sources_of(room, made):
-    """The files of a csgsim_library: those of its folder, and those that are made."""
+    """Returns the files of a csgsim_library, both from its folder and generated."""
     for cmake in [*TOP.glob("h*/*/CMakeLists.txt"), *TOP.glob("sim/*/CMakeLists.txt")]:
         text = re.sub(r"#.*", "", cmake.read_text())
         found = re.search(rf"csgsim_library\({room}\s+SOURCES\s+([^()]*)", text)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Puts the page and csgsim.wasm together for any static server: site.py WASM FOLDER.
+"""Combines the page and csgsim.wasm for a static server: site.py WASM FOLDER.
 
-The page is that of csgsim view, but for answers.js, which asks csgsim.wasm in place of a server.
+The page is that of csgsim view, except answers.js, which sends requests to csgsim.wasm instead of a server.
 """
 import json
 import shutil

@@ -100,8 +100,8 @@ TEST_CASE("advise names the conflicting wish and the nearest choice if no choice
   const Folder folder;
   const std::string ask = "advise " + model("old_example011") + narrow + " --no-plots --max-wrong-pixels 1000 ";
   const Outcome fast = run(ask + "--min-fps 1e6 -o " + (folder / "a"));
-  fails(fast, 1, {"no choice meets all wishes", "frames a second too few"});
-  CHECK(fast.out.find("in the way is the wish for at least 1e+06 frames a second") != std::string::npos);
+  fails(fast, 1, {"no choice meets all requirements", "frames/s too few"});
+  CHECK(fast.out.find("conflicting requirement: at least 1e+06 frames/s") != std::string::npos);
   CHECK(fast.out.find("rebroadcast") != std::string::npos);
   const nlohmann::json recommended = json(folder / "a/advise.json")["recommendations"];
   REQUIRE(recommended.size() == 1);
@@ -120,7 +120,8 @@ TEST_CASE("advise names the conflicting wish and the nearest choice if no choice
   const Outcome tight = run(ask + "--max-bits 47");
   fails(tight, 1, {"2 bits too many"});
   CHECK(
-      tight.out.find("in the way is the wish for at least 24 bits of colour: with the others met, 21 bits of colour") !=
+      tight.out.find(
+          "conflicting requirement: at least 24 bits of colour; with the others met, the best is 21 bits of colour") !=
       std::string::npos);
   succeeded(run(ask + "--max-bits 49"));
 }
@@ -171,8 +172,8 @@ TEST_CASE("advise reports rows that differ from the drawn picture without blamin
   REQUIRE(changed > 0);
   write(folder / "a/advise.csv", table);
   fails(run(ask), 1,
-        {"a choice that is recommended draws another picture than its row says; what was read of them "
-         "may not be as it was measured"});
+        {"drawing a recommended choice gives another result than its row; rows read from the table "
+         "may have been changed"});
 }
 
 TEST_CASE("advise without an output folder leaves no file behind") {
@@ -196,7 +197,7 @@ TEST_CASE("advise rejects impossible wishes and ranges before it measures") {
   misused(ask + "--strategy lst", "did you mean list?");
   misused(ask + "--z-bits 3", "4 to 30");
   misused(ask + "--alu-bits 0", "1 to 32");
-  misused(ask + "--machine scan-line --alu-bits 2", "has no figure alu.bits");
+  misused(ask + "--machine scan-line --alu-bits 2", "has no parameter alu.bits");
   misused(ask + "--memory-bits 72", "--memory-bits");
   misused("advise", "MODEL");
   CHECK(folder.files() == 0);

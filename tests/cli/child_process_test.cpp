@@ -96,7 +96,7 @@ TEST_CASE("terminates and reports an OpenSCAD that prints more than the limit") 
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);
   CHECK(outcome.err ==
-        "part.scad: OpenSCAD was ended: it writes more than 16 MiB of messages; take its echo() out of loops\n");
+        "part.scad: OpenSCAD was stopped: it wrote more than 16 MiB of messages; move its echo() out of loops\n");
 }
 
 TEST_CASE("terminates and reports an OpenSCAD that runs longer than the limit") {
@@ -104,7 +104,7 @@ TEST_CASE("terminates and reports an OpenSCAD that runs longer than the limit") 
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);
   CHECK(outcome.err ==
-        "part.scad: OpenSCAD was ended: it is not done after 1 s; make the model simpler, or give it more time with "
+        "part.scad: OpenSCAD was stopped: it did not finish within 1 s; simplify the model, or allow more time with "
         "--openscad-time SECONDS\n");
 }
 

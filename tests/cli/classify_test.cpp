@@ -71,7 +71,7 @@ TEST_CASE("shapes and reductions see the same surfaces; an unsupported traversal
       succeeded(run("classify " + (folder / "deep.csg") +
                     " --size 32x32 --view-all --shapes written --methods standard,bit-parallel --coherences "
                     "one-list --processors mc68000"));
-  CHECK(refused.out.find("take --shapes balanced") != std::string::npos);
+  CHECK(refused.out.find("use --shapes balanced") != std::string::npos);
   const Outcome alone = run("classify " + (folder / "deep.csg") +
                             " --size 32x32 --view-all --shapes written --methods bit-parallel --coherences one-list");
   CHECK(alone.code == 1);
@@ -103,7 +103,7 @@ TEST_CASE("compare lists software next to machines with equal surfaces and the b
                     " --camera 42,-38,41,10,5.5,2 --machines pixel-planes-4,scan-line --sides 24,48 "
                     "--fragments none --with mc68000:status/one-list,this-computer:weave -o " +
                     (folder / "c")));
-  CHECK(outcome.out.find("are the same on all machines") != std::string::npos);
+  CHECK(outcome.out.find("are identical on all machines") != std::string::npos);
   const nlohmann::json points = json(folder / "c/compare.json")["points"];
   REQUIRE(points.size() == 4 * 3);
   for (const nlohmann::json& point : points) {
@@ -111,7 +111,7 @@ TEST_CASE("compare lists software next to machines with equal surfaces and the b
     CHECK(point["simulated_seconds"] > 0);
   }
   CHECK(points[6]["machine"] == "mc68000:status/one-list");
-  CHECK(points[6]["bound_by"] == "finding what rays meet");
+  CHECK(points[6]["bound_by"] == "ray intersection");
   CHECK(points[6]["simulated_seconds"] > points[0]["simulated_seconds"]);
 }
 

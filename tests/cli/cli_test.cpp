@@ -232,7 +232,7 @@ TEST_CASE("converts a tolerance in pixels to model units that are finer for larg
   const Outcome coarse = run(draw + "64x64 --tolerance 0.5px");
   const Outcome fine = run(draw + "256x256 --tolerance 0.5px");
   CHECK(coarse.code == 0);
-  CHECK(coarse.out.find("0.5 pixels where the model is nearest") != std::string::npos);
+  CHECK(coarse.out.find("0.5 pixels at the nearest point of the model") != std::string::npos);
   CHECK(coarse.out.substr(0, 60) != fine.out.substr(0, 60));
   misused("render x.csg --tolerance 3mm", "is not of the form 0.1, or 0.5px");
 }
@@ -254,7 +254,7 @@ TEST_CASE("the manual lists the machines briefly and gives the source of each pa
     CHECK(list.out.find(name) != std::string::npos);
   CHECK(run("manual").out.find("instructions") != std::string::npos);
   misused("manual instruction", "did you mean instructions?");
-  misused("manual scenes pixel-planes-4", "MACHINE: csgsim manual scenes is of no machine");
+  misused("manual scenes pixel-planes-4", "MACHINE: csgsim manual scenes takes no machine");
   const Outcome outcome = succeeded(run("manual machines pixel-planes-4"));
   CHECK(outcome.out.find("alu.bits") != std::string::npos);
   CHECK(outcome.out.find("published") != std::string::npos);

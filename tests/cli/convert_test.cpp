@@ -61,17 +61,18 @@ TEST_CASE("reports what cannot be converted and writes nothing") {
   write(folder / "flat.csg", "square(size = [1, 2], center = false);");
   const std::string output = " -o " + (folder / "a.stl");
   const Outcome flat = run("convert " + (folder / "flat.csg") + output);
-  fails(flat, 1, {"the model is flat, and only solids are converted; extrude it"});
+  fails(flat, 1, {"the model is flat and only solids can be converted; extrude it"});
   CHECK(folder.files() == 1);
   write(folder / "flat.csg",
         "difference() { cube(size = [1, 1, 1], center = false); cube(size = [1, 1, 1], center = false); }");
-  CHECK(run("convert " + (folder / "flat.csg") + output).err.find("nothing is left of the model") != std::string::npos);
+  CHECK(run("convert " + (folder / "flat.csg") + output).err.find("the model is empty") != std::string::npos);
   misused("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.obj"),
-          "the name ends in none of .stl, .off, .3mf, .bintree");
-  misused("convert " + model("thesis_fig_2_3") + " --ascii -o " + (folder / "a.off"), "a .off file has one form");
-  misused("convert " + model("thesis_fig_2_3") + " --resolution 8 -o " + (folder / "a.off"), "a mesh has none");
+          "unknown ending; end the name in one of .stl, .off, .3mf, .bintree");
+  misused("convert " + model("thesis_fig_2_3") + " --ascii -o " + (folder / "a.off"), "a .off file has only one form");
+  misused("convert " + model("thesis_fig_2_3") + " --resolution 8 -o " + (folder / "a.off"),
+          "applies to .bintree files only");
   misused("convert " + model("thesis_fig_2_3") + " --resolution 12 -o " + (folder / "a.bintree"), "a power of two");
-  misused("convert " + model("thesis_fig_2_3") + " --tolerance 1px" + output, "a tolerance is in model units");
+  misused("convert " + model("thesis_fig_2_3") + " --tolerance 1px" + output, "a tolerance in model units");
   CHECK(folder.files() == 1);
 }
 

@@ -33,7 +33,7 @@ TEST_CASE("corpus skips models that it cannot draw and states the reasons and en
   const Folder folder;
   make_models(folder);
   const Outcome outcome = run_words(words, folder.path());
-  fails(outcome, 1, {"1 of 4 models could not be drawn: models/b_broken.csg; corpus.csv says why"});
+  fails(outcome, 1, {"1 of 4 models could not be drawn: models/b_broken.csg; see corpus.csv for the reasons"});
   const nlohmann::json all = points(folder);
   REQUIRE(all.size() == 8);
   const std::vector<std::string> models{"models/a.csg", "models/b_broken.csg", "models/deeper/c.csg",
@@ -114,7 +114,7 @@ TEST_CASE("an interrupted corpus or one with changed models resumes and retries 
   write(folder / "models/b_broken.csg", cube);
   write(folder / "models/nothing.csg", cube);
   const Outcome repaired = succeeded(run_words(words, folder.path()));
-  CHECK(repaired.err.find("measured anew") != std::string::npos);
+  CHECK(repaired.err.find("measured again") != std::string::npos);
   const nlohmann::json all = points(folder);
   CHECK(all[2]["clocks"] == all[0]["clocks"]);
   CHECK(all[7]["clocks"] == all[1]["clocks"]);
@@ -123,8 +123,7 @@ TEST_CASE("an interrupted corpus or one with changed models resumes and retries 
 TEST_CASE("rejects a folder without models") {
   const Folder folder;
   fs::create_directories(folder.path() / "empty");
-  fails(run_words({"corpus", "empty", "-o", "out"}, folder.path()), 1,
-        {"empty: there is no .csg, .scad or .jan file in it"});
+  fails(run_words({"corpus", "empty", "-o", "out"}, folder.path()), 1, {"empty: contains no .csg, .scad or .jan file"});
 }
 
 TEST_CASE("corpus draws its plots") {
@@ -146,7 +145,7 @@ TEST_CASE("sweep skips an unreadable model and ends with 1 and retries it after 
   const std::vector<std::string> sweep{"sweep", "a.csg",      "b.csg",      "c.csg", "missing.csg", "--size",
                                        "24x24", "--strategy", "stack,list", "-o",    "out",         "--no-plots"};
   const Outcome outcome = run_words(sweep, folder.path());
-  fails(outcome, 1, {"2 of 4 models could not be drawn: b.csg, missing.csg; sweep.csv says why"});
+  fails(outcome, 1, {"2 of 4 models could not be drawn: b.csg, missing.csg; see sweep.csv for the reasons"});
   nlohmann::json all = json(folder / "out/sweep.json")["points"];
   REQUIRE(all.size() == 8);
   CHECK(all[0]["clocks"] > 0);

@@ -93,7 +93,7 @@ TEST_CASE("rejects impossible checkpoints in one line and leaves no file") {
     CHECK(one_line(outcome.err.substr(end)));
     CHECK(outcome.err.find(text) != std::string::npos);
   };
-  refused("run " + trace("old_example002") + " --resume " + file, "of another Program");
+  refused("run " + trace("old_example002") + " --resume " + file, "belongs to another Program");
   refused(run_it + " --machine pixel-planes-4+clock.frequency=11000000 --resume " + file, "on another machine");
   write(folder / "short.csgs", content(file).substr(0, 1000));
   refused(run_it + " --resume " + (folder / "short.csgs"), "checksum does not match");
@@ -121,7 +121,8 @@ TEST_CASE("diff finds the first differing instruction and pixel with the history
   CHECK(outcome.code == 1);
   CHECK(outcome.err == "A and B differ\n");
   const std::string expected =
-      "i3 is another instruction:\n  A  edge_not_negative x - 5 (w8)\n  B  edge_not_negative x - 4 (w8)\n"
+      "i3 is the first instruction that differs:\n  A  edge_not_negative x - 5 (w8)\n  B  edge_not_negative x - 4 "
+      "(w8)\n"
       "the states are equal after 3 instructions\n"
       "after i3, edge_not_negative x - 5 (w8)\n2 pixels differ, first 4,0:\n  E                A 0, B 1\n"
       "the pictures differ at 2 pixels, first 4,0:\n";
@@ -137,7 +138,7 @@ TEST_CASE("diff finds levels and machines equal and rejects Programs it cannot c
   CHECK(levels.out.find("the states are equal after 26 instructions\nthe pictures are equal\n") != std::string::npos);
   succeeded(run(model_64 + "--level-a cycle --level-b reference"));
   succeeded(run(model_64 + "--machine-b scan-line"));
-  misused(model_64 + "--level-a cycle --level-b cycle", "one machine a process");
+  misused(model_64 + "--level-a cycle --level-b cycle", "one machine per process");
   misused("diff " + trace("thesis_fig_2_3") + " --strategy-b list", "for models");
   misused("diff " + trace("thesis_fig_2_3") + " --size 8x8", "for models");
   fails(run("diff " + trace("thesis_fig_2_3") + " " + trace("old_example002")), 1,

@@ -66,7 +66,7 @@ TEST_CASE("display counts the wrong pixels of list priority for coincident faces
   CHECK(points[0]["wrong"] == points[0]["wrong_coincident"]);
   CHECK(points[1]["wrong"] == 0);
   CHECK(points[2]["wrong"] == 0);
-  CHECK(outcome.out.find("faces coincide") != std::string::npos);
+  CHECK(outcome.out.find("coincident faces") != std::string::npos);
 }
 
 TEST_CASE("gathers shards of display into the table of one run and rejects unknown names") {
@@ -79,6 +79,6 @@ TEST_CASE("gathers shards of display into the table of one run and rejects unkno
   misused(display(" --methods scanline"), "did you mean scan-line");
   misused(display(" --bucket-sizes 0"), "--bucket-sizes");
   misused(display(" --fragments 2"), "--fragments");
-  misused(display(" --curves exact --machine pixel-powers"), "--curves: this command takes facets alone");
+  misused(display(" --curves exact --machine pixel-powers"), "--curves: this command supports facets only");
   succeeded(run(display(" --machine pixel-powers --methods scan-line")));
 }

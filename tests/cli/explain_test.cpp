@@ -98,7 +98,7 @@ TEST_CASE("explain rejects nonexistent pixels or points or primitives and states
   misused(program + "--pixel 1,1 --why-not @3", "there is no primitive '@3'");
   write(subject.folder / "l.csg", "union(){cube(size=[4,3,4],center=false);sphere($fn=5,r=1);}");
   misused("explain " + (subject.folder / "l.csg") + " --size 8x6 --pixel 1,1 --why-not @1",
-          "may be any of p0 cube@1:9, p1");
+          "is ambiguous: p0 cube@1:9, p1");
   misused(program + "--pixel 1,1 --json " + subject.program, "the same file");
 }
 

@@ -189,7 +189,7 @@ TEST_CASE("a sample of the grid has the requested size and grows to a larger sam
   const std::string command = "explore " + model("sphere") + small + " --no-plots -o " + (folder / "e") +
                               " --vary z-bits=4..30 --vary fraction-bits=0..16 --vary link.width=8,16,32 "
                               "--vary clock.frequency=1000000..1000900";
-  misused(command, "take --points N");
+  misused(command, "use --points N");
   succeeded(run(command + " --points 5"));
   const nlohmann::json few = json(folder / "e/explore.json")["points"];
   REQUIRE(few.size() == 5);
@@ -261,15 +261,15 @@ TEST_CASE("reports errors in --vary and --axes in one line with a suggestion") {
   const Folder folder;
   const std::string command = "explore " + model("sphere") + small + " -o " + (folder / "e");
   misused(command, "--vary");
-  misused(command + " --vary alu.bits", "say KEY=a,b,c");
-  misused(command + " --vary alu.bit=1", "the nearest known is 'alu.bits'");
+  misused(command + " --vary alu.bits", "use KEY=a,b,c");
+  misused(command + " --vary alu.bit=1", "did you mean 'alu.bits'?");
   misused(command + " --vary alu.bits=1,999", "--vary alu.bits");
-  misused(command + " --vary evaluator.bits=1,4", "the ALU takes what the trees bring");
+  misused(command + " --vary evaluator.bits=1,4", "the ALU must process all bits that the trees deliver");
   misused(command + " --vary strategy=auto", "strategy");
-  misused(command + " --vary alu.bits=1,2 --set alu.bits=4", "is set besides");
-  misused(command + " --vary alu.bits=1,2 --vary alu.bits=4", "said twice");
-  misused(command + " --vary array.width=48,64", "an option says otherwise than array.width=64");
-  misused(command + " --vary array.memory_bits=72,96 --vary memory-bits=80", "an option says otherwise");
+  misused(command + " --vary alu.bits=1,2 --set alu.bits=4", "is both varied and fixed");
+  misused(command + " --vary alu.bits=1,2 --vary alu.bits=4", "is given twice");
+  misused(command + " --vary array.width=48,64", "an option overrides array.width=64");
+  misused(command + " --vary array.memory_bits=72,96 --vary memory-bits=80", "an option overrides");
   misused(command + " --vary alu.bits=1,2 --axes tim", "did you mean time");
   misused(command + " --vary alu.bits=1,2 --points 100000", "--points");
   CHECK(folder.files() == 0);
@@ -318,7 +318,7 @@ TEST_CASE("a process gives no price without synthesis and remeasures after a cha
           "did you mean nmos-3um");
   misused("explore " + model("sphere") + small + " -o " + (folder / "n") +
               " --vary clock.frequency=1000,2000 --process nmos-3um",
-          "the clock follows from the process");
+          "the process determines the clock");
 }
 
 TEST_CASE("a search tries every neighbour of the front and resumes and is not sharded") {
@@ -346,5 +346,5 @@ TEST_CASE("a search tries every neighbour of the front and resumes and is not sh
   CHECK(content(folder / "e/explore.csv") == table);
   succeeded(run(search + "10"));
   CHECK(json(folder / "e/explore.json")["points"].size() == 14);
-  fails(run(search + "10 --shard 1/2"), 2, {"a search goes on from what has been measured"});
+  fails(run(search + "10 --shard 1/2"), 2, {"a search depends on earlier results"});
 }

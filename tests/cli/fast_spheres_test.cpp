@@ -45,6 +45,8 @@ TEST_CASE("solids other than orthographic spheres stay facets with a single warn
   CHECK(three_warnings.find("model.csg:3:1: warning: ") != std::string::npos);
   CHECK(three_warnings.find("this is an ellipsoid and is drawn in facets, as is 1 more curved solid") !=
         std::string::npos);
+  CHECK(warnings(ball, "--projection p").find("is an ellipse in a perspective picture and is drawn as facets") !=
+        std::string::npos);
   CHECK(warnings(ball, "--projection p").find("is an ellipse in a perspective picture and is drawn in facets") !=
         std::string::npos);
   CHECK(warnings("sphere($fn=5,$fa=12,$fs=2,r=10);\n", "").empty());
@@ -85,5 +87,5 @@ TEST_CASE("suggests facets if memory is too small for squares or the machine div
   const Folder folder;
   const std::string options = "render " + written(folder, ball) + " --view-all --curves fast -o " + (folder / "p.png");
   fails(run(options), 1, {"17 squares", "--curves facets"});
-  fails(run(options + " --machine pixel-square"), 1, {"draw facets by --curves facets"});
+  fails(run(options + " --machine pixel-square"), 1, {"draw facets with --curves facets"});
 }

@@ -73,7 +73,7 @@ TEST_CASE("remarks in help are filled: lines break only if the next word does no
 TEST_CASE("help groups options by subject and leaves none under further options") {
   const std::string help = run("render --help").out;
   std::size_t at = 0;
-  for (const std::string subject : {"What is drawn:", "View:", "Machine:", "Algorithm and pixel memory:", "Accuracy:",
+  for (const std::string subject : {"Model and scene:", "View:", "Machine:", "Algorithm and pixel memory:", "Accuracy:",
                                     "The run:", "Outputs:", "Messages:", "Example:"}) {
     CAPTURE(subject);
     const std::size_t found = help.find("\n\n" + subject + "\n");

@@ -119,7 +119,7 @@ TEST_CASE("compare draws a model on several machines and resumes after an interr
   const std::string command = "compare " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 48x40 -o " +
                               (folder / "c") + " --fragments 6,12 --sides 24,32";
   const Outcome first = succeeded(run(command + " --machines pixel-planes-4,pixel-square"));
-  CHECK(first.out.find("the same on all machines, byte for byte") != std::string::npos);
+  CHECK(first.out.find("identical on all machines") != std::string::npos);
   const nlohmann::json points = json(folder / "c/compare.json")["points"];
   REQUIRE(points.size() == 2 * 5);
   for (std::size_t i = 0; i < 5; ++i) {
@@ -159,7 +159,7 @@ TEST_CASE("compare names the parameter whose ideal value helps a machine most") 
     most = point["frames_per_second"];
   }
   REQUIRE_FALSE(best.empty());
-  CHECK(outcome.out.find("pixel-planes-4: " + best + " ideal gives ") != std::string::npos);
+  CHECK(outcome.out.find("pixel-planes-4: ideal " + best + " gives ") != std::string::npos);
 }
 
 TEST_CASE("subdivide reports fewer remaining half-spaces at each smaller square") {
@@ -184,7 +184,7 @@ TEST_CASE("subdivide reports fewer remaining half-spaces at each smaller square"
   CHECK(json(folder / "e/subdivide.json")["points"][0]["segments"]["kept_halfspaces_mean"] ==
         columns[1]["subsegments"]["kept_halfspaces_mean"]);
   fails(run("subdivide " + model("carburettor") + " --machine scan-line"), 1,
-        {"take a machine of kind pixel-square or multi-processor"});
+        {"use a machine of kind pixel-square or multi-processor"});
 }
 
 TEST_CASE("subdivide resumes and adds levels and tolerances and writes plots and a page") {
@@ -202,7 +202,7 @@ TEST_CASE("subdivide resumes and adds levels and tolerances and writes plots and
   CHECK(json(folder / "s/subdivide.json")["points"].size() == 2);
   CHECK(content(csv).ends_with(table.substr(table.find('\n') + 1)));
   for (const char* const file : {"s/subdivide.png", "s/subdivide.svg"}) CHECK(content(folder / file).size() > 1000);
-  CHECK(content(folder / "p.html").find("What subdivision leaves to do: ") != std::string::npos);
+  CHECK(content(folder / "p.html").find("Remaining work per square: ") != std::string::npos);
   CHECK(content(folder / "p.html").find("data-at=\"/points/1/subsegments/clocks\"") != std::string::npos);
 }
 

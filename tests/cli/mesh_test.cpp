@@ -15,7 +15,7 @@ TEST_CASE("mesh compares filter and quadtree on one mesh and reuses its measurem
   const Folder folder;
   const std::string words = "mesh " + commands("thesis_fig_3_9") + " -o " + (folder / "m");
   const Outcome first = succeeded(run(words + " --tolerances 0.1,0.05"));
-  CHECK(first.out.find("most elements held") != std::string::npos);
+  CHECK(first.out.find("maximum elements held") != std::string::npos);
   const nlohmann::json points = json(folder / "m/mesh.json")["points"];
   REQUIRE(points.size() == 4);
   const nlohmann::json& filter = points[0];
@@ -46,11 +46,11 @@ TEST_CASE("a tolerance too fine for a surface gives a reason; it is an error if 
 TEST_CASE("mesh rejects unknown names and files without a surface") {
   misused("mesh " + commands("jug") + " --flatness flat", "the flatness tests are");
   misused("mesh " + commands("jug") + " --repairs filtre", "did you mean filter");
-  misused("mesh " + commands("jug") + " --tolerances 0", "no tolerance");
+  misused("mesh " + commands("jug") + " --tolerances 0", "is not a tolerance");
   misused("mesh " + commands("jug") + " --processors this-computer", "has no prices");
-  fails(run("mesh " + commands("thesis_fig_2_3")), 1, {"there is no sweep and no patch in it"});
+  fails(run("mesh " + commands("thesis_fig_2_3")), 1, {"contains no sweep and no patch"});
   fails(run("mesh " + model("sphere")), 1,
-        {"sphere.csg: elements are made of the sweeps and patches of commands, .jan"});
+        {"sphere.csg: only sweeps and patches of command files (.jan) can be meshed"});
 }
 
 TEST_CASE("a .jan command file draws as its .csg and its errors name their place") {

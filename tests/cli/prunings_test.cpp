@@ -23,7 +23,7 @@ TEST_CASE("--pruning lists the prunings to apply or to omit") {
 }
 
 TEST_CASE("rejects contradictory and unknown prunings") {
-  misused("render m.csg --pruning space+no-sets", "says both what is done and what is not");
+  misused("render m.csg --pruning space+no-sets", "mixes prunings to apply and prunings to leave out");
   misused("render m.csg --pruning space+", "there is no pruning ''");
   misused("render m.csg --pruning no-spice", "did you mean no-space?");
 }
@@ -37,5 +37,5 @@ TEST_CASE("sweep and diff use the same names for prunings") {
   REQUIRE(points.size() == 4);
   CHECK(points[2]["pruning"] == "no-sets+no-hidden");
   const Outcome diff = run("diff " + part + "--pruning-b none --no-stories");
-  CHECK(diff.out.find("another instruction") != std::string::npos);
+  CHECK(diff.out.find("the first instruction that differs") != std::string::npos);
 }

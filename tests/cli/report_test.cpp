@@ -161,7 +161,7 @@ TEST_CASE("rejects a page that is an input or another output or not .html") {
   const std::string of = (folder / "m.csg") + " --size 16x16 --report ";
   for (const std::string command : {"render ", "effects "}) CHECK(run(command + of + (folder / "m.html")).code == 2);
   CHECK(run("render " + of + (folder / "a.html") + " --stats " + (folder / "a.html")).code == 2);
-  misused("render " + of + (folder / "a.txt"), "has to end in .html");
+  misused("render " + of + (folder / "a.txt"), "must end in .html");
   misused("render " + of + (folder / "a.html") + " --frames 2", "--report: is for one frame");
   misused("levels " + of + (folder / "a.html"), "no option --report");
   misused("render " + (folder / "m.csg") + " --raport a.html", "did you mean --report?");

@@ -85,13 +85,13 @@ TEST_CASE("a design without a model has a serial line but no testbench") {
 }
 
 TEST_CASE("does not write a design over foreign files or into the current folder") {
-  refused({"pixel-planes-4", "m.csg", "--size", "8x8", "-o", "."}, 1, ".: the current folder is in it",
-          "name a folder that is empty or not there");
+  refused({"pixel-planes-4", "m.csg", "--size", "8x8", "-o", "."}, 1, ".: it contains the current folder",
+          "name an empty folder or a new one");
   const Folder folder;
   fs::create_directory(folder.path() / "d");
   write(folder / "d/board.v", "mine\n");
   const Words words{"pixel-planes-4", "m.csg", "--size", "8x4", "-o", "d"};
-  fails(rtl(folder, words), 1, {"d: it has files that csgsim did not write"});
+  fails(rtl(folder, words), 1, {"d: it contains files that csgsim did not write"});
   CHECK(files_below(folder.path() / "d") == std::set<std::string>{"board.v"});
   CHECK(content(folder / "d/board.v") == "mine\n");
 }
@@ -103,17 +103,18 @@ TEST_CASE("rejects what the Verilog does not support with a fix and writes nothi
     words.insert(words.end(), more.begin(), more.end());
     return words;
   };
-  refused(with({"scan-line"}, {}), 1, "scan-line, which is not there in Verilog", "take one of the kind frame-buffer");
+  refused(with({"scan-line"}, {}), 1, "scan-line, which has no Verilog", "take one of the kind frame-buffer");
   refused(with({"pixel-planes-4"}, {"--set", "alu.bits=2", "--set", "evaluator.bits=2"}), 1, "evaluator.bits is 2",
           "add --set evaluator.bits=1");
   refused(with({"pixel-planes-4"}, {"--set", "evaluator.register_levels=2"}), 1, "evaluator.register_levels is 2",
           "add --set evaluator.register_levels=1");
-  refused({"pixel-planes-4", "p.txt", "-o", "d"}, 1, "the Program shows no picture", "compile a model to one");
+  refused({"pixel-planes-4", "p.txt", "-o", "d"}, 1, "the Program has no colours",
+          "compile a model that draws a picture");
   refused({"pixel-planes-4", "m.csg", "--size", "8x8", "-o", "-"}, 2, "a design is several files", "name a folder");
 }
 
 TEST_CASE("rejects compile options where nothing is compiled and gives the actual reason") {
-  const std::string name_one = "is for models; name one behind the machine";
+  const std::string name_one = "is for models; name one after the machine";
   refused({"pixel-planes-4", "--size", "8x8", "--colour-bits", "12", "-o", "d"}, 2, "--colour-bits", name_one);
   refused({"pixel-planes-4", "--set", "background.colour=0,0,0", "-o", "d"}, 2, "'background.colour=0,0,0'", name_one);
   refused({"pixel-planes-4", "p.txt", "--colour-bits", "12", "-o", "d"}, 2, "--colour-bits",

@@ -36,7 +36,7 @@ TEST_CASE("forwards the first of many OpenSCAD warnings and counts the rest") {
 TEST_CASE("rejects source that makes no shape") {
   const Outcome outcome = draw_source("echo 'ECHO: 1' >&2; echo");
   CHECK(outcome.code == 1);
-  CHECK(outcome.err == "part.scad: it makes no shape, so there is nothing to draw; call a module that makes one\n");
+  CHECK(outcome.err == "part.scad: it creates no shape, so there is nothing to draw; call a module that creates one\n");
 }
 
 TEST_CASE("every command that takes models and Programs accepts source") {

@@ -68,13 +68,14 @@ TEST_CASE("a machine file with changed parameters of a built-in one is named aft
 TEST_CASE("reports a wrong --set in one line with the nearest parameter or key") {
   const std::string render = "render " + model("old_example002") + " --size 16x16 ";
   misused(render + "--set alu.bit=4",
-          "'alu.bit' is neither a figure of a machine nor a key of a scene; the nearest known is 'alu.bits'");
+          "'alu.bit' is neither a machine parameter nor a scene key; the nearest known is 'alu.bits'");
   misused(render + "--set ambience.intensity=1", "the nearest known is 'ambient.intensity'");
   misused(render + "--set ambient.intensty=1", "ambient.intensity");
   misused(render + "--set alu.bits=99", "alu.bits is 99; it takes");
   misused(render + "--set alu.bits=wide", "alu.bits is a string; make it an integer");
-  misused(render + "--set alu.bits", "changes no figure; say KEY=VALUE");
-  misused(render + "--set divider.kind=host", "pixel-planes-4 has no such figure, machines of the kind pixel-square");
+  misused(render + "--set alu.bits", "changes no parameter; write KEY=VALUE");
+  misused(render + "--set divider.kind=host",
+          "pixel-planes-4 has no such parameter, but machines of the kind pixel-square");
   misused("run x.csgt --set ambient.intensity=1", "'ambient.intensity=1' is for models");
   misused("manual machines --set ambient.intensity=1", "'ambient.intensity=1' is for models");
 }
@@ -88,7 +89,8 @@ TEST_CASE("--set applies to the machines that have the parameter and fails if no
   CHECK(outcome.out.find("pixel-planes-4+alu.bits=4 ") != std::string::npos);
   CHECK(outcome.out.find("multi-processor ") != std::string::npos);
   CHECK(content(folder / "out/compare.csv").find("pixel-planes-4+alu.bits=4") != std::string::npos);
-  misused(compare + "scan-line,multi-processor --set alu.bits=4", "none of scan-line, multi-processor has that figure");
+  misused(compare + "scan-line,multi-processor --set alu.bits=4",
+          "none of scan-line, multi-processor has that parameter");
   misused(compare + "pixel-planes-4 --set alu.bits=99", "alu.bits is 99");
   const Outcome listed = succeeded(run("manual machines --set alu.bits=4"));
   CHECK(listed.out.find("pixel-planes-4+alu.bits=4\n") != std::string::npos);

@@ -252,16 +252,17 @@ TEST_CASE("an option on the command line replaces the one that it excludes") {
   write(folder / "s.toml", "point = '0,0,0'\n");
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
   succeeded(run_words({"explain", program, "--pixel", "5,5", "--config", "s.toml"}, folder.path()));
-  refused("explain", "point = '0,0,0'\npixel = '1,1'\n", "s.toml:2:1: pixel stands in place of another option");
+  refused("explain", "point = '0,0,0'\npixel = '1,1'\n", "s.toml:2:1: pixel excludes another option");
 }
 
 TEST_CASE("reports an error in a settings file with its place") {
-  refused("render", "z-bit = 16\n", "s.toml:1:1: 'z-bit' is no option of any command; the nearest known is 'z-bits'");
+  refused("render", "z-bit = 16\n",
+          "s.toml:1:1: 'z-bit' is not an option of any command; the nearest known is 'z-bits'");
   refused("render", "\n[render]\nstratgy = 'list'\n",
-          "s.toml:3:1: 'stratgy' is no option of render; the nearest known is 'strategy'");
-  refused("render", "[sweep]\nturn = 3\n", "s.toml:2:1: 'turn' is no option of sweep");
+          "s.toml:3:1: 'stratgy' is not an option of render; the nearest known is 'strategy'");
+  refused("render", "[sweep]\nturn = 3\n", "s.toml:2:1: 'turn' is not an option of sweep");
   refused("render", "[rendr]\nturn = 3\n",
-          "s.toml:1:2: 'rendr' is no option of any command; the nearest known is 'render'");
+          "s.toml:1:2: 'rendr' is not an option of any command; the nearest known is 'render'");
   refused("render", "z-bits = '16'\n", "s.toml:1:10: z-bits is a string; make it an integer");
   refused("render", "z-bits = -1\n", "s.toml:1:10: z-bits is -1; make it 0 or more");
   refused("render", "z-bits = 1.5\n", "s.toml:1:10: z-bits is a number with a point; make it an integer");
@@ -270,7 +271,7 @@ TEST_CASE("reports an error in a settings file with its place") {
   refused("render", "output = ['a.png']\n", "s.toml:1:10: output is an array; make it a string");
   refused("render", "camera = [1, [2]]\n", "s.toml:1:14: camera is an array");
   refused("render", "set = [true]\n", "s.toml:1:8: set is a boolean; make it a string");
-  refused("render", "output = \"a\\u0000\"\n", "s.toml:1:10: output has a zero byte");
+  refused("render", "output = \"a\\u0000\"\n", "s.toml:1:10: output contains a zero byte");
   refused("render", "strategy = 'stak'\n", "s.toml:1:1: --strategy: ");
   refused("render", "memory-bits = 5000\n", "s.toml:1:1: --memory-bits: ");
   refused("render", "size = '3'\n", "s.toml:1:1: --size: '3' is not of the form WxH");

@@ -29,7 +29,7 @@ TEST_CASE("warns about faces moved apart by six-digit rounding; --snap restores 
   const std::string warned = drawn("nothing.csg", "");
   const std::string skin = content(folder / "picture.png");
   CHECK(warned.find("nothing.csg:3:1: warning: a face of it and one of") != std::string::npos);
-  CHECK(warned.find("nothing.csg:8:1 are nearly in one plane") != std::string::npos);
+  CHECK(warned.find("nothing.csg:8:1 are nearly, but not exactly, coplanar") != std::string::npos);
   CHECK(warned.find("use --snap") != std::string::npos);
   const std::string snapped = drawn("nothing.csg", " --snap");
   const std::string restored = content(folder / "picture.png");
@@ -78,5 +78,5 @@ TEST_CASE("imports from the --imports-from folder are part of the model") {
   const std::string words = "compile " + (folder / "models/m.csg") + " --size 16x16 -o " + (folder / "p.csgt");
   succeeded(run(words + " --imports-from " + (folder / "parts")));
   CHECK(run(words + " --imports-from " + (folder / "models")).code == 1);
-  fails(run(words + " --imports-from " + (folder / "part")), 1, {"part is no folder"});
+  fails(run(words + " --imports-from " + (folder / "part")), 1, {"part is not a folder"});
 }

@@ -253,16 +253,16 @@ TEST_CASE("does not gather shards of several studies or duplicates of a shard") 
 
   // Each shard may exist in only one place.
   fs::copy(folder / "out", folder / "copy", fs::copy_options::recursive);
-  refuses_to_gather({"out", "copy", "-o", "both"}, folder.path(), {"shard 1/2 is in out and in copy", "leave one"});
+  refuses_to_gather({"out", "copy", "-o", "both"}, folder.path(), {"shard 1/2 is in out and in copy", "omit one"});
 
   // A shard holds no points of another shard.
   const std::string other = content(whole[0]);
   const std::size_t row = other.find('\n', other.find('\n') + 1) + 1;
   write(folder / "out/shards/x.csv", content(whole[1]) + other.substr(row, other.find('\n', row) + 1 - row));
-  refused({"is of shard 1/2", "x.csv"});
+  refused({"belongs to shard 1/2", "x.csv"});
   write(folder / "out/shards/x.csv", "knob,value\n");
-  refused({"x.csv:1:1: this is no shard"});
-  refuses_to_gather({"nowhere"}, folder.path(), {"nowhere: no shards of a study are there"});
+  refused({"x.csv:1:1: this is not a shard"});
+  refuses_to_gather({"nowhere"}, folder.path(), {"nowhere: contains no shards of a study"});
 }
 
 TEST_CASE("gather does not overwrite points that the shards lack") {
@@ -272,7 +272,7 @@ TEST_CASE("gather does not overwrite points that the shards lack") {
   succeeded(run_words(sweep + Words{"parallel"}, folder.path()));
   const std::string before = content(folder / "out/sweep.csv");
   succeeded(run_words(sweep + Words{"stack,list"} + shard(1, 1), folder.path()));
-  refuses_to_gather({"out"}, folder.path(), {"sweep.csv: has points that the shards do not have", "-o"});
+  refuses_to_gather({"out"}, folder.path(), {"sweep.csv: has points that the shards lack", "-o"});
   CHECK(content(folder / "out/sweep.csv") == before);
 }
 
@@ -372,13 +372,13 @@ TEST_CASE("rejects unknown shard numbers and suggests a fix") {
   const Folder folder;
   for (const std::string command : {"sweep", "accuracy", "compare"}) {
     const std::string words = command + " " + model("old_example011") + " -o " + (folder / "s") + " --shard ";
-    misused(words + "0/4", "no shard 0 of 4; they are 1/4 to 4/4");
-    misused(words + "5/4", "no shard 5 of 4; they are 1/4 to 4/4");
-    misused(words + "a/b", "'a/b' is no shard; take k/n, as 3/16");
-    misused(words + "3", "take k/n");
-    misused(words + "1/0", "0 shards are not within 1 to");
-    misused(words + "-1/4", "take k/n");
-    misused(words + "1/2/3", "take k/n");
+    misused(words + "0/4", "shard 0 of 4 does not exist; choose one of 1/4 to 4/4");
+    misused(words + "5/4", "shard 5 of 4 does not exist; choose one of 1/4 to 4/4");
+    misused(words + "a/b", "'a/b' is not a shard; use k/n, such as 3/16");
+    misused(words + "3", "use k/n");
+    misused(words + "1/0", "the number of shards, 0, is not in 1 to");
+    misused(words + "-1/4", "use k/n");
+    misused(words + "1/2/3", "use k/n");
   }
   misused("gather", "FOLDER");
   CHECK(folder.files() == 0);

@@ -109,7 +109,7 @@ TEST_CASE("rejects standard output for several outputs or for a folder") {
   misused("render " + part + draw + "-o - --stats -", "two outputs cannot both go to standard output");
   misused("render " + part + draw + "-o - --stats /dev/stdout", "two outputs cannot both go to standard output");
   misused("render " + part + draw + "-o - --frames 2", "several pictures");
-  misused("sweep " + part + draw + "-o -", "a folder is needed");
+  misused("sweep " + part + draw + "-o -", "several files; specify a folder");
   misused("run " + std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt --checkpoint -", "name a file");
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("writes text but never binary data to a terminal") {
     CAPTURE(words);
     const Outcome outcome = on_terminal(words);
     CHECK(outcome.code == 2);
-    CHECK(outcome.out.find("a terminal cannot show binary data; name a file, or lead it into a pipe") !=
+    CHECK(outcome.out.find("a terminal cannot show binary data; name a file, or pipe the output to a program") !=
           std::string::npos);
     CHECK(outcome.out.find("primitives") == std::string::npos);  // rejected before drawing
     CHECK(outcome.out.find("IHDR") == std::string::npos);

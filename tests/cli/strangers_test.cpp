@@ -127,7 +127,7 @@ TEST_CASE("a stats file cannot name a settings file or an output") {
         "[render]\noutput = 'home.png'\nstats = 'any_name'\nreport = 'x.html'\n[run]\ncheckpoint = 'bashrc'\n");
   for (const std::string name : {"home.png", "any_name", "x.html", "bashrc"}) write(stats.folder / name, "precious");
   stats.set_option("config", "evil.toml");
-  stats.refuses("'config' is no option of csgsim render that stats tell of");
+  stats.refuses("'config' is not an option of csgsim render that stats record");
   stats.change([](Json& json) {
     for (const char* const option : {"output", "depth", "owner", "stats", "report"})
       json["configuration"]["options"][option] = "home.png";
@@ -144,12 +144,12 @@ TEST_CASE("rerun claims equality only for results that it repeated and compared"
   for (const std::string name : {"help", "dump-config", "version", "no-such-option"}) {
     CAPTURE(name);
     stats.set_option(name, true);
-    stats.refuses(fmt::format("'{}' is no option of csgsim render", name), {"-o", "a.png"});
+    stats.refuses(fmt::format("'{}' is not an option of csgsim render", name), {"-o", "a.png"});
   }
   stats.set_option("frames", 2);
   stats.refuses("--frames: a sequence of frames has no stats", {"-o", "a.png"});
   stats.change([](Json& json) { json["clocks"] = 1; });
-  refused(stats.rerun(), "t.json", "the run differs from it: /clocks was 1, is");
+  refused(stats.rerun(), "t.json", "the run differs: /clocks was 1, is");
 }
 
 TEST_CASE("a value in a stats file sets only its own option for any bytes") {
@@ -221,15 +221,15 @@ TEST_CASE("rejects a shard whose command is no study or has foreign options") {
                                   "--dump-config", "--no-such-option", "++,--describe=x.html"}) {
     CAPTURE(words);
     REQUIRE(shards.replace(",--size,", "," + words + ",--size,") == 2);
-    shards.refuses("its command is none that shards are of");
+    shards.refuses("the command is not one of a shard");
   }
   for (const std::string words : {"--describe=x.html", "--version", "--help", "render", "rerun", ""}) {
     CAPTURE(words);
     REQUIRE(shards.replace(",sweep,m.csg,", "," + words + ",m.csg,") == 2);
-    shards.refuses("its command is none that shards are of");
+    shards.refuses("the command is not one of a shard");
   }
   REQUIRE(shards.replace(",sweep,m.csg,", std::string(",sweep,m.csg\0,", 14)) == 2);
-  shards.refuses("its command is none that shards are of");
+  shards.refuses("the command is not one of a shard");
   REQUIRE(shards.replace(",--size,", ",--size,") == 2);
   CHECK(run_words({"gather", "out", "--no-plots"}, shards.folder.path()).code == 0);
 }
@@ -259,7 +259,7 @@ TEST_CASE("rejects a shard with a byte that no text has and names the file") {
       CHECK(outcome.code == 1);
       CHECK(one_line(outcome.err));
       CHECK(outcome.err.starts_with("out/shards/" + study.front() + "-"));
-      CHECK(outcome.err.find("no text of a table") != std::string::npos);
+      CHECK(outcome.err.find("contains unprintable characters") != std::string::npos);
       CHECK(!fs::exists(shards.folder / ("out/" + study.front() + ".json")));
     }
   }
@@ -273,11 +273,11 @@ TEST_CASE("rejects numbers that cannot be measured and impossible numbers of poi
     CAPTURE(outcome.err);
     CHECK(outcome.code == 1);
     CHECK(outcome.err.starts_with("out/shards/compare-"));
-    CHECK(outcome.err.find("'" + number + "' is no number") != std::string::npos);
+    CHECK(outcome.err.find("'" + number + "' is not a number") != std::string::npos);
   }
   for (const std::string points : {"0", "1000001", "18446744073709551615"}) {
     REQUIRE(shards.replace(",2,2,", ",2," + points + ",") >= 2);
-    shards.refuses(":1:1: " + points + " points are not within 1 to 1000000");
+    shards.refuses(":1:1: the number of points, " + points + ", is not in 1 to 1000000");
   }
 }
 
@@ -306,9 +306,9 @@ TEST_CASE("does not blame csgsim for differing pictures in rows that it only rea
     CAPTURE(gathered.err);
     CHECK(gathered.code == 1);
     CHECK(one_line(gathered.err));
-    CHECK(gathered.err.find("may not be as it was measured: measure all anew, in another folder (-o)") !=
+    CHECK(gathered.err.find("may have been changed: measure everything again in another folder (-o)") !=
           std::string::npos);
-    CHECK(gathered.err.find("fault of csgsim") == std::string::npos);
+    CHECK(gathered.err.find("error in csgsim") == std::string::npos);
     // The same study, resumed from that table.
     const Outcome resumed = run_words(study + Words{"-o", "out", "--no-plots"}, shards.folder.path());
     CHECK(resumed.code == 1);
@@ -326,7 +326,7 @@ TEST_CASE("reports a waveform that exceeds the disk space and leaves no file") {
     CAPTURE(outcome.err);
     CHECK(outcome.code == 1);
     CHECK(one_line(outcome.err));
-    CHECK(outcome.err.starts_with("w.vcd: cannot write it: File too large"));
+    CHECK(outcome.err.starts_with("w.vcd: cannot be written: File too large"));
     CHECK(folder.files() == 0);
   }
 }

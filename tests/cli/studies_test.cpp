@@ -45,7 +45,7 @@ TEST_CASE("accuracy compares exact curves with facets of every number where supp
   CHECK(points[3]["facet_wrong"] == 0);
   CHECK(points[3]["unexplained"] == 0);
   CHECK(points[2]["facet_wrong"] > 0);
-  CHECK(outcome.out.find("\nFacets as right: tolerance 0.0005, ") != std::string::npos);
+  CHECK(outcome.out.find("\nFacets of equal accuracy: tolerance 0.0005, ") != std::string::npos);
   CHECK(outcome.out.find("Pareto front") == std::string::npos);
   CHECK(fs::file_size(folder / "a/curves.svg") > 1000);
   CHECK(content(folder / "a.html").find(": facets and curved surfaces") != std::string::npos);

@@ -14,7 +14,7 @@ std::string trace(const std::string& more) {
 TEST_CASE("trace counts and prices every directory with and without an item buffer") {
   const Folder folder;
   const Outcome first = succeeded(run(trace(" -o " + (folder / "t"))));
-  CHECK(first.out.find("All ways see the same surfaces") != std::string::npos);
+  CHECK(first.out.find("All directories see the same surfaces") != std::string::npos);
   const nlohmann::json points = json(folder / "t/trace.json")["points"];
   REQUIRE(points.size() == 7 * 3 * 2);
   std::set<std::string> surfaces;
@@ -81,7 +81,7 @@ TEST_CASE("trace rejects unknown names and suggests the nearest") {
   misused(trace(" --directories excel"), "did you mean excell");
   misused(trace(" --cast shadows"), "did you mean shadow");
   misused(trace(" --cast light"), "the rays are primary");
-  misused(trace(" --curves exact --machine pixel-powers"), "--curves: this command takes facets alone");
+  misused(trace(" --curves exact --machine pixel-powers"), "--curves: this command supports facets only");
   misused(trace(" --item-buffer wihtout"), "did you mean without");
   misused(trace(" --bucket-sizes 0"), "1");
   misused(trace(" --processors mc68001"), "mc68000");

@@ -93,7 +93,7 @@ TEST_CASE("compare ends with the bottleneck and costliest primitives of each mac
     CHECK(point["dearest"][0]["name"] == stats["dearest"][0]["name"]);
     CHECK(point["dearest"][0]["clocks"] == stats["dearest"][0]["clocks"]);
   }
-  CHECK(outcome.out.find("what bounds it") != std::string::npos);
+  CHECK(outcome.out.find("limited by") != std::string::npos);
   CHECK(outcome.out.find(stats["dearest"][0]["name"].get<std::string>()) != std::string::npos);
   CHECK(outcome.out.find("$fn = 8 gives") != std::string::npos);
   // The share of the first machine's most expensive primitive on each machine, as render reports it.
@@ -101,7 +101,7 @@ TEST_CASE("compare ends with the bottleneck and costliest primitives of each mac
                 (folder / "p.json")));
   const nlohmann::json first = json(folder / "p.json")["dearest"];
   const std::string name = first[0]["name"];
-  const std::size_t line = outcome.out.find("\n  " + name + " ", outcome.out.find("dearest primitives"));
+  const std::size_t line = outcome.out.find("\n  " + name + " ", outcome.out.find("most expensive primitives"));
   REQUIRE(line != std::string::npos);
   const std::string shares = outcome.out.substr(line + 1, outcome.out.find('\n', line + 1) - line - 1);
   CAPTURE(shares);

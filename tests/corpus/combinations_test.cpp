@@ -45,7 +45,7 @@ observe::Frame draw_with(const Seen& seen, std::string_view name, emit::Strategy
   machines::set_picture_size(machine, {seen.view.sampling.width, seen.view.sampling.height});
   emit::Options options;
   options.strategy = strategy;
-  options.stack_bits = emit::fewest_stack_bits + 1;
+  options.stack_bits = emit::min_stack_bits + 1;
   return testing::draw_on(machine, emit::compile(seen.tree, seen.scene, seen.view, machine, options));
 }
 

@@ -408,7 +408,7 @@ def faults_of(ended: Ended, before: dict[str, bytes], after: dict[str, bytes], s
         return signal.Signals(-ended.code).name
     if ended.code not in (0, 1, 2):
         return f"exit {ended.code}"
-    if "report it" in ended.err and "if that says the same, report it" not in ended.err:
+    if "report it" in ended.err and "if the error remains, report it" not in ended.err:
         return "asks to report it"
     if ended.code != 0 and not ended.err.strip():
         return "says nothing"

@@ -31,7 +31,7 @@ namespace {
 
 void lay_out(const std::vector<plots::Plot>& all) {
   for (const plots::Plot& plot : all)
-    std::visit([](const auto& content) { static_cast<void>(plots::laid_out(content)); }, plot.content);
+    std::visit([](const auto& content) { static_cast<void>(plots::lay_out(content)); }, plot.content);
 }
 
 void show(const std::vector<studies::ExploreRow>& rows) {
@@ -66,7 +66,7 @@ void show(const std::vector<studies::SubdivideRow>& rows) {
 void show(const std::vector<studies::Measurement>& rows) {
   static_cast<void>(studies::rows_json<studies::Measurement>("title", rows));
   static_cast<void>(studies::halvings(studies::pareto_front(rows)));
-  static_cast<void>(studies::facets_as_right(rows));
+  static_cast<void>(studies::equally_accurate_facets(rows));
   lay_out(studies::plots_of_accuracy(rows, {"model"}));
 }
 

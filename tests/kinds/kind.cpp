@@ -41,7 +41,7 @@ class Raster final : public machines::KindOf<Figures> {
   }
 
   machines::FrameTiming time(const isa::Program& program, const Machine& machine,
-                             const machines::Told& /*told*/) const override {
+                             const machines::RunOutcome& /*told*/) const override {
     machines::FrameTiming timing;
     for (const isa::Segment& segment : program.segments) {
       for (const isa::Instruction& instruction : segment.instructions) timing.clocks += clocks(instruction, machine);

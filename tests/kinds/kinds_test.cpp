@@ -90,8 +90,7 @@ TEST_CASE("a kind defined in a single folder works at every level") {
   CHECK(counted.result.clocks == program.segments.front().instructions.size() * 24 * 18 * 2);
   CHECK(worked_out.result.clocks == counted.result.clocks);
   CHECK_THROWS_WITH_AS(machines::timeline(program, machine),
-                       "machines of the kind raster do not tell when their instructions are carried out; take another "
-                       "--machine",
+                       "machines of the kind raster provide no instruction timeline; use another --machine",
                        InputError);
   CHECK(worked_out.result.account == counted.result.account);
   CHECK(counted.stats["machine"]["kind"] == "raster");

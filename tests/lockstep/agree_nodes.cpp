@@ -20,7 +20,7 @@ namespace {
 /// each pixel are checked by tests/unit/multi_processor/list_renderer_test.cpp.
 void check_subsegments(const isa::Program& program, const machines::Machine& machine, const TimedMachine& hardware) {
   const engine::RunResult run = engine::make_reference_engine(machine)->run(program, {});
-  const machines::Timeline timeline = machines::timeline(program, machine, engine::told_of(run));
+  const machines::Timeline timeline = machines::timeline(program, machine, engine::run_outcome(run));
   std::map<std::uint32_t, std::uint64_t> ends;
   for (const TimedMachine::Retirement& one : hardware.retired()) {
     if (!ends.contains(one.segment))

@@ -88,7 +88,8 @@ std::vector<machines::Skip> skips_of(const Recorder& run, const isa::Program& pr
 
 /// Checks the clocks against the prediction; `met` is taken from the judge's run.
 void check_clocks(const engine::RunResult& result, const Recorder& run, const isa::Program& program,
-                  const machines::Machine& machine, std::span<const machines::MetPixels> met, std::string_view level) {
+                  const machines::Machine& machine, std::span<const machines::PixelActivity> met,
+                  std::string_view level) {
   for (const Boundary& boundary : run.boundaries) {
     const isa::Instruction& instruction = program.segments[boundary.segment].instructions[boundary.index];
     require(boundary.clocks == machines::clocks(instruction, machine),

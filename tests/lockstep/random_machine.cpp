@@ -19,7 +19,7 @@ struct Ends {
   std::int64_t most;
 };
 
-constexpr std::int64_t most_clocks = 40;  ///< upper bound of a parameter in clocks
+constexpr std::int64_t max_parameter_clocks = 40;  ///< upper bound of a parameter in clocks
 
 /// Tighter bounds: beyond these, stepping a frame takes too long, or nothing can be drawn.
 const std::map<std::string_view, Ends> nearer{
@@ -48,15 +48,15 @@ const std::map<std::string_view, Ends> nearer{
     {"chips.columns", {16, 600}},
     {"chips.rows", {300, 1024}},
     {"timing.refresh_interval", {0, 3000}},
-    {"node.instruction_loop_clocks", {1, most_clocks}},  // 0 clocks have no place in a timeline
-    {"node.call_clocks", {1, most_clocks}},              // same reason
+    {"node.instruction_loop_clocks", {1, max_parameter_clocks}},  // 0 clocks have no place in a timeline
+    {"node.call_clocks", {1, max_parameter_clocks}},              // same reason
 };
 
 Ends ends_of(const machines::FigureSchema& figure) {
   const auto known = nearer.find(figure.key);
   if (known != nearer.end())
     return {std::max(figure.least, known->second.least), std::min(figure.most, known->second.most)};
-  if (figure.unit == "clocks") return {figure.least, std::min(figure.most, figure.least + most_clocks)};
+  if (figure.unit == "clocks") return {figure.least, std::min(figure.most, figure.least + max_parameter_clocks)};
   return {figure.least, figure.most};
 }
 

@@ -31,10 +31,10 @@ namespace csgsim::test {
 
 namespace {
 
-constexpr unsigned instructions = 8;              ///< maximum per segment
-constexpr std::size_t most_regions = 40;          ///< maximum per picture
-constexpr std::uint64_t most_clocks = 2'000'000;  ///< maximum per frame
-constexpr unsigned seconds = 100;                 ///< time limit per machine, to detect deadlocks
+constexpr unsigned instructions = 8;                   ///< maximum per segment
+constexpr std::size_t most_regions = 40;               ///< maximum per picture
+constexpr std::uint64_t max_frame_clocks = 2'000'000;  ///< maximum per frame
+constexpr unsigned seconds = 100;                      ///< time limit per machine, to detect deadlocks
 
 constexpr int refused = 77;
 
@@ -87,7 +87,7 @@ class Affordable {
     } catch (const InputError&) {
       return false;
     }
-    const bool is = machines::time_frame(program, machine_).clocks <= most_clocks;
+    const bool is = machines::time_frame(program, machine_).clocks <= max_frame_clocks;
     any_ = any_ || is;
     return is;
   }

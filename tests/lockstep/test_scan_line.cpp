@@ -175,7 +175,7 @@ TEST_CASE("every level rejects questions and segments other than lines and too m
     CHECK_THROWS_WITH_AS(engine->run(program_of(machine, {{.opcode = Opcode::global_or}}), {}),
                          "segment 0, instruction 0: global_or needs a global OR, which the machine test does not have; "
                          "compile the model "
-                         "for this machine, or take one whose global_or.present is 1",
+                         "for this machine, or use one with global_or.present = 1",
                          InputError);
     isa::Program whole = program_of(machine, {});
     whole.segments = {{.region = {0, 0, 4, 2}, .instructions = {}}};

@@ -22,8 +22,8 @@ class TimedMachine::Listener final : public systemc::RunListener {
  public:
   Listener(TimedMachine& machine, systemc::RunListener& next) : machine_(machine), next_(next) {}
 
-  [[nodiscard]] systemc::Keep keeps_after(std::uint32_t segment, std::uint32_t index) override {
-    return next_.keeps_after(segment, index);
+  [[nodiscard]] systemc::Keep required_after(std::uint32_t segment, std::uint32_t index) override {
+    return next_.required_after(segment, index);
   }
   void after_instruction(const systemc::Retired& retired, const systemc::PixelView& pixels) override {
     machine_.retired_.push_back({retired.segment, retired.index, machine_.edges()});
@@ -91,7 +91,7 @@ void TimedMachine::check_timeline(const isa::Program& program) const {
   }
   for (const Retirement& one : retired_) {
     const isa::Opcode opcode = program.segments[one.segment].instructions[one.index].opcode;
-    const auto& spans = isa::is_question(opcode) ? timeline.issued : at_last_pixel;
+    const auto& spans = isa::needs_global_or(opcode) ? timeline.issued : at_last_pixel;
     const std::uint64_t expected = spans[one.segment][one.index].end;
     const std::uint64_t clock = one.edge - 1;
     if (clock == expected) continue;

@@ -101,7 +101,7 @@ WaveCheck::WaveCheck(const isa::Program& program, const machines::Machine& machi
   engine::Observer* const observers[] = {&watch};
   const engine::RunResult run = judge.run(program, observers);
   const std::vector<machines::ClockSpan> spans = machines::at_pixel(
-      machines::timeline(program, machine, engine::told_of(run)), program, machine, segment_, pixel_.x, pixel_.y);
+      machines::timeline(program, machine, engine::run_outcome(run)), program, machine, segment_, pixel_.x, pixel_.y);
   for (const std::uint32_t index : carried_out_) spans_.push_back(spans[index]);
   const std::uint64_t earliest = spans_.front().begin - std::min(spans_.front().begin, before_and_after);
   window_.begin = *rc::gen::inRange(earliest, spans_.back().end + 1);

@@ -7,7 +7,7 @@ namespace csgsim::testing {
 
 namespace {
 
-emit::Options with_strategy(emit::Strategy strategy, unsigned stack_bits = emit::fewest_stack_bits) {
+emit::Options with_strategy(emit::Strategy strategy, unsigned stack_bits = emit::min_stack_bits) {
   emit::Options options;
   options.strategy = strategy;
   options.stack_bits = stack_bits;
@@ -19,9 +19,9 @@ emit::Options with_strategy(emit::Strategy strategy, unsigned stack_bits = emit:
 std::vector<emit::Options> all_options() {
   using emit::Strategy;
   std::vector<emit::Options> all{with_strategy(Strategy::automatic)};
-  for (const Strategy strategy : emit::usual_strategies()) all.push_back(with_strategy(strategy));
+  for (const Strategy strategy : emit::default_strategies()) all.push_back(with_strategy(strategy));
   for (const unsigned bits : {4U, 5U, 6U, 7U, 9U}) all.push_back(with_strategy(Strategy::bits, bits));
-  for (const Strategy strategy : emit::usual_strategies()) {
+  for (const Strategy strategy : emit::default_strategies()) {
     if (strategy == Strategy::products) continue;
     for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::automatic}) {
       all.push_back(with_strategy(strategy, 5));

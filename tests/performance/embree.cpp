@@ -223,7 +223,7 @@ void compare(const std::string& name, const view::Camera& camera) {
 int main(int argc, char** argv) {
   constexpr int words = 8;
   if (argc != words) {
-    csgsim::tell_line("usage: csgsim_embree MODEL.csg EX EY EZ CX CY CZ");
+    csgsim::report_line("usage: csgsim_embree MODEL.csg EX EY EZ CX CY CZ");
     return 2;
   }
   try {
@@ -233,7 +233,7 @@ int main(int argc, char** argv) {
         {{number(2), number(3), number(4)}, {number(5), number(6), number(7)}, csgsim::view::Projection::perspective});
     return 0;
   } catch (const std::exception& error) {
-    csgsim::tell_line(error.what());
+    csgsim::report_line(error.what());
     return 1;
   }
 }

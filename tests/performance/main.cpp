@@ -194,10 +194,10 @@ int main(int argc, char** argv) {
     line.run({argv, static_cast<std::size_t>(argc)});
     return 0;
   } catch (const csgsim::session::UsageError& error) {
-    csgsim::tell_line("csgsim_bench: " + std::string(error.what()));
+    csgsim::report_line("csgsim_bench: " + std::string(error.what()));
     return bad_usage;
   } catch (const std::exception& error) {
-    csgsim::tell_line(error.what());
+    csgsim::report_line(error.what());
     return bad_input;
   }
 }

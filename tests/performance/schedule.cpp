@@ -13,7 +13,7 @@ namespace csgsim::bench {
 
 namespace {
 
-constexpr std::array most_threads{1U, 2U, 4U, 8U, 16U, 64U};
+constexpr std::array max_threads{1U, 2U, 4U, 8U, 16U, 64U};
 constexpr unsigned replays = 3;
 constexpr const char* level = "functional";
 
@@ -42,7 +42,7 @@ Schedule schedule_of(const Settings& settings, const std::filesystem::path& mode
   const Replay shortest = shortest_replay(program, kinds::load(program.machine));
   Schedule schedule{
       model.stem().native(), machine, std::max(medians[0] - by_tiles(shortest, 1), 0.0), {}, {}, medians[1]};
-  for (const unsigned threads : most_threads) {
+  for (const unsigned threads : max_threads) {
     schedule.tiles.push_back({static_cast<double>(threads), schedule.rest + by_tiles(shortest, threads)});
     schedule.segments.push_back({static_cast<double>(threads), schedule.rest + by_segments(shortest, threads)});
   }

@@ -275,7 +275,7 @@ class Refused(unittest.TestCase):
         self.refused(csgsim.UsageError, "'sweeps'", csgsim.study, "sweeps", FIGURE)
         self.refused(csgsim.UsageError, "'view'", csgsim.options, "view")
         self.refused(TypeError, "name a model", csgsim.render)
-        self.refused(TypeError, "is no text", csgsim.render, FIGURE, size=object())
+        self.refused(TypeError, "is not a text", csgsim.render, FIGURE, size=object())
 
     def test_what_is_for_terminals_is_refused(self):
         self.refused(csgsim.UsageError, "--help", csgsim.render, FIGURE, help=True)

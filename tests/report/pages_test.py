@@ -272,7 +272,7 @@ def check_without_scripts(page, path, least, failures):
     page.send("Page.navigate", url="file://" + os.path.abspath(path))
     while page.evaluate("document.readyState") != "complete":
         pass
-    has_pictures = not page.evaluate("document.title").startswith("What many models take")
+    has_pictures = not page.evaluate("document.title").startswith("Cost of many models")
     is_study = page.evaluate("document.querySelectorAll('figure.plots').length") > 0
     for what in ("table", "h2", *(["img"] if has_pictures else []), *(["svg.plot .pt title"] if is_study else [])):
         failures.check(page.evaluate(f"document.querySelectorAll('{what}').length") > 0, f"without scripts there is no {what}")

@@ -93,7 +93,7 @@ def check_keys(page, failures):
     page.press("Enter")
     failures.check(page.evaluate(SHOWN).startswith(f"pixel {x},{y} shows"), "Enter does not show the story of a pixel near the cursor")
     if pages_test.tab_to(page, ".ask input", failures):
-        for text, told in ((f"{x} {y}", f"pixel {x},{y} shows"), ("3,4000", "there is no pixel 3,4000"), ("", "say which pixel"), (f"{x}, {y - 1}", f"csgsim explain {' '.join(THESIS)} --pixel {x},{y - 1}")):
+        for text, told in ((f"{x} {y}", f"pixel {x},{y} shows"), ("3,4000", "there is no pixel 3,4000"), ("", "enter a pixel"), (f"{x}, {y - 1}", f"csgsim explain {' '.join(THESIS)} --pixel {x},{y - 1}")):
             page.evaluate(f"document.activeElement.value = {json.dumps(text)}")
             page.press("Enter")
             shown = page.evaluate("document.querySelector('.story').textContent")
@@ -145,7 +145,7 @@ def check_two(page, csgsim, path, failures):
     page.open(path)
     pages_test.check_numbers(page, data, 30, failures)
     texts = page.evaluate("[...document.querySelectorAll('p')].map(element => element.textContent)")
-    first, pictures = (next(line for line in done.stdout.split("\n") if part in line) for part in ("another instruction", "the pictures differ"))
+    first, pictures = (next(line for line in done.stdout.split("\n") if part in line) for part in ("first instruction that differs", "the pictures differ"))
     failures.check(any(text.startswith(f"The first instruction that differs is {first.split()[0]}:") for text in texts), f"the first other instruction is not told: {texts[:6]}")
     differ = int(pictures.split(" differ at ")[1].split()[0].replace(",", ""))
     failures.check(any(f" differ at {differ:,} pixels" in text for text in texts), f"how many pixels differ is not told: {texts[:6]}")

@@ -29,7 +29,7 @@ void add_instructions(std::span<const isa::Program> programs, std::set<isa::Opco
 
 std::size_t possible_instructions(const machines::Machine& machine) {
   const auto fits = [&](const isa::OpcodeInfo& row) {
-    if (isa::is_question(row.opcode)) return machines::has_global_or(machine);
+    if (isa::needs_global_or(row.opcode)) return machines::has_global_or(machine);
     return machine.evaluator_degree > 1 || row.opcode != isa::Opcode::squares;
   };
   return static_cast<std::size_t>(std::count_if(isa::opcode_table.begin(), isa::opcode_table.end(), fits));

@@ -44,7 +44,7 @@ std::vector<testing::RayMirror> mirrors_of(const testing::DrawnScene& drawn) {
   std::vector<testing::RayMirror> mirrors;
   for (std::uint32_t i = 0; i < drawn.compiled.tree.primitives.size(); ++i) {
     const model::Primitive& primitive = drawn.compiled.tree.primitives[i];
-    const double reflectance = lighting::finish_of(drawn.scene, primitive, false).material.mirror;
+    const double reflectance = lighting::make_finish(drawn.scene, primitive, false).material.mirror;
     const bool is_flat = std::holds_alternative<model::Cube>(primitive.shape) ||
                          std::holds_alternative<model::Polyhedron>(primitive.shape);
     if (reflectance > 0 && is_flat) mirrors.push_back({i, std::nullopt, reflectance});
@@ -57,7 +57,7 @@ testing::RayEffects effects_of(const testing::SceneFile& file, const testing::Dr
   effects.has_shadows = names(file, "shadows");
   if (file.text.find("screen-door") == std::string::npos) {
     for (const model::Primitive& one : drawn.compiled.tree.primitives)
-      effects.opacity.push_back(lighting::finish_of(drawn.scene, one, false).opacity);
+      effects.opacity.push_back(lighting::make_finish(drawn.scene, one, false).opacity);
   }
   effects.layers = number_of(file, "layers", 16);
   effects.mirrors = mirrors_of(drawn);

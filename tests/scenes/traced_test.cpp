@@ -47,7 +47,7 @@ std::vector<software::TracedPixel> traced(const testing::Compiled& compiled, con
                                           software::TraceOptions options) {
   const software::Tree tree = software::make_tree(compiled.tree, software::Shape::balanced);
   const software::TraceScene scene(compiled.tree, compiled.scene, compiled.view, tree);
-  for (const lighting::SeenLight& light : lighting::lighting_of(look, compiled.view.camera).lights)
+  for (const lighting::SeenLight& light : lighting::make_lighting(look, compiled.view.camera).lights)
     options.lights.push_back(
         {light.is_point, light.is_point ? scene.place_of(light.where) : scene.direction_of(light.where)});
   if (options.mirrors.empty()) options.mirrors.assign(scene.facets().facets.size(), 0);

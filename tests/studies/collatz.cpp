@@ -51,19 +51,19 @@ class Collatz : public studies::StudyOf<CollatzRow> {
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return {file_}; }
   [[nodiscard]] std::set<std::string> varied() const override { return {"addends"}; }
 
-  std::vector<studies::Asked> ask() override {
+  std::vector<studies::PointRequest> request_points() override {
     const std::string text = read_file(file_, {"a file of numbers", 1000, "make it shorter"});
     Hash hash;
     hash.add(text);
-    std::vector<studies::Asked> asked;
+    std::vector<studies::PointRequest> requested;
     std::istringstream lines(text);
     for (std::string number; std::getline(lines, number);) {
       for (const unsigned addend : addends_of(addends_)) {
         points_.push_back({number, addend, {hash.text(), "none", "1"}, 0, 0, {}});
-        asked.push_back({fmt::format("{},{}", number, addend), points_.back().inputs});
+        requested.push_back({fmt::format("{},{}", number, addend), points_.back().inputs});
       }
     }
-    return asked;
+    return requested;
   }
 
   void print() const override {
@@ -88,7 +88,7 @@ class Collatz : public studies::StudyOf<CollatzRow> {
   }
 
  protected:
-  [[nodiscard]] CollatzRow measured(std::size_t point) override {
+  [[nodiscard]] CollatzRow measure_point(std::size_t point) override {
     CollatzRow row = points_[point];
     std::uint64_t number = std::strtoull(row.number.c_str(), nullptr, 10);
     if (number == 0) row.reason = "that is no number from 1 on";

@@ -454,7 +454,7 @@ rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_i
 }
 
 void erase_questions(std::vector<Instruction>& instructions) {
-  std::erase_if(instructions, [](const Instruction& instruction) { return isa::is_question(instruction.opcode); });
+  std::erase_if(instructions, [](const Instruction& instruction) { return isa::needs_global_or(instruction.opcode); });
 }
 
 rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machine, std::size_t max_instructions,
@@ -468,7 +468,7 @@ rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machin
     program.facts->model.primitives = pick(0U, 4U);
     program.facts->model.halfspaces = pick(0U, 30U);
     const unsigned colour_bits = program.colour.width;
-    program.background = pick(0U, (1U << std::min(colour_bits, isa::most_colour_bits)) - 1);
+    program.background = pick(0U, (1U << std::min(colour_bits, isa::max_colour_bits)) - 1);
     const auto primitives = static_cast<std::uint32_t>(program.facts->primitives.size());
     const unsigned without = std::min(pick(0U, 12U), 10U);  // of ten segments
     for (const isa::Region& region : machines::regions(machine)) {

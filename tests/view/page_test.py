@@ -174,7 +174,7 @@ def compares_two(seen):
     seen.check("pictures are equal" in seen.text("differs"), "A is itself")
     seen.after("comparedTwo", lambda: seen.set("z-bits", "8"))
     told = seen.text("differs")
-    seen.check("pixels differ" in told and "other instruction is i" in told, f"what differs is told: {told}")
+    seen.check("pixels differ" in told and "instruction that differs is i" in told, f"what differs is told: {told}")
     seen.check(seen.evaluate("document.querySelectorAll('#counts tr:first-child td').length") == 2, "counts stand side by side")
     seen.check(seen.evaluate("document.getElementById('timeline').hidden"), "lanes of another drawing are gone")
     photograph(seen, "two", "#keep")

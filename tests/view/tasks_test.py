@@ -30,7 +30,7 @@ def points_of(seen, study, *words):
 
 def check_counts(seen, point, what):
     rows = seen.counts()
-    for name, key in (("clocks until it is drawn", "clocks"), ("clocks from one frame to the next", "interval_clocks"), ("pixel operations", "pixel_operations")):
+    for name, key in (("clocks until drawn", "clocks"), ("clocks from one frame to the next", "interval_clocks"), ("pixel operations", "pixel_operations")):
         if key in point:
             seen.check(rows[name] == f"{point[key]:,}", f"{what}: {name} {rows[name]}, {point[key]:,} by the command")
 
@@ -106,7 +106,7 @@ def what_do_width_and_memory_change(seen):
         seen.set("stack-bits", str(point["stack_bits"]) if point["stack_bits"] else "")
         seen.settled()
         check_counts(seen, point, f"{point['strategy']} {point['stack_bits']}")
-        seen.check(seen.counts()["memory bits a pixel"].startswith(f"{point['used_bits']} of "), f"{point['strategy']}: memory bits")
+        seen.check(seen.counts()["memory bits per pixel"].startswith(f"{point['used_bits']} of "), f"{point['strategy']}: memory bits")
 
 
 def which_instruction_made_this_pixel_wrong(seen):

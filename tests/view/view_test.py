@@ -371,7 +371,7 @@ class Ended(unittest.TestCase):
         try:
             done = run("view", MODEL, "--port", str(server.port), timeout=20)
             self.assertEqual(done.returncode, 1)
-            self.assertIn(f"port {server.port} of 127.0.0.1 cannot be had", done.stderr)
+            self.assertIn(f"port {server.port} of 127.0.0.1 is not available", done.stderr)
         finally:
             server.stop()
 

@@ -92,7 +92,7 @@ class Viewed:
     def check_same(self, what):
         stats = self.stats_of_command()
         rows = self.counts()
-        self.check(rows["clocks until it is drawn"] == f"{stats['clocks']:,}", f"{what}: clocks {rows} {stats['clocks']}")
+        self.check(rows["clocks until drawn"] == f"{stats['clocks']:,}", f"{what}: clocks {rows} {stats['clocks']}")
         self.check(rows["instructions"] == f"{stats['instructions']['total']:,}", f"{what}: instructions")
         for name, clocks in self.page.evaluate("[...document.querySelectorAll('#bill tr')].map(row => [row.cells[0].textContent, row.cells[1].textContent])"):
             self.check(clocks == f"{stats['by_purpose'][name.replace(' ', '_')]['clocks']:,}", f"{what}: {name}")

@@ -90,7 +90,7 @@ TEST_CASE("rejects tree levels for a machine without trees") {
   const Outcome outcome =
       run("wave " + file + " --machine scan-line --pixel 1,1 --probe tree.x:1 -o " + (folder / "w.vcd"));
   CHECK(outcome.code == 1);
-  CHECK(outcome.err.find("this machine has no multiplier trees; leave tree levels out") != std::string::npos);
+  CHECK(outcome.err.find("this machine has no multiplier trees; remove the tree levels") != std::string::npos);
   const Outcome stepped =
       run("wave " + file + " --machine scan-line --pixel 1,1 --evaluator stepped -o " + (folder / "w.vcd"));
   CHECK(stepped.code == 1);

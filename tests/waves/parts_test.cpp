@@ -153,7 +153,7 @@ TEST_CASE("stretches of a lane follow each other and adjacent ones differ") {
   }
 }
 TEST_CASE("without a pixel a file of parts accepts only windows of clocks and needs .json") {
-  misused("wave traces/x.csgt --at owner -o parts.json", "say which, as in --pixel 100,20");
+  misused("wave traces/x.csgt --at owner -o parts.json", "name one, as in --pixel 100,20");
   misused("wave traces/x.csgt --window i3 -o parts.json", "FIRST:END");
-  misused("wave traces/x.csgt --lanes -o parts.vcd", "has to end in .json");
+  misused("wave traces/x.csgt --lanes -o parts.vcd", "a name that ends in .json");
 }

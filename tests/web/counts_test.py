@@ -16,7 +16,7 @@ from web_page import Answering
 CSGSIM, SOURCE, SITE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 KNOBS = {"size": "256x256", "view-all": True}
 # What the page has not, or what has no picture.
-REFUSED = ("is not in this page", "reads no files", "the file defines no solid")
+REFUSED = ("this page does not include", "cannot read files", "there is no solid in it")
 
 
 def counts_of(value, path=""):

@@ -1,30 +1,26 @@
+// Table of the commands that are not studies.
+// Used by main() and by the file of each command.
 #pragma once
 
 #include <span>
 #include <string_view>
 
+#include "sim/session/options/command_group.h"
 #include "sim/shell/command_line.h"
 
 namespace csgsim::app {
 
-using namespace session;  // whose requests commands read,
-using namespace shell;    // and show
+using namespace session;
+using namespace shell;
 
-/// A row of the table of commands, except studies. Each command has its own file.
+/// A row of the table of commands. Studies have their own table (sim/studies/rows.h).
 struct CommandRow {
   std::string_view name;
   void (*add)(CommandLine& line) = nullptr;  ///< describes the command on the line
-  bool asks_others = false;                  ///< it runs or describes other commands
+  bool needs_all_commands = false;           ///< it runs or describes other commands
 };
 
 /// The commands, in the order of help.
 std::span<const CommandRow* const> commands();
-
-/// Subjects of commands in help, in its order.
-inline constexpr std::string_view drawing = "Models and Programs";
-inline constexpr std::string_view looking = "Looking into a run";
-inline constexpr std::string_view hardware = "Hardware";
-inline constexpr std::string_view studying = "Studies";
-inline constexpr std::string_view manuals = "Manual";
 
 }  // namespace csgsim::app

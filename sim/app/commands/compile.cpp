@@ -29,7 +29,7 @@ void add_compile(CommandLine& line) {
   };
   const auto options = std::make_shared<Options>();
   Command& command =
-      line.add("compile", drawing, "Compile a CSG model into a Program file, to be run without the model",
+      line.add("compile", everyday_group, "Compile a CSG model into a Program file, which runs without the model",
                "Example:\n  csgsim compile carburettor.csg -o carburettor.csgt\n  csgsim run carburettor.csgt -o "
                "carburettor.png");
   options->model.add_to(command);
@@ -46,7 +46,7 @@ void add_compile(CommandLine& line) {
     file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     file.commit();
     fmt::print("{}: {} for {} x {} pixels\n", printable(options->output),
-               counted(isa::instructions_in(program), "instruction"), program.shape.width, program.shape.height);
+               counted(isa::total_instructions(program), "instruction"), program.shape.width, program.shape.height);
   });
 }
 

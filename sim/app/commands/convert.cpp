@@ -50,33 +50,33 @@ struct Options {
 };
 
 constexpr std::string_view block_ending = ".bintree";
-constexpr std::uint32_t usual_resolution = 64;
+constexpr std::uint32_t default_resolution = 64;
 
-bool asks_for_blocks(const Options& options) { return ends_in(options.output, block_ending); }
+bool writes_blocks(const Options& options) { return ends_in(options.output, block_ending); }
 
-const convert::Format& format_asked(const Options& options) {
+const convert::Format& requested_format(const Options& options) {
   std::string endings;
   for (const convert::Format* const one : convert::formats()) endings += fmt::format("{}, ", one->ending);
   const convert::Format* const format = convert::format_of(options.output);
   if (format == nullptr)
-    throw UsageError("--output", fmt::format("the name ends in none of {}{}", endings, block_ending));
-  if (options.resolution) throw UsageError("--resolution", "a mesh has none; leave it out");
+    throw UsageError("--output", fmt::format("unknown ending; end the name in one of {}{}", endings, block_ending));
+  if (options.resolution) throw UsageError("--resolution", "applies to .bintree files only; leave it out");
   if (options.ascii && !format->has_text)
-    throw UsageError("--ascii", fmt::format("a {} file has one form; leave it out", format->ending));
+    throw UsageError("--ascii", fmt::format("a {} file has only one form; leave it out", format->ending));
   return *format;
 }
 
-facet::Faceting faceting_asked(const Options& options) {
+facet::Faceting requested_faceting(const Options& options) {
   if (!options.model.tolerance) return {};
   if (options.model.tolerance->in_pixels)
-    throw UsageError("--tolerance", "nothing is drawn, so that a tolerance is in model units: 0.1");
+    throw UsageError("--tolerance", "convert has no pixels; give a tolerance in model units, as in 0.1");
   return {.tolerance = options.model.tolerance->value};
 }
 
 model::Tree solid_model(const Options& options) {
   model::Tree tree = read_model(options.model);
   if (tree.is_flat) {
-    throw InputError(fmt::format("{}: the model is flat, and only solids are converted; extrude it",
+    throw InputError(fmt::format("{}: the model is flat and only solids can be converted; extrude it",
                                  printable(shown_name(options.model.model))));
   }
   return tree;
@@ -97,18 +97,18 @@ nlohmann::ordered_json model_json(const Options& options, const model::Tree& tre
 
 [[noreturn]] void refuse_empty(const Options& options) {
   throw InputError(
-      fmt::format("{}: nothing is left of the model to convert", printable(shown_name(options.model.model))));
+      fmt::format("{}: the model is empty; there is nothing to convert", printable(shown_name(options.model.model))));
 }
 
 [[noreturn]] void refuse_thin(const Options& options, const convert::Measures& measures) {
   throw InputError(fmt::format(
-      "{}: solids are too thin for their size, or too small for how far from the origin they are: rounding "
-      "coordinates to doubles may change the volume of the mesh, {:.3g}, by {:.3g}; move or scale the parts "
-      "nearer to each other",
+      "{}: solids are too thin for their size, or too small for their distance from the origin: rounding "
+      "coordinates to doubles may change the volume of the mesh, {:.3g}, by {:.3g}; move the parts nearer to each "
+      "other, or scale them",
       printable(shown_name(options.model.model)), measures.volume, measures.volume_error));
 }
 
-/// The files that are written, all of them or none.
+/// The output files, committed as a group: all of them or none.
 class Outputs {
  public:
   explicit Outputs(const Options& options) : file_(options.output) {
@@ -133,8 +133,8 @@ class Outputs {
 Work work_of(const Options& options) { return Work(options.model.limit * std::uint64_t{1'000'000}); }
 
 void convert_to_mesh(const Options& options) {
-  const convert::Format& format = format_asked(options);
-  const facet::Faceting faceting = faceting_asked(options);
+  const convert::Format& format = requested_format(options);
+  const facet::Faceting faceting = requested_faceting(options);
   if (!options.ascii) refuse_terminal("--output", options.output);
   Outputs outputs(options);
   const auto begin = std::chrono::steady_clock::now();
@@ -165,10 +165,11 @@ void convert_to_mesh(const Options& options) {
 }
 
 void convert_to_blocks(const Options& options) {
-  if (options.ascii) throw UsageError("--ascii", "a .bintree file has one form; leave it out");
-  const std::uint32_t resolution = options.resolution.value_or(usual_resolution);
-  if (!std::has_single_bit(resolution)) throw UsageError("--resolution", "blocks are halved: take a power of two");
-  const facet::Faceting faceting = faceting_asked(options);
+  if (options.ascii) throw UsageError("--ascii", "a .bintree file has only one form; leave it out");
+  const std::uint32_t resolution = options.resolution.value_or(default_resolution);
+  if (!std::has_single_bit(resolution))
+    throw UsageError("--resolution", "blocks are halved, so the resolution must be a power of two");
+  const facet::Faceting faceting = requested_faceting(options);
   Outputs outputs(options);
   const auto begin = std::chrono::steady_clock::now();
   const model::Tree tree = solid_model(options);
@@ -186,14 +187,14 @@ void convert_to_blocks(const Options& options) {
   stats["wall_seconds"] = seconds_since(begin);
   outputs.write(convert::text_of(bintree), stats);
   print_model(tree);
-  fmt::print("{:<18}{}, {} of them full; {} of side {:g} are in\n", "blocks", grouped(counts.blocks),
+  fmt::print("{:<18}{}, {} of them full; {} of side {:g} inside the model\n", "blocks", grouped(counts.blocks),
              grouped(counts.full), counted(counts.cells, "cell"), bintree.cell());
   fmt::print("{:<18}{:.10g} cubic units\n", "volume", volume);
 }
 
 void run(const Options& options) {
   refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.output, options.stats}));
-  if (asks_for_blocks(options)) {
+  if (writes_blocks(options)) {
     convert_to_blocks(options);
   } else {
     convert_to_mesh(options);
@@ -202,11 +203,11 @@ void run(const Options& options) {
 
 void add_convert(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command& command = line.add(
-      "convert", drawing, "Convert a model into a mesh, the closed boundary of what its tree leaves, or into blocks",
-      "Example:\n  csgsim convert carburettor.csg -o carburettor.stl\n"
-      "  csgsim convert carburettor.csg -o carburettor.bintree --resolution 128\n"
-      "Curved solids are converted in facets. What is written how: docs/convert.md.");
+  Command& command = line.add("convert", everyday_group,
+                              "Convert a model into a closed mesh of its boundary, or into blocks of a bintree",
+                              "Example:\n  csgsim convert carburettor.csg -o carburettor.stl\n"
+                              "  csgsim convert carburettor.csg -o carburettor.bintree --resolution 128\n"
+                              "Curved solids are converted as facets. docs/convert.md describes the formats.");
   options->model.add_to(command);
   for (const char* const of_pictures :
        {"--machine", "--memory-bits", "--z-bits", "--strategy", "--stack-bits", "--colouring", "--pruning", "--size",
@@ -218,18 +219,18 @@ void add_convert(CommandLine& line) {
     endings += fmt::format("; {}: {}", one->ending, one->help);
   command
       .option("-o,--output", options->output,
-              fmt::format("The mesh or the blocks, by what the name ends with{}; {}: a bintree, as text", endings,
-                          block_ending))
+              fmt::format("The mesh or block file; the name's ending selects the format{}; {}: a bintree, as text",
+                          endings, block_ending))
       .required()
       .check(not_empty);
   command.flag("--ascii", options->ascii, "Write STL as text");
   command
       .option("--resolution", options->resolution,
-              "Cells of a block model along each side, a power of two; 64 if not given")
-      .between(convert::fewest_cells, convert::most_cells);
-  command.option("--threads", options->threads, "Threads that a mesh is made on; it is the same")
-      .between(1U, most_threads);
-  command.option("--stats", options->stats, "What was converted, .json").check(not_empty);
+              "Cells along each side of a block model, a power of two; 64 if not given")
+      .between(convert::min_cells, convert::max_cells);
+  command.option("--threads", options->threads, "Threads that build a mesh; the mesh does not depend on their number")
+      .between(1U, max_threads);
+  command.option("--stats", options->stats, "Counts and measures of the result, .json").check(not_empty);
   command.prints_summary();
   command.runs([options] { run(*options); });
 }

@@ -36,27 +36,27 @@ struct Options {
   unsigned threads = 1;
 };
 
-constexpr InputKind command_file{"name a file of commands", std::size_t{1} << 20U, "divide it"};
+constexpr InputKind command_file{"name a file of commands", std::size_t{1} << 20U, "split it"};
 
-/// Carries out a line and prints what it tells. Throws InputError with the line's place in front.
-void carry_out(const std::string& text, const std::string& name, std::size_t line, const isa::Program& program,
-               debug::Session& session) {
+/// Executes one line and prints its output. Throws InputError that begins with the line's place.
+void execute(const std::string& text, const std::string& name, std::size_t line, const isa::Program& program,
+             debug::Session& session) {
   const debug::Command& command = debug::parse_command(text, name, line, program);
   try {
-    fmt::print("{}", session.carry_out(command));
+    fmt::print("{}", session.execute(command));
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}:{}: {}", name, line, error.what()));
   }
 }
 
-/// Lines of a file or a pipe, each shown before what it tells. The first that cannot be carried out ends it.
+/// Reads the lines of a file or a pipe and echoes each before its output. The first invalid line ends the script.
 void read_script(std::istream& lines, const std::string& name, const isa::Program& program, debug::Session& session) {
   std::string text;
   for (std::size_t line = 1; !session.is_over() && std::getline(lines, text); ++line) {
     if (text.ends_with('\r')) text.pop_back();
     if (!text.empty()) fmt::print("> {}\n", printable(text));
-    std::fflush(stdout);  // before what an error says
-    carry_out(text, name, line, program, session);
+    std::fflush(stdout);  // the output precedes an error message
+    execute(text, name, line, program, session);
   }
   std::fflush(stdout);
 }
@@ -68,16 +68,16 @@ void read_terminal(const isa::Program& program, debug::Session& session) {
     const std::optional<std::string> text = terminal.line();
     if (!text) return static_cast<void>(fmt::print("\n"));
     try {
-      carry_out(*text, "debug", ++line, program, session);
+      execute(*text, "debug", ++line, program, session);
     } catch (const InputError& error) {
       std::fflush(stdout);
-      tell_line(error.what());
+      report_line(error.what());
     }
     std::fflush(stdout);
   }
 }
 
-void look_into(const Options& options, const isa::Program& program, const machines::Machine& machine) {
+void run_debugger(const Options& options, const isa::Program& program, const machines::Machine& machine) {
   debug::Session session(program, machine, options.threads);
   if (!options.commands.empty()) {
     std::istringstream lines(read_file(options.commands, command_file));
@@ -87,7 +87,7 @@ void look_into(const Options& options, const isa::Program& program, const machin
                counted(engine::Numbers(program).count(), "instruction"), machine.name);
     read_terminal(program, session);
   } else {
-    keep_input(standard_input_file);
+    record_input(standard_input_file);
     read_script(std::cin, "standard input", program, session);
   }
 }
@@ -95,21 +95,22 @@ void look_into(const Options& options, const isa::Program& program, const machin
 void add_debug(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command =
-      line.add("debug", looking, "Step through a Program: stop, look at pixels, go back",
-               "Commands come from a file, from standard input, or from the keyboard; `help` lists them.\n"
+      line.add("debug", run_group, "Step forwards and backwards through a Program, with breakpoints",
+               "Commands come from a file, from standard input or from the keyboard; `help` lists them.\n"
                "Example:\n  csgsim debug traces/thesis_fig_2_3.csgt -x commands.txt\n  echo 'until Z2[200,200] < "
                "1000000' | csgsim debug traces/thesis_fig_2_3.csgt");
-  options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt");
-  command.option("-x,--commands", options->commands, "A file of commands, a line each").check(not_empty);
-  command.option("--threads", options->threads, "Threads that it works on; the states are the same")
-      .between(1U, most_threads);
+  options->model.add_to(command, "The model (.csg, .scad or .jan) or a Program (.csgt)");
+  command.option("-x,--commands", options->commands, "File with one command per line").check(not_empty);
+  command.option("--threads", options->threads, "Worker threads; the states do not depend on their number")
+      .between(1U, max_threads);
   command.runs([options, &command] {
     if (options->model.model == standard_stream && options->commands.empty())
-      throw UsageError("MODEL", "standard input is for the commands then; name a file of commands, -x FILE");
+      throw UsageError(
+          "MODEL", "standard input cannot hold both the Program and the commands; name a file of commands, -x FILE");
     if (!is_model(options->model.model)) refuse_model_options(command, {"machine", "set", "commands", "threads"});
     const ProgramOnMachine subject = program_of(options->model, command);
     const isa::Program& program = subject.program;
-    with_memory_for_run({&program, 1}, program.shape, [&] { look_into(*options, program, subject.machine); });
+    with_memory_for_run({&program, 1}, program.shape, [&] { run_debugger(*options, program, subject.machine); });
   });
 }
 

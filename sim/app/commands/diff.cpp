@@ -39,7 +39,7 @@ namespace csgsim::app {
 
 namespace {
 
-/// What one side has for itself.
+/// Options of one side.
 struct SideOptions {
   std::string subject;
   std::string machine;
@@ -75,14 +75,14 @@ ModelRequest options_of(const ModelRequest& both, const SideOptions& side) {
   return options;
 }
 
-/// `asked`: whether --machine was given for both.
-Subject subject_of(const ModelRequest& both, const SideOptions& side, bool asked) {
+/// Loads or compiles one side. `is_machine_given`: --machine was given for both sides.
+Subject subject_of(const ModelRequest& both, const SideOptions& side, bool is_machine_given) {
   const ModelRequest options = options_of(both, side);
-  ProgramOnMachine found = program_of(options, asked || !side.machine.empty() ? options.machine : "");
+  ProgramOnMachine found = program_of(options, is_machine_given || !side.machine.empty() ? options.machine : "");
   return {printable(side.subject), side.level, std::move(found.machine), std::move(found.program)};
 }
 
-/// Of a side that is a Program, options that say how to compile have no meaning.
+/// Rejects compile options for a side that is a Program.
 void refuse_misuse(const Options& options, const OptionList& command) {
   const bool is_model_a = is_model(options.a.subject);
   const bool is_model_b = is_model(options.b.subject);
@@ -100,8 +100,8 @@ void refuse_misuse(const Options& options, const OptionList& command) {
                                    "set", "set-a", "set-b"});
   if (options.a.level == "cycle" && options.b.level == "cycle") {
     throw UsageError("--level-b",
-                     "SystemC clocks one machine a process; hold each side against the functional level, whose bits "
-                     "and clocks are the same");
+                     "SystemC can clock only one machine per process; compare each side with the functional level, "
+                     "whose bits and clocks are the same");
   }
 }
 
@@ -112,7 +112,7 @@ void print_side(char letter, const Subject& subject, const engine::RunResult& re
 
 std::string instruction_text(const isa::Program& program, std::uint64_t number) {
   const engine::Numbers numbers(program);
-  if (number >= numbers.count()) return "nothing more";
+  if (number >= numbers.count()) return "the end of the Program";
   const auto [segment, index] = numbers.place(number);
   const isa::Segment& part = program.segments[segment];
   std::string text = isa::text_of(part.instructions[index], program.facts->fields);
@@ -152,8 +152,8 @@ void print_picture(const lockstep::Comparison& comparison, const Subject& a, con
 }
 
 void print_story(char letter, const Subject& subject, std::uint32_t x, std::uint32_t y) {
-  const story::Story told = story::Teller(subject.program, subject.machine).story_of(x, y);
-  fmt::print("\n{}  {}", letter, story::text_of({subject.program}, told));
+  const story::Story history = story::Teller(subject.program, subject.machine).story_of(x, y);
+  fmt::print("\n{}  {}", letter, story::text_of({subject.program}, history));
 }
 
 /// The first pixel that differs in the pictures, or else in pixel memory.
@@ -171,7 +171,7 @@ void print_stories(const lockstep::Comparison& comparison, const Subject& a, con
   print_story('B', b, pixel->first, pixel->second);
 }
 
-/// As if A and B had changed places.
+/// The same comparison with A and B exchanged.
 lockstep::Comparison swapped(lockstep::Comparison comparison) {
   std::swap(comparison.a, comparison.b);
   if (!comparison.divergence) return comparison;
@@ -182,28 +182,28 @@ lockstep::Comparison swapped(lockstep::Comparison comparison) {
   return comparison;
 }
 
-/// Sentences of a page on where the two first differ.
-std::vector<std::string> told_of(const lockstep::Comparison& comparison, const Subject& a, const Subject& b) {
-  std::vector<std::string> told;
+/// Sentences for the report page about the first difference.
+std::vector<std::string> difference_sentences(const lockstep::Comparison& comparison, const Subject& a,
+                                              const Subject& b) {
+  std::vector<std::string> sentences;
   if (const auto number = comparison.other_instruction) {
-    told.push_back(fmt::format("The first instruction that differs is i{}: {} in A, {} in B.", *number,
-                               instruction_text(a.program, *number), instruction_text(b.program, *number)));
+    sentences.push_back(fmt::format("The first instruction that differs is i{}: {} in A, {} in B.", *number,
+                                    instruction_text(a.program, *number), instruction_text(b.program, *number)));
   } else {
-    told.emplace_back("All instructions are the same.");
+    sentences.emplace_back("All instructions are the same.");
   }
-  told.push_back(
-      fmt::format("What stands in pixel memory is equal after {}.", counted(comparison.compared, "instruction")));
+  sentences.push_back(fmt::format("Pixel memory is equal after {}.", counted(comparison.compared, "instruction")));
   if (const auto& found = comparison.picture) {
-    told.push_back(fmt::format("Colour, primitive or depth differ at {}, the first of them {},{}.",
-                               counted(found->pixels, "pixel"), found->x, found->y));
+    sentences.push_back(fmt::format("Colour, primitive or depth differ at {}, first at {},{}.",
+                                    counted(found->pixels, "pixel"), found->x, found->y));
   } else {
-    told.emplace_back("The pictures are equal, with their depths.");
+    sentences.emplace_back("Pictures and depths are equal.");
   }
-  return told;
+  return sentences;
 }
 
-/// The command that tells a pixel's story of one side, but for --pixel.
-std::string explain_of(const OptionList& command, const SideOptions& side) {
+/// The command that explains a pixel of one side, without its --pixel.
+std::string explain_side(const OptionList& command, const SideOptions& side) {
   GivenTexts own;
   for (const auto& [key, text] :
        {std::pair("machine", &side.machine), {"strategy", &side.strategy}, {"pruning", &side.pruning}})
@@ -213,11 +213,11 @@ std::string explain_of(const OptionList& command, const SideOptions& side) {
 }
 
 report::ShownRun shown(const Subject& side, const lockstep::SideResult& run, std::string explain) {
-  const observe::Report told{side.program, side.machine, side.level, run.result, run.stats};
+  const observe::Report observed{side.program, side.machine, side.level, run.result, run.stats};
   const std::string& strategy = side.program.facts->compile.strategy;
   std::string name = side.name + " on " + side.machine.name;
   if (!strategy.empty()) name += ", strategy " + printable(strategy);
-  return {std::move(name), {side.program, run.frame}, side.machine, observe::to_json(told), std::move(explain)};
+  return {std::move(name), {side.program, run.frame}, side.machine, observe::to_json(observed), std::move(explain)};
 }
 
 void write_page(ReportFile& page, const lockstep::Comparison& comparison, const Subject& a, const Subject& b,
@@ -225,11 +225,11 @@ void write_page(ReportFile& page, const lockstep::Comparison& comparison, const 
   if (!page.asked()) return;
   const machines::Machine machines[] = {a.machine, b.machine};
   const std::span shown_machines = std::span(machines).first(a.machine.name == b.machine.name ? 1 : 2);
-  report::FirstDifference first{told_of(comparison, a, b), std::nullopt};
+  report::FirstDifference first{difference_sentences(comparison, a, b), std::nullopt};
   if (const auto pixel = first_other_pixel(comparison))
     first.pixel = std::size_t{pixel->second} * a.program.shape.width + pixel->first;
-  page.write(report::two_page(shown(a, comparison.a, explain_of(command, options.a)),
-                              shown(b, comparison.b, explain_of(command, options.b)), first,
+  page.write(report::two_page(shown(a, comparison.a, explain_side(command, options.a)),
+                              shown(b, comparison.b, explain_side(command, options.b)), first,
                               options.report.context(shown_machines)));
 }
 
@@ -239,7 +239,8 @@ lockstep::Comparison compare(const Subject& a, const Subject& b) {
   const lockstep::Side a_side{a.program, a.machine, *a_engine};
   const lockstep::Side b_side{b.program, b.machine, *b_engine};
   if (b.level == "cycle")
-    return swapped(lockstep::compare(b_side, a_side));  // the other level has to stop at each turn
+    return swapped(lockstep::compare(b_side, a_side));  // lockstep::compare stops B after each instruction, and the
+                                                        // cycle level cannot stop
   return lockstep::compare(a_side, b_side);
 }
 
@@ -248,8 +249,8 @@ void print_comparison(const lockstep::Comparison& comparison, const Subject& a, 
   print_side('B', b, comparison.b.result);
   if (comparison.other_instruction) {
     const std::uint64_t number = *comparison.other_instruction;
-    fmt::print("i{} is another instruction:\n  A  {}\n  B  {}\n", number, instruction_text(a.program, number),
-               instruction_text(b.program, number));
+    fmt::print("i{} is the first instruction that differs:\n  A  {}\n  B  {}\n", number,
+               instruction_text(a.program, number), instruction_text(b.program, number));
   }
   fmt::print("the states are equal after {}\n", counted(comparison.compared, "instruction"));
   if (comparison.divergence) print_divergence(*comparison.divergence, a.program);
@@ -259,11 +260,11 @@ void print_comparison(const lockstep::Comparison& comparison, const Subject& a, 
 void diff(const Options& options, const OptionList& command) {
   refuse_misuse(options, command);
   ReportFile page(options.report, std::to_array<std::filesystem::path>({options.a.subject, options.b.subject}));
-  const bool asked = command.is_given("machine");
-  const Subject a = subject_of(options.both, options.a, asked);
-  const Subject b = subject_of(options.both, options.b, asked);
+  const bool is_machine_given = command.is_given("machine");
+  const Subject a = subject_of(options.both, options.a, is_machine_given);
+  const Subject b = subject_of(options.both, options.b, is_machine_given);
   if (a.program.shape.width != b.program.shape.width || a.program.shape.height != b.program.shape.height) {
-    throw InputError(fmt::format("A draws {} x {} pixels and B {} x {}; give models the same --size",
+    throw InputError(fmt::format("A draws {} x {} pixels and B {} x {}; give both the same --size",
                                  a.program.shape.width, a.program.shape.height, b.program.shape.width,
                                  b.program.shape.height));
   }
@@ -283,31 +284,31 @@ void diff(const Options& options, const OptionList& command) {
 
 void add_side(Command& command, SideOptions& side, const std::string& letter) {
   const std::string name = letter == "a" ? "A" : "B";
-  command.option("--machine-" + letter, side.machine, "The machine of " + name + ", if it is another")
+  command.option("--machine-" + letter, side.machine, "Machine of " + name + ", if different")
       .check(is_read_by(check_machine));
-  command.option("--level-" + letter, side.level, "The level of " + name).one_of(level_names(), "level");
-  command.option("--strategy-" + letter, side.strategy, "The strategy of " + name + ", if it is another")
+  command.option("--level-" + letter, side.level, "Level of " + name).one_of(level_names(), "level");
+  command.option("--strategy-" + letter, side.strategy, "Strategy of " + name + ", if different")
       .one_of(strategy_names(), "strategy");
-  command.option("--pruning-" + letter, side.pruning, "Prunings that are done for " + name + ", if they are others")
+  command.option("--pruning-" + letter, side.pruning, "Prunings applied to " + name + ", if different")
       .words(pruning_words(), is_read_by(pruning_of));
   command.option("--set-" + letter, side.sets,
-                 "A figure of the machine of " + name + ", or a key of its scene; once for each");
+                 "A parameter of the machine of " + name + ", or a key of its scene; repeat for several");
 }
 
 void add_diff(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command = line.add(
-      "diff", looking, "Run two Programs, machines, levels or settings side by side and tell where they first differ",
+      "diff", run_group, "Run two Programs, machines, levels or settings side by side and find the first difference",
       "Example:\n  csgsim diff old.csgt new.csgt\n  csgsim diff tests/models/carburettor.csg --size 64x64 --level-b "
       "cycle\n  csgsim diff part.csg --strategy-b list\nThe exit code is 1 if states, pictures or clocks "
       "differ.");
-  command.option("A", options->a.subject, "A model, .csg, .scad or .jan, or a Program").required();
-  command.option("B", options->b.subject, "Another; A again if not given");
+  command.option("A", options->a.subject, "A model (.csg, .scad or .jan) or a Program (.csgt)").required();
+  command.option("B", options->b.subject, "The other model or Program; A if not given");
   options->both.add_to(command);
   command.remove("MODEL");
   add_side(command, options->a, "a");
   add_side(command, options->b, "b");
-  command.flag("--no-stories", options->no_stories, "Leave out what happened at the pixel on both sides");
+  command.flag("--no-stories", options->no_stories, "Omit the histories of the first pixel that differs");
   options->report.add_to(command);
   command.prints_summary();
   command.runs([options, &command] {

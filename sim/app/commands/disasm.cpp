@@ -35,13 +35,12 @@ void add_disasm(CommandLine& line) {
     bool row_commands = false;
   };
   const auto options = std::make_shared<Options>();
-  Command& command = line.add("disasm", drawing, "Show a Program as text, which csgsim run reads too",
+  Command& command = line.add("disasm", run_group, "Print a Program as text, which csgsim run also accepts",
                               "Example:\n  csgsim disasm traces/carburettor.csgt | head -40");
   command.option("PROGRAM", options->program, "The Program, .csgt or its text form").required();
   command.option("-o,--output", options->output, "The text file; standard output if not given").check(not_empty);
-  command.flag(
-      "--row-commands", options->row_commands,
-      "Show instead what a machine of kind bit-serial-memory does to rows, a command a line, for other simulators");
+  command.flag("--row-commands", options->row_commands,
+               "Print the row commands of a bit-serial-memory machine instead, one per line, for other simulators");
   command.runs([options] {
     refuse_model(options->program);
     refuse_clashes(std::to_array<std::filesystem::path>({options->program}),

@@ -39,14 +39,14 @@ struct Options {
   ReportOption report;
 };
 
-/// The picture with some of the effects.
+/// A picture drawn with a subset of the effects.
 struct Variant {
   isa::Program program;
   Drawn drawn;
-  double seconds = 0;  ///< wall time in which it is compiled and simulated
+  double seconds = 0;  ///< wall time of compilation and simulation
 };
 
-/// Without those effects, whatever the scene or the model calls for.
+/// Compiles and draws with the effects `without` switched off, even if the scene or the model enables them.
 Variant draw_without(const ModelRequest& all, const std::vector<std::string>& without,
                      const machines::Machine& machine) {
   const auto begin = std::chrono::steady_clock::now();
@@ -57,22 +57,22 @@ Variant draw_without(const ModelRequest& all, const std::vector<std::string>& wi
   return {std::move(program), std::move(drawn), seconds};
 }
 
-/// What an effect costs: what is billed to it in the frame, and the frame's clocks with it and without, where the
-/// others are there and where they are not.
+/// Cost of an effect: what the frame charges to it, and the frame's clocks with and without it, once with all other
+/// effects off and once with all others on.
 struct Row {
   std::string name;
   observe::Cost billed;
-  std::int64_t alone = 0;     ///< clocks that it adds to a frame without effects
-  std::int64_t together = 0;  ///< clocks that the frame is shorter without it
-  std::int64_t bits = 0;      ///< a pixel, that the frame needs fewer without it
-  double seconds = 0;         ///< wall time that the frame is compiled and simulated in, less that without it
+  std::int64_t alone = 0;     ///< clocks it adds to a frame without effects
+  std::int64_t together = 0;  ///< clocks that the full frame saves without it
+  std::int64_t bits = 0;      ///< memory bits per pixel that the full frame saves without it
+  double seconds = 0;         ///< wall time of the full frame, compiled and simulated, less that without it
 };
 
 struct Bill {
   Variant all;
   Variant none;
   std::vector<Row> rows;         ///< flat shading first
-  std::vector<Variant> without;  ///< one a row but the first
+  std::vector<Variant> without;  ///< one per row except the first
 };
 
 std::vector<std::string> others(const std::vector<std::string>& names, const std::string& one) {
@@ -127,13 +127,13 @@ void print_bill(const Bill& bill) {
                                      row.bits, row.seconds));
   }
   print_line("all instructions", bill.all.drawn.stats.total);
-  fmt::print("  {:<16}{:>14}  with the link, the controller and what the machine does besides\n", "frame",
+  fmt::print("  {:<16}{:>14}  including the link, the controller and the machine's other work\n", "frame",
              grouped(bill.all.drawn.result.clocks));
-  fmt::print("  {:<16}{:>14}  {} of {} bits a pixel\n", "without any", grouped(bill.none.drawn.result.clocks),
+  fmt::print("  {:<16}{:>14}  {} of {} bits per pixel\n", "without any", grouped(bill.none.drawn.result.clocks),
              observe::used_memory_bits(bill.none.program), observe::used_memory_bits(bill.all.program));
   fmt::print(
-      "clocks, instructions and pixel operations are those billed in the frame; alone: what the frame without effects\n"
-      "takes more with this one; together: what the frame takes less without it\n");
+      "clocks, instructions and pixel operations: charged in the frame; alone: clocks it adds to a frame without\n"
+      "effects; together: clocks that the frame with all effects saves without it\n");
 }
 
 nlohmann::ordered_json cost_json(const observe::Cost& cost) {
@@ -196,7 +196,7 @@ void run(const Options& options) {
   ReportFile report(options.report, options.model.inputs());
   const machines::Machine machine = machine_of(options.model);
   const Bill bill = make_bill(options.model, machine);
-  fmt::print("{} on {}: what its effects cost\n", printable(shown_name(options.model.model)), machine.name);
+  fmt::print("{} on {}: cost of its effects\n", printable(shown_name(options.model.model)), machine.name);
   print_bill(bill);
   if (report.asked()) report.write(page_of(options, bill));
   if (!folder) return;
@@ -207,11 +207,11 @@ void run(const Options& options) {
 void add_effects(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command = line.add(
-      "effects", studying, "Show what each effect of a scene costs, alone and together, and the picture without it",
+      "effects", study_group, "Show the cost of each effect of a scene, alone and together, and the picture without it",
       "Example:\n  csgsim effects carburettor.csg --scene shadows.toml --memory-bits 128 -o bill\n"
-      "The effects that there are, and their settings: docs/effects.md.");
+      "docs/effects.md lists the effects and their settings.");
   options->model.add_to(command);
-  command.option("-o,--output", options->folder, "Folder for the pictures and the bill, effects.json").folder();
+  command.option("-o,--output", options->folder, "Folder for the pictures and the costs, effects.json").folder();
   options->report.add_to(command);
   command.prints_summary();
   command.runs([options] { run(*options); });

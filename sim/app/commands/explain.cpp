@@ -39,11 +39,12 @@ void run(const Options& options, const OptionList& command) {
 void add_explain(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command =
-      line.add("explain", looking, "Tell why a pixel shows what it shows: its owner, and its story by instruction",
+      line.add("explain", everyday_group, "Explain what a pixel shows: its owner and its history by instruction",
                "Example:\n  csgsim explain traces/thesis_fig_2_3.csgt --pixel 200,300 --why-not p1\n"
                "  csgsim explain thesis_fig_2_3.csg --point 10,0,6 --json story.json");
   options->add_to(command);
-  command.option("--json", options->json, "The whole story, .json, in place of the text; - prints it").check(not_empty);
+  command.option("--json", options->json, "Write the full history as .json instead of text; - prints it")
+      .check(not_empty);
   command.runs([options, &command] { run(*options, command); });
 }
 

@@ -44,7 +44,7 @@ void compare_levels(const Options& options) {
              "picture, depth, owner, counts");
   std::optional<Drawn> first;
   for (const std::string& level : levels) {
-    std::fflush(stdout);  // what has been measured is seen while the next one runs
+    std::fflush(stdout);  // finished rows are visible while the next level runs
     announce_memory(machine, program.shape, level);
     const Drawn drawn = draw(program, machine, level, shows_progress(options.progress));
     if (!first) first = drawn;
@@ -58,14 +58,12 @@ void compare_levels(const Options& options) {
 
 void add_levels(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command& command = line.add("levels", studying,
-                              "Run a model at every level: what fidelity costs in time, and that the results are equal",
-                              "Example:\n  csgsim levels thesis_fig_2_3.csg --size 256x256\n"
-                              "  csgsim levels carburettor.csg --levels functional,cycle");
+  Command& command =
+      line.add("levels", study_group, "Run a model at every level, compare run times and check that results are equal",
+               "Example:\n  csgsim levels thesis_fig_2_3.csg --size 256x256\n"
+               "  csgsim levels carburettor.csg --levels functional,cycle");
   options->model.add_to(command);
-  command
-      .option("--levels", options->levels,
-              "List of the levels at which it is run; the first is what others are held against")
+  command.option("--levels", options->levels, "Comma-separated levels to run; the others are compared with the first")
       .list_of(level_names(), "level");
   add_progress(command, options->progress);
   command.prints_summary();

@@ -34,9 +34,9 @@ struct Options {
   std::vector<std::string> sets;
 };
 
-/// Of a machine, a processor or a process.
+/// Prints the parameters of a machine, a processor or a process.
 template <class Described>
-void print_figures_of(const Described& described) {
+void print_parameters_of(const Described& described) {
   fmt::print("{}\n  {}\n\n", described.name, described.description);
   for (const machines::Figure& figure : described.figures) {
     fmt::print("  {:<26}{:>12} {:<22}{:<10} {}\n", figure.key, figure.value, figure.unit, figure.provenance,
@@ -44,40 +44,40 @@ void print_figures_of(const Described& described) {
   }
 }
 
-void print_figures(const machines::Machine& machine) {
-  print_figures_of(machine);
+void print_parameters(const machines::Machine& machine) {
+  print_parameters_of(machine);
   const std::vector<std::string> ideal = machines::idealisations(machine);
-  if (!ideal.empty()) fmt::print("\n  ideal, as no hardware is: {}\n", fmt::join(ideal, ", "));
+  if (!ideal.empty()) fmt::print("\n  idealised, unlike any hardware: {}\n", fmt::join(ideal, ", "));
 }
 
-/// What each machine is; of those that are named every figure, with where it comes from.
+/// Lists the machines, or prints every parameter of the named ones with its source.
 void print_machines(const Options& options) {
   refuse_scene_sets(options.sets);
   const bool are_listed = options.machines.empty() && options.sets.empty();
   const bool are_all = options.machines.empty() || options.machines == "all";
   for (const std::string& name :
-       with_figures(parse_words(are_all ? every_machine() : options.machines), options.sets)) {
+       with_parameters(parse_words(are_all ? every_machine() : options.machines), options.sets)) {
     const machines::Machine machine = kinds::load(name);
     if (are_listed) {
       fmt::print("{:<16} {}\n", machine.name, machine.description);
     } else {
-      print_figures(machine);
+      print_parameters(machine);
     }
   }
-  if (are_listed) fmt::print("\ncsgsim manual machines NAME prints every figure of one, with where it comes from.\n");
+  if (are_listed) fmt::print("\ncsgsim manual machines NAME prints every parameter of one, with its source.\n");
 }
 
-/// What each is, of processors or processes; of those that are named every figure.
+/// Lists processors or processes, or prints every parameter of the named ones.
 template <class Load>
 void print_described(const Options& options, const std::vector<std::string_view>& all, Load load) {
   if (options.machines.empty()) {
     for (const std::string_view name : all) fmt::print("{:<17}{}\n", name, load(std::string(name)).description);
-    fmt::print("\ncsgsim manual {} NAME prints every figure of one, with where it comes from.\n", options.topic);
+    fmt::print("\ncsgsim manual {} NAME prints every parameter of one, with its source.\n", options.topic);
     return;
   }
   const std::vector<std::string> names =
       options.machines == "all" ? std::vector<std::string>(all.begin(), all.end()) : parse_words(options.machines);
-  for (const std::string& name : names) print_figures_of(for_option("MACHINE", [&] { return load(name); }));
+  for (const std::string& name : names) print_parameters_of(for_option("MACHINE", [&] { return load(name); }));
 }
 
 void print_processors(const Options& options) {
@@ -94,19 +94,19 @@ void print_rows(const char* what, const Rows& rows) {
   for (const auto& row : rows) fmt::print("  {:<21}{}\n", row.name, row.help);
 }
 
-/// The methods of software that csgsim classify knows, and what they can be combined with.
+/// Prints the software methods that csgsim classify knows, and the options they combine with.
 void print_methods(const Options& /*options*/) {
   fmt::print("Methods (--methods)\n");
   for (const software::MethodRow* const row : software::methods())
     fmt::print("  {:<21}{} ({})\n", row->name, row->help, row->source);
-  fmt::print("\nWhat is kept from point to point (--coherences)\n");
+  fmt::print("\nState kept from point to point (--coherences)\n");
   for (const software::CoherenceRow& row : software::coherences())
     fmt::print("  {:<21}{} ({})\n", row.name, row.help, row.source);
   fmt::print("\n");
   print_rows("Shapes of the tree (--shapes)", software::shapes());
   fmt::print("\n");
-  print_rows("How trees are reduced beforehand (--reduced)", software::prunings());
-  fmt::print("\nWhat csgsim trace finds facets by (--directories)\n");
+  print_rows("Reductions of trees beforehand (--reduced)", software::prunings());
+  fmt::print("\nFacet directories of csgsim trace (--directories)\n");
   for (const software::DirectoryRow* const row : software::directories())
     fmt::print("  {:<21}{} ({})\n", row->name, row->help, row->source);
   fmt::print("\nMethods that draw facet by facet (display --methods)\n");
@@ -124,15 +124,15 @@ struct Topic {
 };
 
 constexpr std::array topics{
-    Topic{"machines", "the machines; of one that is named every figure, with where it comes from", print_machines},
-    Topic{"methods", "what csgsim classify, display and trace count, with sources", print_methods},
-    Topic{"processors", "the processors that these are priced for; of one that is named every figure",
+    Topic{"machines", "the machines, or every parameter of the named ones with its source", print_machines},
+    Topic{"methods", "the software methods of csgsim classify, display and trace, with sources", print_methods},
+    Topic{"processors", "the processors these methods are costed for, or every parameter of the named ones",
           print_processors},
-    Topic{"processes", "the processes that csgsim explore prices machines in; of one that is named every figure",
+    Topic{"processes", "the processes csgsim explore costs machines in, or every parameter of the named ones",
           print_processes},
-    Topic{"instructions", "the page of the broadcast instruction set, in Markdown",
+    Topic{"instructions", "the broadcast instruction set, as a Markdown page",
           [](const Options& /*options*/) { fmt::print("{}", isa::instruction_set_page()); }},
-    Topic{"scenes", "the page of scene files and their effects, in Markdown",
+    Topic{"scenes", "scene files and their effects, as a Markdown page",
           [](const Options& /*options*/) { fmt::print("{}", effects::scene_page()); }},
 };
 
@@ -145,7 +145,7 @@ void run(const Options& options) {
   const bool is_of_machines = topic->print == print_machines;
   const bool names_some = is_of_machines || topic->print == print_processors || topic->print == print_processes;
   if ((!options.machines.empty() && !names_some) || (!options.sets.empty() && !is_of_machines))
-    throw UsageError("MACHINE", "csgsim manual " + options.topic + " is of no machine; leave it out");
+    throw UsageError("MACHINE", "csgsim manual " + options.topic + " takes no machine; leave it out");
   if (is_of_machines && !options.machines.empty() && options.machines != "all")
     for_option("MACHINE", [&] { check_machines(options.machines); });
   topic->print(options);
@@ -154,22 +154,23 @@ void run(const Options& options) {
 void add_manual(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command =
-      line.add("manual", manuals, "Tell of the machines, methods of software, the instruction set, scene files",
+      line.add("manual", hardware_group,
+               "Print the machines and their parameters, the instruction set, software methods, scene files",
                "Example:\n  csgsim manual machines\n  csgsim manual machines pixel-planes-4 --set "
                "alu.bits=4\n  csgsim manual instructions > docs/instruction-set.md\n"
-               "Without a topic it lists them.");
+               "Without a topic it lists the topics.");
   std::vector<std::string> names;
   names.reserve(topics.size());
   for (const Topic& topic : topics) names.emplace_back(topic.name);
-  command.option("TOPIC", options->topic, "What to tell of").one_of(names, "topic");
+  command.option("TOPIC", options->topic, "What to print").one_of(names, "topic");
   command.option("MACHINE", options->machines,
-                 "Machines, processors or processes, by name or .toml file, with commas; all of csgsim's: all");
-  add_figure_sets(command, options->sets, "the machine, or of those that have it");
+                 "Comma-separated machines, processors or processes, by name or .toml file; all: every built-in one");
+  add_parameter_sets(command, options->sets, "the machine, or of those that have it");
   command.runs([options] { run(*options); });
 }
 
 }  // namespace
 
-extern const CommandRow manual_row{.name = "manual", .add = add_manual, .asks_others = true};
+extern const CommandRow manual_row{.name = "manual", .add = add_manual, .needs_all_commands = true};
 
 }  // namespace csgsim::app

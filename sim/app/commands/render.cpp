@@ -27,7 +27,7 @@ void run_frames(const Options& options) {
 
 void run(Options& options, const OptionList& command) {
   if (options.turntable.frames > 1) {
-    if (command.watch.after) throw UsageError("--frames", "a sequence of frames has no stats to be compared with");
+    if (command.watch.after) throw UsageError("--frames", "a sequence of frames has no stats to compare");
     return run_frames(options);
   }
   RunOutputs outputs(options.run, options.model.inputs());
@@ -39,17 +39,17 @@ void run(Options& options, const OptionList& command) {
 void add_render(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command =
-      line.add("render", drawing, "Draw a CSG model on a machine and count what it takes",
+      line.add("render", everyday_group, "Draw a CSG model on a simulated machine and report its clocks",
                "Example:\n  csgsim render carburettor.csg -o carburettor.png --camera 220,-255,135,2,0,5 --stats "
                "carburettor.json\n"
                "  csgsim render carburettor.csg -o carburettor.png --projection perspective --level cycle");
   options->add_to(command);
   command
       .option("--frames", options->turntable.frames,
-              "Draw so many pictures, NAME_000.png and so on, and tell how many the machine draws a second")
-      .between(1U, most_frames);
+              "Draw this number of pictures, NAME_000.png and so on, and report frames per second")
+      .between(1U, max_frames);
   command.option("--turn", options->turntable.degrees,
-                 "Degrees that the camera turns about the vertical axis through its centre from one frame to the next");
+                 "Degrees the camera turns between frames, about the vertical axis through its centre");
   command.prints_summary();
   command.runs([options, &command] { run(*options, command); });
 }

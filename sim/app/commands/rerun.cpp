@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string file;
-  RunRequest run;  ///< what is written of the new run, and its progress
+  RunRequest run;  ///< outputs of the new run, and its progress
   std::string from;
   bool anyway = false;
 };
@@ -33,11 +33,11 @@ struct Options {
 void refuse(const RecordedRun& run, const std::vector<std::string>& changes, bool anyway) {
   if (changes.empty()) return;
   const std::string text = fmt::format("{}: {}", run.file, fmt::join(changes, "; "));
-  if (!anyway) throw InputError(text + "; --anyway goes on");
-  tell_line("warning: " + text);
+  if (!anyway) throw InputError(text + "; add --anyway to continue");
+  report_line("warning: " + text);
 }
 
-/// The command, with what is written: of the stats file nothing names a file that is.
+/// The command line of the new run, with the outputs of this request instead of the recorded ones.
 std::vector<std::string> words_of(const RecordedRun& run, const Options& options) {
   std::error_code error;
   const std::string here = fs::current_path(error).native();
@@ -52,13 +52,13 @@ std::vector<std::string> words_of(const RecordedRun& run, const Options& options
   return words;
 }
 
-void go_to(const std::string& folder) {
+void change_folder(const std::string& folder) {
   std::error_code error;
   fs::current_path(folder, error);
-  if (error) throw InputError(printable(folder) + ": it is no folder that can be gone to (" + error.message() + ")");
+  if (error) throw InputError(printable(folder) + ": cannot change to this folder (" + error.message() + ")");
 }
 
-/// What the run showed. Only one that both began and ended has been compared.
+/// Result of the comparison. `is_done`: a run both began and ended.
 struct Comparison {
   bool is_done = false;
   std::vector<std::string> differing;
@@ -70,7 +70,7 @@ void rerun(CommandLine& line, const Options& options) {
                  std::vector<fs::path>{options.run.picture, options.run.depth, options.run.owner, options.run.stats});
   const std::vector<Setting> settings = settings_of(run, line.options_of(command_of(run)));
   const std::vector<std::string> words = words_of(run, options);
-  if (!options.from.empty()) go_to(options.from);
+  if (!options.from.empty()) change_folder(options.from);
   refuse(run, changes_since(run), options.anyway);
   Comparison comparison;
   line.run(words, settings,
@@ -80,25 +80,24 @@ void rerun(CommandLine& line, const Options& options) {
             [&](const nlohmann::ordered_json& stats) {
               comparison = {true, differences(run, stats)};
             }});
-  if (!comparison.is_done)
-    throw InputError(run.file + ": nothing was run that could be compared; take a stats file as csgsim wrote it");
+  if (!comparison.is_done) throw InputError(run.file + ": no run could be compared; use an unmodified stats file");
   if (!comparison.differing.empty()) {
-    throw InputError(fmt::format("{}: the run differs from it: {}", run.file, fmt::join(comparison.differing, "; ")));
+    throw InputError(fmt::format("{}: the run differs: {}", run.file, fmt::join(comparison.differing, "; ")));
   }
-  fmt::print("{:<18}the picture and all counts are those of {}\n", "rerun", run.file);
+  fmt::print("{:<18}the picture and all counts equal those of {}\n", "rerun", run.file);
 }
 
 void add_rerun(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command = line.add(
-      "rerun", drawing, "Run again what a stats file tells of, and see that picture and counts are the same",
+      "rerun", run_group, "Repeat the run recorded in a stats file and check that picture and counts match",
       "Example:\n  csgsim render carburettor.csg -o carburettor.png --stats carburettor.json\n  csgsim rerun "
-      "carburettor.json -o again.png\nWhat was written then is not written again, but where an option here says so.");
+      "carburettor.json -o again.png\nOnly the outputs named here are written, not those of the recorded run.");
   command.option("FILE", options->file, "The stats file, .json, of csgsim render or run").required();
   options->run.add_outputs_to(command);
-  command.option("--from", options->from, "The folder in which the run was asked for, if it is not the current one")
+  command.option("--from", options->from, "Folder in which the recorded run was started, if not the current one")
       .check(not_empty);
-  command.flag("--anyway", options->anyway, "Go on where csgsim or a file that was read is not as it was");
+  command.flag("--anyway", options->anyway, "Continue even if csgsim or an input file has changed");
   add_progress(command, options->run.progress);
   command.prints_summary();
   command.runs([&line, options] { rerun(line, *options); });
@@ -106,6 +105,6 @@ void add_rerun(CommandLine& line) {
 
 }  // namespace
 
-extern const CommandRow rerun_row{.name = "rerun", .add = add_rerun, .asks_others = true};
+extern const CommandRow rerun_row{.name = "rerun", .add = add_rerun, .needs_all_commands = true};
 
 }  // namespace csgsim::app

@@ -36,7 +36,7 @@ struct Options {
   std::string output;
 };
 
-/// Above so many pixels simulators of Verilog take minutes to build the machine, and hours to draw.
+/// Above this number of pixels, Verilog simulators take minutes to build the machine and hours to draw.
 constexpr std::uint64_t many_pixels = 4096;
 
 struct Subject {
@@ -44,18 +44,18 @@ struct Subject {
   std::optional<isa::Program> program;
 };
 
-/// Where there is no model.
-void refuse_what_is_for_models(const ModelRequest& options, const OptionList& command) {
-  const std::string mend = "name one behind the machine";
-  refuse_model_options(command, {"size", "memory-bits", "set", "output"}, mend);
+/// Rejects options for models where no model is given.
+void refuse_model_only_options(const ModelRequest& options, const OptionList& command) {
+  const std::string fix = "name one after the machine";
+  refuse_model_options(command, {"size", "memory-bits", "set", "output"}, fix);
   const std::vector<std::string> of_scene = sorted(options.sets).scene;
   if (!of_scene.empty())
-    throw UsageError("--set", fmt::format("'{}' is for models; {}", printable(of_scene.front()), mend));
+    throw UsageError("--set", fmt::format("'{}' is for models; {}", printable(of_scene.front()), fix));
 }
 
 Subject subject_of(const Options& options, const OptionList& command) {
   if (options.model.model.empty()) {
-    refuse_what_is_for_models(options.model, command);
+    refuse_model_only_options(options.model, command);
     return {machine_of(options.model), std::nullopt};
   }
   if (!is_model(options.model.model)) refuse_model_options(command, {"set", "output"});
@@ -63,7 +63,7 @@ Subject subject_of(const Options& options, const OptionList& command) {
   return {std::move(both.machine), std::move(both.program)};
 }
 
-/// All of them, or none.
+/// Writes all files, or none on an error.
 void write_files(const fs::path& path, const std::vector<rtl::DesignFile>& files) {
   OutputFolder folder(path);
   for (const rtl::DesignFile& file : files) folder.write(file.path, file.content);
@@ -72,9 +72,9 @@ void write_files(const fs::path& path, const std::vector<rtl::DesignFile>& files
 
 void warn_of_size(const machines::Machine& machine) {
   if (std::uint64_t{machine.array.width} * machine.array.height <= many_pixels) return;
-  tell_line(
-      fmt::format("csgsim: warning: {} x {} pixels are many for simulators of Verilog and more than small FPGAs hold; "
-                  "--size 16x16 makes fewer",
+  report_line(
+      fmt::format("csgsim: warning: {} x {} pixels are slow in Verilog simulators and too many for small FPGAs; take "
+                  "fewer with --size 16x16",
                   machine.array.width, machine.array.height));
 }
 
@@ -99,26 +99,24 @@ void write_design(const Options& options, const OptionList& command) {
 
 void add_rtl(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command& command =
-      line.add("rtl", hardware,
-               "Write a machine as Verilog: a design to simulate and to put on an FPGA, with a Program in its memory",
-               "Example:\n  csgsim rtl pixel-planes-4 tests/models/thesis_fig_2_3.csg --size 16x16 -o design\n"
-               "  make -C design icarus ice40\nWhat is in the folder, and what fits on which FPGA: docs/hardware.md.");
+  Command& command = line.add(
+      "rtl", hardware_group, "Write a machine as Verilog for simulation and FPGAs, with a Program in its memory",
+      "Example:\n  csgsim rtl pixel-planes-4 tests/models/thesis_fig_2_3.csg --size 16x16 -o design\n"
+      "  make -C design icarus ice40\ndocs/hardware.md describes the folder and which designs fit on which FPGA.");
   command
       .option("MACHINE", options->model.machine,
-              "A machine's name (see csgsim manual machines) or its .toml file; with figures changed: NAME+KEY=VALUE")
+              "A machine's name (see csgsim manual machines) or .toml file; NAME+KEY=VALUE changes a parameter")
       .required()
       .check(is_read_by(check_machine));
   options->model.add_to(command);
   command.remove("MODEL");
   command.remove("--machine");
-  command.option(
-      "MODEL", options->model.model,
-      "A model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt; without it the machine is fed "
-      "over a serial line");
+  command.option("MODEL", options->model.model,
+                 "A model (.csg, .scad or .jan) or a Program (.csgt); without it the machine receives its words over a "
+                 "serial line");
   command
       .option("-o,--output", options->output,
-              "The folder of the design: a new one, an empty one, or a design's that is replaced as a whole")
+              "Folder for the design: new, empty, or that of an earlier design, which is replaced")
       .required()
       .check(not_empty)
       .folder();

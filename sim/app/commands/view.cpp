@@ -38,7 +38,7 @@ struct Options {
 
 bool is_knob(const std::string& name) { return std::ranges::find(viewer::knobs, name) != viewer::knobs.end(); }
 
-/// Options that render does not have.
+/// Options that csgsim render does not have.
 bool is_own(const std::string& name) { return name == "port" || name == "patience" || name == "evaluation-time"; }
 
 viewer::Beginning beginning_of(const Options& options, const OptionList& command) {
@@ -62,9 +62,10 @@ viewer::Beginning beginning_of(const Options& options, const OptionList& command
 }
 
 void run(const Options& options, const OptionList& command) {
-  if (options.model.model == standard_stream) throw UsageError("model", "has to be a file, which the page shows");
-  if (!is_model(options.model.model)) throw UsageError("model", "is a Program; csgsim debug steps through it");
-  // They are read again for each picture, and a pipe would have to be waited for.
+  if (options.model.model == standard_stream)
+    throw UsageError("model", "must be a file; standard input cannot be read again for each picture");
+  if (!is_model(options.model.model)) throw UsageError("model", "is a Program; use csgsim debug to step through it");
+  // The inputs are read again for each picture, and opening a pipe would block.
   for (const std::filesystem::path& file : options.model.inputs())
     static_cast<void>(open_regular_file(file, {"a regular file", 0, ""}));
   viewer::Session session(beginning_of(options, command),
@@ -80,36 +81,38 @@ void run(const Options& options, const OptionList& command) {
       if (std::optional<viewer::Reply> file = viewer::page_file(path)) return *std::move(file);
     return session.answer(request, path);
   };
-  viewer::serve({.port = static_cast<std::uint16_t>(options.port),
-                 .patience = std::chrono::seconds(options.patience),
-                 .begun =
-                     [&](std::uint16_t port) {
-                       door.port = port;
-                       fmt::print("{}\nopen this in a browser; it ends with the page, or at Ctrl-C\n", door.address());
-                       std::fflush(stdout);
-                     },
-                 .gate = gate,
-                 .handler = handler,
-                 .stays = [&](const viewer::Request& request) { return viewer::admit(door, request).path == "alive"; },
-                 .tick = [&] { session.end_overdue(); },
-                 .ending = [&] { session.close(); }});
+  viewer::serve(
+      {.port = static_cast<std::uint16_t>(options.port),
+       .patience = std::chrono::seconds(options.patience),
+       .begun =
+           [&](std::uint16_t port) {
+             door.port = port;
+             fmt::print("{}\nopen this address in a browser; the server stops when the page is closed, or at Ctrl-C\n",
+                        door.address());
+             std::fflush(stdout);
+           },
+       .gate = gate,
+       .handler = handler,
+       .stays = [&](const viewer::Request& request) { return viewer::admit(door, request).path == "alive"; },
+       .tick = [&] { session.end_overdue(); },
+       .ending = [&] { session.close(); }});
 }
 
 void add_view(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command =
-      line.add("view", looking, "Show a model in a browser, drawn by the machine while it is turned and edited",
+      line.add("view", everyday_group, "Show a model in a browser, redrawn by the machine as you turn and edit it",
                "Example:\n  csgsim view carburettor.csg\n"
                "  csgsim view carburettor.scad --machine pixel-planes-5 --port 8080");
-  options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan");
-  command.option("--port", options->port, "Port of 127.0.0.1 for the page; 0 takes a free one").between(0U, 65'535U);
+  options->model.add_to(command, "The model (.csg, .scad or .jan)");
+  command.option("--port", options->port, "Port of 127.0.0.1 for the page; 0 selects a free one").between(0U, 65'535U);
   command
       .option("--patience", options->patience,
-              "Seconds that it stays after the last page is closed; 0 stays until it is ended")
+              "Seconds to keep running after the last page is closed; 0 runs until interrupted")
       .between(0U, 86'400U);
   command
       .option("--evaluation-time", options->evaluation_time,
-              "Seconds that evaluating the model's source may take, by OpenSCAD and by csgsim; then it is ended")
+              "Time limit in seconds for evaluating the model's source in OpenSCAD and in csgsim")
       .between(1U, 86'400U);
   command.runs([options, &command] { run(*options, command); });
 }

@@ -57,31 +57,31 @@ wave::Pixel pixel_of(const std::string& text, const std::string& option, const i
   return {pixel.x, pixel.y};
 }
 
-/// `tree.x:LEVEL` or `tree.y:LEVEL`.
+/// Parses `tree.x:LEVEL` or `tree.y:LEVEL`.
 wave::TreeLevel tree_level_of(const std::string& text) {
   using Axis = wave::TreeLevel::Axis;
   const bool is_x = text.rfind("tree.x:", 0) == 0;
   if (!is_x && text.rfind("tree.y:", 0) != 0)
-    throw UsageError("--probe", fmt::format("'{}' is neither a pixel x,y nor a level of a tree, tree.x:3", text));
+    throw UsageError("--probe", fmt::format("'{}' is neither a pixel x,y nor a tree level such as tree.x:3", text));
   const auto level = numbers<unsigned>(text.substr(text.find(':') + 1), ',', 1, "--probe", "tree.x:LEVEL");
   return {is_x ? Axis::x : Axis::y, level.front()};
 }
 
-/// Does the file have what parts are at, as lanes?
-bool is_of_parts(const Options& options) { return options.lanes || ends_in(options.output, ".json"); }
+/// Whether the file holds the activities of the machine's units, as lanes.
+bool has_lanes(const Options& options) { return options.lanes || ends_in(options.output, ".json"); }
 
-/// And numbers of pixels beside them?
+/// Whether signals of pixels are recorded.
 bool has_pixels(const Options& options) { return !options.pixels.empty() || !options.probes.empty(); }
 
-/// Are there files for viewers beside the file?
-bool has_views(const Options& options) { return !is_unnamed_stream(options.output) && !is_of_parts(options); }
+/// Whether viewer files are written beside the waveform.
+bool has_views(const Options& options) { return !is_unnamed_stream(options.output) && !has_lanes(options); }
 
 waves::Format format_of(const Options& options) {
-  if (!is_of_parts(options)) return waves::Format::value_changes;
+  if (!has_lanes(options)) return waves::Format::value_changes;
   return has_pixels(options) ? waves::Format::all_trace_events : waves::Format::trace_events;
 }
 
-/// Without its windows and its file.
+/// The request without its windows and without the callback that writes the file.
 wave::Request request_of(const Options& options, const isa::Program& program) {
   wave::Request request;
   for (const std::string& text : options.pixels) request.pixels.push_back(pixel_of(text, "--pixel", program));
@@ -94,23 +94,23 @@ wave::Request request_of(const Options& options, const isa::Program& program) {
   }
   std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
   std::erase_if(request.pixels, [&](wave::Pixel pixel) { return !seen.insert({pixel.x, pixel.y}).second; });
-  if (request.pixels.empty() && (!is_of_parts(options) || has_pixels(options)))
-    throw UsageError("--pixel", "say which pixel to look into, as in --pixel 100,20");
+  if (request.pixels.empty() && (!has_lanes(options) || has_pixels(options)))
+    throw UsageError("--pixel", "name a pixel to record, as in --pixel 100,20");
   return request;
 }
 
-/// Where to look, and the clock that the marker stands at.
+/// The windows to record, and the clock of the marker.
 struct Windows {
   std::vector<wave::Window> windows;
   std::uint64_t marked = 0;
-  std::string shown;  ///< what they are, for people
+  std::string shown;  ///< description for the summary
 };
 
-Windows windows_of(const Options& options, const std::optional<waves::WindowRequest>& asked,
+Windows windows_of(const Options& options, const std::optional<waves::WindowRequest>& requested,
                    const isa::Program& program, const machines::Machine& machine, const waves::Foreknowledge& known,
                    std::span<const wave::Pixel> pixels) {
-  if (asked) {
-    waves::WindowRequest request = *asked;
+  if (requested) {
+    waves::WindowRequest request = *requested;
     if (request.kind == waves::WindowRequest::Kind::primitive)
       request.begin = primitive_named(program, request.name, "--window");
     const auto windows =
@@ -120,55 +120,55 @@ Windows windows_of(const Options& options, const std::optional<waves::WindowRequ
   const waves::LastWrite last =
       for_option("--at", [&] { return waves::last_write(options.at, program, machine, known, pixels.front()); });
   return {last.windows, last.at_pixel.end - 1,
-          fmt::format("i{}, which wrote the {} of pixel {},{} last, at clocks {}:{}", last.number, options.at,
+          fmt::format("i{}, the last write to {} of pixel {},{}, at clocks {}:{}", last.number, options.at,
                       pixels.front().x, pixels.front().y, last.at_pixel.begin, last.at_pixel.end)};
 }
 
-/// Wall times: of the run at that level, of finding the window and stepping it, and of that the writing of the file.
+/// Prints wall times: the functional run, the run with the window located and stepped, and writing the file.
 void print_timing(double functional, double recording, double writing) {
   const double all = functional + recording - writing;
   fmt::print("functional run {:.1f} ms, with the window {:.1f} ms = {:.2f} x, and {:.1f} ms to write the file\n",
              functional * 1e3, all * 1e3, all / functional, writing * 1e3);
 }
 
-/// Clocks from the first that is drawn in to the last that is shown in.
+/// A window from clock 0 to the end of drawing or of scan-out, whichever is later.
 Windows whole_frame(const waves::Foreknowledge& known) {
   return {{{0, std::max(known.result.clocks, known.result.shown_clocks)}}, 0, "the whole frame"};
 }
 
-/// Of a file of what the parts are at without a pixel.
-void refuse_what_pixels_have(const OptionList& command) {
+/// Rejects options that need a pixel, where only unit activities are recorded.
+void refuse_pixel_options(const OptionList& command) {
   for (const char* const option : {"at", "evaluator"}) {
     if (command.is_given(option))
-      throw UsageError("--" + std::string(option), "is of a pixel; say which, as in --pixel 100,20");
+      throw UsageError("--" + std::string(option), "needs a pixel; name one, as in --pixel 100,20");
   }
 }
 
-/// Refuses words that do not go together; returns the window that is asked for, if --at does not stand in its place.
+/// Rejects options that contradict each other. Returns the requested window, or nothing where --at replaces it.
 std::optional<waves::WindowRequest> checked(const Options& options, const OptionList& command) {
   if (options.lanes && !is_unnamed_stream(options.output) && !ends_in(options.output, ".json"))
-    throw UsageError("--lanes", "the name of a file of lanes has to end in .json");
+    throw UsageError("--lanes", "a file of lanes needs a name that ends in .json");
   if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && has_views(options))
-    throw UsageError("--output",
-                     "the waveform's name has to end in .vcd or .fst, or in .json for what the parts are at");
-  const bool has_parts_alone = is_of_parts(options) && !has_pixels(options);
-  if (has_parts_alone) refuse_what_pixels_have(command);
+    throw UsageError("--output", "the name must end in .vcd or .fst for a waveform, or in .json for unit activities");
+  const bool has_lanes_only = has_lanes(options) && !has_pixels(options);
+  if (has_lanes_only) refuse_pixel_options(command);
   if (!is_model(options.model.model))
     refuse_model_options(command, {"machine", "set", "pixel", "probe", "window", "padding", "at", "evaluator", "whole",
                                    "timing", "lanes", "output"});
   if (!options.at.empty() && command.is_given("window"))
-    throw UsageError("--at", "stands in place of --window; give one of them");
+    throw UsageError("--at", "replaces --window; give only one of them");
   if (!options.at.empty()) return std::nullopt;
-  const waves::WindowRequest asked = for_option("--window", [&] { return waves::parse_window(options.window); });
-  if (has_parts_alone && asked.kind != waves::WindowRequest::Kind::clocks) {
-    throw UsageError("--window",
-                     "without a --pixel, what the parts are at is told of clocks FIRST:END, or without it of the whole "
-                     "frame");
+  const waves::WindowRequest requested = for_option("--window", [&] { return waves::parse_window(options.window); });
+  if (has_lanes_only && requested.kind != waves::WindowRequest::Kind::clocks) {
+    throw UsageError(
+        "--window",
+        "without a --pixel, unit activities are recorded over clocks FIRST:END; leave --window out for the "
+        "whole frame");
   }
-  return asked;
+  return requested;
 }
 
-/// Of the files for viewers.
+/// Paths of the viewer files.
 std::vector<std::filesystem::path> view_paths(const Options& options) {
   std::vector<std::filesystem::path> paths;
   if (!has_views(options)) return paths;
@@ -181,18 +181,18 @@ void print_summary(const Options& options, const Windows& windows, const wave::R
                    std::uint64_t frame_clocks) {
   std::uint64_t clocks = 0;
   for (const wave::Window& window : request.windows) clocks += window.end - window.begin;
-  if (is_of_parts(options)) {
-    fmt::print("{}: what the parts are at, {}, {} clocks; to look at it: open it in ui.perfetto.dev\n",
-               printable(options.output), windows.shown, grouped(clocks));
+  if (has_lanes(options)) {
+    fmt::print("{}: unit activities, {}, {} clocks; open it in ui.perfetto.dev\n", printable(options.output),
+               windows.shown, grouped(clocks));
     return;
   }
   fmt::print("{}: {}; {} clocks of {} in {}, {}{}\n", printable(options.output), windows.shown, grouped(clocks),
              grouped(frame_clocks), counted(request.windows.size(), "window"), counted(request.pixels.size(), "pixel"),
-             has_views(options) ? "; to look at it: gtkwave " + shell_word(view_paths(options).front().native()) : "");
+             has_views(options) ? "; view it with gtkwave " + shell_word(view_paths(options).front().native()) : "");
 }
 
 void record(const Options& options, const OptionList& command) {
-  const std::optional<waves::WindowRequest> asked = checked(options, command);
+  const std::optional<waves::WindowRequest> requested = checked(options, command);
   std::vector<std::filesystem::path> outputs{options.output};
   for (std::filesystem::path& path : view_paths(options)) outputs.push_back(std::move(path));
   refuse_clashes(options.model.inputs(), outputs);
@@ -207,9 +207,9 @@ void record(const Options& options, const OptionList& command) {
       with_memory_for_run({&program, 1}, machine.array, [&] { return waves::foresee(program, machine); });
   const double functional_seconds = seconds_since(begin);
   refuse_overflow(known.result);
-  const bool is_whole = is_of_parts(options) && !command.is_given("window") && options.at.empty();
+  const bool is_whole = has_lanes(options) && !command.is_given("window") && options.at.empty();
   const Windows windows =
-      is_whole ? whole_frame(known) : windows_of(options, asked, program, machine, known, request.pixels);
+      is_whole ? whole_frame(known) : windows_of(options, requested, program, machine, known, request.pixels);
   request.windows = waves::padded(windows.windows, options.padding);
   waves::WaveFile waveform(files.front(), ends_in(options.output, ".fst"));
   request.write = [&](std::string_view text) { waveform.write(text); };
@@ -242,35 +242,36 @@ void record(const Options& options, const OptionList& command) {
 void add_wave(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command = line.add(
-      "wave", looking, "Record what a machine's parts and some pixels do over a window of clocks",
+      "wave", run_group, "Record waveforms of a machine's units and of chosen pixels over a window of clocks",
       "Example:\n"
       "  csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --at owner -o last_write.vcd\n"
       "  csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --probe tree.x:3 --window i10:i14 -o trees.vcd\n"
       "  gtkwave trees.gtkw\n"
       "  csgsim wave traces/thesis_fig_2_3.csgt -o parts.json");
-  options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt");
-  command.option("--pixel", options->pixels, "A pixel to look into, x,y; may be given several times");
+  options->model.add_to(command, "The model (.csg, .scad or .jan) or a Program (.csgt)");
+  command.option("--pixel", options->pixels, "A pixel to record, x,y; repeat for several");
   command.option("--probe", options->probes,
-                 "A pixel too, or a level of a multiplier tree on the way to the pixels: tree.x:3");
-  command.option("--window", options->window,
-                 "Clocks FIRST:END, instructions iFIRST:iEND or iN, primitive:NAME, purpose:NAME or effect:NAME; END "
-                 "is not included");
-  command.option("--padding", options->padding, "So many clocks more before and behind each window");
+                 "A pixel, as with --pixel, or a level of the multiplier trees that feed the pixels: tree.x:3");
+  command.option(
+      "--window", options->window,
+      "Clocks FIRST:END, instructions iFIRST:iEND or iN, primitive:NAME, purpose:NAME or effect:NAME; END is "
+      "exclusive");
+  command.option("--padding", options->padding, "Extra clocks before and after each window");
   command.option("--at", options->at,
-                 "In place of a window: the instruction that last wrote the first pixel's owner, depth or FIELD");
+                 "Instead of --window: the instruction that last wrote owner, depth or FIELD of the first pixel");
   command
       .option("--evaluator", options->evaluator,
-              "The multiplier trees of a frame buffer: worked-out of the coefficients, or stepped adder by adder; "
-              "without it stepped where --probe looks into them")
+              "Multiplier trees of a frame buffer: worked-out from the coefficients, or stepped adder by adder; if not "
+              "given, stepped where --probe names a tree level")
       .one_of(evaluator_names(), "evaluator");
   command.flag("--whole", options->whole,
-               "Step all of the machine from the first clock on, and not the probed pixels alone near the window");
-  command.flag("--timing", options->timing, "Tell what the wave takes beside the run at the functional level");
-  command.flag("--lanes", options->lanes, "Write what a .json would have to an output without a name, -");
+               "Step the whole machine from the first clock, not only the probed pixels near the window");
+  command.flag("--timing", options->timing, "Print the time taken, compared with the run at the functional level");
+  command.flag("--lanes", options->lanes, "Write unit activities to an output without a name (-), as to a .json file");
   command
       .option("-o,--output", options->output,
-              "The waveform, .vcd, or .fst by vcd2fst; VCD for -, without the view beside it; .json: what the parts "
-              "are at over the frame, and with --pixel all that a wave shows, as trace events, which Perfetto shows")
+              "The waveform: .vcd, .fst (by vcd2fst), or - for VCD without a viewer file; .json: the unit activities "
+              "over the frame, and with --pixel also the signals, as trace events for Perfetto")
       .required();
   command.prints_summary();
   command.runs([options, &command] { record(*options, command); });

@@ -1,10 +1,10 @@
-"""csgsim: a clock-accurate simulator of the logic-enhanced frame buffers of the 1980s, drawing CSG models.
+"""csgsim: a clock-accurate simulator of the logic-enhanced frame buffers of the 1980s that draw CSG models.
 
 >>> import csgsim
 >>> drawing = csgsim.render("part.csg", z_bits=16)
 >>> drawing.stats["clocks"], drawing.picture.shape
 
-Each call does what the command of its name does, with options of the same names: docs/python.md.
+Each call does the same as the command of that name, with options of the same names: docs/python.md.
 """
 
 from ._calls import accuracy, compare, compile, explain, options, render, run, studies, study, sweep

@@ -1,5 +1,5 @@
-"""Types of csgsim: docs/python.md. Options are those of the command line, whose help says what each means; so does
-`csgsim.options(call)`."""
+"""Types of csgsim: docs/python.md. Options are those of the command line; its help and `csgsim.options(call)` explain
+them."""
 
 import os
 from collections.abc import Iterable, Mapping
@@ -78,7 +78,7 @@ class Story(dict[str, Any]):
     def __init__(self, keys: dict[str, Any], text: str) -> None: ...
 
 class _ModelOptions(TypedDict, total=False):
-    """Of every call that takes a model."""
+    """Options of every call that takes a model."""
 
     size: Text
     camera: Text
@@ -100,7 +100,7 @@ class _ModelOptions(TypedDict, total=False):
     pruning: Text
 
 class _RunOptions(TypedDict, total=False):
-    """Of every call that draws a picture."""
+    """Options of every call that draws a picture."""
 
     output: Text
     depth: Text
@@ -114,7 +114,7 @@ class _RunOptions(TypedDict, total=False):
     progress: Text
 
 class _StudyOptions(TypedDict, total=False):
-    """Of every study."""
+    """Options of every study."""
 
     output: Text
     no_plots: bool

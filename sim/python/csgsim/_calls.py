@@ -1,4 +1,4 @@
-"""The calls: each does what the command of its name does."""
+"""The calls; each does the same as the command of that name."""
 
 import os
 import sys
@@ -13,7 +13,7 @@ _TEXT_NAME = "text.csg"
 
 
 def warned(result, lines):
-    """The result, after its warnings, which name the first line outside this package."""
+    """Issues the warnings, attributed to the first caller outside this package, and returns the result."""
     if lines:
         folder = os.path.dirname(__file__)
         level, frame = 1, sys._getframe()
@@ -25,18 +25,19 @@ def warned(result, lines):
 
 
 def _model(model, text):
-    """The operands of a command that takes a model."""
+    """Returns the operands of a command that takes a model."""
     if model is None and text is None:
-        raise TypeError("name a model's file, or give the model itself by text=")
+        raise TypeError("name a model's file, or pass the model's text as text=")
     return [_TEXT_NAME if model is None else os.fspath(model)]
 
 
 def render(model=None, /, *, text=None, **options):
-    """Draws a model on a machine and counts what it takes, as `csgsim render` does.
+    """Draws a model on a machine and counts its clocks, like `csgsim render`.
 
-    `model` names a file: .csg, OpenSCAD's source .scad, which OpenSCAD evaluates, or commands, .jan. With `text` the
-    model is that, and `model` its name in messages, whose ending tells what it is and whose folder has its imports.
-    Options are named as on the command line, `options("render")` lists them; those that name files write them.
+    `model` names a file: .csg, an OpenSCAD source .scad, which OpenSCAD evaluates, or commands, .jan. With `text`, the
+    model is that text; `model` is then its name in messages, whose ending selects the kind of model and whose folder is
+    searched for imports. Options are named as on the command line, see `options("render")`; options that name files
+    write them.
 
     >>> drawing = csgsim.render("part.csg", size=(512, 512), z_bits=16, machine="pixel-planes-5")
     >>> drawing = csgsim.render(text="sphere(10);", set={"alu.bits": 2})
@@ -46,7 +47,7 @@ def render(model=None, /, *, text=None, **options):
 
 
 def compile(model=None, /, *, text=None, **options):
-    """Compiles a model into a Program, as `csgsim compile` does; model, text and options are as render has them.
+    """Compiles a model into a Program, like `csgsim compile`. Model, text and options are as for render.
 
     >>> len(csgsim.compile("part.csg", strategy="list"))
     """
@@ -55,7 +56,7 @@ def compile(model=None, /, *, text=None, **options):
 
 
 def run(program, /, **options):
-    """Runs a Program, or a Program file, as `csgsim run` does. The picture is that of its render.
+    """Runs a Program, or a Program file, like `csgsim run`. The picture is the same as from render.
 
     >>> csgsim.run(csgsim.compile("part.csg"), level="reference").stats["clocks"]
     """
@@ -65,27 +66,27 @@ def run(program, /, **options):
 
 
 def _program(program):
-    """The operand that names it, and the Program if it is one."""
+    """Returns the operand that names the Program, and the Program itself unless it is a file."""
     if isinstance(program, Program):
         return ["program.csgt"], program._native
     return [os.fspath(program)], None
 
 
 def explain(subject=None, /, *, text=None, **options):
-    """Tells why a pixel shows what it shows, as `csgsim explain` does: of a model, named or a text, or of a Program.
+    """Explains what a pixel of a model, its text or a Program shows, like `csgsim explain`.
 
     >>> story = csgsim.explain("part.csg", pixel=(344, 389), why_not="p2")
     >>> story["owner"], print(story.text)
     """
     words = words_of("explain", options)
     operand, native = _program(subject) if isinstance(subject, Program) else (_model(subject, text), None)
-    keys, words_told, lines = _csgsim.explain(operand, words, text, native)
-    return warned(Story(keys, words_told), lines)
+    keys, text_of_story, lines = _csgsim.explain(operand, words, text, native)
+    return warned(Story(keys, text_of_story), lines)
 
 
 def study(name, /, *operands, **options):
-    """All that a study tells, as its JSON file has it. `studies()` lists them, `options(name)` what each takes. Nothing
-    is kept, unless `output` names a folder, where an interrupted study goes on.
+    """Runs a study and returns the content of its JSON file. `studies()` lists the studies, `options(name)` their
+    options. Nothing is stored, unless `output` names a folder, where an interrupted study continues.
 
     >>> csgsim.study("advise", "part.csg", max_wrong_pixels=0)["chosen"]
     """
@@ -94,7 +95,9 @@ def study(name, /, *operands, **options):
 
 
 def sweep(*models, **options):
-    """What memory bits buy, as `csgsim sweep`: a dictionary a point. Keys are explained in docs/settings.md#columns-of-studies.
+    """Measures the benefit of memory bits, like `csgsim sweep`: a dictionary per point.
+
+    docs/settings.md#columns-of-studies explains the keys.
 
     >>> rows = csgsim.sweep("part.csg", strategy=["stack", "list"], z_bits=[16, 20])
     >>> min(rows, key=lambda row: row["clocks"])["strategy"]
@@ -103,7 +106,7 @@ def sweep(*models, **options):
 
 
 def compare(model, /, **options):
-    """A model on several machines, as `csgsim compare`: a dictionary a machine and what it was turned to.
+    """Compares machines on a model, like `csgsim compare`: a dictionary per machine and variation.
 
     >>> for row in csgsim.compare("part.csg", fragments="none", sides="none"):
     ...     print(row["machine"], row["clocks"], row["frames_per_second"])
@@ -112,7 +115,7 @@ def compare(model, /, **options):
 
 
 def accuracy(model, /, **options):
-    """What accuracy costs in clocks, as `csgsim accuracy`: a dictionary a knob and its value.
+    """Measures the cost of accuracy in clocks, like `csgsim accuracy`: a dictionary per knob and value.
 
     >>> [row["wrong"] for row in csgsim.accuracy("part.csg", views=1) if row["knob"] == "z-bits"]
     """
@@ -120,7 +123,7 @@ def accuracy(model, /, **options):
 
 
 def studies():
-    """The names of all studies.
+    """Returns the names of all studies.
 
     >>> "sweep" in csgsim.studies()
     True
@@ -129,8 +132,8 @@ def studies():
 
 
 def options(command, /):
-    """What a call takes: a dictionary an option, with its `name`, what it `takes`, its `default` and `meaning`. The
-    values of an option are given as numbers, texts, paths or sequences of these.
+    """Returns the options of a call: a dictionary per option, with its `name`, the kind of value it `takes`, its
+    `default` and its `meaning`. Values are given as numbers, texts, paths or sequences of these.
 
     >>> [row["name"] for row in csgsim.options("render")][:3]
     ['machine', 'memory_bits', 'size']

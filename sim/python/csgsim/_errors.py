@@ -1,4 +1,4 @@
-"""What csgsim raises and warns of."""
+"""Exceptions and warnings of csgsim."""
 
 import re
 
@@ -6,8 +6,8 @@ _PLACE = re.compile(r"(?P<file>.+?):(?P<line>\d+):(?P<column>\d+): ")
 
 
 class Error(Exception):
-    """A model, machine, Program or option that cannot be used. The text is one line, `file:line:column: what is wrong,
-    and the mend` where there is a place to point at.
+    """A model, machine, Program or option that cannot be used. The text is one line, `file:line:column: what is wrong;
+    what to do` if there is a place.
 
     >>> try:
     ...     csgsim.render(text="cube(10;")
@@ -21,7 +21,7 @@ class Error(Exception):
 
     @property
     def file(self):
-        """The file's name, or None where the text has no place."""
+        """The file's name, or None if the text has no place."""
         return self._place("file")
 
     @property
@@ -38,7 +38,7 @@ class Error(Exception):
 
 
 class UsageError(Error):
-    """An option that does not exist, with the nearest one that does, or that makes no sense.
+    """An unknown option, with the nearest known one, or an invalid value or combination.
 
     >>> csgsim.render("part.csg", z_bitz=16)
     csgsim.UsageError: there is no option --z-bitz; did you mean --z-bits? see csgsim render --help
@@ -46,7 +46,7 @@ class UsageError(Error):
 
 
 class CsgsimWarning(UserWarning):
-    """What the command line would warn of on standard error.
+    """A warning that the command line would print on standard error.
 
     >>> warnings.simplefilter("error", csgsim.CsgsimWarning)
     """

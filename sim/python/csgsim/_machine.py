@@ -1,4 +1,4 @@
-"""Machines and their figures."""
+"""Machines and their parameters."""
 
 from typing import NamedTuple
 
@@ -6,7 +6,7 @@ from . import _csgsim
 
 
 class Figure(NamedTuple):
-    """One figure of a machine: its value, a number where it is one, and where it comes from.
+    """A parameter of a machine with its value, unit and source.
 
     >>> csgsim.Machine("pixel-planes-4").figures["alu.bits"].provenance
     'published'
@@ -25,12 +25,13 @@ def _figure(row):
 
 
 class Machine:
-    """A machine by its name or .toml file, with figures changed.
+    """A machine by its name or .toml file, with changed parameters.
 
     >>> wide = csgsim.Machine("pixel-planes-4", **{"alu.bits": 2})
     >>> csgsim.render("part.csg", machine=wide).stats["clocks"]
 
-    `name`, `description` and `kind` are texts; `figures` has each figure by its key; `spelt` is how an option names it.
+    `name`, `description` and `kind` are texts; `figures` maps keys to parameters; `spelt` is its name in
+    options.
     """
 
     def __init__(self, name, **figures):
@@ -62,7 +63,7 @@ class Machine:
 
 
 def machines():
-    """The machines that come with csgsim.
+    """Returns the built-in machines.
 
     >>> [machine.name for machine in csgsim.machines()]
     ['pixel-planes-4', 'scan-line', 'pixel-square', 'pixel-planes-5', 'multi-processor', 'pixel-powers']

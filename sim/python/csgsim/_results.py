@@ -1,11 +1,11 @@
-"""What calls return."""
+"""Results of calls."""
 
 from . import _csgsim
 from ._machine import Machine
 
 
 class Program:
-    """A compiled model: what the host of the machine broadcasts.
+    """A compiled model: the instructions that the machine's host broadcasts.
 
     >>> program = csgsim.compile("part.csg", z_bits=16)
     >>> program.instructions[0]["text"]
@@ -28,14 +28,14 @@ class Program:
         return cls(warned(*_csgsim.load(str(file))))
 
     def save(self, file, *, text=False):
-        """Writes it, in the binary form, or as text. An interrupted write leaves what was there.
+        """Writes the Program in binary or text form. An interrupted write leaves an existing file unchanged.
 
         >>> program.save("part.txt", text=True)
         """
         self._native.save(str(file), text)
 
     def text(self):
-        """The text form, as `csgsim disasm` shows it.
+        """Returns the text form, as printed by `csgsim disasm`.
 
         >>> print(program.text()[:16])
         # csgsim program
@@ -44,34 +44,34 @@ class Program:
 
     @property
     def instructions(self):
-        """A dictionary an instruction: `instruction`, its number in the whole Program; `segment`; `name`; `text`;
-        `clocks` at the pixels; its `purpose`; the labels of the `primitive` that it serves and of the one that this is
-        compared `against`; and the `effect` that calls for it. None where there is none."""
+        """A dictionary per instruction: `instruction`, its number in the whole Program; `segment`; `name`; `text`;
+        `clocks` at the pixels; its `purpose`; the labels of the `primitive` that it serves and of the one it is
+        compared `against`; and its `effect`. Missing values are None."""
         return self._native.instructions()
 
     @property
     def memory(self):
-        """A dictionary a field of pixel memory: `name`, first bit `base`, `width` in bits, and `role`."""
+        """A dictionary per field of pixel memory: `name`, first bit `base`, `width` in bits, and `role`."""
         return self._native.fields()
 
     @property
     def primitives(self):
-        """Names by index, as owners of pixels are numbered: `cube@3:5` stands in line 3, column 5 of the model."""
+        """Names of primitives, by the index used in `owner`: `cube@3:5` is in line 3, column 5 of the model."""
         return self._native.primitives()
 
     @property
     def size(self):
-        """Width and height of the picture, pixels."""
+        """Width and height of the picture in pixels."""
         return self._native.size()
 
     @property
     def memory_bits(self):
-        """Bits of memory that a pixel has."""
+        """Memory bits per pixel."""
         return self._native.memory_bits()
 
     @property
     def machine(self):
-        """The machine that it is for."""
+        """The machine that the Program was compiled for."""
         return Machine._described(self._native.machine())
 
     def __len__(self):
@@ -83,16 +83,16 @@ class Program:
 
 
 class Drawing:
-    """A picture that a machine drew. Jupyter shows it.
+    """A picture drawn by a machine. Jupyter displays it.
 
     >>> drawing = csgsim.render("part.csg")
     >>> drawing.picture.shape, drawing.stats["clocks"]
 
     `picture`  rows x columns x 3, 8 bits each of red, green and blue
-    `depth`    rows x columns, distance from the eye along the view axis in model units, inf where nothing is seen
-    `owner`    rows x columns, index of the primitive that is seen, -1 where nothing is
-    `stats`    all counts: the keys are those of `csgsim render --stats`, docs/settings.md
-    `program`  what the machine was sent, a Program
+    `depth`    rows x columns, distance from the eye along the view axis in model units, inf where nothing is visible
+    `owner`    rows x columns, index of the visible primitive, -1 where nothing is visible
+    `stats`    all counts, with the keys of `csgsim render --stats`, docs/settings.md
+    `program`  the Program that was sent to the machine
     """
 
     def __init__(self, parts):
@@ -103,7 +103,7 @@ class Drawing:
         self.program = Program(parts["program"])
 
     def png(self):
-        """The picture's PNG file, byte for byte what `csgsim render -o` writes.
+        """Returns the picture as a PNG file, byte for byte as written by `csgsim render -o`.
 
         >>> pathlib.Path("part.png").write_bytes(drawing.png())
         """
@@ -119,7 +119,7 @@ class Drawing:
 
 
 class Story(dict):
-    """Why a pixel shows what it shows: the keys are those of `csgsim explain --json`; `text` says it in words.
+    """The explanation of a pixel, with the keys of `csgsim explain --json`; `text` has it as text.
 
     >>> print(csgsim.explain("part.csg", pixel=(256, 256)).text)
     """

@@ -1,4 +1,4 @@
-"""Values of Python as the texts that the command line reads."""
+"""Conversion of Python values to the texts of the command line."""
 
 import functools
 import keyword
@@ -11,7 +11,7 @@ from ._machine import Machine
 
 
 def text_of(value):
-    """One text: what has several parts is written with commas."""
+    """Converts a value to one text; the parts of a sequence are separated by commas."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
@@ -26,11 +26,11 @@ def text_of(value):
         return repr(float(value))
     if isinstance(value, Iterable):
         return ",".join(text_of(one) for one in value)
-    raise TypeError(f"{value!r} is no text, number, path, machine or sequence of these")
+    raise TypeError(f"{value!r} is not a text, number, path, machine or sequence of these")
 
 
 def texts_of(value):
-    """Several texts, of an option that may be given several times: `{"alu.bits": 2}` is `["alu.bits=2"]`."""
+    """Converts a value of a repeatable option to several texts: `{"alu.bits": 2}` becomes `["alu.bits=2"]`."""
     if isinstance(value, Mapping):
         return [f"{key}={text_of(one)}" for key, one in value.items()]
     if isinstance(value, (str, bytes)):
@@ -44,12 +44,12 @@ def _takes(command):
 
 
 def python_name_of(name):
-    """An option's name in Python: what Python says `with` by is `with_`."""
+    """An option's name in Python; keywords get an underscore, as in `with_`."""
     return name.replace("-", "_") + "_" * keyword.iskeyword(name)
 
 
 def words_of(command, options):
-    """Pairs of an option's name on the command line and its text, None for a flag. None and False say nothing."""
+    """Pairs of an option's name and text on the command line, None for a flag. None and False are left out."""
     words = []
     for python_name, value in options.items():
         name = python_name.removesuffix("_").replace("_", "-")

@@ -1,4 +1,4 @@
-// @MACHINE@, whose host is at the other end of a serial line.
+// @MACHINE@, with the host at the other end of a serial line.
 module system #(
   parameter BIT = 104  // clocks: 115,200 bits a second at 12 MHz
 ) (

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Waves of csgsim and of the Verilog in one file, and whether they are the same.
+"""Combines waveforms of csgsim and of the Verilog in one file and compares them.
 
   beside.py WAVE [-o beside.vcd]
 
-WAVE is what `csgsim wave` records of the same Program over one window of clocks, with --pixel; its save file lies beside it.
-Icarus draws the frame and records all wires over the same clocks. beside.vcd has both, each clock at csgsim's time, and of each
-probed pixel its bits of the vectors; beside.gtkw shows what is the same below each other, the Verilog in yellow. What differs is
-told, by clock, and then the exit code is 1."""
+WAVE is a recording by `csgsim wave` of the same Program over one window of clocks, with --pixel; its save file lies beside it.
+Icarus draws the frame and records all wires over the same clocks. beside.vcd contains both, each clock at csgsim's time, and the
+bits of each probed pixel from the vectors; beside.gtkw shows corresponding signals below each other, the Verilog in yellow.
+Differences are printed by clock, with exit code 1."""
 
 import argparse
 import pathlib
@@ -18,7 +18,7 @@ WIDTH = @WIDTH@  # pixels of a row
 MACHINE = "testbench.dut.machine."
 YELLOW = 3
 
-# Signals of csgsim, and wires of the machine that carry the same, where csgsim has a value.
+# Signals of csgsim and the corresponding wires of the machine, compared where csgsim has a value.
 WIRES = {
     "root.a": "a",
     "root.b": "b",
@@ -29,8 +29,8 @@ WIRES = {
     "link.fill": "link.count",
     "answer.any_enabled": "answer",
 }
-# Of a pixel, and the vectors below its chip that have a bit of every pixel. Between streams
-# csgsim shows the last bit of F; of what memory delivers, places of the ALU that take part.
+# Signals of a pixel, and the corresponding vectors of its chip with a bit for every pixel. Between streams csgsim shows
+# the last bit of F; of the memory outputs it shows the ALU inputs in use.
 OF_PIXEL = {
     "tree_bit": "tree",
     "enable": "enable",
@@ -48,7 +48,7 @@ class Signal:
     changes: list = field(default_factory=list)  # (time, value), all bits of it
 
     def at(self, times):
-        """The values at those times, which grow; None before the first."""
+        """Returns the values at increasing times; None before the first."""
         found, place = [], 0
         for time in times:
             while place < len(self.changes) and self.changes[place][0] <= time:
@@ -57,12 +57,12 @@ class Signal:
         return found
 
     def of_bits(self, at):
-        """A signal of some of its bits, 0 the lowest, the highest first."""
+        """Returns a signal of the given bits, highest first; bit 0 is the lowest."""
         return Signal(len(at), [(time, "".join(value[-1 - bit] for bit in at)) for time, value in self.changes])
 
 
 class Wave:
-    """A VCD: its declarations, and its signals by name, several of which may be one."""
+    """A VCD: its declarations, and its signals by name. Several names may share a signal."""
 
     def __init__(self, path):
         self.header, self.names, self.of_id = [], {}, {}
@@ -104,12 +104,12 @@ def whole(value, width):
 
 
 def numbers(signal):
-    """Times at which the signal becomes a number, and which."""
+    """Returns the times at which the signal becomes a number, with the number."""
     return [(time, int(value, 2)) for time, value in signal.changes if set(value) <= {"0", "1"}]
 
 
 class Clocks:
-    """The window's clocks, and their times in both files."""
+    """The clocks of the window and their times in both files."""
 
     def __init__(self, ours):
         name = next(name for name in ours.names if name.endswith(".clock_number"))
@@ -121,19 +121,19 @@ class Clocks:
         self.period = self.starts[0][1] // (self.first + 1)
 
     def align(self, theirs):
-        """To the Verilog's times: `now` counts its edges, and the first frame began at edge `began`."""
+        """Aligns with the Verilog's times: `now` counts its edges, and the first frame began at edge `began`."""
         began = next(number for _, number in numbers(theirs.names["testbench.began"]) if number)
         (before, _), (edge, count) = numbers(theirs.names["testbench.now"])[-2:]
         self.edge, self.edge_number, self.edge_period = edge, count - began, edge - before
 
     def ours(self, time):
-        """csgsim's time of one of the Verilog's, from the clock before the window on."""
+        """Converts a time of the Verilog to csgsim's, at earliest the clock before the window."""
         moved = (self.edge_number + 1) * self.period + (time - self.edge) * self.period // self.edge_period
         return max(moved, self.first * self.period)
 
 
 def masked(signal, by):
-    """The bits where those of another are 1, else 0."""
+    """Returns the bitwise AND with another signal."""
     times = sorted({time for one in (signal, by) for time, _ in one.changes})
     both = zip(times, signal.at(times), by.at(times))
     return Signal(signal.width, [(time, "".join(bit if where == "1" else "0" for bit, where in zip(value, places)))
@@ -141,14 +141,14 @@ def masked(signal, by):
 
 
 def held(signal, by):
-    """A bit where another is 1, and from there on until that is so again."""
+    """Samples a bit while another is 1, and holds it in between."""
     times = sorted({time for one in (signal, by) for time, _ in one.changes})
     changes = [(time, bit) for time, bit, where in zip(times, signal.at(times), by.at(times)) if where == "1"]
     return Signal(1, changes)
 
 
 def of_pixel(theirs, number, wire):
-    """The pixel's bits of a vector below its chip, which has several planes of a bit a pixel; None if the machine has none."""
+    """Returns the pixel's bits of a vector of its chip, which has several planes with one bit per pixel; None if missing."""
     chips = MACHINE + "processors.chip"
     chip, here = divmod(number, theirs.names[f"{chips}[0].pixels.enable"].width)
     vector = theirs.names.get(f"{chips}[{chip}].pixels.{wire}")
@@ -162,7 +162,7 @@ def of_pixel(theirs, number, wire):
 
 
 def pairs_of(ours, theirs, top):
-    """Rows: csgsim's name, the Verilog's, the Verilog's signal."""
+    """Returns rows of csgsim's name, the Verilog's name and the Verilog's signal."""
     pairs = [(top + mine, MACHINE + wire, theirs.names[MACHINE + wire]) for mine, wire in WIRES.items()
              if top + mine in ours.names and MACHINE + wire in theirs.names]
     probed = sorted({name[len(top):].split(".")[0] for name in ours.names if name.startswith(top + "pixel_")})
@@ -176,7 +176,7 @@ def pairs_of(ours, theirs, top):
 
 
 def differences(ours, pairs, clocks):
-    """Where csgsim has a value and the Verilog has another: the first clock of each signal."""
+    """Yields, for each signal, the first clock at which csgsim has a value and the Verilog another one."""
     middles = [time + clocks.period // 2 for _, time in clocks.starts]
     for mine, wire, signal in pairs:
         moved = Signal(signal.width, [(clocks.ours(time), value) for time, value in signal.changes])
@@ -194,7 +194,7 @@ def value_line(value, name):
 
 
 def write_both(path, ours, theirs, pairs, clocks):
-    """One VCD: csgsim's scope, the Verilog's, and `verilog` with the probed pixels of the latter."""
+    """Writes one VCD with the scopes of csgsim and of the Verilog, and `verilog` with the probed pixels of the latter."""
     changes = {}
     for prefix, wave, time_of in (("s", ours, lambda time: time), ("v", theirs, clocks.ours)):
         for name, signal in wave.of_id.items():
@@ -220,7 +220,7 @@ def write_both(path, ours, theirs, pairs, clocks):
 
 
 def write_view(path, base, dump, pairs):
-    """csgsim's save file, with the Verilog's signal below each of its."""
+    """Writes csgsim's save file with the Verilog's signal below each of its signals."""
     below = {}
     for mine, wire, signal in pairs:
         below[mine] = f"[color] {YELLOW}\n@{'28' if signal.width == 1 else '24'}\n{wire}" + (
@@ -242,7 +242,7 @@ def main():
     options = parser.parse_args()
     for path in (options.wave, options.wave.with_suffix(".gtkw")):
         if not path.exists():
-            sys.exit(f"beside.py: there is no {path}; csgsim wave MODEL ... --pixel 5,5 --window 0:200 -o {options.wave} writes it")
+            sys.exit(f"beside.py: {path} does not exist; write it with csgsim wave MODEL ... --pixel 5,5 --window 0:200 -o {options.wave}")
     ours = Wave(options.wave)
     clocks = Clocks(ours)
     wires = options.output.with_suffix(".wires.vcd")
@@ -255,7 +255,7 @@ def main():
     write_both(options.output, ours, theirs, pairs, clocks)
     write_view(options.output.with_suffix(".gtkw"), options.wave.with_suffix(".gtkw"), options.output, pairs)
     wrong = list(differences(ours, pairs, clocks))
-    print("\n".join(wrong) if wrong else f"clocks {clocks.first} to {clocks.last}: {len(pairs)} signals are the same")
+    print("\n".join(wrong) if wrong else f"clocks {clocks.first} to {clocks.last}: {len(pairs)} signals are equal")
     print(f"gtkwave {options.output.with_suffix('.gtkw')}")
     return 1 if wrong else 0
 

@@ -1,9 +1,9 @@
-// The design on a board: a reset of its own, lamps, and the video on wires, the leftmost pixel in the lowest; of each
-// channel what is left of @CHANNEL_BITS@ bits, the highest first.
+// The design on a board: power-on reset, LEDs, and the video on wires, with the leftmost pixel in the lowest ones. Each
+// channel has its @CHANNEL_BITS@ highest bits.
 module board (
   input wire clk,
-@BOARD_PORTS@  output wire lamp_drawn,  // changes with each frame that is drawn
-  output wire lamp_shown,  // and with each that has been shown
+@BOARD_PORTS@  output wire lamp_drawn,  // toggles with each drawn frame
+  output wire lamp_shown,  // toggles with each shown frame
   output wire video_clk,
   output wire video_valid,
   output wire video_row,

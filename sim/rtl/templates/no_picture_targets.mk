@@ -1,2 +1,2 @@
 icarus verilator waves:
-	@echo "this design has no Program to draw: csgsim rtl @MACHINE@ MODEL.csg -o FOLDER makes one that has"; false
+	@echo "this design has no Program to draw; create one with csgsim rtl @MACHINE@ MODEL.csg -o FOLDER"; false

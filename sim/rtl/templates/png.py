@@ -1,4 +1,4 @@
-"""png.py PICTURE.ppm PICTURE.png: a picture of bytes (P6) as PNG."""
+"""png.py PICTURE.ppm PICTURE.png: converts a picture of bytes (P6) to PNG."""
 
 import re
 import struct

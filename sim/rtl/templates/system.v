@@ -12,7 +12,7 @@ module system (
     .LINK(@LINK@), .WORDS(@WORDS@), .INSTRUCTIONS(@INSTRUCTIONS@),
     .LATENCY(@LATENCY@),          // link.latency
     .WORD_CLOCKS(@WORD_CLOCKS@),  // link.word_clocks
-    .FRAMES(0),              // drawn again and again
+    .FRAMES(0),              // unlimited
     .WORDS_FILE("program.hex"), .BEGINS_FILE("begins.hex")
   ) host (
     .clk(clk), .reset(reset), .frame(frame), .request(request), .request_from(request_from), .word(word), .word_valid(word_valid),

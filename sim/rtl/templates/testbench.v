@@ -1,17 +1,17 @@
-// Draws the Program's frame several times, writes the picture that is scanned out as PPM, and tells clocks. Of plusargs:
-//   +picture=FILE  where the last picture goes
-//   +frames=N      pictures, 2 if not given; the frame's interval needs two
-//   +trace=FILE    of the first frame, the clock in which the controller sends the first step of each instruction
-//   +wave=FILE     all wires as VCD,
-//   +from=N        from that clock of the first frame on
-//   +until=N       and before that one
-// With PORTS_ALONE defined it looks at nothing inside the design, so that this may be a netlist; then neither refresh
-// words nor what clocks are spent on are told, and the trace is empty.
+// Draws the Program's frame several times, writes the scanned-out picture as PPM, and prints clocks. Plusargs:
+//   +picture=FILE  file for the last picture
+//   +frames=N      number of frames, default 2; measuring the frame interval needs two
+//   +trace=FILE    clock of the first step of each instruction of the first frame
+//   +wave=FILE     all wires as VCD
+//   +from=N        from this clock of the first frame
+//   +until=N       before this clock
+// With PORTS_ALONE defined it uses only the ports of the design, which may then be a netlist; refresh words and the
+// controller's clock account are not printed, and the trace is empty.
 module testbench;
   localparam WIDTH = @WIDTH@;
   localparam HEIGHT = @HEIGHT@;
   localparam SCAN_PIXELS = @SCAN_PIXELS@;
-  localparam VIDEO_BITS = @VIDEO_BITS@;  // of a pixel on the wires
+  localparam VIDEO_BITS = @VIDEO_BITS@;  // bits of a pixel on the wires
   localparam RED = @RED_BITS@, GREEN = @GREEN_BITS@, BLUE = @BLUE_BITS@;  // bits of a colour, red the highest
   localparam [31:0] MOST_CLOCKS = 32'd2_000_000_000;
 
@@ -31,7 +31,7 @@ module testbench;
 
   wire begins_frame = request && request_from == 0;
 `ifndef PORTS_ALONE
-  // Refresh words that the controller sends for the scan-out, and what it spends its clocks on.
+  // Refresh words that the controller sends for the scan-out, and the account of its clocks.
   wire refreshes = dut.machine.refresh & dut.machine.take_refresh;
   wire [31:0] issuing, clearing, starved, answering, jumping, refreshing, holding, copying, draining, waits;
   counters account (
@@ -39,16 +39,16 @@ module testbench;
     .refresh_waits(dut.machine.refresh_waits), .issuing(issuing), .clearing(clearing), .starved(starved),
     .answering(answering), .jumping(jumping), .refreshing(refreshing), .holding(holding), .copying(copying),
     .draining(draining), .waits(waits));
-  reg [31:0] refreshed;             // words since the picture before was shown
-  reg step_sent;                    // an instruction's first step is on the wires: the controller's registers have it
+  reg [31:0] refreshed;             // words since the previous picture was shown
+  reg step_sent;                    // an instruction's first step is on the wires, in the controller's registers
 `endif
 
   reg [8*256-1:0] name;
   reg [31:0] now;
   reg [31:0] frames, begun, drawn, finished;
-  reg [31:0] began;                 // edge at which the frame being drawn did
-  reg [31:0] begans [0:3];          // and the last four, by number modulo 4: at most three are under way
-  reg [31:0] column, row;           // of the pixel to be shown next
+  reg [31:0] began;                 // edge at which the current frame began
+  reg [31:0] begans [0:3];          // the last four, by number modulo 4: at most three overlap
+  reg [31:0] column, row;           // of the next pixel
   wire [31:0] column_here = video_row ? 0 : column;
   wire [31:0] row_here = video_frame ? 0 : video_row ? row + 1 : row;
   reg waving;
@@ -58,7 +58,7 @@ module testbench;
   reg [23:0] picture [0:WIDTH*HEIGHT-1];
   integer file, trace, i;
 
-  // Of a channel of so many bits, 0 to 255, rounded to nearest.
+  // Scales a channel of `bits` bits to 0 to 255, rounded to nearest.
   function [7:0] level(input [23:0] channel, input integer bits);
     integer top;
     /* verilator lint_off UNUSEDSIGNAL */
@@ -129,7 +129,7 @@ module testbench;
   always @(posedge recording) if (waving) $dumpon;
   always @(negedge recording) if (waving) $dumpoff;
 
-  // What was on the wires before the edge.
+  // Samples the values before the edge.
   always @(posedge clk) begin
     now <= now + 1;
     reset <= now < 2;
@@ -157,8 +157,8 @@ module testbench;
 `endif
       finished <= finished + 1;
     end
-    // Clock now - began + 1 begins at this edge. Recorded are those before the frame, to know where it begins, and one
-    // before the window, as recording begins in the middle of one.
+    // Clock now - began + 1 begins at this edge. Recording covers the clocks before the frame, to locate its beginning,
+    // and one clock before the window, since recording starts in the middle of a clock.
     if (begun != 0) recording <= begun == 1 && now - began + 2 >= from && now - began + 1 < until_clock;
     if (told) $display("frame %0d: an enabled pixel: %b", begun - 1, told_any);
 `ifndef PORTS_ALONE

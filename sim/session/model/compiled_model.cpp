@@ -36,10 +36,10 @@ void refuse_other_subjects(const ModelRequest& request) {
   if (is_program(request.model))
     throw InputError(request.model + ": that is a Program; use csgsim run " + shell_word(request.model));
   if (!request.imports_from.empty() && !std::filesystem::is_directory(request.imports_from))
-    throw InputError(fmt::format("--imports-from: {} is no folder", printable(request.imports_from)));
+    throw InputError(fmt::format("--imports-from: {} is not a folder", printable(request.imports_from)));
 }
 
-/// Of the text as it is read: what OpenSCAD makes of a source.
+/// Reads the text of a model or of a source that OpenSCAD has evaluated; the hash covers it and the scene.
 ModelFile read_text(const ModelRequest& request, Subject subject, const std::string& text) {
   const std::string name = shown_name(request.model);
   Hash hash;
@@ -89,34 +89,34 @@ CompiledModel compile(ModelFile file, const ModelRequest& request, const machine
   return model;
 }
 
-/// A near plane much too close leaves no depth steps for what is farther away.
+/// Warns if the near plane is so close that few depth steps remain for distant surfaces.
 void warn_of_coarse_depth(const view::View& view) {
   if (view.depth_step <= (view.depth.far - view.depth.near) / 4.0) return;
-  tell_line(
+  report_line(
       fmt::format("warning: at the far end one step of depth is {:.3g} model units; move --near away from the eye",
                   view.depth_step));
 }
 
-/// What the picture shows in place of what it would with more memory. Once, however often it is compiled.
+/// Warns, once per message, about the substitute for layers that do not fit into memory.
 void warn_of_pattern(const emit::NoRoom& layers, const ModelRequest& request, const machines::Machine& machine) {
   static std::mutex mutex;
-  static std::set<std::string> told;
+  static std::set<std::string> reported;
   const std::string line = fmt::format(
-      "{}: warning: what is see-through is drawn by a pattern, screen-door: in layers the picture would need {} memory "
-      "bits a pixel, and the machine has {}; take --memory-bits {}, or say --set "
+      "{}: warning: transparent parts are drawn by a screen-door pattern: layers would need {} memory bits per pixel, "
+      "and the machine has {}; take --memory-bits {}, or choose the pattern with --set "
       "effects.transparency.method=screen-door",
       shown_name(request.model), layers.needed, machine.array.memory_bits, layers.needed);
   const std::lock_guard lock(mutex);
-  if (told.insert(line).second) tell_line(line);
+  if (reported.insert(line).second) report_line(line);
 }
 
-/// Where colours of the model alone let something through, and there is no room to blend it, by screen-door.
+/// Uses screen-door transparency where only colours of the model are transparent and memory has no room for layers.
 isa::Program compile_with_room(const CompiledModel& model, const view::Camera& camera, view::View view,
                                const ModelRequest& request, const machines::Machine& machine) {
   emit::Options emit = emit_options_of(request);
   const auto compiled = [&](view::View seen) {
     return emit::compile(model.tree, model.scene, std::move(seen), machine, emit,
-                         [&](const isa::Program& one) { return functional::clocks_of_run(one, machine); });
+                         [&](const isa::Program& one) { return functional::measure_clocks(one, machine); });
   };
   try {
     return compiled(std::move(view));

@@ -1,3 +1,5 @@
+// Reads, facets and compiles a model for a machine.
+// Used by sim/session, sim/app, sim/shell, sim/studies and sim/viewer.
 #pragma once
 
 #include <string>
@@ -13,40 +15,41 @@
 
 namespace csgsim::session {
 
-/// A model's file as it was read.
+/// A model's file after reading.
 struct ModelFile {
   model::Tree tree;
-  std::string hash;  ///< of its bytes and the scene's
+  std::string hash;  ///< hash of the bytes of the file and of the scene
 };
 
 /// Reads the model. Throws InputError.
 ModelFile read_model_file(const ModelRequest& request);
 
-/// The same of a text that stands in the file's place.
+/// The same for a text that replaces the file's content.
 ModelFile read_model_text(const ModelRequest& request, const std::string& text);
 model::Tree read_model(const ModelRequest& request);
 
-/// A model read, faceted, seen and compiled.
+/// A model that has been read, faceted, viewed and compiled.
 struct CompiledModel {
-  std::string hash;  ///< of what was read
+  std::string hash;  ///< hash of the files that were read
   model::Tree tree;
   facet::Geometry scene;
   view::Camera camera;
   isa::Program program;
 };
 
-/// Throws InputError, or UsageError for options that make no sense.
+/// Throws InputError, or UsageError for invalid options.
 CompiledModel compile_model(const ModelRequest& request, const machines::Machine& machine);
 CompiledModel compile_model(ModelFile file, const ModelRequest& request, const machines::Machine& machine);
 
-/// As its camera sees it.
+/// The model as its camera sees it.
 view::View view_of(const CompiledModel& model, const ModelRequest& request, const machines::Machine& machine);
 
-/// Tells which half-space of the model an instruction of its Program is for. The model has to outlive it.
+/// Finds the half-space of the model that an instruction of its Program belongs to. The model has to outlive the
+/// finder.
 story::HalfspaceFinder halfspaces_of(const CompiledModel& model, const ModelRequest& request,
                                      const machines::Machine& machine);
 
-/// The Program of the same facets, seen by another camera. Throws as compile_model does.
+/// The Program of the same facets for another camera. Throws as compile_model does.
 isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelRequest& request,
                              const machines::Machine& machine);
 

@@ -17,15 +17,15 @@ namespace csgsim::session {
 
 namespace {
 
-/// Why a curved solid is no fast sphere.
+/// The reason why a curved solid is not drawn as a fast sphere.
 std::string why_not(const model::Primitive& primitive, bool is_perspective) {
-  if (!std::holds_alternative<model::Sphere>(primitive.shape)) return "no sphere";
+  if (!std::holds_alternative<model::Sphere>(primitive.shape)) return "not a sphere";
   if (is_perspective) return "an ellipse in a perspective picture";
   if (!facet::keeps_balls(primitive.transform)) return "an ellipsoid";
   return "too large or too small for the machine's numbers";
 }
 
-/// Curved solids that stay facets.
+/// Curved solids that are drawn as facets.
 struct LeftFaceted {
   std::uint64_t count = 0;
   std::uint32_t first = model::no_index;
@@ -50,11 +50,11 @@ std::string others(std::uint64_t count) {
   return count == 1 ? ", as is 1 more curved solid" : fmt::format(", as are {} more curved solids", count);
 }
 
-void tell_of(const LeftFaceted& left, const model::Tree& tree, bool is_perspective) {
+void report_faceted(const LeftFaceted& left, const model::Tree& tree, bool is_perspective) {
   if (left.count == 0) return;
   const model::Primitive& first = tree.primitives[left.first];
-  tell_line(
-      fmt::format("{}: warning: --curves fast draws spheres in orthographic pictures; this is {} and is drawn in "
+  report_line(
+      fmt::format("{}: warning: --curves fast draws spheres in orthographic pictures; this solid is {} and is drawn as "
                   "facets{}",
                   model::place_of(tree, left.first), why_not(first, is_perspective), others(left.count - 1)));
 }
@@ -65,7 +65,7 @@ facet::Faceting with_fast_spheres(facet::Faceting planar, const model::Tree& tre
                                   const view::Sampling& sampling, const machines::Machine& machine,
                                   const emit::Options& options, const emit::Look& look) {
   if (const auto reason = emit::why_no_curves(machine, options, look))
-    throw InputError(*reason + ", or draw facets by --curves facets");
+    throw InputError(*reason + ", or draw facets with --curves facets");
   const bool is_perspective = camera.projection == view::Projection::perspective;
   facet::Faceting faceting = std::move(planar);
   if (!is_perspective) {
@@ -74,7 +74,7 @@ facet::Faceting with_fast_spheres(facet::Faceting planar, const model::Tree& tre
     const facet::Geometry scene = facet::make_geometry(tree, faceting);
     faceting.faceted = unfit_primitives(scene, view::make_view(scene, tree, camera, sampling));
   }
-  tell_of(left_faceted(tree, faceting), tree, is_perspective);
+  report_faceted(left_faceted(tree, faceting), tree, is_perspective);
   return faceting;
 }
 

@@ -1,3 +1,5 @@
+// Selects the spheres that are drawn as circles and paraboloids.
+// Used by model_request.cpp.
 #pragma once
 
 #include "host/emit/look.h"
@@ -9,8 +11,8 @@
 
 namespace csgsim::session {
 
-/// `planar` with those spheres that can be fast spheres. One line on standard error if other curved solids stay
-/// facets. Throws InputError where there can be no surfaces but facets.
+/// Adds those spheres that can be drawn as fast spheres to `planar`. Prints a one-line warning if other curved solids
+/// are drawn as facets. Throws InputError if the machine or the scene allows facets only.
 facet::Faceting with_fast_spheres(facet::Faceting planar, const model::Tree& tree, const view::Camera& camera,
                                   const view::Sampling& sampling, const machines::Machine& machine,
                                   const emit::Options& options, const emit::Look& look);

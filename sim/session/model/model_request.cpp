@@ -35,7 +35,7 @@ namespace csgsim::session {
 
 namespace {
 
-/// OpenSCAD's words, and their first letters, as it takes them.
+/// OpenSCAD's words for projections, and their first letters, which OpenSCAD also accepts.
 const std::map<std::string, view::Projection> projections{{"ortho", view::Projection::orthographic},
                                                           {"o", view::Projection::orthographic},
                                                           {"perspective", view::Projection::perspective},
@@ -52,7 +52,7 @@ void apply_scheme(const std::string& name, scene::Scene& scene) {
     if (scheme.name == name) lighting::apply(scheme, scene);
 }
 
-/// Everything that a list of named choices has, by name.
+/// Maps the name of each choice to the choice.
 template <class Choices>
 auto by_name(const Choices& choices) {
   std::map<std::string, typename Choices::value_type> named;
@@ -60,13 +60,13 @@ auto by_name(const Choices& choices) {
   return named;
 }
 
-/// A number, or a number followed by px.
+/// Parses a number, or a number followed by px.
 Tolerance parse_tolerance(const std::string& text) {
   const bool in_pixels = text.ends_with("px");
   const std::string number = in_pixels ? text.substr(0, text.size() - 2) : text;
   const double value = numbers<double>(number, ',', 1, "--tolerance", in_pixels ? "0.5px" : "0.1, or 0.5px")[0];
   if (!(value > 0 && std::isfinite(value)))
-    throw UsageError("--tolerance", "the faceting tolerance has to be a finite length above 0");
+    throw UsageError("--tolerance", "the faceting tolerance must be a finite length above 0");
   return {value, in_pixels};
 }
 
@@ -78,29 +78,29 @@ view::Projection projection_of(const ModelRequest& request) {
   return is_perspective ? view::Projection::perspective : view::Projection::orthographic;
 }
 
-/// Eye and centre, or centre, turns and distance.
+/// Parses eye and centre, or centre, rotations and distance.
 view::Camera camera_in(const std::string& text) {
   const bool is_gimbal = std::ranges::count(text, ',') == 6;
   const auto v = numbers<double>(text, ',', is_gimbal ? 7 : 6, "--camera", "ex,ey,ez,cx,cy,cz or x,y,z,rx,ry,rz,d");
   const glm::dvec3 first(v[0], v[1], v[2]);
   const glm::dvec3 second(v[3], v[4], v[5]);
-  if (is_gimbal && !(v[6] > 0)) throw UsageError("--camera", "the distance, its last number, has to be above 0");
+  if (is_gimbal && !(v[6] > 0)) throw UsageError("--camera", "the distance (last number) must be above 0");
   const view::Camera camera = is_gimbal ? view::gimbal_camera(first, second, v[6]) : view::Camera{first, second};
   for_option("--camera", [&] { view::basis(camera); });
   return camera;
 }
 
-/// As the scene says it; an orthographic view has none.
+/// Distance of the near plane in the scene; an orthographic view has none.
 std::optional<double> near_of(const ModelRequest& request) {
   return projection_of(request) == view::Projection::perspective ? request.scene().camera.near : std::nullopt;
 }
 
-/// Whatever the scene or the model calls for.
+/// Switches effects off, even if the scene or the model enables them.
 void switch_off(const std::vector<std::string>& names, scene::Scene& scene) {
   for (const scene::Section& section : effects::sections()) {
     const auto is_named = [&](const std::string& name) { return section.name == "effects." + name; };
     if (std::none_of(names.begin(), names.end(), is_named)) continue;
-    std::erase_if(scene.effects, [&](const scene::CalledEffect& one) { return one.name == section.name; });
+    std::erase_if(scene.effects, [&](const scene::EffectRequest& one) { return one.name == section.name; });
     scene.effects.push_back({section.name, {}, false});
   }
 }
@@ -139,7 +139,7 @@ ModelRequest model_request_in(std::span<const std::string> words) {
 }
 
 std::chrono::seconds ModelRequest::openscad_time() const {
-  return openscad_seconds ? std::chrono::seconds(*openscad_seconds) : usual_openscad_time;
+  return openscad_seconds ? std::chrono::seconds(*openscad_seconds) : default_openscad_time;
 }
 
 std::vector<std::string> strategy_names() {
@@ -153,67 +153,68 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
   options.option("MODEL", model, what).required();
   options
       .option("--machine", machine,
-              "A machine's name (see csgsim manual machines) or its .toml file; with figures changed: "
-              "NAME+KEY=VALUE")
+              "A machine's name (see csgsim manual machines) or .toml file; NAME+KEY=VALUE changes a parameter")
       .check(is_read_by(check_machine));
-  options.option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
+  options.option("--memory-bits", memory_bits, "Memory bits per pixel; the machine's own if not given")
       .between(1U, isa::max_memory_bits);
   add_view_to(options);
-  options.option("--z-bits", z_bits, "Bits of depth").between(view::fewest_z_bits, view::most_z_bits);
+  options.option("--z-bits", z_bits, "Bits of depth").between(view::min_z_bits, view::max_z_bits);
   options
       .option("--strategy", strategy,
-              "How classifications are worked out; bits with --stack-bits, auto: the fewest clocks that fit")
+              "How pixels are classified; bits uses --stack-bits, auto takes the fewest clocks that fit")
       .one_of(strategy_names());
   options
       .option("--stack-bits", stack_bits,
-              "Bits of the traversal that --strategy bits makes, as the thesis counts them: 3 tests a "
-              "primitive's depth for each product, 4 sums products, each more keeps the results of one more level")
-      .between(emit::fewest_stack_bits, most_stack_bits);
+              "Bits of the traversal with --strategy bits, as the thesis counts them: 3 tests a primitive's depth for "
+              "each product, 4 sums products, each further bit keeps the results of one more level")
+      .between(emit::min_stack_bits, max_stack_bits);
   options
       .option("--colouring", colouring,
-              "How colours get to the pixels: rebroadcast (facets again after the merge), field (a second colour "
+              "How colours get to the pixels: rebroadcast (facets again after the merge), field (a second colour field "
               "beside Z1)")
       .one_of(by_name(emit::colourings));
   options
-      .option("--pruning", pruning,
-              "Prunings that are done: all, none, those named (space+hidden) or all but those (no-space+no-hidden)")
+      .option(
+          "--pruning", pruning,
+          "Prunings to apply: all, none, the named ones (space+hidden) or all but the named ones (no-space+no-hidden)")
       .words(pruning_words(), is_read_by(pruning_of));
 }
 
 void ModelRequest::add_view_to(OptionList& options) {
   options.option("--size,--imgsize", size, "Picture and array size in pixels, WxH; the machine's own if not given");
-  options.option("--camera", camera,
-                 "As OpenSCAD's: eye and centre, ex,ey,ez,cx,cy,cz; or centre, turns and distance, x,y,z,rx,ry,rz,d");
-  options.option("--projection", projection, "ortho (o) or perspective (p); ortho if the scene says nothing either")
+  options.option(
+      "--camera", camera,
+      "As in OpenSCAD: eye and centre, ex,ey,ez,cx,cy,cz; or centre, rotations and distance, x,y,z,rx,ry,rz,d");
+  options.option("--projection", projection, "ortho (o) or perspective (p); the scene's, or else ortho, if not given")
       .one_of(projections);
   options.option("--scene", scene_file, "Lights, materials, background, camera and effects: a .toml file");
   options
       .option("--colour-scheme,--colorscheme", colour_scheme,
-              "Background and usual colours of faces as OpenSCAD's scheme of that name has them")
+              "Background and default face colours of the OpenSCAD colour scheme of that name")
       .one_of(scheme_names());
-  options.option(
-      "--set", sets,
-      "A figure of the machine, as in alu.bits=4, or a key of the scene, as in lights.0.direction=0,0,-1; once for "
-      "each");
+  options.option("--set", sets,
+                 "A parameter of the machine, as in alu.bits=4, or a key of the scene, as in "
+                 "lights.0.direction=0,0,-1; repeat for "
+                 "several");
   options.option("--imports-from", imports_from,
-                 "Folder in which, or below which, the model's imports may be, and are looked for, besides its own "
+                 "Folder to search, with its subfolders, for the model's imports, in addition to the model's own "
                  "folder");
   options.option("--openscad-time", openscad_seconds,
-                 "Seconds after which OpenSCAD is ended if it has not evaluated a model's source; 1800 if not given");
+                 "Time limit in seconds for OpenSCAD to evaluate a model's source; 1800 if not given");
   options.flag("--snap", snap,
-               "Restore rotations by hundredths of a degree from the six digits that OpenSCAD writes, so that planes "
-               "that should coincide do");
+               "Restore rotations by hundredths of a degree from OpenSCAD's six-digit output, so that planes that "
+               "should coincide do");
   options
       .option("--limit", limit,
-              "Work that reading the model may take, and compiling it again, in millions of steps; what takes more is "
-              "refused, with its place")
-      .between(1U, most_limit);
-  options.flag("--view-all,--viewall", view_all, "Move the camera so that the whole model just fits");
-  options.option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
+              "Stop with an error when reading or compiling the model takes more than this many million steps")
+      .between(1U, max_work_limit);
+  options.flag("--view-all,--viewall", view_all, "Move the camera so that the whole model just fits the picture");
+  options.option("--near", near,
+                 "Distance of the near plane of a perspective view, in model units; solids are capped there");
   options.option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients")
-      .between(0U, view::most_fraction_bits);
+      .between(0U, view::max_fraction_bits);
   options.option("--edge-on", edge_on,
-                 "Planes that pass the depth range within this part of a pixel become edge tests");
+                 "Fraction of a pixel within which a plane that crosses the whole depth range becomes an edge test");
   options.read_option(
       "--tolerance", [this](const std::string& text) { tolerance = parse_tolerance(text); },
       "Facet curved solids within this distance of their surface, in model units (0.1) or in pixels (0.5px), instead "
@@ -221,11 +222,11 @@ void ModelRequest::add_view_to(OptionList& options) {
   options
       .option("--curves", curves,
               "How spheres, cylinders and cones are drawn: facets; fast (spheres as circles and paraboloids, on any "
-              "machine); exact (without facets, on a machine whose "
-              "evaluator.degree is 2); auto (exact where the machine and the scene's effects can)")
+              "machine); exact (without facets, on a machine whose evaluator.degree is 2); auto (exact where the "
+              "machine and the scene's effects allow it)")
       .one_of(by_name(emit::curve_choices), "curve drawing");
-  options.option("--colour-bits", colour_bits, "Bits of a colour")
-      .between(isa::fewest_colour_bits, isa::most_colour_bits);
+  options.option("--colour-bits", colour_bits, "Bits per colour")
+      .between(isa::minimum_colour_bits, isa::max_colour_bits);
 }
 
 machines::Machine machine_of(const ModelRequest& request) {
@@ -234,7 +235,7 @@ machines::Machine machine_of(const ModelRequest& request) {
     const char between = request.size.find(',') == std::string::npos ? 'x' : ',';
     const auto size = numbers<std::uint32_t>(request.size, between, 2, "--size", "WxH");
     if (std::ranges::any_of(size, [](std::uint32_t side) { return side < 1 || side > isa::max_array_side; })) {
-      throw UsageError("--size", fmt::format("the picture's sides have to be 1 to {} pixels", isa::max_array_side));
+      throw UsageError("--size", fmt::format("width and height must be 1 to {} pixels", isa::max_array_side));
     }
     machines::set_picture_size(machine, {size[0], size[1]});
   }
@@ -259,7 +260,7 @@ emit::Options emit_options_of(const ModelRequest& request) {
 
 namespace {
 
-/// As they are asked for, but for curved surfaces.
+/// The faceting of the request without curved surfaces.
 facet::Faceting planar_faceting_of(const ModelRequest& request, const machines::Machine& machine,
                                    const model::Tree& tree) {
   if (!request.tolerance) return {};
@@ -268,8 +269,8 @@ facet::Faceting planar_faceting_of(const ModelRequest& request, const machines::
   const view::Camera camera = camera_of(request, machine, tree, scene);
   const double nearest = view::make_view(scene, tree, camera, sampling_of(request, machine)).depth.near;
   const double tolerance = request.tolerance->value * view::pixel_size(camera, machine.picture.height, nearest);
-  print_text(fmt::format("{:<18}--tolerance {:.6g}: {:g} pixels where the model is nearest\n", "chosen", tolerance,
-                         request.tolerance->value));
+  print_text(fmt::format("{:<18}--tolerance {:.6g}: {:g} pixels at the nearest point of the model\n", "chosen",
+                         tolerance, request.tolerance->value));
   return {.tolerance = tolerance};
 }
 
@@ -299,7 +300,7 @@ facet::Faceting faceting_of(const ModelRequest& request, const machines::Machine
   if (curves == emit::Curves::fast)
     return with_fast_spheres(std::move(faceting), tree, camera, sampling_of(request, machine), machine, emit, look);
   const std::optional<std::string> reason = emit::why_no_quadrics(machine, emit, look);
-  if (reason && curves == emit::Curves::exact) throw InputError(*reason + ", or draw facets by --curves auto");
+  if (reason && curves == emit::Curves::exact) throw InputError(*reason + ", or allow facets with --curves auto");
   if (reason) return faceting;
   faceting.exact_curves = true;
   if (curves == emit::Curves::exact) return faceting;
@@ -312,7 +313,7 @@ facet::Faceting flat_faceting_of(const ModelRequest& request, const machines::Ma
                                  const model::Tree& tree) {
   const emit::Curves curves = by_name(emit::curve_choices).at(request.curves);
   if (curves == emit::Curves::exact || curves == emit::Curves::fast)
-    throw UsageError("--curves", "this command takes facets alone; leave it out");
+    throw UsageError("--curves", "this command supports facets only; leave it out");
   return planar_faceting_of(request, machine, tree);
 }
 
@@ -321,9 +322,9 @@ view::Sampling sampling_of(const ModelRequest& request, const machines::Machine&
     throw UsageError("--near", "an orthographic view has no near plane; leave it out");
   }
   if (request.near && !(*request.near > 0 && std::isfinite(*request.near)))
-    throw UsageError("--near", "the near plane has to be at a finite distance above 0");
+    throw UsageError("--near", "the near plane must be at a finite distance above 0");
   if (!(request.edge_on > 0 && request.edge_on <= 1))
-    throw UsageError("--edge-on", "the edge-on fraction has to be above 0 and at most 1 pixel");
+    throw UsageError("--edge-on", "the edge-on fraction must be above 0 and at most 1 pixel");
   const machines::Size picture = machine.picture;
   const std::optional<double> near = request.near ? request.near : near_of(request);
   return {picture.width, picture.height, request.z_bits, request.fraction_bits, request.edge_on, near};
@@ -335,7 +336,7 @@ view::Camera camera_of(const ModelRequest& request, const machines::Machine& mac
   const scene::Camera& seen_by = request.scene().camera;
   const bool is_given = !request.camera.empty() || (seen_by.eye && seen_by.centre);
   const bool sees_all = request.view_all || seen_by.view_all.value_or(false);
-  // The same picture, whatever curved surfaces are drawn as.
+  // The view must not depend on how curved surfaces are drawn.
   const bool has_quadrics = !scene.quadrics.quadrics().empty();
   const facet::Box box = is_given && !sees_all ? scene.box
                          : has_quadrics        ? convex::extent(facet::make_geometry(tree), csg::make_positive(tree))

@@ -1,3 +1,5 @@
+// Options of compiling a model, and the settings derived from them.
+// Used by sim/session, sim/app, sim/python, sim/shell, sim/studies and sim/viewer.
 #pragma once
 
 #include <chrono>
@@ -21,76 +23,76 @@
 
 namespace csgsim::session {
 
-/// How far facets may be from the curved surface.
+/// Maximum distance of facets from the curved surface.
 struct Tolerance {
   double value = 0;
-  bool in_pixels = false;  ///< else in model units
+  bool in_pixels = false;  ///< otherwise in model units
 };
 
-/// Of strategy bits; no tree needs as many.
-inline constexpr unsigned most_stack_bits = 64;
+/// Upper limit for strategy bits; no tree needs this many.
+inline constexpr unsigned max_stack_bits = 64;
 
-/// Of the work that reading a model may take, and compiling it: millions of steps (hw/base/work.h).
-inline constexpr std::uint32_t usual_limit = 8'000;
-inline constexpr std::uint32_t most_limit = 1'000'000'000;
+/// Limit of the work for reading a model, and again for compiling it, in millions of steps (hw/base/work.h).
+inline constexpr std::uint32_t default_work_limit = 8'000;
+inline constexpr std::uint32_t max_work_limit = 1'000'000'000;
 
-/// Memory bits a pixel where a picture is drawn for its own sake, or what it needs is one of the results.
+/// Memory bits per pixel where memory is not the subject: plain pictures, and studies that measure the bits needed.
 inline constexpr std::uint32_t ample_memory_bits = 256;
 
 /// Options of every command that compiles a model.
 struct ModelRequest {
   std::string model;
   std::string imports_from;
-  bool snap = false;  ///< rotations are restored from the digits that are written
-  std::uint32_t limit = usual_limit;
+  bool snap = false;  ///< restore rotations from the printed digits
+  std::uint32_t limit = default_work_limit;
   std::optional<std::uint32_t> openscad_seconds;
   std::string machine = "pixel-planes-4";
   std::string size;
   std::optional<std::uint32_t> memory_bits;
   std::string camera;
-  std::string projection;  ///< empty: the scene's
+  std::string projection;  ///< empty: that of the scene
   bool view_all = false;
   std::optional<double> near;
   std::string scene_file;
   std::string colour_scheme;      ///< empty: the scene's colours
-  std::vector<std::string> sets;  ///< KEY=VALUE of the scene, or of a figure of the machine
+  std::vector<std::string> sets;  ///< KEY=VALUE of the scene or of a machine parameter
   unsigned z_bits = 20;
   unsigned fraction_bits = 12;
   double edge_on = 1.0 / 256;
   std::optional<Tolerance> tolerance;
   std::string curves = "auto";
   std::string strategy = "stack";
-  unsigned stack_bits = emit::fewest_stack_bits;
+  unsigned stack_bits = emit::min_stack_bits;
   std::string colouring = "rebroadcast";
-  unsigned colour_bits = isa::most_colour_bits;
+  unsigned colour_bits = isa::max_colour_bits;
   std::string pruning = "all";  ///< see pruning_of
 
   void add_to(OptionList& options,
               const std::string& what =
-                  "The model, an OpenSCAD .csg file (- is standard input), its source, .scad, or commands, .jan");
+                  "The model: OpenSCAD's export .csg (- reads standard input), a source .scad, or commands .jan");
 
-  /// What is seen besides the model's solids; read once. Throws InputError, or UsageError for what was set.
+  /// Everything visible but the model's solids; read once. Throws InputError, or UsageError for an invalid --set.
   [[nodiscard]] const scene::Scene& scene() const { return loaded_scene().scene; }
   [[nodiscard]] const std::vector<scene::SectionValues>& scene_values() const { return loaded_scene().values; }
   [[nodiscard]] const std::string& scene_text() const { return loaded_scene().text; }
 
-  /// The same with those effects switched off, whatever the scene or the model calls for.
+  /// A copy with those effects switched off, even if the scene or the model enables them.
   [[nodiscard]] ModelRequest without_effects(const std::vector<std::string>& names) const;
 
-  /// That OpenSCAD may take.
+  /// Time limit for OpenSCAD.
   [[nodiscard]] std::chrono::seconds openscad_time() const;
 
-  /// The files that are read: the model, the scene, and the machine if it is one.
+  /// The files that are read: the model, the scene, and the machine's file if it has one.
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const;
 
-  /// Of these only what the picture shows and how exactly: nothing that a sweep varies.
+  /// Adds only the options of view and accuracy, none of those that a sweep varies.
   void add_view_to(OptionList& options);
 
  private:
   struct LoadedScene {
     std::string text;
     scene::Scene scene;
-    std::vector<scene::SectionValues> values;  ///< of its keys
+    std::vector<scene::SectionValues> values;  ///< values of the scene's keys
   };
 
   [[nodiscard]] const LoadedScene& loaded_scene() const;
@@ -99,33 +101,35 @@ struct ModelRequest {
   std::vector<std::string> effects_off_;
 };
 
-/// What these words of a command line say: the model and options. Throws UsageError.
+/// The request that these words of a command line describe: the model and options. Throws UsageError.
 ModelRequest model_request_in(std::span<const std::string> words);
 
-/// Those of --strategy.
+/// Names of the strategies.
 std::vector<std::string> strategy_names();
 
-/// The machine with the array that the options ask for.
+/// The requested machine with the requested picture size and memory.
 machines::Machine machine_of(const ModelRequest& request);
 
-/// A tolerance in pixels is turned into model units by what a pixel covers where the model is nearest to the eye, and
-/// what was chosen is printed.
+/// The requested faceting. Converts a tolerance in pixels to model units at the point of the model nearest to the eye,
+/// and prints the result.
 facet::Faceting faceting_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree);
 
-/// The same, of what takes facets alone: throws UsageError if --curves asks for curved surfaces.
+/// The same for users that support facets only: throws UsageError if --curves asks for curved surfaces.
 facet::Faceting flat_faceting_of(const ModelRequest& request, const machines::Machine& machine,
                                  const model::Tree& tree);
 
-/// The primitives, if any, whose quadrics do not fit the machine's numbers as the camera sees them.
+/// Marks the primitives whose quadrics, as seen by the camera, exceed the number range of the machine; empty if none
+/// does.
 std::vector<bool> unfit_primitives(const facet::Geometry& scene, const view::View& view);
 
 view::Sampling sampling_of(const ModelRequest& request, const machines::Machine& machine);
 emit::Options emit_options_of(const ModelRequest& request);
 
-/// That reading and compiling the model may take.
+/// Work limit of reading and of compiling the model.
 Work work_of(const ModelRequest& request);
 
-/// With --view-all, or without a camera, the extent of the model (convex/extent.h) is seen.
+/// The camera. With --view-all, or without a camera, it shows the extent of the model
+/// (convex/extent.h).
 view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
                        const facet::Geometry& scene);
 

@@ -1,3 +1,5 @@
+// Warning about nearly coplanar faces of a model.
+// Used by sim/session, sim/app and sim/shell.
 #pragma once
 
 #include "sim/session/model/compiled_model.h"
@@ -5,7 +7,7 @@
 
 namespace csgsim::session {
 
-/// One line on standard error if faces of two nodes are nearly in one plane, though not quite (convex/near_faces.h).
+/// Prints a one-line warning if faces of two nodes are nearly but not exactly coplanar (convex/near_faces.h).
 void warn_of_near_faces(const CompiledModel& model, const ModelRequest& request);
 
 }  // namespace csgsim::session

@@ -18,7 +18,7 @@ namespace csgsim::session {
 
 namespace {
 
-/// None for what is no index; one too great for any is that of no primitive.
+/// Parses an index; nothing if the text is not one. An index out of range yields no_primitive.
 std::optional<std::uint32_t> index_in(std::string_view text) {
   if (text.starts_with('p')) text.remove_prefix(1);
   if (text.empty() || !std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; }))
@@ -28,7 +28,7 @@ std::optional<std::uint32_t> index_in(std::string_view text) {
   return index;
 }
 
-/// Whether the name begins so, up to its column.
+/// Whether the name, up to its column, begins with the text.
 bool is_on_line(std::string_view name, std::string_view text) {
   const std::size_t at = text.find('@');
   if (at == std::string_view::npos) return false;
@@ -37,7 +37,7 @@ bool is_on_line(std::string_view name, std::string_view text) {
 }
 
 template <class Is>
-std::vector<std::uint32_t> all_that(const std::vector<std::string>& names, Is is) {
+std::vector<std::uint32_t> matching(const std::vector<std::string>& names, Is is) {
   std::vector<std::uint32_t> all;
   for (std::uint32_t i = 0; i < names.size(); ++i)
     if (is(names[i])) all.push_back(i);
@@ -48,15 +48,15 @@ std::vector<std::uint32_t> all_that(const std::vector<std::string>& names, Is is
                                  const std::string& text, const std::string& option) {
   std::string list;
   for (const std::uint32_t i : meant) list += fmt::format("{}p{} {}", list.empty() ? "" : ", ", i, printable(names[i]));
-  throw UsageError(option, fmt::format("'{}' may be any of {}; name it by its index", printable(text), list));
+  throw UsageError(option, fmt::format("'{}' is ambiguous: {}; give the index", printable(text), list));
 }
 
 [[noreturn]] void refuse(const std::vector<std::string>& names, const std::string& text, const std::string& option) {
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   const std::string_view near = nearest(text, candidates);
   throw UsageError(
-      option, fmt::format("there is no primitive '{}'{}; name one by its index, as p0, by its name, or by "
-                          "its line, as @9",
+      option, fmt::format("there is no primitive '{}'{}; name one by index (p0), by name or by line "
+                          "(@9)",
                           printable(text), near.empty() ? "" : fmt::format(", the nearest is '{}'", printable(near))));
 }
 
@@ -67,11 +67,11 @@ std::uint32_t primitive_named(const isa::Program& program, const std::string& te
   if (const std::optional<std::uint32_t> index = index_in(text)) {
     if (*index < names.size()) return *index;
     throw UsageError(option,
-                     fmt::format("there is no primitive {}: the Program has {}; for a line of the model say @{}",
+                     fmt::format("there is no primitive {}: the Program has {}; for a line of the model, write @{}",
                                  printable(text), names.size(), text.substr(text.starts_with('p') ? 1 : 0)));
   }
-  std::vector<std::uint32_t> meant = all_that(names, [&](const std::string& name) { return name == text; });
-  if (meant.empty()) meant = all_that(names, [&](const std::string& name) { return is_on_line(name, text); });
+  std::vector<std::uint32_t> meant = matching(names, [&](const std::string& name) { return name == text; });
+  if (meant.empty()) meant = matching(names, [&](const std::string& name) { return is_on_line(name, text); });
   if (meant.empty()) refuse(names, text, option);
   if (meant.size() > 1) refuse_several(names, meant, text, option);
   return meant.front();

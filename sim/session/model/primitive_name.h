@@ -1,3 +1,5 @@
+// Resolves primitives and pixels named in options.
+// Used by sim/session, sim/app and sim/viewer.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +9,8 @@
 
 namespace csgsim::session {
 
-/// The primitive that an option names: by its index, `3` or `p3`; by its name, `cylinder@9:9`; or by its line in the
-/// model's file, `@9` or `cylinder@9`, if only one stands there. Throws UsageError, which names the nearest.
+/// The primitive that an option names by its index, `3` or `p3`, by its name, `cylinder@9:9`, or by its line in the
+/// model's file, `@9` or `cylinder@9`, if the line has only one. Throws UsageError and suggests the nearest name.
 std::uint32_t primitive_named(const isa::Program& program, const std::string& text, const std::string& option);
 
 /// A pixel of a picture.
@@ -17,7 +19,7 @@ struct Pixel {
   std::uint32_t y = 0;
 };
 
-/// The pixel that an option names, `x,y`. Throws UsageError.
+/// The pixel that an option names as `x,y`. Throws UsageError.
 Pixel pixel_named(const isa::Program& program, const std::string& text, const std::string& option);
 
 }  // namespace csgsim::session

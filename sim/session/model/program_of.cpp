@@ -28,28 +28,28 @@ namespace {
 
 void refuse_less_memory(const isa::Program& program, const std::string& file, const machines::Machine& machine) {
   if (program.shape.memory_bits <= machine.array.memory_bits) return;
-  throw InputError(fmt::format(
-      "{}: the Program takes {} bits of memory a pixel, and {} has {}; take a machine with more, or compile "
-      "the model for this one",
-      file, program.shape.memory_bits, machine.name, machine.array.memory_bits));
+  throw InputError(
+      fmt::format("{}: the Program needs {} memory bits per pixel, and {} has {}; take a machine with more, or compile "
+                  "the model for this one",
+                  file, program.shape.memory_bits, machine.name, machine.array.memory_bits));
 }
 
-/// Of a Program that does not name its machine.
-machines::Machine assumed_machine(const isa::Program& program, const std::string& file, const std::string& asked,
-                                  const std::vector<std::string>& sets) {
-  machines::Machine machine = load_machine(asked.empty() ? ModelRequest{}.machine : asked, sets);
-  if (!asked.empty()) {
+/// The default machine, or the given one, for a Program that does not name its machine.
+machines::Machine assumed_machine(const isa::Program& program, const std::string& file,
+                                  const std::string& chosen_machine, const std::vector<std::string>& sets) {
+  machines::Machine machine = load_machine(chosen_machine.empty() ? ModelRequest{}.machine : chosen_machine, sets);
+  if (!chosen_machine.empty()) {
     refuse_less_memory(program, file, machine);
     return machine;
   }
   const std::uint32_t bits = program.shape.memory_bits;
   const std::string memory =
       bits > machine.array.memory_bits
-          ? fmt::format(", with {} bits of memory a pixel instead of its {}", bits, machine.array.memory_bits)
+          ? fmt::format(", with {} memory bits per pixel instead of {}", bits, machine.array.memory_bits)
           : "";
-  tell_line(
-      fmt::format("{}: warning: the Program does not name the machine that it was compiled for; {} is assumed{}; "
-                  "name one by --machine",
+  report_line(
+      fmt::format("{}: warning: the Program does not name the machine it was compiled for; {} is assumed{}; name one "
+                  "with --machine",
                   file, machine.name, memory));
   return machine;
 }
@@ -63,46 +63,47 @@ machines::Machine named_machine(const isa::Program& program, const std::string& 
   }
 }
 
-/// Nothing where it is not known any more.
+/// The machine that the Program names; nothing, with a warning, if it cannot be loaded.
 std::optional<machines::Machine> machine_named(const isa::Program& program, const std::string& file) {
   try {
     return load_machine(program.machine, {});
   } catch (const InputError& error) {
-    tell_line(fmt::format("{}: warning: whether this machine fits cannot be told: {}", file, error.what()));
+    report_line(fmt::format("{}: warning: cannot check whether this machine fits: {}", file, error.what()));
     return std::nullopt;
   }
 }
 
-/// Where it is not the machine that the Program names.
+/// Checks a machine other than the one that the Program names.
 void check_fits(const isa::Program& program, const std::string& file, const machines::Machine& machine) {
   const std::optional<machines::Machine> known = machine_named(program, file);
   if (!known) return refuse_less_memory(program, file, machine);
   const machines::Machine& own = *known;
   if (machine.kind != own.kind) {
     throw InputError(fmt::format(
-        "{}: the Program was compiled for {}, of the kind {}, and {} is of the kind {}; leave --machine out, "
-        "or compile the model for this one",
+        "{}: the Program was compiled for {}, of kind {}, and {} is of kind {}; leave --machine out, or compile the "
+        "model for this one",
         file, own.name, own.kind->name, machine.name, machine.kind->name));
   }
   const std::vector<std::string> others = machines::other_figures(machine, own);
   if (others.empty()) return;
   refuse_less_memory(program, file, machine);
-  tell_line(fmt::format("{}: warning: the Program was compiled for {}; {} has {}", file, own.name, machine.name,
-                        fmt::join(others, ", ")));
+  report_line(fmt::format("{}: warning: the Program was compiled for {}; {} has {}", file, own.name, machine.name,
+                          fmt::join(others, ", ")));
 }
 
 }  // namespace
 
-machines::Machine machine_for(const isa::Program& program, const std::string& file, const std::string& asked,
+machines::Machine machine_for(const isa::Program& program, const std::string& file, const std::string& chosen_machine,
                               const std::vector<std::string>& sets) {
   const std::string shown = printable(shown_name(file));
   if (program.machine.name.empty()) {
-    machines::Machine machine = assumed_machine(program, shown, asked, sets);
+    machines::Machine machine = assumed_machine(program, shown, chosen_machine, sets);
     machines::adopt(machine, program);
     return machine;
   }
-  machines::Machine machine = asked.empty() ? named_machine(program, shown, sets) : load_machine(asked, sets);
-  if (!asked.empty()) check_fits(program, shown, machine);
+  machines::Machine machine =
+      chosen_machine.empty() ? named_machine(program, shown, sets) : load_machine(chosen_machine, sets);
+  if (!chosen_machine.empty()) check_fits(program, shown, machine);
   machines::adopt(machine, program);
   return machine;
 }
@@ -114,7 +115,7 @@ void refuse_model_options(const OptionList& options, const std::set<std::string>
   }
 }
 
-ProgramOnMachine program_of(const ModelRequest& request, const std::string& asked) {
+ProgramOnMachine program_of(const ModelRequest& request, const std::string& chosen_machine) {
   if (is_model(request.model)) {
     machines::Machine machine = machine_of(request);
     isa::Program program = compile_model(request, machine).program;
@@ -122,7 +123,7 @@ ProgramOnMachine program_of(const ModelRequest& request, const std::string& aske
   }
   refuse_scene_sets(request.sets);
   isa::Program program = read_program(request.model);
-  machines::Machine machine = machine_for(program, request.model, asked, request.sets);
+  machines::Machine machine = machine_for(program, request.model, chosen_machine, request.sets);
   return {std::move(machine), std::move(program)};
 }
 

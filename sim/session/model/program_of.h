@@ -1,3 +1,5 @@
+// Loads Programs and matches them with machines.
+// Used by sim/session, sim/app and sim/python.
 #pragma once
 
 #include <set>
@@ -11,34 +13,32 @@
 
 namespace csgsim::session {
 
-/// Reads a Program. Throws InputError, also where memory does not hold it.
+/// Reads a Program. Throws InputError, also if it does not fit into memory.
 isa::Program read_program(const std::string& path);
 
-/// The machine that runs a Program of that file, with the figures that are set and the array that the Program is for:
-/// the one that the Program names, or `asked`, if that is not empty. Says on standard error in what the machine that is
-/// asked for differs, and what is assumed of a Program that names none. Throws InputError where the machine is of
-/// another kind than the Program's or has less memory, and as load_machine does.
-machines::Machine machine_for(const isa::Program& program, const std::string& file, const std::string& asked,
+/// The machine that runs a Program of that file, with the given parameters and the array of the Program: the machine
+/// that the Program names, or `chosen_machine` if it is not empty. Prints a warning about differences between the two,
+/// and about the assumption made if the Program names none. Throws InputError if the machine is of another kind or has
+/// less memory than the Program needs, and as load_machine does.
+machines::Machine machine_for(const isa::Program& program, const std::string& file, const std::string& chosen_machine,
                               const std::vector<std::string>& sets);
 
-/// For commands that take a model or a Program. A Program has been compiled: what says how to compile has no meaning
-/// for it. Throws UsageError where an option was given that is none of the command's `own`, by their long names
-/// without dashes; `why` ends the message.
+/// Used by commands that accept a model or a Program. Compile options do not apply to a Program. Throws UsageError for
+/// a given option that is not one of the command's `own` options (long names without dashes); `why` ends the message.
 void refuse_model_options(const OptionList& options, const std::set<std::string>& own,
                           const std::string& why = "a Program has been compiled already");
 
-/// What is run, and what runs it.
+/// A Program and the machine that runs it.
 struct ProgramOnMachine {
   machines::Machine machine;
   isa::Program program;
 };
 
-/// A model is compiled; anything else is a Program, and its machine the one that it names, or that --machine names.
-/// Both get the array that the Program is for. Throws InputError, or UsageError where a key of the scene is set for a
-/// Program.
+/// Compiles a model; anything else is read as a Program, for the machine that it names or that --machine names. Both
+/// get the array of the Program. Throws InputError, or UsageError if a scene key is set for a Program.
 ProgramOnMachine program_of(const ModelRequest& request, const OptionList& options);
 
-/// The same, where `asked` is what --machine of a Program says; empty if it was not given.
-ProgramOnMachine program_of(const ModelRequest& request, const std::string& asked);
+/// The same; `chosen_machine` is the value of --machine for a Program, empty if it was not given.
+ProgramOnMachine program_of(const ModelRequest& request, const std::string& chosen_machine);
 
 }  // namespace csgsim::session

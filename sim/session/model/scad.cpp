@@ -24,27 +24,27 @@ namespace csgsim::session {
 
 namespace {
 
-/// A loop can complain thousands of times of the same thing: the first lines are passed on, the others counted.
-void tell_warnings(const std::string& said, const std::string& file) {
+/// Prints the first warnings and counts the rest, since a loop can repeat a warning thousands of times.
+void print_warnings(const std::string& said, const std::string& file) {
   constexpr int most = 10;
   int count = 0;
   std::istringstream lines(said);
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with("WARNING") && !line.starts_with("DEPRECATED")) continue;
-    if (++count <= most) tell_line("openscad: " + line);
+    if (++count <= most) report_line("openscad: " + line);
   }
   if (count > most) {
-    tell_line("openscad: " + std::to_string(count - most) + " more warnings; for all of them: openscad -o model.csg " +
-              shell_word(file));
+    report_line("openscad: " + std::to_string(count - most) +
+                " more warnings; to see them all, run openscad -o model.csg " + shell_word(file));
   }
 }
 
-std::string_view mend_of(system::Exceeded exceeded) {
+std::string_view fix_for(system::Exceeded exceeded) {
   switch (exceeded) {
     case system::Exceeded::nothing: return "";
-    case system::Exceeded::time: return "make the model simpler, or give it more time with --openscad-time SECONDS";
+    case system::Exceeded::time: return "simplify the model, or allow more time with --openscad-time SECONDS";
     case system::Exceeded::output: return "split the model";
-    case system::Exceeded::errors: return "take its echo() out of loops";
+    case system::Exceeded::errors: return "move its echo() out of loops";
   }
   return "";
 }
@@ -53,10 +53,10 @@ std::string reason_of(const system::ChildEnd& end, const system::ChildLimits& li
   const std::string why = printable(system::why_failed(end, limits));
   return end.exceeded == system::Exceeded::nothing
              ? why
-             : "OpenSCAD was ended: " + why + "; " + std::string(mend_of(end.exceeded));
+             : "OpenSCAD was stopped: " + why + "; " + std::string(fix_for(end.exceeded));
 }
 
-/// Of the words of a command line of OpenSCAD.
+/// Output of an OpenSCAD command line, given as words.
 std::string evaluated(std::span<const std::string> words, const system::MemoryFile& input, const std::string& file,
                       std::chrono::seconds longest) {
   const system::ChildLimits limits{.time = longest,
@@ -66,15 +66,15 @@ std::string evaluated(std::span<const std::string> words, const system::MemoryFi
   std::optional<system::ChildEnd> ended = system::run_child(words, input, limits);
   if (!ended) {
     throw InputError(printable(file) +
-                     ": OpenSCAD's source has to be evaluated by OpenSCAD, which is not on the PATH; install it "
+                     ": a .scad source needs OpenSCAD, which is not on the PATH; install it "
                      "(Debian: openscad), or export the model elsewhere: openscad -o model.csg model.scad");
   }
   if (!system::is_done(*ended)) throw InputError(printable(file) + ": " + reason_of(*ended, limits));
-  tell_warnings(ended->errors, file);
+  print_warnings(ended->errors, file);
   std::string csg = std::move(ended->output);
   if (csg.find_first_not_of(" \n\r\t") == csg.npos)
     throw InputError(printable(file) +
-                     ": it makes no shape, so there is nothing to draw; call a module that makes one");
+                     ": it creates no shape, so there is nothing to draw; call a module that creates one");
   return csg;
 }
 
@@ -82,7 +82,7 @@ std::string evaluated(std::span<const std::string> words, const system::MemoryFi
 
 std::string csg_of_scad(const std::string& file, std::chrono::seconds longest) {
   const std::string path = file.starts_with('-') ? "./" + file : file;
-  keep_input(file);
+  record_input(file);
   return evaluated(std::array<std::string, 6>{"openscad", "-o", "-", "--export-format", "csg", path},
                    system::MemoryFile(file), file, longest);
 }

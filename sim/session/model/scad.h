@@ -1,3 +1,5 @@
+// Runs OpenSCAD on a model's source.
+// Used by sim/session and sim/web.
 #pragma once
 
 #include <chrono>
@@ -6,15 +8,14 @@
 
 namespace csgsim::session {
 
-inline constexpr std::chrono::seconds usual_openscad_time = std::chrono::minutes(30);
+inline constexpr std::chrono::seconds default_openscad_time = std::chrono::minutes(30);
 
-/// What the OpenSCAD that is found as a shell finds it makes of a source file: the text of a `.csg` file. Its warnings
-/// go to standard error. Throws InputError if there is none, with what it says of an error, or if it takes longer
-/// than that, or more memory or output than it may.
-std::string csg_of_scad(const std::string& file, std::chrono::seconds longest = usual_openscad_time);
+/// Evaluates a source file with the OpenSCAD on the PATH and returns the text of a `.csg` file. Warnings go to standard
+/// error. Throws InputError if OpenSCAD is missing, reports an error, or exceeds its limits of time, memory or output.
+std::string csg_of_scad(const std::string& file, std::chrono::seconds longest = default_openscad_time);
 
-/// The same of a text that stands in the file's place, in the file's folder; messages name the file.
+/// The same for a text that replaces the file's content, evaluated in the file's folder; messages name the file.
 std::string csg_of_scad(const std::string& file, std::string_view text,
-                        std::chrono::seconds longest = usual_openscad_time);
+                        std::chrono::seconds longest = default_openscad_time);
 
 }  // namespace csgsim::session

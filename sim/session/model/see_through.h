@@ -1,3 +1,5 @@
+// Finds effects that make surfaces transparent.
+// Used by sim/session and sim/studies.
 #pragma once
 
 #include "host/emit/effect.h"
@@ -8,11 +10,10 @@
 
 namespace csgsim::session {
 
-/// An effect of what is drawn that lets something through; null if there is none.
+/// The first enabled effect that makes something transparent; null if there is none.
 const emit::EffectRow* see_through(const emit::Options& emit, const model::Tree& tree, const view::Camera& camera);
 
-/// Throws InputError where what is seen through would be held against an exact picture, which knows opaque solids
-/// alone.
+/// Throws InputError if transparent parts would be compared with an exact picture, which supports opaque solids only.
 void refuse_see_through(const ModelRequest& request, const model::Tree& tree, const view::Camera& camera);
 
 }  // namespace csgsim::session

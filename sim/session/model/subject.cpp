@@ -23,9 +23,9 @@ namespace csgsim::session {
 namespace {
 
 constexpr InputKind model_or_program{"a model or a Program", std::size_t{1} << 30U, "draw a smaller picture"};
-constexpr std::size_t beginning = 16384;  ///< bytes of a file that are looked at
+constexpr std::size_t beginning = 16384;  ///< bytes of a file that are inspected
 
-/// Of a regular file as far as it can be read; what is wrong with it is told where it is read.
+/// The beginning of a regular file, as far as it is readable; errors are reported when the file is read in full.
 std::string beginning_of(const std::filesystem::path& path) {
   if (path == standard_stream) return read_file(path, model_or_program).substr(0, beginning);
   struct stat status {};

@@ -1,3 +1,5 @@
+// Distinguishes models from Programs by content and name.
+// Used by sim/session, sim/app, sim/python and sim/studies.
 #pragma once
 
 #include <array>
@@ -7,35 +9,35 @@
 
 namespace csgsim::session {
 
-/// What a command is given to draw.
+/// Kind of the input of a command.
 enum class Subject : std::uint8_t {
-  csg,       ///< a model as OpenSCAD exports it
-  scad,      ///< a model's source, which OpenSCAD evaluates
+  csg,       ///< a model exported by OpenSCAD
+  scad,      ///< a model's source, evaluated by OpenSCAD
   commands,  ///< a model in the thesis's language of commands
-  program    ///< compiled, in binary or in text form
+  program    ///< a compiled model, in binary or text form
 };
 
-/// What the ending of a name says.
+/// A file extension and its kind of input.
 struct NamedSubject {
-  std::string_view ending;  ///< in small letters
+  std::string_view ending;  ///< in lower case
   Subject subject;
 };
 
 inline constexpr auto named_subjects = std::to_array<NamedSubject>(
     {{".csg", Subject::csg}, {".scad", Subject::scad}, {".jan", Subject::commands}, {".csgt", Subject::program}});
 
-/// The one place where it is decided. A file that begins as a Program does is one, whatever its name; any other is what
-/// its name's ending says, and a model's text if that says nothing. Standard input has no name; of a pipe the name
-/// alone is looked at, since it can be read only once.
+/// The only place that decides the kind of an input. A file that begins like a Program is one, whatever its name;
+/// otherwise the extension decides, and the default is a model's text. Standard input has no name. For a pipe only the
+/// name counts, since its content can be read only once.
 Subject subject_in(const std::filesystem::path& path);
 
 bool is_model(const std::filesystem::path& path);
 bool is_program(const std::filesystem::path& path);
 
-/// Does the name end as a model's?
+/// Whether the extension is that of a model.
 bool has_model_name(const std::filesystem::path& path);
 
-/// Of a command that takes Programs alone: throws InputError, with what to do, for a model.
+/// Throws InputError for a model, with advice, in commands that accept Programs only.
 void refuse_model(const std::filesystem::path& path);
 
 }  // namespace csgsim::session

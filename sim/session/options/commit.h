@@ -1,13 +1,15 @@
+// The commit that csgsim was built from.
+// Used by sim/session and sim/web.
 #pragma once
 
 namespace csgsim::session {
 
-// cmake/commit.cmake writes commit.cpp at each build, if it has changed.
+// cmake/commit.cmake regenerates commit.cpp at each build if the commit has changed.
 
-/// As git abbreviates it, `+changes` if files differ from it; `unknown` outside of git.
+/// Abbreviated commit hash, with `+changes` if tracked files differ from it; `unknown` outside of git.
 extern const char* const commit;
 
-/// Day of the commit, as in 2001-12-31; outside of git, of the sources.
+/// Date of the commit, as in 2001-12-31; outside of git, of the sources.
 extern const char* const commit_date;
 
 }  // namespace csgsim::session

@@ -1,3 +1,5 @@
+// Parses untrusted JSON within limits.
+// Used by sim/shell, sim/viewer and sim/web.
 #pragma once
 
 #include <cstddef>
@@ -9,22 +11,21 @@
 
 namespace csgsim::session {
 
-/// What a JSON text from outside may hold.
+/// Limits of a JSON text from outside.
 struct JsonLimits {
-  int depth = 100;                                               ///< brackets in brackets
-  std::size_t values = std::numeric_limits<std::size_t>::max();  ///< with keys, and brackets
+  int depth = 100;                                               ///< nesting depth of brackets
+  std::size_t values = std::numeric_limits<std::size_t>::max();  ///< values, keys and brackets together
 };
 
-/// A JSON text passes a limit. The message names the limit.
+/// A JSON text exceeds a limit. The message names the limit.
 class JsonLimitError : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// The value of a JSON text that comes from outside: every reader of such a text uses this function. nlohmann-json
-/// copies, compares and writes values by recursion, and looks up members one after another, so that neither depth nor
-/// number may be the text's own choice. Throws JsonLimitError, and nlohmann::ordered_json::exception for what is no
-/// JSON.
+/// Parses a JSON text from outside; every reader of such a text uses this function. nlohmann-json copies, compares and
+/// writes values recursively and looks up members one after another, so the text must not determine depth or count.
+/// Throws JsonLimitError, and nlohmann::ordered_json::exception for invalid JSON.
 nlohmann::ordered_json parsed_json(std::string_view text, const JsonLimits& limits);
 
 }  // namespace csgsim::session

@@ -22,7 +22,7 @@ unsigned parse_number(std::string_view text, std::string_view word) {
   unsigned number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || end != text.data() + text.size() || text.empty())
-    throw InputError(fmt::format("'{}' is no number and no range such as 3..8", word));
+    throw InputError(fmt::format("'{}' is neither a number nor a range such as 3..8", word));
   return number;
 }
 
@@ -41,7 +41,7 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
 std::vector<std::string> parse_words(std::string_view text) {
   std::vector<std::string> words;
   for (const std::string_view word : split(text, ",")) {
-    if (word.empty()) throw InputError(fmt::format("'{}' has nothing at a comma", text));
+    if (word.empty()) throw InputError(fmt::format("empty element in list '{}'", text));
     add_once(words, std::string(word));
   }
   return words;
@@ -54,7 +54,7 @@ std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsig
     const std::size_t dots = view.find("..");
     const unsigned first = parse_number(view.substr(0, dots), word);
     const unsigned last = dots == std::string_view::npos ? first : parse_number(view.substr(dots + 2), word);
-    if (last < first) throw InputError(fmt::format("'{}' runs backwards; take {}..{}", word, last, first));
+    if (last < first) throw InputError(fmt::format("'{}' runs backwards; use {}..{}", word, last, first));
     if (first < least || last > most) throw InputError(fmt::format("'{}' is not within {} to {}", word, least, most));
     for (unsigned number = first; number <= last; ++number) add_once(numbers, number);
   }

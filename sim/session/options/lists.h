@@ -1,3 +1,5 @@
+// Parses comma-separated lists of option texts.
+// Used by sim/session, sim/app and sim/studies.
 #pragma once
 
 #include <span>
@@ -7,18 +9,18 @@
 
 namespace csgsim::session {
 
-/// Numbers as a list with commas of numbers and ranges: `3..8`, `3,5,7`, `3..5,8`; in that order, none twice. Throws
-/// InputError for anything else, and for numbers below `least` or above `most`.
+/// Comma-separated numbers and ranges, as in `3..8`, `3,5,7` or `3..5,8`, in the given order without duplicates. Throws
+/// InputError for any other text and for numbers below `least` or above `most`.
 std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsigned most);
 
-/// The parts of a text between separators, any of which may be empty.
+/// The parts of a text between separators; parts may be empty.
 std::vector<std::string_view> split(std::string_view text, std::string_view separator);
 
-/// Words with commas; in that order, none twice. Throws InputError for an empty one.
+/// Comma-separated words, in the given order without duplicates. Throws InputError for an empty one.
 std::vector<std::string> parse_words(std::string_view text);
 
-/// The same for words that have to be among the known ones, each of which is a `kind`; an unknown one is told with the
-/// nearest known, if any is like it.
+/// Comma-separated words out of `known`. Throws InputError for an unknown word; the message calls it a `kind` and
+/// suggests the nearest known word.
 std::vector<std::string> parse_names(std::string_view text, std::string_view kind, std::span<const std::string> known);
 
 }  // namespace csgsim::session

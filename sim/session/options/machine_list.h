@@ -1,3 +1,5 @@
+// Default lists of machines for options.
+// Used by sim/app and sim/studies.
 #pragma once
 
 #include <fmt/format.h>
@@ -8,10 +10,10 @@
 
 namespace csgsim::session {
 
-/// The machines that studies of several draw on if none are named, as an option has them.
+/// The machines that studies of several machines compare by default, as the text of an option.
 inline std::string all_machines() { return fmt::format("{}", fmt::join(kinds::studied_names(), ",")); }
 
-/// All that come with csgsim, as an option has them.
+/// All built-in machines, as the text of an option.
 inline std::string every_machine() { return fmt::format("{}", fmt::join(kinds::built_in_names(), ",")); }
 
 }  // namespace csgsim::session

@@ -1,3 +1,5 @@
+// Parses numbers in option texts and formats counts.
+// Used by sim/session, sim/app, sim/shell and sim/studies.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +16,7 @@
 
 namespace csgsim::session {
 
-/// `count` numbers of an option's text. Throws UsageError, which shows the form that was expected.
+/// Reads `count` numbers from an option's text. Throws UsageError, which shows the expected form.
 template <typename Number>
 std::vector<Number> numbers(const std::string& text, char separator, std::size_t count, const std::string& option,
                             const std::string& form) {
@@ -39,7 +41,7 @@ inline std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}{}", grouped(count), what, count == 1 ? "" : "s");
 }
 
-/// Of a whole; 0 of nothing.
+/// Percentage of a whole; 0 if the whole is 0.
 inline double percent(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }

@@ -57,13 +57,13 @@ std::string flag_problem(const std::string& text) {
   return text == is_true || text == is_false ? "" : "'" + text + "' is neither true nor false";
 }
 
-/// Such a text would end there where it is handed on.
+/// C strings end at a zero byte, so the rest of the text would be lost.
 void refuse_zero_byte(const std::string& text) {
   if (text.find('\0') != text.npos)
-    throw UsageError(printable(text), "it has a zero byte, which no text on a command line has; leave it out");
+    throw UsageError(printable(text), "contains a zero byte, which a command line cannot hold; remove it");
 }
 
-/// What a word of the option is called.
+/// The name of a word of the option in messages.
 std::string kind_of(const Option& option) {
   std::string name = option.key();
   std::ranges::replace(name, '-', ' ');
@@ -214,7 +214,7 @@ Option& OptionList::flag(const std::string& names, bool& is_given, const std::st
 
 void OptionList::remove(const std::string& shown_name) {
   const auto found = std::ranges::find(options_, shown_name, &Option::shown_name);
-  if (found == options_.end()) throw std::logic_error("there is no option " + shown_name + " to be taken back");
+  if (found == options_.end()) throw std::logic_error("no option " + shown_name + " to remove");
   options_.erase(found);
 }
 
@@ -269,7 +269,7 @@ void OptionList::give_operand(const std::string& text) {
 }
 
 void OptionList::give_words(std::span<const std::string> words) {
-  bool is_operand = false;  // each following word, after `--`
+  bool is_operand = false;  // true for every word after `--`
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     if (is_operand || !word.starts_with("--")) {
@@ -403,7 +403,7 @@ std::string shell_command(std::span<const std::string> words) {
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> known) {
   const std::vector<std::string_view> candidates(known.begin(), known.end());
-  const std::string_view nearest = nearest_alike(word, candidates);
+  const std::string_view nearest = nearest_similar(word, candidates);
   return nearest.empty() ? "" : fmt::format(" did you mean {}?", nearest);
 }
 

@@ -1,3 +1,5 @@
+// Options and operands of a request, with validation and messages.
+// Used by sim/session, sim/python, sim/shell and sim/studies.
 #pragma once
 
 #include <cstddef>
@@ -13,60 +15,59 @@
 #include <vector>
 
 /// The options of a request as plain data. The command line, the page of `view`, Python and studies describe a request
-/// by the same list, give texts to its options by name, and take them: what is refused, and in which words, is decided
-/// here.
+/// by this list, set its options by name and read them. Validation and its messages are in one place, here.
 namespace csgsim::session {
 
-/// What is wrong with an option's text, or nothing.
+/// Returns the problem of an option's text, or an empty string.
 using Check = std::function<std::string(const std::string&)>;
 
-/// What an option takes.
+/// The type of an option's value.
 enum class Takes : std::uint8_t {
-  flag,          ///< nothing, or true or false
+  flag,          ///< no value, or true or false
   whole_number,  ///< 0 or more
   number,
   text,
-  texts,  ///< any number of them
+  texts,  ///< any number of texts
 };
 
-/// An option of a command, or an operand of it, by its key: the long name without dashes, or the operand's in small
-/// letters.
+/// Key and type of an option or operand of a command. The key is the long name without dashes, or the operand's name in
+/// lower case.
 struct SettableOption {
   std::string name;
   Takes takes = Takes::text;
 };
 
-/// An option or operand with the value that it has, given or by default.
+/// An option or operand with its value, given or default.
 struct OptionValue : SettableOption {
   bool is_operand = false;
   std::string meaning;
-  std::vector<std::string> values;  ///< none where nothing is said
+  std::vector<std::string> values;  ///< empty if there is neither a value nor a default
 };
 
-/// An option that was given.
+/// An option given by the user.
 struct GivenOption {
-  std::string name;   ///< the long one, without dashes
-  std::string value;  ///< all values, with commas
+  std::string name;   ///< the long name, without dashes
+  std::string value;  ///< all values, separated by commas
   bool is_default = false;
 };
 
-/// What is wrong with a name of a file or folder, or nothing.
+/// Returns the problem of a file or folder name, or an empty string.
 std::string not_empty(const std::string& name);
 
-/// An option or operand: what it is called and means, which texts it takes, and where its value goes. Functions that
-/// return it say one thing more of it.
+/// An option or operand: its names, its meaning, the texts it accepts, and the variable that receives its value.
+/// Functions that return the option add one more property.
 class Option {
  public:
   Option& required();
   Option& check(const Check& check);
 
-  /// One of these words. Messages call a word a `kind`, or by the option's name if no kind is given.
+  /// Accepts one of these words. Messages call a word a `kind`, or by the option's name if no kind is given.
   Option& one_of(const std::vector<std::string>& all, const std::string& kind = {});
 
-  /// A list of them with commas, as one text.
+  /// Accepts a comma-separated list of these words, as one text.
   Option& list_of(const std::vector<std::string>& all, const std::string& kind);
 
-  /// A text that is made of these words, as the check says.
+  /// Accepts a text composed of these words; the check validates it.
   Option& words(const std::vector<std::string>& words, const Check& check);
 
   template <class Value>
@@ -77,37 +78,37 @@ class Option {
     return one_of(all, kind);
   }
 
-  /// The name of a folder, which may not be empty.
+  /// Accepts the name of a folder, which must not be empty.
   Option& folder();
 
-  /// A whole number, both limits included.
+  /// Accepts a whole number in a range, both limits included.
   Option& between(std::uint64_t low, std::uint64_t high);
 
-  /// One may not be given with the other, which is named with its dashes.
+  /// Forbids the option together with another one, named with its dashes.
   Option& excludes(const std::string& other);
 
-  /// What is wrong with texts that are given to it, or nothing.
+  /// Returns the problem of the given texts, or an empty string.
   [[nodiscard]] std::string problem(std::span<const std::string> texts) const;
 
   [[nodiscard]] bool is_given() const { return !given.empty(); }
-  [[nodiscard]] std::string key() const;                      ///< as in SettableOption
-  [[nodiscard]] bool is_called(std::string_view name) const;  ///< by its key, or another long name without dashes
+  [[nodiscard]] std::string key() const;                      ///< see SettableOption
+  [[nodiscard]] bool is_called(std::string_view name) const;  ///< whether that is its key or another long name
   [[nodiscard]] std::string shown_name() const;               ///< `--z-bits`, or `MODEL`
-  [[nodiscard]] std::string value_text() const;               ///< the given texts, with commas
+  [[nodiscard]] std::string value_text() const;               ///< the given texts, separated by commas
   [[nodiscard]] OptionValue value() const;
 
-  std::vector<std::string> names;  ///< with dashes, short ones first; of an operand its only one
+  std::vector<std::string> names;  ///< names with dashes, short ones first; one name for an operand
   Takes takes = Takes::text;
   std::string meaning;
-  std::string usual;                 ///< what it is if it is not given; empty if nothing is said
-  std::vector<std::string> offered;  ///< words that it is made of; none if it takes any text
-  std::string range;                 ///< of its numbers, as in `4 to 30`
+  std::string usual;                 ///< default, for help; empty if there is none to show
+  std::vector<std::string> offered;  ///< words that it is composed of; empty if it accepts any text
+  std::string range;                 ///< range of its numbers, as in `4 to 30`
   std::vector<std::string> excluded;
   bool is_operand = false;
   bool is_required = false;
   bool is_folder = false;
-  std::vector<std::string> given;  ///< texts, in their order
-  std::string place;               ///< file:line:column, where a settings file gives them
+  std::vector<std::string> given;  ///< given texts, in order
+  std::string place;               ///< file:line:column of the settings file that gave it
 
  private:
   friend class OptionList;
@@ -118,12 +119,12 @@ class Option {
 
 /// Callbacks of a run's caller.
 struct RunWatch {
-  std::function<void(const nlohmann::ordered_json& configuration)> before;  ///< it may throw
-  std::function<void(const nlohmann::ordered_json& stats)> after;           ///< when all is written
+  std::function<void(const nlohmann::ordered_json& configuration)> before;  ///< called before the run; may throw
+  std::function<void(const nlohmann::ordered_json& stats)> after;           ///< called after all files are written
 };
 
-/// The options of one request. The values have to live as long; what they hold before they are taken is the default,
-/// which help shows.
+/// The options of one request. The bound variables have to outlive the list; their initial values are the defaults that
+/// help shows.
 class OptionList {
  public:
   explicit OptionList(std::string name) : name_(std::move(name)) {}
@@ -131,68 +132,67 @@ class OptionList {
   OptionList& operator=(const OptionList&) = delete;
 
   /// Adds an option with a text, a number, several texts, or an optional number, which has no default. Names are
-  /// separated by commas: `-o,--output`; a name without a dash is an operand's: `MODEL`.
+  /// separated by commas, as in `-o,--output`; a name without dashes, as in `MODEL`, is that of an operand.
   template <class Value>
   Option& option(const std::string& names, Value& value, const std::string& meaning);
 
-  /// An option whose text `take` reads; it may throw UsageError.
+  /// Adds an option whose text `take` reads; `take` may throw UsageError.
   Option& read_option(const std::string& names, const std::function<void(const std::string&)>& take,
                       const std::string& meaning);
   Option& flag(const std::string& names, bool& is_given, const std::string& meaning);
 
-  /// Takes back an option of a group that makes no sense for this request.
+  /// Removes an option of a group that does not apply to this request.
   void remove(const std::string& shown_name);
 
-  /// Forgets what was given.
+  /// Clears the given values.
   void clear();
 
-  /// Gives a text to the option with that key, or to the next operand. Throws UsageError for a key that no option has,
-  /// with the nearest.
+  /// Gives a text to the option with that key. Throws UsageError for an unknown key and suggests the nearest.
   void give(std::string_view key, const std::string& text);
-  void give_flag(std::string_view key);  ///< UsageError too for an option that needs a text
+  void give_flag(std::string_view key);  ///< throws UsageError also for an option that needs a value
   void give_operand(const std::string& text);
 
-  /// Gives what words say that csgsim has written, as words() does: options by their long names, and operands. Throws
+  /// Gives the options and operands in words that words() has written; options have their long names. Throws
   /// UsageError.
   void give_words(std::span<const std::string> words);
 
-  /// Writes the values of what was given. Throws UsageError for what is not as it has to be; InputError with the place
-  /// if that is a settings file's.
+  /// Writes the given values to their variables. Throws UsageError for an invalid value, or InputError with the place
+  /// for a value of a settings file.
   void take_given();
 
-  /// The same, if nothing is missing and nothing is given that excludes another. Throws UsageError where it is.
+  /// The same, and checks that required options are given and that none excludes another. Throws UsageError.
   void take();
 
-  /// What is given and may not be given with the option; null if nothing is.
+  /// A given option that must not be given together with this one; null if there is none.
   [[nodiscard]] const Option* excluded_by(const Option& option) const;
 
-  /// The place of the settings file that gave the option with which a message begins, or nothing.
+  /// The settings file's place of the option with which a message begins; empty if there is none.
   [[nodiscard]] std::string place_of(std::string_view message) const;
 
-  [[nodiscard]] const std::string& name() const { return name_; }  ///< of the request: `render`
+  [[nodiscard]] const std::string& name() const { return name_; }  ///< name of the request, as in `render`
   [[nodiscard]] std::deque<Option>& all() { return options_; }
   [[nodiscard]] const std::deque<Option>& all() const { return options_; }
   [[nodiscard]] const Option* find(std::string_view key) const;
   [[nodiscard]] Option* find(std::string_view key);
 
-  /// Is the option with that key given?
+  /// Whether the option with that key is given.
   [[nodiscard]] bool is_given(std::string_view key) const;
 
-  /// Options, without operands, in the order of help.
+  /// Given options without operands, in the order of help.
   [[nodiscard]] std::vector<GivenOption> given() const;
 
   /// Every option and operand, in the order of help.
   [[nodiscard]] std::vector<OptionValue> values() const;
   [[nodiscard]] std::vector<SettableOption> settable() const;
 
-  /// What was given, as words of a command line: the request's name, its operands, and each option, but for those
-  /// named, by its long name. Given again, they say the same.
+  /// The given options and operands as words of a command line: the request's name, operands, and each option by its
+  /// long name, except those in `but`. Parsing the words gives the same values.
   [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> but = {}) const;
 
-  /// The command line that asks for this, whose first word is the program: as it was typed, if it was.
+  /// The command line of this request, whose first word is the program: as typed, if it was typed.
   [[nodiscard]] std::vector<std::string> arguments() const;
 
-  std::vector<std::string> typed;  ///< what arguments() returns; if empty, it is made of words()
+  std::vector<std::string> typed;  ///< returned by arguments(); if empty, arguments() uses words()
   RunWatch watch;
 
  private:
@@ -200,16 +200,16 @@ class OptionList {
   [[nodiscard]] Option& named(std::string_view key);
 
   std::string name_;
-  std::deque<Option> options_;  ///< which stay where they are
+  std::deque<Option> options_;  ///< a deque, so that references stay valid
 };
 
-/// An option with its value as words of a command line: two, or one where the value would be taken for an option.
+/// An option with its value as words of a command line: two, or one if the value could be mistaken for an option.
 std::vector<std::string> option_words(const std::string& name, const std::string& value);
 
-/// A command line of csgsim for a POSIX shell, of the words after the program's name.
+/// A csgsim command line for a POSIX shell, from the words after the program's name.
 std::string shell_command(std::span<const std::string> words);
 
-/// A question after a blank, or nothing where no known word is like it.
+/// A suggestion that begins with a blank, or an empty string if no known word is similar.
 std::string did_you_mean(std::string_view word, std::span<const std::string> known);
 
 /// The message about an option, with its dashes, that the request does not have.

@@ -16,20 +16,20 @@ namespace csgsim::session {
 
 namespace {
 
-constexpr std::string_view drawn = "What is drawn";
+constexpr std::string_view drawn = "Model and scene";
 constexpr std::string_view view = "View";
 constexpr std::string_view machine = "Machine";
 constexpr std::string_view algorithm = "Algorithm and pixel memory";
 constexpr std::string_view accuracy = "Accuracy";
-constexpr std::string_view varied = "What is varied or asked";
+constexpr std::string_view varied = "Study or query";
 constexpr std::string_view run = "The run";
 constexpr std::string_view outputs = "Outputs";
 constexpr std::string_view further = "Further options";
 constexpr std::string_view settings = "Settings files";
 constexpr std::string_view messages = "Messages";
-constexpr std::string_view operand;  // help has it before all options
+constexpr std::string_view operand;  // help lists operands before all options
 
-/// In the order of help.
+/// Order of the headings in help.
 constexpr auto subjects = std::to_array<std::string_view>(
     {varied, drawn, view, machine, algorithm, accuracy, run, outputs, settings, further, messages});
 
@@ -166,7 +166,7 @@ const KnownOption& known_option(std::string_view option) {
   return found == std::span(options).end() ? other : *found;
 }
 
-int place_of_subject(std::string_view subject) {
+int heading_position(std::string_view subject) {
   return static_cast<int>(std::ranges::find(subjects, subject) - subjects.begin());
 }
 

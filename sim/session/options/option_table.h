@@ -1,3 +1,5 @@
+// Headings, placeholders and file roles of all options.
+// Used by sim/app, sim/python and sim/shell.
 #pragma once
 
 #include <cstdint>
@@ -6,33 +8,33 @@
 
 namespace csgsim::session {
 
-/// What an option or operand names, whatever command has it.
+/// Role of the file that an option or operand names; the same for every command.
 enum class FileRole : std::uint8_t {
   none,        ///< no file
   input,       ///< a file or folder that is read
-  output,      ///< a file or folder that is written, or a checkpoint, of which a run does not depend
-  machines,    ///< machines by name or file, with commas where the option takes several
-  processors,  ///< the same of processors
-  processes,   ///< one of processes
+  output,      ///< a file or folder that is written, or a checkpoint, which does not affect a run's result
+  machines,    ///< machines by name or file, separated by commas where the option takes several
+  processors,  ///< processors by name or file, separated by commas
+  processes,   ///< a process by name or file
 };
 
-/// What is known of an option or operand beside what its command says.
+/// Properties of an option or operand that are the same for every command.
 struct KnownOption {
-  std::string_view subject;  ///< under which help has it
-  std::string_view name{};   ///< its first long name without dashes, or an operand's in small letters
-  std::string_view value{};  ///< what help calls its value; empty: by its type
+  std::string_view subject;  ///< heading in help
+  std::string_view name{};   ///< first long name without dashes, or an operand's name in lower case
+  std::string_view value{};  ///< placeholder of its value in help; empty: by its type
   FileRole role = FileRole::none;
 };
 
-/// One for all that are not in the table (option_table.cpp). NAME-a and NAME-b, of one side of a comparison, are as
-/// NAME.
+/// The entry of an option; options outside the table (option_table.cpp) share one entry. NAME-a and NAME-b, of one side
+/// of a comparison, have the entry of NAME.
 const KnownOption& known_option(std::string_view option);
 
-/// The place of a subject in help.
-int place_of_subject(std::string_view subject);
+/// Position of a heading in help.
+int heading_position(std::string_view subject);
 
-/// The option's value as it is where relative names of files are relative to that folder; standard streams, `-`, and
-/// what names no file stay as they are.
+/// The option's value, with relative file names moved into that folder. `-` and values that name no file stay
+/// unchanged.
 std::string in_folder(std::string_view option, const std::string& value, const std::string& folder);
 
 }  // namespace csgsim::session

@@ -40,9 +40,8 @@ void refuse_clashes(std::span<const std::filesystem::path> inputs, std::span<con
   throw UsageError(
       clash->output.native(),
       is_standard_output(clash->output) ? "two outputs cannot both go to standard output; name a file for one"
-      : clash->is_input
-          ? fmt::format("it is the same file as {}, which is read; name another output", clash->other.native())
-          : "two outputs cannot be the same file");
+      : clash->is_input ? fmt::format("it is the same file as the input {}; name another output", clash->other.native())
+                        : "two outputs cannot be the same file");
 }
 
 bool is_unnamed_stream(const std::filesystem::path& path) {
@@ -62,7 +61,7 @@ void refuse_other_format(const std::string& option, const std::filesystem::path&
 
 void refuse_terminal(const std::string& option, const std::filesystem::path& path) {
   if (path.empty() || !is_terminal(path)) return;
-  throw UsageError(option, "a terminal cannot show binary data; name a file, or lead it into a pipe");
+  throw UsageError(option, "a terminal cannot show binary data; name a file or use a pipe");
 }
 
 }  // namespace csgsim::session

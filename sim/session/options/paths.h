@@ -1,3 +1,5 @@
+// Checks of input and output paths.
+// Used by sim/session, sim/app, sim/shell, sim/studies and sim/viewer.
 #pragma once
 
 #include <filesystem>
@@ -8,27 +10,26 @@
 
 namespace csgsim::session {
 
-/// Does the path's name end so, in small letters or capitals?
+/// Whether the path's extension is this one, regardless of case.
 bool ends_in(const std::filesystem::path& path, std::string_view ending);
 
-/// The files that are read for models or Programs and machines; a machine may be one that comes with csgsim.
+/// The files read for models or Programs and machines. Built-in machines have no file.
 std::vector<std::filesystem::path> input_files(const std::vector<std::string>& subjects,
                                                const std::vector<std::string>& machines);
 
-/// Refuses outputs that are among what is read, or the same as another output; empty paths are none. Throws
-/// UsageError.
+/// Rejects outputs that are also inputs, or that equal another output; empty paths are ignored. Throws UsageError.
 void refuse_clashes(std::span<const std::filesystem::path> inputs, std::span<const std::filesystem::path> outputs);
 
-/// A stream whose name has no ending to tell a format by: `-`, /dev/stdout, most pipes.
+/// Whether the path is a stream without an extension that could select a format: `-`, /dev/stdout, most pipes.
 bool is_unnamed_stream(const std::filesystem::path& path);
 
-/// The name of an input for people: `standard input` for `-`.
+/// Name of an input in messages: `standard input` for `-`.
 std::string shown_name(const std::string& path);
 
-/// Throws UsageError for a picture's name whose ending is that of no format; an empty one is none.
+/// Throws UsageError if the picture's extension belongs to no format; an empty path is accepted.
 void refuse_other_format(const std::string& option, const std::filesystem::path& picture);
 
-/// Refuses binary data on a terminal. Throws UsageError.
+/// Rejects binary output to a terminal. Throws UsageError.
 void refuse_terminal(const std::string& option, const std::filesystem::path& path);
 
 }  // namespace csgsim::session

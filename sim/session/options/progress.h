@@ -1,3 +1,5 @@
+// The option --progress.
+// Used by sim/session, sim/app and sim/studies.
 #pragma once
 
 #include <unistd.h>
@@ -9,7 +11,7 @@
 
 namespace csgsim::session {
 
-/// Whether to tell on standard error how far things are.
+/// Whether to show progress on standard error.
 inline bool shows_progress(const std::string& progress) {
   return progress == "auto" && !is_silent() && ::isatty(STDERR_FILENO) != 0;
 }

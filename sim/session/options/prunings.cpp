@@ -33,7 +33,7 @@ const NamedPruning& named_by(std::string_view word, bool is_left_out) {
   const std::string_view name = is_left_out ? word.substr(left_out.size()) : word;
   const auto found = std::ranges::find(std::span(named), name, &NamedPruning::name);
   if (found != std::span(named).end()) return *found;
-  throw UsageError(no_such("pruning", word, pruning_words()) + "; several are joined by +");
+  throw UsageError(no_such("pruning", word, pruning_words()) + "; join several with +");
 }
 
 csg::Pruning uniform(bool is_done) {
@@ -53,7 +53,8 @@ csg::Pruning pruning_of(const std::string& text) {
     const bool is_left_out = word.starts_with(left_out);
     pruning.*named_by(word, is_left_out).is_done = !is_left_out;
     if (is_left_out == are_left_out) continue;
-    throw UsageError("'" + text + "' says both what is done and what is not; say one of them: space+hidden, or " +
+    throw UsageError("'" + text +
+                     "' mixes prunings to apply and prunings to leave out; use one form: space+hidden, or " +
                      "no-space+no-hidden");
   }
   return pruning;

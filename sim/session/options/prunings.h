@@ -1,3 +1,5 @@
+// Parses selections of prunings.
+// Used by sim/session, sim/app and sim/studies.
 #pragma once
 
 #include <string>
@@ -7,14 +9,14 @@
 
 namespace csgsim::session {
 
-/// Which prunings are done, as options and studies say it: `all`, `none`, those that are done (`space+hidden`), or
-/// those that are not (`no-space+no-hidden`). Throws UsageError.
+/// Parses a selection of prunings: `all`, `none`, those to apply (`space+hidden`), or those to leave out
+/// (`no-space+no-hidden`). Throws UsageError.
 csg::Pruning pruning_of(const std::string& text);
 
-/// The same for a list of them with commas. Throws UsageError.
+/// Splits and validates a comma-separated list of selections. Throws UsageError.
 std::vector<std::string> prunings_of(const std::string& text);
 
-/// The words that such a text is made of.
+/// The words that a selection is composed of.
 std::vector<std::string> pruning_words();
 
 }  // namespace csgsim::session

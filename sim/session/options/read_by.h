@@ -1,3 +1,5 @@
+// Adapters from parsers to option checks.
+// Used by sim/session, sim/app and sim/studies.
 #pragma once
 
 #include <string>
@@ -8,7 +10,7 @@
 
 namespace csgsim::session {
 
-/// The text is as the function wants it, or what is wrong with it.
+/// A check that calls the parser and returns its error message.
 template <class Parse>
 Check is_read_by(Parse parse) {
   return [parse](const std::string& text) -> std::string {
@@ -23,7 +25,7 @@ Check is_read_by(Parse parse) {
   };
 }
 
-/// Calls a function that looks at what an option says: what is wrong with that is wrong with the command line.
+/// Calls a function that parses an option's text. Its InputError becomes a UsageError of that option.
 template <class Call>
 auto for_option(const std::string& option, Call call) {
   try {

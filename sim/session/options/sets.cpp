@@ -25,22 +25,22 @@ std::string_view key_of(std::string_view set) { return set.substr(0, set.find('=
 
 std::string_view first_word(std::string_view key) { return key.substr(0, key.find('.')); }
 
-bool has_figure(const machines::Kind& kind, std::string_view key) {
+bool has_parameter(const machines::Kind& kind, std::string_view key) {
   return std::ranges::any_of(kind.schema, [&](const machines::FigureSchema& figure) { return figure.key == key; });
 }
 
-bool is_figure(std::string_view key) {
-  return std::ranges::any_of(kinds::all(), [&](const machines::Kind* kind) { return has_figure(*kind, key); });
+bool is_parameter(std::string_view key) {
+  return std::ranges::any_of(kinds::all(), [&](const machines::Kind* kind) { return has_parameter(*kind, key); });
 }
 
-/// The scene's own reader tells what is wrong behind the first word.
+/// Checks the first word only; the scene's reader checks the rest of the key.
 bool is_of_scene(std::string_view key) {
   const std::string_view word = first_word(key);
   return word == "effects" || std::ranges::any_of(scene::common_sections(),
                                                   [&](const scene::Section& section) { return section.name == word; });
 }
 
-/// Every key that may be set; those of a list's tables as of its first.
+/// Every key that may be set; for tables of a list, the keys of the first table.
 std::vector<std::string> vocabulary() {
   std::set<std::string> words;
   for (const machines::Kind* kind : kinds::all()) {
@@ -62,26 +62,26 @@ std::vector<std::string> vocabulary() {
   const std::vector<std::string> words = vocabulary();
   const std::vector<std::string_view> known(words.begin(), words.end());
   throw UsageError("--set " + printable(set),
-                   fmt::format("'{}' is neither a figure of a machine nor a key of a scene; the nearest known is '{}'",
+                   fmt::format("'{}' is neither a machine parameter nor a scene key; the nearest known is '{}'",
                                printable(key_of(set)), nearest(key_of(set), known)));
 }
 
-/// The kinds of machines that have the figure.
+/// The kinds of machines that have the parameter.
 std::string kinds_with(std::string_view key) {
   std::vector<std::string_view> names;
   for (const machines::Kind* kind : kinds::all()) {
-    if (has_figure(*kind, key)) names.push_back(kind->name);
+    if (has_parameter(*kind, key)) names.push_back(kind->name);
   }
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
 void refuse_missing(const std::string& set, const machines::Kind& kind, const std::string& name) {
   const std::string_view key = key_of(set);
-  if (has_figure(kind, key)) return;
+  if (has_parameter(kind, key)) return;
   std::vector<std::string_view> known;
   for (const machines::FigureSchema& figure : kind.schema) known.push_back(figure.key);
   throw UsageError("--set " + printable(set),
-                   fmt::format("{} has no such figure, machines of the kind {} have; its nearest is '{}'",
+                   fmt::format("{} has no such parameter, but machines of the kind {} do; its nearest is '{}'",
                                printable(name), kinds_with(key), nearest(key, known)));
 }
 
@@ -90,7 +90,7 @@ void refuse_missing(const std::string& set, const machines::Kind& kind, const st
 Sets sorted(const std::vector<std::string>& sets) {
   Sets all;
   for (const std::string& set : sets) {
-    if (is_figure(key_of(set))) {
+    if (is_parameter(key_of(set))) {
       all.figures.push_back(set);
     } else if (is_of_scene(key_of(set))) {
       all.scene.push_back(set);
@@ -135,7 +135,7 @@ machines::Machine load_machine(const isa::MachineRecord& record, const std::vect
   return load_from(record, record.name, sets);
 }
 
-std::vector<std::string> with_figures(const std::vector<std::string>& names, const std::vector<std::string>& sets) {
+std::vector<std::string> with_parameters(const std::vector<std::string>& names, const std::vector<std::string>& sets) {
   const std::vector<std::string> figures = sorted(sets).figures;
   if (figures.empty()) return names;
   std::vector<std::string> edited;
@@ -144,25 +144,24 @@ std::vector<std::string> with_figures(const std::vector<std::string>& names, con
     const machines::Machine plain = kinds::load(name);
     std::vector<std::string> own;
     for (const std::string& figure : figures) {
-      if (!has_figure(*plain.kind, key_of(figure))) continue;
+      if (!has_parameter(*plain.kind, key_of(figure))) continue;
       own.push_back(figure);
       taken.insert(figure);
     }
-    load_machine(name, own);  // what is wrong with a value is wrong with --set
+    load_machine(name, own);  // reports an invalid value as an error of --set
     edited.push_back(own.empty() ? name : fmt::format("{}+{}", name, fmt::join(own, "+")));
   }
   for (const std::string& figure : figures) {
     if (!taken.contains(figure))
       throw UsageError("--set " + printable(figure),
-                       fmt::format("none of {} has that figure; machines of the kind {} "
-                                   "have",
+                       fmt::format("none of {} has that parameter; machines of the kind {} have it",
                                    printable(fmt::format("{}", fmt::join(names, ", "))), kinds_with(key_of(figure))));
   }
   return edited;
 }
 
-void add_figure_sets(OptionList& command, std::vector<std::string>& sets, const std::string& which) {
-  command.option("--set", sets, "A figure of " + which + ", as in alu.bits=4; once for each");
+void add_parameter_sets(OptionList& command, std::vector<std::string>& sets, const std::string& which) {
+  command.option("--set", sets, "A parameter of " + which + ", as in alu.bits=4; repeat for several");
 }
 
 void refuse_scene_sets(const std::vector<std::string>& sets, const std::string& option) {
@@ -170,7 +169,7 @@ void refuse_scene_sets(const std::vector<std::string>& sets, const std::string& 
   if (!of_scene.empty())
     throw UsageError(option,
                      "'" + printable(of_scene.front()) +
-                         "' is for models; a Program has been compiled already, and only figures of its machine "
+                         "' is for models; a Program has been compiled already, and only parameters of its machine "
                          "can be set");
 }
 

@@ -7,7 +7,7 @@ namespace csgsim::session {
 
 namespace {
 
-/// Bytes that do not go on a character.
+/// Number of characters: UTF-8 bytes other than continuation bytes.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
 }

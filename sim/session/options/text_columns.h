@@ -1,3 +1,5 @@
+// Formats tables as text in aligned columns.
+// Used by sim/studies.
 #pragma once
 
 #include <span>
@@ -7,9 +9,9 @@
 
 namespace csgsim::session {
 
-/// Rows in columns as wide as their widest cell, with two blanks between them. `sides` has a sign for each column: `<`
-/// where its cells stand at the left, `>` where they do at the right. Of a row with fewer cells the last runs on beyond
-/// its column. No line ends in blanks.
+/// Formats rows in columns as wide as their widest cell, two blanks apart. `sides` has one character per column: `<`
+/// aligns left, `>` right. In a row with fewer cells, the last cell may extend beyond its column. Lines have no
+/// trailing blanks.
 std::string in_columns(std::span<const std::vector<std::string>> rows, std::string_view sides);
 
 }  // namespace csgsim::session

@@ -1,3 +1,5 @@
+// The exception for invalid requests.
+// Used by sim/session, sim/app, sim/python, sim/shell, sim/studies and sim/viewer.
 #pragma once
 
 #include <stdexcept>
@@ -5,7 +7,7 @@
 
 namespace csgsim::session {
 
-/// A request makes no sense; what() says why in one line.
+/// A request is invalid; what() explains why in one line.
 class UsageError : public std::runtime_error {
  public:
   explicit UsageError(const std::string& message) : std::runtime_error(message) {}

@@ -22,7 +22,7 @@ constexpr std::size_t digits_shown = 16;
 
 std::size_t aligned(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
 
-/// The build ID in a segment of notes, in hexadecimal; empty if it is not there.
+/// The build ID in a segment of ELF notes, in hexadecimal; empty if absent.
 std::string id_in(std::span<const std::byte> notes) {
   ElfW(Nhdr) header{};
   while (notes.size() >= sizeof header) {
@@ -42,7 +42,7 @@ std::string id_in(std::span<const std::byte> notes) {
   return {};
 }
 
-/// Whether the object is the one that this code is part of: the program, or a module of another.
+/// Whether the loaded object contains this code: the program, or a module of another program.
 bool is_own(const dl_phdr_info& object) {
   const auto here = reinterpret_cast<ElfW(Addr)>(&is_own);  // NOLINT
   return std::ranges::any_of(std::span(object.dlpi_phdr, object.dlpi_phnum), [&](const ElfW(Phdr) & segment) {
@@ -55,7 +55,7 @@ int find_id(dl_phdr_info* object, std::size_t /*size*/, void* found) {
   if (!is_own(*object)) return 0;
   for (const ElfW(Phdr) & segment : std::span(object->dlpi_phdr, object->dlpi_phnum)) {
     if (segment.p_type != PT_NOTE) continue;
-    // The loader has put the segment there.
+    // the loader has mapped the segment to this address
     const auto* const begin = reinterpret_cast<const std::byte*>(object->dlpi_addr + segment.p_vaddr);  // NOLINT
     const std::string id = id_in({begin, segment.p_memsz});
     if (!id.empty()) *static_cast<std::string*>(found) = id;
@@ -63,7 +63,7 @@ int find_id(dl_phdr_info* object, std::size_t /*size*/, void* found) {
   return 1;
 }
 
-/// Empty if there is none.
+/// The build ID in hexadecimal; empty if there is none.
 std::string build_id() {
   std::string id;
   ::dl_iterate_phdr(find_id, &id);

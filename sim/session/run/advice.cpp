@@ -21,7 +21,7 @@ namespace {
 constexpr unsigned fewer_bits = 4;
 constexpr unsigned few_colour_bits = 12;
 
-/// The option as on the command line; nothing where it says that already.
+/// Changes the value and returns the option as on the command line; nothing if the value is already set.
 template <class Value>
 std::optional<std::string> turn(const char* option, Value& value, const Value& to) {
   if (value == to) return std::nullopt;
@@ -33,20 +33,20 @@ std::optional<std::string> lower(const char* option, unsigned& bits, unsigned fe
   return turn(option, bits, bits < fewest + fewer_bits ? bits : bits - fewer_bits);
 }
 
-/// An option that is turned by one step.
+/// An option that can be changed by one step.
 struct TriedSetting {
-  /// What it becomes, as on the command line; nothing where it stands at its end.
+  /// The changed option as on the command line; nothing if it is at its limit.
   std::optional<std::string> (*turn)(ModelRequest& request);
-  const char* but;  ///< what else changes
+  const char* but;  ///< side effect
 };
 
 constexpr const char* same_picture = "the same picture";
-constexpr const char* other_picture = "another picture: csgsim accuracy tells how many pixels become wrong";
+constexpr const char* other_picture = "another picture; csgsim accuracy counts the wrong pixels";
 
 constexpr auto tried_settings = std::to_array<TriedSetting>({
     {[](ModelRequest& request) { return turn("--strategy", request.strategy, std::string("auto")); }, same_picture},
     {[](ModelRequest& request) { return turn("--colouring", request.colouring, std::string("auto")); }, same_picture},
-    {[](ModelRequest& request) { return lower("--z-bits", request.z_bits, view::fewest_z_bits); }, other_picture},
+    {[](ModelRequest& request) { return lower("--z-bits", request.z_bits, view::min_z_bits); }, other_picture},
     {[](ModelRequest& request) { return lower("--fraction-bits", request.fraction_bits, 0); }, other_picture},
     {[](ModelRequest& request) {
        return turn("--colour-bits", request.colour_bits, std::min(request.colour_bits, few_colour_bits));
@@ -55,17 +55,17 @@ constexpr auto tried_settings = std::to_array<TriedSetting>({
 });
 
 std::uint64_t interval_of(const isa::Program& program, const machines::Machine& machine) {
-  if (!functional::asks_for_run(program, machine)) return host::time_frame(program, machine).interval_clocks;
+  if (!functional::needs_run(program, machine)) return host::time_frame(program, machine).interval_clocks;
   return engine::make_functional_engine(machine)->run(program, {}).interval_clocks;
 }
 
-/// Nothing where the model does not fit the machine so.
+/// The frame interval with other settings; nothing if the model then does not fit the machine.
 std::optional<std::uint64_t> interval_with(const ModelRequest& request, const CompiledModel& model,
                                            const machines::Machine& machine) {
   try {
     const isa::Program program =
         emit::compile(model.tree, model.scene, view_of(model, request, machine), machine, emit_options_of(request),
-                      [&](const isa::Program& one) { return functional::clocks_of_run(one, machine); });
+                      [&](const isa::Program& one) { return functional::measure_clocks(one, machine); });
     return interval_of(program, machine);
   } catch (const InputError&) {
     return std::nullopt;
@@ -93,12 +93,12 @@ std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const Model
 std::vector<observe::Knob> knobs_of(const Advice& advice, const isa::Program& program, const machines::Machine& machine,
                                     const engine::RunResult& result) {
   if (!advice.is_asked || result.interval_clocks == 0) return {};
-  engine::RunResult told = result;
-  // The cycle level counts, and does not tell what clocks are worked out from.
-  if (told.met.empty()) told.met = functional::record_of_run(program, machine).met;
-  std::vector<observe::Knob> knobs = observe::figure_knobs(program, machine, told, advice.machine);
+  engine::RunResult complete = result;
+  // The cycle level counts clocks but does not record the run-time outcomes from which clocks are computed.
+  if (complete.met.empty()) complete.met = functional::make_run_record(program, machine).met;
+  std::vector<observe::Knob> knobs = observe::parameter_knobs(program, machine, complete, advice.machine);
   if (advice.settings) std::ranges::move(advice.settings(result), std::back_inserter(knobs));
-  return observe::that_help(std::move(knobs));
+  return observe::helpful_knobs(std::move(knobs));
 }
 
 }  // namespace csgsim::session

@@ -1,3 +1,5 @@
+// Measures changed parameters and settings that could speed a run up.
+// Used by sim/session, sim/shell and sim/viewer.
 #pragma once
 
 #include <functional>
@@ -12,22 +14,22 @@
 
 namespace csgsim::session {
 
-/// How a run is to be bettered.
+/// Request for changes that speed a run up.
 struct Advice {
-  std::string machine;    ///< as --machine has it; empty for no advice
-  bool is_asked = false;  ///< --advice; else nothing is tried, since that takes as long as many runs
-  std::string ask;        ///< how to ask for it, for people
-  /// Compiles again with other settings, to see what they are worth; none where there is no model.
+  std::string machine;    ///< value of --machine; empty for no advice
+  bool is_asked = false;  ///< --advice; otherwise nothing is tried, since it takes as long as many runs
+  std::string ask;        ///< hint how to ask for advice
+  /// Recompiles with other settings to measure their worth; empty if there is no model.
   std::function<std::vector<observe::Knob>(const engine::RunResult&)> settings{};
-  std::vector<std::string> commands{};  ///< that tell what is not tried, for people
+  std::vector<std::string> commands{};  ///< hints about commands that measure what is not tried
 };
 
-/// What was tried and helps, the best first; nothing where it was not asked for.
+/// The tried changes that help, best first; empty if advice was not requested.
 std::vector<observe::Knob> knobs_of(const Advice& advice, const isa::Program& program, const machines::Machine& machine,
                                     const engine::RunResult& result);
 
-/// What options of csgsim render are worth, each changed by one step. Each is compiled, and, where the run may skip
-/// something, drawn.
+/// The worth of options of csgsim render, each changed by one step. Each variant is compiled, and also simulated if its
+/// run may skip instructions.
 std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const ModelRequest& request,
                                          const machines::Machine& machine, const engine::RunResult& result);
 

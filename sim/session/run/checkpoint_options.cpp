@@ -15,23 +15,25 @@ namespace csgsim::session {
 void CheckpointOptions::add_to(OptionList& options) {
   options
       .option("--checkpoint", checkpoint,
-              "Write the state of the run to this file now and then; the one before stays until the next is whole")
+              "Write the state of the run to this file at intervals; each checkpoint replaces the previous one when "
+              "complete")
       .check(not_empty);
-  options.option("--checkpoint-every", every, "Instructions from one checkpoint to the next; 1000 if not given");
-  options.option("--resume", resume, "Go on from this checkpoint of the same Program and machine").check(not_empty);
+  options.option("--checkpoint-every", every, "Instructions between checkpoints; 1000 if not given");
+  options.option("--resume", resume, "Continue from this checkpoint of the same Program and machine").check(not_empty);
 }
 
 void CheckpointOptions::check(std::string_view level, std::span<const std::filesystem::path> files) const {
-  if (every && checkpoint.empty()) throw UsageError("--checkpoint-every", "name the file too, with --checkpoint FILE");
-  if (every == 0) throw UsageError("--checkpoint-every", "0 is no number of instructions; take 1 at least");
+  if (every && checkpoint.empty()) throw UsageError("--checkpoint-every", "also needs --checkpoint FILE");
+  if (every == 0) throw UsageError("--checkpoint-every", "0 is not a valid interval; take at least 1");
   if (checkpoint.empty() && resume.empty()) return;
   if (level == "cycle") {
-    throw UsageError(checkpoint.empty() ? "--resume" : "--checkpoint",
-                     "the cycle level cannot stop and go on; take --level functional, whose picture, clocks and counts "
-                     "are the same");
+    throw UsageError(
+        checkpoint.empty() ? "--resume" : "--checkpoint",
+        "the cycle level cannot stop and resume; take --level functional, whose picture, clocks and counts "
+        "are the same");
   }
   if (checkpoint.empty()) return;
-  if (is_stream(checkpoint)) throw UsageError("--checkpoint", "a stream keeps no state to resume from; name a file");
+  if (is_stream(checkpoint)) throw UsageError("--checkpoint", "a stream cannot be resumed from; name a file");
   refuse_clashes(files, std::to_array<std::filesystem::path>({checkpoint}));
   const OutputFile can_be_written(checkpoint);
 }
@@ -57,7 +59,7 @@ engine::RunResult run_with_checkpoints(engine::Engine& engine, const isa::Progra
       break;
     }
     const std::uint64_t left = numbers.count() - numbers.of(run->place());
-    const std::uint64_t stride = options.every.value_or(CheckpointOptions::usual_stride);
+    const std::uint64_t stride = options.every.value_or(CheckpointOptions::default_stride);
     run->advance(stride < left ? numbers.of(run->place()) + stride : engine::Run::end, all);
     checkpoint::save_snapshot(options.checkpoint,
                               checkpoint::take_snapshot(identity, *run, observers.frame, observers.stats));

@@ -1,3 +1,5 @@
+// Options of checkpoints, and runs that write or resume them.
+// Used by finished_run.h and run_file.h.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +16,16 @@
 
 namespace csgsim::session {
 
-/// What a run's observers are, beside others.
+/// The observers of a run.
 struct RunObservers {
   observe::FrameObserver frame;
   observe::StatsObserver stats;
   std::optional<observe::ProgressObserver> progress;
 };
 
-/// Options of a run that can be interrupted and go on.
+/// Options of a run that can be interrupted and resumed.
 struct CheckpointOptions {
-  static constexpr std::uint64_t usual_stride = 1000;
+  static constexpr std::uint64_t default_stride = 1000;
 
   std::string checkpoint;
   std::optional<std::uint64_t> every;
@@ -31,13 +33,12 @@ struct CheckpointOptions {
 
   void add_to(OptionList& options);
 
-  /// Refuses options that make no sense together, and a checkpoint that cannot be written or is one of these files.
-  /// Throws UsageError, InputError.
+  /// Rejects contradictory options, and a checkpoint that cannot be written or is one of these files. Throws
+  /// UsageError, InputError.
   void check(std::string_view level, std::span<const std::filesystem::path> files) const;
 };
 
-/// Runs the Program, from the checkpoint that is to be resumed or from its beginning, and writes checkpoints on the
-/// way. Throws InputError.
+/// Runs the Program from its beginning or from the checkpoint to resume, and writes checkpoints. Throws InputError.
 engine::RunResult run_with_checkpoints(engine::Engine& engine, const isa::Program& program,
                                        const machines::Machine& machine, const CheckpointOptions& options,
                                        RunObservers& observers);

@@ -53,7 +53,7 @@ Json command_json(const std::vector<std::string>& arguments) {
   return words;
 }
 
-/// A figure as it was used: options may have changed the picture's size and the memory since the description was read.
+/// A parameter as used: options may have changed picture size and memory after the description was read.
 std::string value_of(const machines::Figure& figure, const machines::Machine& machine) {
   const auto row = std::ranges::find(machine.kind->schema, std::string_view(figure.key), &machines::FigureSchema::key);
   const bool is_number = figure.value != machines::ideal_value && row->names.empty() && row->least != row->most;
@@ -97,7 +97,7 @@ struct SceneValue {
   }
 };
 
-/// Sections by name; those of a list are in one.
+/// Sections by name; the sections of a list form an array.
 Json scene_json(const std::vector<scene::SectionValues>& sections) {
   Json json = Json::object();
   for (const scene::SectionValues& section : sections) {
@@ -105,7 +105,7 @@ Json scene_json(const std::vector<scene::SectionValues>& sections) {
     for (const auto& [key, value] : section.values)
       keys[std::string(key.name)] = value ? std::visit(SceneValue{key}, *value) : Json();
     Json& place = json[std::string(section.name)];
-    if (section.is_of_list) {
+    if (section.is_list_entry) {
       place.push_back(std::move(keys));
     } else {
       place = std::move(keys);

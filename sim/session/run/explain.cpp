@@ -22,29 +22,29 @@
 namespace csgsim::session {
 
 void ExplainRequest::add_to(OptionList& options) {
-  model.add_to(options, "The model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt");
+  model.add_to(options, "The model (.csg, .scad or .jan) or a Program (.csgt)");
   options.option("--pixel", pixel, "Column and row of the pixel, x,y, counted from 0 at the top left");
-  options.option("--point", point, "A point of the model, X,Y,Z, in place of the pixel that shows it")
+  options.option("--point", point, "A point of the model, X,Y,Z, instead of the pixel that shows it")
       .excludes("--pixel");
   options
       .option("--why-not", why_not,
-              "Tell too why this primitive is not seen there: its index (p3), its name (cylinder@9:9) or its line (@9)")
+              "Also explain why this primitive is not visible there: its index (p3), name (cylinder@9:9) or line (@9)")
       .check(not_empty);
 }
 
 namespace {
 
-/// Where a point of the model is seen.
+/// Position of a point of the model in the picture.
 struct Seen {
   Pixel pixel;
   double distance = 0;  ///< from the eye along the view axis, model units
 };
 
-/// What is explained: a Program, and the model that it comes from if that is known.
+/// The subject of an explanation: a Program, and its model if known.
 struct Explained {
   machines::Machine machine;
   isa::Program program;
-  std::optional<CompiledModel> model;  ///< but for its Program
+  std::optional<CompiledModel> model;  ///< without its Program
 };
 
 bool is_of_program(const ExplainRequest& request, const InPlace& in_place) {
@@ -54,8 +54,8 @@ bool is_of_program(const ExplainRequest& request, const InPlace& in_place) {
 
 ProgramOnMachine program_in_place(const isa::Program& program, const ModelRequest& request, const OptionList& options) {
   refuse_scene_sets(request.sets);
-  const std::string asked = options.is_given("machine") ? request.machine : "";
-  return {machine_for(program, request.model, asked, request.sets), program};
+  const std::string chosen_machine = options.is_given("machine") ? request.machine : "";
+  return {machine_for(program, request.model, chosen_machine, request.sets), program};
 }
 
 Explained explained_by(const ExplainRequest& request, const OptionList& options, const InPlace& in_place) {
@@ -89,7 +89,7 @@ Seen seen_at(const std::string& text, const view::View& view) {
   return {{static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)}, in_eye.z};
 }
 
-void tell_point(const std::string& point, double distance, story::Answer& answer) {
+void add_point(const std::string& point, double distance, story::Answer& answer) {
   answer.text = fmt::format("point {} is {:.6g} model units from the eye\n", point, distance) + answer.text;
   answer.json["point_distance"] = distance;
 }
@@ -108,19 +108,19 @@ story::Answer answer_of(const ExplainRequest& request, const Explained& subject)
       is_point ? seen_at(request.point, finder->view()) : Seen{pixel_named(program, request.pixel, "--pixel"), 0};
   story::Answer answer = story::answer_of({program, finder ? &*finder : nullptr}, subject.machine, seen.pixel.x,
                                           seen.pixel.y, missed_in(request, program));
-  if (is_point) tell_point(request.point, seen.distance, answer);
+  if (is_point) add_point(request.point, seen.distance, answer);
   return answer;
 }
 
 }  // namespace
 
-std::string explain_command(const OptionList& asked, const std::string& subject, const GivenTexts& instead) {
+std::string explain_command(const OptionList& options, const std::string& subject, const GivenTexts& instead) {
   ExplainRequest request;
   OptionList list("explain");
   request.add_to(list);
   list.give_operand(subject);
   const bool takes_all = is_model(subject);
-  for (const Option& option : asked.all()) {
+  for (const Option& option : options.all()) {
     const std::string key = option.key();
     const bool is_taken = takes_all || key == "machine" || key == "set";
     const bool is_replaced = option.takes != Takes::texts &&
@@ -134,10 +134,10 @@ std::string explain_command(const OptionList& asked, const std::string& subject,
 
 void refuse_misuse(const ExplainRequest& request, const OptionList& options, const InPlace& in_place) {
   if (request.pixel.empty() == request.point.empty())
-    throw UsageError("explain", "say which pixel, by --pixel x,y or by --point X,Y,Z");
+    throw UsageError("explain", "name a pixel with --pixel x,y or --point X,Y,Z");
   if (!is_of_program(request, in_place)) return;
   if (!request.point.empty())
-    throw UsageError("--point", "is for models; a Program does not tell its camera: take --pixel");
+    throw UsageError("--point", "is for models; a Program does not record its camera: take --pixel");
   refuse_model_options(options, {"machine", "set", "pixel", "why-not", "json"});
 }
 

@@ -1,3 +1,5 @@
+// The request behind csgsim explain.
+// Used by sim/session, sim/app and sim/python.
 #pragma once
 
 #include <string>
@@ -11,7 +13,7 @@
 
 namespace csgsim::session {
 
-/// Options of a pixel's story.
+/// Options of a pixel's history.
 struct ExplainRequest {
   ModelRequest model;
   std::string pixel;
@@ -21,15 +23,14 @@ struct ExplainRequest {
   void add_to(OptionList& options);
 };
 
-/// Keys of options, and their texts.
+/// Keys of options with their texts.
 using GivenTexts = std::vector<std::pair<std::string, std::string>>;
 
-/// The command line that tells a pixel's story, all but its --pixel: of that model or Program, with the options of the
-/// request `asked` that `explain` takes too, and with those in `instead`, which replace them (lists of texts are
-/// appended).
-std::string explain_command(const OptionList& asked, const std::string& subject, const GivenTexts& instead);
+/// The `csgsim explain` command line, without --pixel, for that model or Program. It has those options of the request
+/// `options` that explain also accepts, and those in `instead`, which replace them (lists of texts are appended).
+std::string explain_command(const OptionList& options, const std::string& subject, const GivenTexts& instead);
 
-/// Throws UsageError where it is not said which pixel, or what is said is not for a Program.
+/// Throws UsageError if no pixel is given, or if an option does not apply to a Program.
 void refuse_misuse(const ExplainRequest& request, const OptionList& options, const InPlace& in_place = {});
 
 /// Throws InputError, UsageError.

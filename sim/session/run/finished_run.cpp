@@ -17,7 +17,7 @@ namespace csgsim::session {
 
 namespace {
 
-/// Worked out where somebody wants to see it: files are read once more for it.
+/// The configuration if it is wanted, else null: it hashes the input files, so they are read once more.
 nlohmann::ordered_json wanted_configuration(const OptionList& options, const RunSubject& subject,
                                             const RunRequest& request, bool is_wanted) {
   if (!is_wanted && request.stats.empty() && !request.report.asked() && !options.watch.before) return nullptr;
@@ -48,7 +48,7 @@ FinishedRun simulated(const RunSubject& subject, const RunRequest& request, cons
   return run;
 }
 
-/// What --max-wrong-pixels chose.
+/// The bits chosen by --max-wrong-pixels.
 GivenTexts chosen_bits(const OptionList& options, const isa::Program& program) {
   if (!options.is_given("max-wrong-pixels")) return {};
   const isa::CompileFacts& compile = program.facts->compile;

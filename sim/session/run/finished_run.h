@@ -1,3 +1,5 @@
+// Runs a Program and writes its outputs.
+// Used by sim/session and sim/shell.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,25 +20,25 @@
 
 namespace csgsim::session {
 
-/// A run that came to its end, and all that is told of it.
+/// A completed run and its results.
 struct FinishedRun {
-  observe::Frame picture;  ///< as the machine shows it
+  observe::Frame picture;  ///< the picture that the machine displays
   engine::RunResult result;
   observe::Stats stats;
-  std::vector<observe::Knob> knobs;   ///< what was tried and helps
-  std::string_view level;             ///< that it ran at
+  std::vector<observe::Knob> knobs;   ///< tried changes that help
+  std::string_view level;             ///< level of the run
   double seconds = 0;                 ///< wall time
-  nlohmann::ordered_json stats_file;  ///< what --stats writes
-  std::string verdict;                ///< of the judge, lines for the summary
+  nlohmann::ordered_json stats_file;  ///< content of the --stats file
+  std::string verdict;                ///< lines of the judge for the summary
 
-  /// Of the Program that was run, on the machine that ran it.
+  /// Report on the run; `subject` is the Program and the machine that were run.
   [[nodiscard]] observe::Report report(const RunSubject& subject) const {
     return {subject.program, subject.machine, level, result, stats, seconds, knobs};
   }
 };
 
-/// Runs the Program at the level asked for and writes what was asked for. Where there is a judge, its verdict goes into
-/// the stats under `accuracy`. With `is_configured` the stats have the configuration, whether or not they are written.
+/// Runs the Program at the requested level and writes the requested files. A judge's verdict goes into the stats under
+/// `accuracy`. With `is_configured` the stats include the configuration even if they are not written.
 FinishedRun finish_run(const OptionList& options, const RunSubject& subject, const RunRequest& request,
                        RunOutputs& outputs, const Advice& advice, const Judge& judge = {},
                        const CheckpointOptions& checkpoints = {}, bool is_configured = false);

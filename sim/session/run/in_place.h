@@ -1,3 +1,5 @@
+// Replaces a file by a text or Program in memory.
+// Used by explain.h, render.h and run_file.h.
 #pragma once
 
 #include <optional>
@@ -7,10 +9,10 @@
 
 namespace csgsim::session {
 
-/// What stands in the place of the file that is named, if anything.
+/// Replacement for the content of the named file, if any.
 struct InPlace {
-  std::optional<std::string> text;        ///< of a model
-  const isa::Program* program = nullptr;  ///< that has to outlive the call
+  std::optional<std::string> text;        ///< text of a model
+  const isa::Program* program = nullptr;  ///< must outlive the call
 };
 
 }  // namespace csgsim::session

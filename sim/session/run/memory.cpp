@@ -9,28 +9,28 @@ namespace csgsim::session {
 
 namespace {
 
-/// Bytes a pixel, but for its memory bits.
+/// Bytes per pixel, not counting its memory bits.
 constexpr std::uint64_t functional_bytes = 28;
 constexpr std::uint64_t cycle_bytes = 38;
 constexpr std::uint64_t reference_bytes = 12;
-/// The reference level has words of a pixel's memory, one more than it fills.
+/// Word size of a pixel's memory at the reference level, which allocates one word more than it fills.
 constexpr std::uint64_t word_bits = 64;
 
-constexpr std::uint64_t much = std::uint64_t{1} << 30U;
+constexpr std::uint64_t announced = std::uint64_t{1} << 30U;
 
-constexpr std::string_view mend = "give the model fewer ($fn, --tolerance), or csgsim more memory";
+constexpr std::string_view fix = "use fewer half-spaces ($fn, --tolerance), or free more memory";
 
 }  // namespace
 
 std::string short_of_memory(const std::string& model, std::size_t halfspaces) {
-  return fmt::format("there is not enough memory to compile the {} half-spaces of {}; {}", halfspaces, model, mend);
+  return fmt::format("there is not enough memory to compile the {} half-spaces of {}; {}", halfspaces, model, fix);
 }
 
 std::string short_of_memory(std::span<const isa::Program> programs, const isa::ArrayShape& array) {
   std::uint64_t instructions = 0;
   std::uint64_t halfspaces = 0;
   for (const isa::Program& program : programs) {
-    instructions += isa::instructions_in(program);
+    instructions += isa::total_instructions(program);
     halfspaces = std::max(halfspaces, program.facts->model.halfspaces);
   }
   const std::uint64_t pixels = std::uint64_t{array.width} * array.height;
@@ -39,7 +39,7 @@ std::string short_of_memory(std::span<const isa::Program> programs, const isa::A
                        array.width, array.height, array.memory_bits);
   }
   return fmt::format("there is not enough memory for a run of {} instructions, made of {} half-spaces; {}",
-                     instructions, halfspaces, mend);
+                     instructions, halfspaces, fix);
 }
 
 std::uint64_t memory_estimate(const machines::Machine& machine, const isa::ArrayShape& picture,
@@ -53,9 +53,9 @@ std::uint64_t memory_estimate(const machines::Machine& machine, const isa::Array
 
 void announce_memory(const machines::Machine& machine, const isa::ArrayShape& picture, std::string_view level) {
   const std::uint64_t bytes = memory_estimate(machine, picture, level);
-  if (bytes < much) return;
-  tell_line(fmt::format("{} x {} pixels at the {} level take about {:.1f} GB of memory", picture.width, picture.height,
-                        level, static_cast<double>(bytes) / 1e9));
+  if (bytes < announced) return;
+  report_line(fmt::format("{} x {} pixels at the {} level take about {:.1f} GB of memory", picture.width,
+                          picture.height, level, static_cast<double>(bytes) / 1e9));
 }
 
 }  // namespace csgsim::session

@@ -1,3 +1,5 @@
+// Memory estimates, and messages for exhausted memory.
+// Used by sim/session, sim/app, sim/shell, sim/studies and sim/viewer.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,14 +16,14 @@
 
 namespace csgsim::session {
 
-/// What to say where there is not enough memory to compile a model.
+/// The message if memory does not suffice to compile a model.
 std::string short_of_memory(const std::string& model, std::size_t halfspaces);
 
-/// What to say where a run, of Programs one after another on an array of that shape, fills memory: that of them or of
-/// the pixels, whichever is more.
+/// The message if memory does not suffice for a run of Programs, one after another, on an array of that shape. It
+/// blames the Programs or the pixels, whichever take more.
 std::string short_of_memory(std::span<const isa::Program> programs, const isa::ArrayShape& array);
 
-/// Calls the function; where there is not enough memory for it, throws an InputError with what say() returns.
+/// Calls the function. If memory does not suffice, throws an InputError with the text that `say` returns.
 template <class Say, class Call>
 auto with_memory(Say say, Call call) {
   try {
@@ -31,7 +33,7 @@ auto with_memory(Say say, Call call) {
   }
 }
 
-/// The same, for what may be taken smaller.
+/// The same for anything that the user can make smaller.
 template <class Call>
 auto with_memory_for(const std::string& what, Call call) {
   return with_memory([&] { return fmt::format("there is not enough memory for {}; take a smaller one", what); }, call);
@@ -42,13 +44,13 @@ auto with_memory_for_picture(const isa::ArrayShape& array, Call call) {
   return with_memory([&] { return short_of_memory({}, array); }, call);
 }
 
-/// For a run: short_of_memory.
+/// The same for a run, with the message of short_of_memory.
 template <class Call>
 auto with_memory_for_run(std::span<const isa::Program> programs, const isa::ArrayShape& array, Call call) {
   return with_memory([&] { return short_of_memory(programs, array); }, call);
 }
 
-/// For what is measured at the same time, on so many threads: `points`, `choices`.
+/// The same for work on several threads; `what` names its items, as in `points`.
 template <class Call>
 auto with_memory_for_threads(unsigned threads, const char* what, Call call) {
   const auto say = [&] {
@@ -58,11 +60,11 @@ auto with_memory_for_threads(unsigned threads, const char* what, Call call) {
   return with_memory(say, call);
 }
 
-/// Memory that a run takes beside what every process does, about: what a pixel takes was measured with pictures of
-/// 4096 x 4096 pixels (docs/performance.md).
+/// Estimate of the memory of a run, in bytes, without the base memory of a process. The bytes per pixel were measured
+/// with pictures of 4096 x 4096 pixels (docs/performance.md).
 std::uint64_t memory_estimate(const machines::Machine& machine, const isa::ArrayShape& picture, std::string_view level);
 
-/// Says on standard error what a run will take if that is much: somebody may rather not begin.
+/// Announces the memory of a large run on standard error, so that the user can stop it early.
 void announce_memory(const machines::Machine& machine, const isa::ArrayShape& picture, std::string_view level);
 
 }  // namespace csgsim::session

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The file was read before, within the limits of its kind.
+/// Unlimited: the file was read before, within the limits of its kind.
 constexpr InputKind input_again{"a file", std::numeric_limits<std::size_t>::max(), ""};
 
 }  // namespace

@@ -1,19 +1,21 @@
+// Bytes and hashes of files in JSON.
+// Used by sim/session and sim/shell.
 #pragma once
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-/// Files and texts from outside, as stats files have them.
+/// Files and texts from outside, as stored in stats files.
 namespace csgsim::session {
 
-/// The hash of the bytes of a file; null of what can be read only once, as a pipe is. Throws InputError.
+/// Hash of a file's bytes; null for files that can be read only once, such as pipes. Throws InputError.
 nlohmann::ordered_json hash_of_file(const std::filesystem::path& file);
 
-/// Bytes from outside, as JSON can hold them: those that are no plain text are {"hex": "..."}.
+/// Bytes from outside as JSON: a string if they are printable text, otherwise {"hex": "..."}.
 nlohmann::ordered_json bytes_json(const std::string& bytes);
 
-/// The same back. Throws InputError where it is neither.
+/// The reverse. Throws InputError if the JSON is neither.
 std::string bytes_of(const nlohmann::ordered_json& json);
 
 }  // namespace csgsim::session

@@ -18,9 +18,9 @@ void RenderRequest::add_to(OptionList& options) {
   model.add_to(options);
   run.add_to(options);
   run.report.add_to(options);
-  options.flag("--check", check, "Hold the picture against the exact one, and add what differs to the stats");
+  options.flag("--check", check, "Compare the picture with the exact one and add the differences to the stats");
   options.option("--max-wrong-pixels", max_wrong_pixels,
-                 "Take the cheapest --z-bits and --fraction-bits with at most so many wrong pixels");
+                 "Use the cheapest --z-bits and --fraction-bits with at most this number of wrong pixels");
 }
 
 Compiled compile(RenderRequest& request, const ChooseBits& choose, const InPlace& in_place) {
@@ -45,11 +45,11 @@ Judge judge_of(const RenderRequest& request, const Compiled& compiled) {
 Advice advice_of(const RenderRequest& request, const Compiled& compiled) {
   return {request.model.machine,
           request.run.advice,
-          "csgsim render with --advice tries the machine's figures and the settings, and tells what each is worth",
+          "csgsim render --advice tries machine parameters and settings and reports what each is worth",
           [&](const engine::RunResult& result) {
             return setting_knobs(compiled.model, request.model, compiled.machine, result);
           },
-          {"csgsim accuracy tells what bits and facets cost in wrong pixels, csgsim sweep what memory buys"}};
+          {"csgsim accuracy measures wrong pixels by bits and facets, csgsim sweep the benefit of memory"}};
 }
 
 }  // namespace csgsim::session

@@ -1,3 +1,5 @@
+// The request behind csgsim render.
+// Used by sim/app, sim/python and sim/studies.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +18,7 @@
 
 namespace csgsim::session {
 
-/// Options of a picture of a model.
+/// Options of drawing a model.
 struct RenderRequest {
   ModelRequest model;
   RunRequest run;
@@ -26,14 +28,14 @@ struct RenderRequest {
   void add_to(OptionList& options);
 };
 
-/// A model compiled for a machine, to be run.
+/// A model compiled for a machine, ready to run.
 struct Compiled {
   machines::Machine machine;
   CompiledModel model;
-  std::vector<std::filesystem::path> inputs;  ///< the files that were read, the model's first
-  bool is_text = false;                       ///< a text was read in place of the model's file
+  std::vector<std::filesystem::path> inputs;  ///< input files, the model's first
+  bool is_text = false;                       ///< a text replaced the content of the model's file
 
-  /// `options` are those that it was compiled with. Both have to outlive what is returned.
+  /// `request` is the one it was compiled from. Both have to outlive the result.
   [[nodiscard]] RunSubject subject(const RenderRequest& request) const {
     return {.machine = machine,
             .program = model.program,
@@ -46,18 +48,18 @@ struct Compiled {
   }
 };
 
-/// Puts into the request the bits that --max-wrong-pixels asks for: studies::choose_bits. Throws InputError.
+/// Sets the bits in the request to meet --max-wrong-pixels: studies::choose_bits. Throws InputError.
 using ChooseBits = std::function<void(RenderRequest&, const machines::Machine&, const model::Tree&)>;
 
-/// Compiles the model, with the bits that are chosen, if the request leaves that open. Warns of faces nearly in one
-/// plane. Throws InputError, UsageError.
+/// Compiles the model, with chosen bits if --max-wrong-pixels is given. Warns about nearly coplanar faces. Throws
+/// InputError, UsageError.
 Compiled compile(RenderRequest& request, const ChooseBits& choose, const InPlace& in_place = {});
 
-/// Holds the picture against the exact one of the same half-spaces; none without --check. Options and model have to
-/// outlive it. Throws InputError for what is see-through.
+/// Compares the picture with the exact one of the same half-spaces; empty without --check. Options and model have to
+/// outlive it. Throws InputError for transparent parts.
 Judge judge_of(const RenderRequest& request, const Compiled& compiled);
 
-/// What may be tried to better the run. Options and model have to outlive it.
+/// Changes to try that may speed the run up. Options and model have to outlive the result.
 Advice advice_of(const RenderRequest& request, const Compiled& compiled);
 
 }  // namespace csgsim::session

@@ -22,15 +22,15 @@ namespace csgsim::session {
 
 namespace {
 
-/// What is wrong with a page's name, or nothing.
+/// The problem of a page's name, or an empty string.
 std::string html_name(const std::string& name) {
-  return ends_in(name, ".html") ? "" : "'" + name + "' has to end in .html";
+  return ends_in(name, ".html") ? "" : "'" + name + "' must end in .html";
 }
 
 }  // namespace
 
 void ReportOption::add_to(OptionList& options) {
-  options.option("--report", file, "One page of all this, .html: pictures, counts, plots to point at; needs no network")
+  options.option("--report", file, "Write a self-contained .html page: pictures, counts, interactive plots")
       .check(html_name);
   asked_ = &options;
 }
@@ -74,7 +74,7 @@ report::StudyContext study_context(const ReportOption& option, const ModelReques
   machines::Machine machine = machines.front();
   machine.array.memory_bits = std::max(machine.array.memory_bits, ample_memory_bits);
   try {
-    context.picture = picture_of(model, machine, "The model as " + machine.name + " draws it");
+    context.picture = picture_of(model, machine, "The model drawn by " + machine.name);
   } catch (const InputError& error) {
     context.no_picture = error.what();
   }

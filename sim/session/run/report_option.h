@@ -1,3 +1,5 @@
+// The option --report and its page file.
+// Used by sim/session, sim/app and sim/studies.
 #pragma once
 
 #include <filesystem>
@@ -19,25 +21,25 @@ struct StudyContext;
 
 namespace csgsim::session {
 
-/// The option --report of commands that show what they did as one page.
+/// The option --report of commands that summarise their results on one page.
 struct ReportOption {
   std::string file;
 
   void add_to(OptionList& options);
   [[nodiscard]] bool asked() const { return !file.empty(); }
 
-  /// What the command was told: nothing before the command line has been read.
+  /// The command and its options, for the page. Empty until the command line has been parsed.
   [[nodiscard]] report::Context context(std::span<const machines::Machine> machines = {}) const;
 
  private:
   const OptionList* asked_ = nullptr;
 };
 
-/// The page's file: opened before there is anything to tell, so that nothing is done in vain.
+/// The page's file. It is opened before the work starts, so that a bad name fails early.
 class ReportFile {
  public:
-  /// Throws UsageError for one that is an input, InputError for one that cannot be written. Nothing if none is asked
-  /// for.
+  /// Throws UsageError if the file is an input, InputError if it cannot be written. Does nothing if no page is
+  /// requested.
   ReportFile(const ReportOption& option, std::span<const std::filesystem::path> inputs);
 
   [[nodiscard]] bool asked() const { return file_.has_value(); }
@@ -47,11 +49,10 @@ class ReportFile {
   std::optional<OutputFile> file_;
 };
 
-/// The model as the machine draws it.
+/// A picture of the model drawn by the machine.
 report::Picture picture_of(const ModelRequest& model, const machines::Machine& machine, const std::string& caption);
 
-/// What a study's page tells beside its points, with a picture of the model on the first machine, which is drawn for
-/// it.
+/// Context of a study's page, with a picture of the model drawn by the first machine.
 report::StudyContext study_context(const ReportOption& option, const ModelRequest& model,
                                    std::span<const machines::Machine> machines);
 

@@ -16,10 +16,10 @@ void ProgramRequest::add_to(OptionList& options) {
   options.option("PROGRAM", program, "The Program, .csgt or its text form").required();
   options
       .option("--machine", machine,
-              "A machine's name or its .toml file, in place of the one that the Program was compiled for; it gets "
-              "the array the Program is for")
+              "A machine's name or .toml file, instead of the machine the Program was compiled for; it gets the "
+              "array of the Program")
       .check(is_read_by(check_machine));
-  add_figure_sets(options, sets, "the machine");
+  add_parameter_sets(options, sets, "the machine");
   run.add_to(options);
   checkpoints.add_to(options);
 }
@@ -37,7 +37,7 @@ std::vector<std::filesystem::path> ProgramRequest::files_read() const {
 
 namespace {
 
-/// Files that a checkpoint may not take the place of. The one that is resumed may be written again.
+/// Files that a checkpoint must not replace. The resumed checkpoint may be overwritten.
 std::vector<std::filesystem::path> others(const ProgramRequest& request) {
   std::vector<std::filesystem::path> files = request.inputs();
   for (const std::string& file : {request.run.picture, request.run.depth, request.run.owner, request.run.stats})
@@ -45,7 +45,7 @@ std::vector<std::filesystem::path> others(const ProgramRequest& request) {
   return files;
 }
 
-/// As that of its file would be.
+/// The hash that the Program's file would have.
 std::string hash_of(const isa::Program& program) {
   const std::vector<std::byte> bytes = isa::encode(program);
   Hash hash;
@@ -72,7 +72,7 @@ Loaded load(const ProgramRequest& request, const InPlace& in_place) {
 
 Advice advice_of(const ProgramRequest& request, const machines::Machine& machine) {
   return {request.machine.empty() ? machine.name : request.machine, request.run.advice,
-          "csgsim run --advice tries the machine's figures, csgsim render --advice settings too"};
+          "csgsim run --advice tries machine parameters, csgsim render --advice also settings"};
 }
 
 }  // namespace csgsim::session

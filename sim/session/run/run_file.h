@@ -1,3 +1,5 @@
+// The request behind csgsim run.
+// Used by sim/app and sim/python.
 #pragma once
 
 #include <filesystem>
@@ -16,25 +18,25 @@ namespace csgsim::session {
 /// Options of a run of a Program.
 struct ProgramRequest {
   std::string program;
-  std::string machine;            ///< empty: the one that the Program names
-  std::vector<std::string> sets;  ///< KEY=VALUE of a figure
+  std::string machine;            ///< empty: the machine that the Program names
+  std::vector<std::string> sets;  ///< KEY=VALUE of a machine parameter
   RunRequest run;
   CheckpointOptions checkpoints;
 
   void add_to(OptionList& options);
 
-  /// The Program's file, and the machine's if it is one.
+  /// The Program's file, and the machine's file if it has one.
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const;
-  /// These, and the checkpoint that is resumed.
+  /// The inputs and the resumed checkpoint.
   [[nodiscard]] std::vector<std::filesystem::path> files_read() const;
 };
 
-/// A Program, and the machine that runs it.
+/// A Program and the machine that runs it.
 struct Loaded {
   machines::Machine machine;
   isa::Program program;
   std::vector<std::filesystem::path> inputs;
-  std::string hash{};  ///< of a Program in the file's place
+  std::string hash{};  ///< hash of a Program that replaces the file
   bool is_in_place = false;
 
   [[nodiscard]] RunSubject subject() const {
@@ -42,10 +44,10 @@ struct Loaded {
   }
 };
 
-/// Throws UsageError for what makes no sense, InputError for a checkpoint that cannot be written.
+/// Throws UsageError for contradictory options, InputError for a checkpoint that cannot be written.
 void refuse_misuse(const ProgramRequest& request);
 
-/// Reads the Program, or takes the one in its place. Throws InputError, UsageError.
+/// Reads the Program, or takes its replacement. Throws InputError, UsageError.
 Loaded load(const ProgramRequest& request, const InPlace& in_place = {});
 
 Advice advice_of(const ProgramRequest& request, const machines::Machine& machine);

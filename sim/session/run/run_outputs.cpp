@@ -14,7 +14,7 @@ namespace csgsim::session {
 
 namespace {
 
-/// The file beside an owner picture that tells its colours; none if it holds indices.
+/// The legend file beside an owner picture; empty if the picture holds indices.
 std::string legend_of(const std::filesystem::path& owner_picture) {
   return observe::has_legend(owner_picture) && !is_unnamed_stream(owner_picture)
              ? std::filesystem::path(owner_picture).replace_extension(".json").native()

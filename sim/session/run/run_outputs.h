@@ -1,3 +1,5 @@
+// Output files of a run.
+// Used by sim/session, sim/app and sim/python.
 #pragma once
 
 #include <array>
@@ -12,11 +14,11 @@
 
 namespace csgsim::session {
 
-/// The files that a run is to write: opened before it, so that nothing is simulated in vain, and put in their places
-/// together at its end.
+/// The output files of a run. They are opened before it, so that bad names fail early, and committed together at its
+/// end.
 class RunOutputs {
  public:
-  /// Throws UsageError for one that is another or an input, InputError for one that cannot be written.
+  /// Throws UsageError for a file that is an input or another output, InputError for one that cannot be written.
   RunOutputs(const RunRequest& request, std::span<const std::filesystem::path> inputs);
 
   void write_pictures(const observe::Frame& frame, const isa::Program& program);
@@ -25,9 +27,17 @@ class RunOutputs {
   void commit();
 
  private:
-  enum Output : std::uint8_t { picture, depth, owner, legend, stats, page };  ///< the legend is of the owner picture
+  enum Output : std::uint8_t {
+    picture,
+    depth,
+    owner,
+    legend,
+    stats,
+    page
+  };  ///< the legend belongs to the owner
+      ///< picture
 
-  bool of_opaque_;  ///< depth and owner are of opaque surfaces
+  bool of_opaque_;  ///< depth and owner show opaque surfaces
   std::array<std::optional<OutputFile>, page + 1> files_;
 };
 

@@ -23,16 +23,16 @@ namespace csgsim::session {
 
 namespace {
 
-/// What is wrong with the name of a picture that has to be an EXR file, or nothing.
+/// The problem of a picture name that must be an EXR file, or an empty string.
 std::string exr_name(const std::string& name) {
-  return ends_in(name, ".exr") || is_unnamed_stream(name) ? "" : "'" + name + "' has to end in .exr";
+  return ends_in(name, ".exr") || is_unnamed_stream(name) ? "" : "'" + name + "' must end in .exr";
 }
 
-/// The same of an owner picture.
+/// The same for an owner picture.
 std::string owner_name(const std::string& name) {
   return ends_in(name, ".exr") || ends_in(name, ".png") || is_unnamed_stream(name)
              ? ""
-             : "'" + name + "' has to end in .png or .exr";
+             : "'" + name + "' must end in .png or .exr";
 }
 
 }  // namespace
@@ -47,19 +47,21 @@ systemc::EvaluatorForm evaluator_form(const std::string& evaluator, const std::s
 
 observe::LongWork long_run(const std::string& level) {
   return {"the run at the " + level + " level",
-          level == "functional" ? "more --threads and a smaller --size take less"
-                                : "--level functional draws the same picture and tells the same counts in far less"};
+          level == "functional" ? "more --threads or a smaller --size take less time"
+                                : "--level functional gives the same picture and counts much faster"};
 }
 
 void RunRequest::add_outputs_to(OptionList& options) {
   options
-      .option("-o,--output", picture, "The picture; the format is the name's ending (.png, .tif, .ppm, ...), PNG for -")
+      .option("-o,--output", picture,
+              "The picture; the name's ending selects the format (.png, .tif, .ppm, ...), PNG for -")
       .check(not_empty);
-  options.option("--depth", depth, "Depth picture, .exr: distance from the eye along the view axis, model units")
+  options.option("--depth", depth, "Depth picture, .exr: distance from the eye along the view axis, in model units")
       .check(exr_name);
   options
-      .option("--owner", owner,
-              "Which primitive is seen: .png, a colour each and a legend, .json beside it; or .exr, its index")
+      .option(
+          "--owner", owner,
+          "Picture of the visible primitives: .png with a colour each and a .json legend, or .exr with their indices")
       .check(owner_name);
   options.option("--stats", stats, "All counts, .json").check(not_empty);
 }
@@ -68,31 +70,30 @@ void RunRequest::add_to(OptionList& options) {
   add_outputs_to(options);
   options
       .option("--surface", surface,
-              "What --depth and --owner tell: the nearest surface that is seen, see-through or not; or the opaque one "
-              "that is seen, through others or not")
+              "Surface in --depth and --owner: the nearest visible one, transparent or not, or the nearest opaque one, "
+              "even behind transparent ones")
       .one_of({"nearest", "opaque"}, "surface");
   options
-      .option("--level", level,
-              "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow); all give the same")
+      .option(
+          "--level", level,
+          "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow); all give the same results")
       .one_of(level_names());
   options
       .option("--evaluator", evaluator,
-              "Of --level cycle, the multiplier trees of frame-buffer and pixel-square: worked-out of the "
-              "coefficients, or stepped "
-              "adder by adder, which takes longer")
+              "Multiplier trees of frame-buffer and pixel-square machines with --level cycle: worked-out from the "
+              "coefficients, or stepped adder by adder, which takes longer")
       .one_of(evaluator_names(), "evaluator");
-  options.option("--threads", threads, "Threads that the functional level works on; the picture is the same")
-      .between(1U, most_threads);
+  options.option("--threads", threads, "Threads of the functional level; the picture does not depend on their number")
+      .between(1U, max_threads);
   options.flag("--advice", advice,
-               "Try what could be turned, each of the machine's figures and each setting by one step, and tell what "
-               "it is worth");
+               "Try each machine parameter and each setting changed by one step, and report what the change is worth");
   add_progress(options, progress);
 }
 
 void refuse_overflow(const engine::RunResult& result) {
   if (result.overflows == 0) return;
   throw InputError("the Program overflows: at " + std::to_string(result.overflows) +
-                   " enabled pixels a linear expression does not fit its width; compile it again");
+                   " enabled pixels a linear expression does not fit its width; recompile it");
 }
 
 Drawn draw(const isa::Program& program, const machines::Machine& machine, const std::string& level,

@@ -1,3 +1,5 @@
+// Options of drawing a Program, and the engines for its levels.
+// Used by sim/session, sim/app, sim/shell, sim/studies, sim/viewer and sim/web.
 #pragma once
 
 #include <functional>
@@ -18,62 +20,62 @@
 
 namespace csgsim::session {
 
-inline constexpr unsigned most_threads = 1024;
+inline constexpr unsigned max_threads = 1024;
 
-/// Options of every command that runs a Program to a picture.
+/// Options of every command that runs a Program and draws a picture.
 struct RunRequest {
   std::string picture;
   std::string depth;
   std::string owner;
-  std::string surface = "nearest";  ///< of which depth and owner are: `nearest`, or what is `opaque` behind it
+  std::string surface = "nearest";  ///< surface in depth and owner: `nearest`, or the `opaque` one behind it
   std::string stats;
-  ReportOption report;  ///< only commands that have a model add it
+  ReportOption report;  ///< added only by commands that have a model
   std::string level = "functional";
-  std::string evaluator = "worked-out";  ///< of the cycle level: one of evaluator_names
+  std::string evaluator = "worked-out";  ///< one of evaluator_names; used at the cycle level
   std::string progress = "auto";
   unsigned threads = 1;
-  bool advice = false;  ///< try all that could be turned, to see what it is worth
+  bool advice = false;  ///< try changed parameters and settings to measure their worth
 
   void add_to(OptionList& options);
 
-  /// Of these only what is written.
+  /// Adds only the options of output files.
   void add_outputs_to(OptionList& options);
 };
 
-/// The names of the levels of fidelity.
+/// Names of the levels of fidelity.
 std::vector<std::string> level_names();
 
-/// The names of the forms that multiplier trees are built in.
+/// Names of the forms of multiplier trees.
 std::vector<std::string> evaluator_names();
 
-/// Throws UsageError for one that is no form at that level.
+/// Throws UsageError if the level does not support that form.
 systemc::EvaluatorForm evaluator_form(const std::string& evaluator, const std::string& level = "cycle");
 
-/// Of a run that may take long: what to say of it.
+/// Name of a long run and advice how to shorten it, for warnings.
 observe::LongWork long_run(const std::string& level);
 
-/// An engine of the level of that name.
+/// An engine of the level with that name.
 std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, const std::string& level,
                                             unsigned threads,
                                             systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
 
-/// A Program drawn without files.
+/// A Program drawn in memory, without files.
 struct Drawn {
-  observe::Frame frame;  ///< as the machine shows it
+  observe::Frame frame;  ///< the picture that the machine displays
   observe::Stats stats;
   engine::RunResult result;
   double seconds = 0;  ///< wall time
 };
 
-/// Runs it at that level, and tells how far it is. Throws InputError where memory does not hold it, or as
+/// Runs the Program at that level, with progress if requested. Throws InputError if memory does not suffice, or as
 /// refuse_overflow does.
 Drawn draw(const isa::Program& program, const machines::Machine& machine, const std::string& level = "functional",
            bool shows_progress = false);
 
-/// Says how right a finished picture is: writes it for the stats, and returns lines of text for the summary.
+/// Judges the accuracy of a finished picture: writes the result to the stats and returns lines for the summary.
 using Judge = std::function<std::string(const observe::Frame&, nlohmann::ordered_json&)>;
 
-/// Throws InputError if a linear expression did not fit its width somewhere.
+/// Throws InputError if a linear expression overflowed its width.
 void refuse_overflow(const engine::RunResult& result);
 
 }  // namespace csgsim::session

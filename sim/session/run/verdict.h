@@ -1,3 +1,5 @@
+// Accuracy of a picture compared with the exact one.
+// Used by sim/session and sim/viewer.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,9 +11,8 @@
 
 namespace csgsim::session {
 
-/// Holds the picture against the exact one of the same half-spaces: `json` becomes how many pixels are wrong, and in
-/// what, as the stats have it. Returns the same as a line of a summary. Throws InputError where something is
-/// see-through.
+/// Compares the picture with the exact one of the same half-spaces. `json` receives the number of wrong pixels by kind,
+/// for the stats; the return value is the same as a line of the summary. Throws InputError for transparent parts.
 std::string verdict(const CompiledModel& compiled, const ModelRequest& request, const observe::Frame& frame,
                     nlohmann::ordered_json& json);
 

@@ -12,7 +12,7 @@ namespace csgsim::shell {
 
 namespace {
 
-/// As one word in single quotes, each of which inside is written as `inside`: '\'' in sh, \' in fish.
+/// One word in single quotes. `inside` replaces each single quote in it: '\'' in sh, \' in fish.
 std::string quoted(std::string_view text, std::string_view inside) {
   std::string word = "'";
   for (const char letter : text) {
@@ -25,7 +25,7 @@ std::string quoted(std::string_view text, std::string_view inside) {
   return word + "'";
 }
 
-/// Words with blanks between them; those inside a word have a backslash, which all shells understand.
+/// Words separated by blanks; a blank inside a word is escaped by a backslash, which all shells understand.
 std::string listed(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) {
@@ -35,13 +35,13 @@ std::string listed(const std::vector<std::string>& words) {
   return list;
 }
 
-/// {0}: the program's name, {1}: words in the first place, {2}: a case of each command.
-constexpr const char* bash_script = R"bash(# Completion of {0} for bash, as `{0} --describe` writes it.
+/// {0}: the program's name, {1}: words in the first position, {2}: a case for each command.
+constexpr const char* bash_script = R"bash(# Completion of {0} for bash, written by `{0} --describe`.
 _{0}() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}}
   local options="" words="" files="" prefix=""
   COMPREPLY=()
-  # --option=value comes as three words.
+  # Bash splits --option=value into three words.
   if [[ $current == = ]]; then
     current=""
   elif [[ $previous == = ]]; then
@@ -82,7 +82,7 @@ std::vector<std::string> names_of(const std::vector<OptionHelp>& options) {
   return names;
 }
 
-/// What may stand in the value's place.
+/// The completions of a value, as shell variables.
 std::string value_of(const std::vector<std::string>& words, bool files) {
   std::string text;
   if (!words.empty()) text += fmt::format(" words=\"{}\"", listed(words));
@@ -90,7 +90,7 @@ std::string value_of(const std::vector<std::string>& words, bool files) {
   return text;
 }
 
-/// What may stand in the places of the operands.
+/// The completions of operands.
 std::string bash_operands_of(const CommandHelp& command) {
   std::vector<std::string> words;
   bool files = false;
@@ -129,10 +129,10 @@ std::string bash_completion(const Description& description) {
 
 namespace {
 
-/// {0}: the program's name, {1}: the machines, {2}: commands, {3}: options in the first place, {4}: a case of each
+/// {0}: the program's name, {1}: the machines, {2}: commands, {3}: options in the first position, {4}: a case for each
 /// command.
 constexpr const char* zsh_script = R"zsh(#compdef {0}
-# Completion of {0} for zsh, as `{0} --describe` writes it.
+# Completion of {0} for zsh, written by `{0} --describe`.
 _{0}_machines() {{
   _alternative 'machines:machine:({1})' 'files:file:_files'
 }}
@@ -154,7 +154,7 @@ _{0}() {{
 if [[ $funcstack[1] == _{0} ]]; then _{0} "$@"; else compdef _{0} {0}; fi
 )zsh";
 
-/// Brackets, colons and backslashes stand for themselves.
+/// Escapes brackets, colons and backslashes.
 std::string literal(std::string_view text) {
   std::string escaped;
   for (const char letter : text) {
@@ -166,7 +166,7 @@ std::string literal(std::string_view text) {
 
 std::string zsh_word(std::string_view text) { return quoted(text, "'\\''"); }
 
-/// What completes the value.
+/// The zsh action that completes the value.
 std::string action_of(const OptionHelp& option, const std::string& program) {
   switch (kind_of(option)) {
     case ValueKind::words:
@@ -224,7 +224,7 @@ std::string zsh_completion(const Description& description) {
 namespace {
 
 /// {0}: the program's name.
-constexpr const char* fish_beginning = R"fish(# Completion of {0} for fish, as `{0} --describe` writes it.
+constexpr const char* fish_beginning = R"fish(# Completion of {0} for fish, written by `{0} --describe`.
 function __{0}_does
     set -l words (commandline -opc)
     test (count $words) -gt 1; and test $words[2] = $argv[1]
@@ -246,7 +246,7 @@ std::string words_of(const OptionHelp& option) {
   return words.empty() ? "" : " -a " + fish_word(listed(words));
 }
 
-/// `-r`: a value has to follow; `-x`: and it is no file; `-F`: it is one.
+/// `-r`: a value has to follow; `-x`: a value that is no file; `-F`: a file.
 std::string value_of(const OptionHelp& option) {
   if (kind_of(option) == ValueKind::none) return "";
   return (offers_files(option) ? " -r -F" : " -x") + words_of(option);

@@ -16,7 +16,7 @@ namespace csgsim::shell {
 
 namespace {
 
-/// As file_options.h knows it: an operand's name is in small letters there.
+/// The option's name as in option_table.h: the first long name, or an operand's name in lower case.
 std::string settings_name(const OptionHelp& option) {
   std::string name = long_name(option);
   if (name.empty()) name = option.names.front();
@@ -64,11 +64,11 @@ CommandHelp help_of_command(const Command& command) {
   for (const Option& option : command.all())
     (option.is_operand ? help.operands : help.options).push_back(help_of_option(option));
   if (command.all().empty()) return help;
-  help.options.push_back(
-      help_of_own({std::string(config_name)}, "TEXT",
-                  "A settings file, .toml: options of this command and others; what the command line says wins"));
-  help.options.push_back(
-      help_of_own({std::string(dump_name)}, "", "Print every option as it is now, as a settings file, and do nothing"));
+  help.options.push_back(help_of_own(
+      {std::string(config_name)}, "TEXT",
+      "A settings file, .toml, with options of this command and others; the command line takes precedence"));
+  help.options.push_back(help_of_own({std::string(dump_name)}, "",
+                                     "Print all options with their current values as a settings file, and exit"));
   return help;
 }
 

@@ -1,3 +1,5 @@
+// Description of the command line for manual pages and shell completion.
+// Used by command_line.cpp, completion.cpp and manual_pages.cpp.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +12,10 @@
 
 namespace csgsim::shell {
 
-/// What stands behind an option, or in an operand's place.
+/// Kind of an option's value or of an operand.
 enum class ValueKind : std::uint8_t {
-  none,        ///< nothing: a flag
-  words,       ///< one of its words, or a text that is made of them
+  none,        ///< no value: a flag
+  words,       ///< one of its words, or a text composed of them
   file,        ///< a file or folder
   machines,    ///< a machine's name or its file
   processors,  ///< a processor's name or its file
@@ -22,19 +24,19 @@ enum class ValueKind : std::uint8_t {
 
 ValueKind kind_of(const OptionHelp& option);
 
-/// Words that a shell may offer for the value: those that it takes, or the machines or processors; none if it takes any
-/// text.
+/// Words that a shell offers for the value: its own words, or the machines or processors; empty if any text is
+/// accepted.
 std::vector<std::string> offered_words(const OptionHelp& option);
 
-/// Does a shell offer files for the value?
+/// Whether a shell offers files for the value.
 bool offers_files(const OptionHelp& option);
 
-/// The whole command line, without what help hides.
+/// Description of the whole command line, without hidden options.
 struct Description {
   std::string program;
   std::string meaning;
   std::string version;
-  std::string date;  ///< of the sources, as in 2001-12-31
+  std::string date;  ///< date of the sources, as in 2001-12-31
   std::vector<OptionHelp> options;
   std::vector<CommandHelp> commands;
 };
@@ -44,21 +46,21 @@ std::vector<CommandHelp> helps_of(const std::deque<Command>& commands);
 
 Description describe(const std::string& program, const std::string& meaning, const std::deque<Command>& commands);
 
-/// A file that is made from the description.
+/// A file generated from the description.
 struct DescriptionFile {
   std::string name;
   std::string content;
 };
 
-/// `NAME.1` and `NAME-COMMAND.1`, pages for man.
+/// Manual pages `NAME.1` and `NAME-COMMAND.1`.
 std::vector<DescriptionFile> manual_pages(const Description& description);
 
-// Completion for the shells.
+// Completion scripts of the shells.
 std::string bash_completion(const Description& description);
 std::string zsh_completion(const Description& description);
 std::string fish_completion(const Description& description);
 
-/// Writes all of them to the folder, which is made if it is not there. Throws InputError.
+/// Writes all files to the folder, which is created if missing. Throws InputError.
 void write_description(const Description& description, const std::string& folder);
 
 }  // namespace csgsim::shell

@@ -16,8 +16,8 @@ constexpr std::size_t indent = 2;
 constexpr std::size_t text_column = 26;
 constexpr std::string_view continued = " \\";
 
-/// The words from a column on, none beyond `columns`; each line but the last ends with `mark`. A word
-/// that is longer than a line stays whole.
+/// Wraps a text that starts at `column`; further lines start at `next_column`. Each line but the last ends with `mark`.
+/// A word longer than a line stays whole.
 std::string wrapped(std::string_view text, std::size_t column, std::size_t next_column, std::string_view mark = {},
                     std::size_t columns = help_columns) {
   std::string lines;
@@ -40,7 +40,7 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t next_
   return lines;
 }
 
-/// A long list has blanks behind its commas, so that it can go on in the next line.
+/// Adds a blank after each comma of a long list, so that the list can be wrapped.
 std::string breakable(std::string list) {
   constexpr std::size_t longest = help_columns - text_column;
   if (list.size() < longest / 2) return list;
@@ -55,7 +55,7 @@ std::string meaning_of(const OptionHelp& option) {
   const auto remark = [&](const std::string& one) { remarks += (remarks.empty() ? "" : "; ") + one; };
   if (!option.range.empty()) remark(option.range);
   if (!option.usual.empty()) remark(breakable(option.usual) + " if not given");
-  if (option.is_needed) remark("needed");
+  if (option.is_needed) remark("required");
   return remarks.empty() ? text : text + " [" + remarks + "]";
 }
 
@@ -90,10 +90,10 @@ std::string option_lines(const CommandHelp& command) {
   return text;
 }
 
-/// Stands for a blank at which no line is broken.
+/// Placeholder for a blank at which no line may break.
 constexpr char joint = '\x01';
 
-/// An option of an example stays with its value.
+/// Keeps each option of an example on the same line as its value.
 std::string joined(std::string_view line) {
   std::string text(line);
   for (std::size_t at = text.find(" -"); at != std::string::npos; at = text.find(" -", at + 1)) {
@@ -105,7 +105,7 @@ std::string joined(std::string_view line) {
 
 bool is_command(std::string_view line) { return line.starts_with("  "); }
 
-/// Whether what is left of a footer belongs to the remark before it.
+/// Whether the rest of a footer continues the preceding remark.
 bool goes_on(std::string_view footer) {
   return !footer.empty() && !is_command(footer) && !footer.starts_with('\n') && !footer.starts_with("Example:");
 }
@@ -149,7 +149,7 @@ std::vector<SubjectHelp> by_subject(std::span<const OptionHelp> options) {
     if (found == subjects.end()) found = subjects.insert(found, SubjectHelp{subject, {}});
     found->options.push_back(&option);
   }
-  std::ranges::sort(subjects, {}, [](const SubjectHelp& one) { return session::place_of_subject(one.subject); });
+  std::ranges::sort(subjects, {}, [](const SubjectHelp& one) { return session::heading_position(one.subject); });
   return subjects;
 }
 
@@ -190,8 +190,8 @@ std::string help_of_all(const std::string& meaning, std::span<const CommandHelp>
   }
   return text + "\n" +
          wrapped(
-             "csgsim COMMAND --help tells of a command's options, and has an example. csgsim --version "
-             "tells the version.",
+             "csgsim COMMAND --help lists the options of a command, with an example. csgsim --version prints the "
+             "version.",
              0, 0) +
          "\n";
 }

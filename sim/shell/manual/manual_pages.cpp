@@ -12,7 +12,7 @@ namespace csgsim::shell {
 
 namespace {
 
-/// As roff prints it: no character is a command.
+/// Escapes a text for roff, so that no character acts as a command.
 std::string roff(std::string_view text) {
   std::string escaped;
   bool begins_line = true;
@@ -32,7 +32,7 @@ std::string roff(std::string_view text) {
   return escaped;
 }
 
-/// A text, a paragraph for each that an empty line parts; no line of it is empty.
+/// Converts a text to roff paragraphs, separated at empty lines; the page gets no empty line.
 std::string paragraphs(const std::string& text) {
   std::string page;
   std::istringstream lines(text);
@@ -43,7 +43,7 @@ std::string paragraphs(const std::string& text) {
 std::string heading(const Description& of, const std::string& name, const std::string& meaning) {
   std::string title = name;
   for (char& letter : title) letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
-  // Neither hyphens nor wide gaps: names of options are long.
+  // Option names are long: suppress hyphenation and wide gaps.
   return fmt::format(".TH {} 1 {} \"{} {}\"\n.nh\n.ad l\n.SH NAME\n{} \\- {}\n", roff(title), of.date, of.program,
                      of.version, roff(name), roff(meaning));
 }
@@ -68,7 +68,7 @@ std::string entry(const OptionHelp& option) {
     text += fmt::format("\n{}: {}.", option.words.empty() ? "Built in" : "Words", fmt::join(words, ", "));
   if (!option.range.empty()) text += "\nRange: " + option.range + ".";
   if (!option.usual.empty()) text += "\nIf not given: " + option.usual + ".";
-  if (option.is_needed && option.names.front().starts_with('-')) text += "\nNeeded.";
+  if (option.is_needed && option.names.front().starts_with('-')) text += "\nRequired.";
   return ".TP\n" + tag(option) + "\n" + paragraphs(text);
 }
 
@@ -82,7 +82,7 @@ std::string operands_of(const CommandHelp& command) {
   return command.operands.empty() ? "" : ".SH OPERANDS\n" + entries(command.operands);
 }
 
-/// As help has them.
+/// Options under the headings of help.
 std::string options_of(const CommandHelp& command) {
   std::string text = ".SH OPTIONS\n";
   for (const auto& [subject, options] : by_subject(command.options)) {
@@ -92,7 +92,7 @@ std::string options_of(const CommandHelp& command) {
   return text;
 }
 
-/// What is left of a line of a terminal's 80 columns, which man indents.
+/// Width of a terminal's 80 columns less the indentation of man.
 constexpr std::size_t example_columns = 70;
 
 std::string examples(const CommandHelp& command) {
@@ -104,8 +104,8 @@ std::string examples(const CommandHelp& command) {
 }
 
 std::string ends(const Description& of) {
-  return ".SH EXIT STATUS\n.TP\n0\nAll went well.\n.TP\n1\nAn input is bad, or an output cannot be written; "
-         "the message says where and why.\n.TP\n2\nThe command line makes no sense.\n.TP\n3\nA fault of " +
+  return ".SH EXIT STATUS\n.TP\n0\nSuccess.\n.TP\n1\nAn input is invalid, or an output cannot be written; "
+         "the message says where and why.\n.TP\n2\nThe command line is invalid.\n.TP\n3\nA bug in " +
          of.program + " itself.\n";
 }
 
@@ -124,7 +124,7 @@ DescriptionFile page_of(const Description& of, const CommandHelp& command) {
   return {name + ".1", text};
 }
 
-/// The description begins with the program's name, which the heading has already.
+/// The program's meaning without the leading program name, which the heading already has.
 std::string meaning_of(const Description& of) {
   const std::string begin = of.program + ": ";
   return of.meaning.starts_with(begin) ? of.meaning.substr(begin.size()) : of.meaning;
@@ -134,8 +134,7 @@ DescriptionFile page_of_all(const Description& of) {
   std::string text = heading(of, of.program, meaning_of(of)) +
                      fmt::format(".SH SYNOPSIS\n{} {} [{}] [{}]\n", bold(of.program), italic("COMMAND"),
                                  italic("OPTIONS"), italic("OPERANDS")) +
-                     ".SH DESCRIPTION\n" + paragraphs(meaning_of(of) + ".") +
-                     ".SH COMMANDS\nEach has a page of its own.\n";
+                     ".SH DESCRIPTION\n" + paragraphs(meaning_of(of) + ".") + ".SH COMMANDS\nEach has its own page.\n";
   std::string pages;
   for (const CommandHelp& command : of.commands) {
     const std::string page = roff(of.program + "-" + command.name);

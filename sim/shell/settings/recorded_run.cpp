@@ -22,16 +22,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr InputKind stats_input{"name a stats file, .json", std::size_t{256} << 20U, "that is no stats file"};
+constexpr InputKind stats_input{"name a stats file, .json", std::size_t{256} << 20U, "it is not a stats file"};
 
 /// Commands that write stats.
 constexpr auto recorded_commands = std::to_array<std::string_view>({"render", "run"});
 
-/// Options without effect on picture and counts, beside names of what is written.
+/// Options that do not affect picture and counts, in addition to names of outputs.
 constexpr auto without_effect =
     std::to_array<std::string_view>({"checkpoint-every", "openscad-time", "progress", "quiet"});
 
-constexpr std::size_t most_differences = 10;  ///< that are told
+constexpr std::size_t max_differences = 10;  ///< reported at most
 
 std::string place_of(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
@@ -39,7 +39,7 @@ std::string place_of(std::string_view text, std::size_t byte) {
   return fmt::format("{}:{}", std::count(before.begin(), before.end(), '\n') + 1, before.size() - line + 1);
 }
 
-/// Remembers where a text ceases to be JSON that can be read.
+/// Records where a text stops being valid JSON.
 struct FirstFault : nlohmann::detail::json_sax_acceptor<Json> {
   std::size_t byte = 0;
 
@@ -57,24 +57,23 @@ std::string place_of_fault(const std::string& text) {
 
 const Json& member(const RecordedRun& run, const Json& json, const std::string& key) {
   if (!json.is_object() || !json.contains(key)) {
-    throw InputError(
-        fmt::format("{}: there is no '{}' in its configuration; take a stats file as csgsim wrote it", run.file, key));
+    throw InputError(fmt::format("{}: its configuration lacks '{}'; use an unmodified stats file", run.file, key));
   }
   return json.at(key);
 }
 
 [[noreturn]] void fail_value(const RecordedRun& run, const Json& value, std::string_view wanted) {
-  throw InputError(fmt::format("{}: its configuration has {} where {} should be; take a stats file as csgsim wrote it",
+  throw InputError(fmt::format("{}: its configuration has {} where {} should be; use an unmodified stats file",
                                run.file, printable(value.dump().substr(0, 40)), wanted));
 }
 
-/// No text of a command line or a file's name has a zero byte.
+/// Neither command lines nor file names can hold a zero byte.
 std::string text_in(const RecordedRun& run, const Json& json) {
   try {
     std::string text = bytes_of(json);
     if (text.find('\0') == std::string::npos) return text;
   } catch (const InputError&) {
-    // as below
+    // the error below covers this case
   }
   fail_value(run, json, "a text");
 }
@@ -83,7 +82,7 @@ std::string number_in(const RecordedRun& run, const Json& value) {
   return value.is_number() ? value.dump() : text_in(run, value);
 }
 
-/// Empty where the option was not given.
+/// The values of an option; empty if it was not given.
 std::vector<std::string> values_of(const RecordedRun& run, const SettableOption& option, const Json& value) {
   if (value.is_null()) return {};
   std::vector<std::string> values;
@@ -100,8 +99,8 @@ std::vector<std::string> values_of(const RecordedRun& run, const SettableOption&
       return values;
     case Takes::texts: break;
   }
-  if (!value.is_array() || value.size() > most_in_list)
-    fail_value(run, value, fmt::format("a list of at most {} texts", most_in_list));
+  if (!value.is_array() || value.size() > max_list_values)
+    fail_value(run, value, fmt::format("a list of at most {} texts", max_list_values));
   for (const Json& one : value) values.push_back(text_in(run, one));
   return values;
 }
@@ -117,13 +116,13 @@ const SettableOption& option_named(const RecordedRun& run, std::string_view name
   if (found != options.end()) return *found;
   std::vector<std::string_view> known;
   for (const SettableOption& option : options) known.push_back(option.name);
-  throw InputError(fmt::format("{}: '{}' is no option of csgsim {} that stats tell of; the nearest is '{}'", run.file,
-                               printable(name), command_of(run), nearest(name, known)));
+  throw InputError(fmt::format("{}: '{}' is not an option of csgsim {} that stats record; the nearest is '{}'",
+                               run.file, printable(name), command_of(run), nearest(name, known)));
 }
 
 std::string shown(const Json& json) { return printable(json.dump().substr(0, 60)); }
 
-/// Without what tells of the run and not of its result.
+/// Removes what describes the run rather than its result.
 Json counts_of(const Json& stats) {
   Json counts = stats;
   counts.erase("configuration");
@@ -147,14 +146,13 @@ RecordedRun recorded_run_of(const std::string& text, const std::string& file) {
   } catch (const JsonLimitError& error) {
     throw InputError(fmt::format("{}: {}; name a stats file", run.file, error.what()));
   } catch (const Json::exception&) {
-    throw InputError(
-        fmt::format("{}:{}: this is no JSON that csgsim writes; name a stats file, as of csgsim render --stats",
-                    run.file, place_of_fault(text)));
+    throw InputError(fmt::format("{}:{}: not valid JSON; name a stats file, as written by csgsim render --stats",
+                                 run.file, place_of_fault(text)));
   }
   if (!run.stats.is_object() || !run.stats.contains("configuration")) {
     throw InputError(run.file +
-                     ": it has no configuration, so that nothing tells what it is of; name a stats file of "
-                     "csgsim render or run");
+                     ": it has no configuration that describes its run; name a stats file of csgsim render "
+                     "or run");
   }
   run.configuration = run.stats.at("configuration");
   return run;
@@ -164,7 +162,7 @@ std::string command_of(const RecordedRun& run) {
   const Json& words = member(run, run.configuration, "command");
   std::string name = words.is_array() && words.size() > 1 ? text_in(run, words.at(1)) : "";
   if (std::ranges::find(recorded_commands, name) == recorded_commands.end()) {
-    throw InputError(fmt::format("{}: it is of 'csgsim {}'; only stats of render and run can be run again", run.file,
+    throw InputError(fmt::format("{}: it is of 'csgsim {}'; only runs of render and run can be repeated", run.file,
                                  printable(name)));
   }
   return name;
@@ -192,8 +190,7 @@ std::vector<std::string> changes_since(const RecordedRun& run) {
     const std::string file = text_in(run, member(run, input, "file"));
     const Json now = hash_of_file(file);
     if (now.is_null()) {
-      changes.push_back(
-          fmt::format("{} can be read only once, so that nothing tells whether it is the same", printable(file)));
+      changes.push_back(fmt::format("{} can be read only once, so it cannot be checked for changes", printable(file)));
     } else if (now != member(run, input, "hash")) {
       changes.push_back(fmt::format("{} has changed", printable(file)));
     }
@@ -205,9 +202,10 @@ std::vector<std::string> changes_between(const RecordedRun& run, const Json& con
   std::vector<std::string> changes;
   const auto hash = [&](const Json& of, const char* what) { return member(run, member(run, of, what), "hash"); };
   if (hash(run.configuration, "machine") != hash(configuration, "machine"))
-    changes.push_back(fmt::format("the machine {} has other figures", configuration.at("machine").value("name", "")));
+    changes.push_back(
+        fmt::format("the machine {} has other parameters", configuration.at("machine").value("name", "")));
   if (hash(run.configuration, "model") != hash(configuration, "model"))
-    changes.push_back(fmt::format("{}, or a file that it takes in, has changed",
+    changes.push_back(fmt::format("{}, or a file that it includes, has changed",
                                   printable(bytes_of(configuration.at("model").at("file")))));
   return changes;
 }
@@ -218,7 +216,7 @@ std::vector<std::string> differences(const RecordedRun& run, const Json& stats) 
   const Json before = counts_of(run.stats);
   const Json now = counts_of(stats);
   for (const Json& one : Json::diff(before, now)) {
-    if (found.size() == most_differences) break;
+    if (found.size() == max_differences) break;
     const Json::json_pointer place(one.at("path").get<std::string>());
     found.push_back(fmt::format("{} was {}, is {}", printable(place.to_string()),
                                 before.contains(place) ? shown(before.at(place)) : "not there",

@@ -1,3 +1,5 @@
+// Reads the run recorded in a stats file and compares runs.
+// Used by sim/app.
 #pragma once
 
 #include <filesystem>
@@ -11,35 +13,36 @@
 
 namespace csgsim::shell {
 
-/// A stats file, with the configuration of the run that it is of.
+/// A stats file, with the configuration of its run.
 struct RecordedRun {
   std::string file;  ///< its name in messages
   nlohmann::ordered_json stats;
   nlohmann::ordered_json configuration;
 };
 
-/// Throws InputError where the file is no stats file, or has no configuration.
+/// Throws InputError if the file is not a stats file or has no configuration.
 RecordedRun read_recorded_run(const std::string& file);
 
-/// The same of the file's text.
+/// The same for the file's text.
 RecordedRun recorded_run_of(const std::string& text, const std::string& file);
 
-/// The command that the run was of. Throws InputError where it is none that can be run again.
+/// The command of the run. Throws InputError if that command cannot be repeated.
 std::string command_of(const RecordedRun& run);
 
-/// What asks for the same picture and counts of a command with these options: every option as it was, but for names of
-/// what was written, and what has no effect on it. Throws InputError for what is no option of the command, or no value
-/// of it.
+/// The settings that reproduce picture and counts with a command that has these options: every recorded option except
+/// names of outputs and options without effect on the result. Throws InputError for an unknown option or an invalid
+/// value.
 std::vector<Setting> settings_of(const RecordedRun& run, std::span<const SettableOption> options);
 
-/// What is not as it was, for people: the version, files that were read. Throws InputError for a file that cannot be
-/// read.
+/// Messages about what has changed since the run: the version, the input files. Throws InputError for an unreadable
+/// file.
 std::vector<std::string> changes_since(const RecordedRun& run);
 
-/// The same of what only the run's own configuration tells: the machine, and the model with all that it includes.
+/// The same for changes that only the configuration of the new run reveals: the machine, and the model with its
+/// included files.
 std::vector<std::string> changes_between(const RecordedRun& run, const nlohmann::ordered_json& configuration);
 
-/// Counts that are not as they were, for people, with both values; the first few of them.
+/// Messages about counts that differ, with both values; at most the first few.
 std::vector<std::string> differences(const RecordedRun& run, const nlohmann::ordered_json& stats);
 
 }  // namespace csgsim::shell

@@ -13,7 +13,7 @@ namespace {
 
 namespace utf = boost::locale::utf;
 
-/// A TOML string of the bytes; a byte that is no UTF-8, which TOML cannot have, is shown as people see it.
+/// A TOML string of the bytes. Bytes that are not UTF-8, which TOML cannot hold, are written as escapes.
 std::string toml_string(std::string_view bytes) {
   std::string text = "\"";
   for (auto at = bytes.begin(); at != bytes.end();) {
@@ -35,7 +35,7 @@ std::string toml_string(std::string_view bytes) {
   return text + '"';
 }
 
-/// Where nothing is said.
+/// Placeholder value for an option without a value.
 std::string_view example(Takes takes) {
   switch (takes) {
     case Takes::flag: return "false";
@@ -63,7 +63,7 @@ std::string value_text(const OptionValue& one) {
 }  // namespace
 
 std::string settings_text(const std::string& command, std::span<const OptionValue> options) {
-  std::string text = fmt::format("# Every option of csgsim {0}, as --config takes them.\n\n[{0}]\n", command);
+  std::string text = fmt::format("# All options of csgsim {0}, for --config.\n\n[{0}]\n", command);
   for (const OptionValue& one : options) {
     text += fmt::format("\n# {}\n", one.meaning);
     text += one.values.empty() ? fmt::format("# {} = {}\n", one.name, example(one.takes))

@@ -33,14 +33,14 @@ class Reader {
   std::vector<Setting> read(const toml::table& root) {
     for (const auto& [key, node] : root) {
       const SettableCommand* const command = command_named(key.str());
-      // Some commands are named as options of others are.
+      // Some commands have the same name as an option of another command.
       if (command != nullptr && (node.is_table() || !is_option(key.str()))) {
         read_command(*command, key, node);
       } else {
         read_common(key, node);
       }
     }
-    // As in the file, which the table does not keep.
+    // The table does not keep the order of the file; restore it.
     std::ranges::sort(found_, {}, [](const Found& one) { return std::pair(one.place.line, one.place.column); });
     std::vector<Setting> settings;
     for (Found& one : found_) {
@@ -53,7 +53,7 @@ class Reader {
   struct Found {
     Setting setting;
     toml::source_position place;
-    bool is_own;  ///< in the command's table
+    bool is_own;  ///< the setting is in the command's own table
   };
 
   [[noreturn]] void fail(const toml::source_position& place, std::string_view message) const {
@@ -70,7 +70,7 @@ class Reader {
                                [&](const SettableCommand& command) { return find(command.options, name) != nullptr; });
   }
 
-  /// Does the command's table say it too?
+  /// Whether the command's table also sets the option.
   [[nodiscard]] bool is_overridden(const Found& one) const {
     return !one.is_own && std::ranges::any_of(found_, [&](const Found& other) {
       return other.is_own && other.setting.name == one.setting.name;
@@ -88,7 +88,7 @@ class Reader {
     }
   }
 
-  /// The command's option of that name tells what it takes; where it has none, one of the other commands' does.
+  /// The command's own option of that name defines the type; if it has none, an option of another command does.
   void read_common(const toml::key& key, const toml::node& node) {
     std::vector<const SettableOption*> of_others;
     for (const SettableCommand& command : commands_) {
@@ -112,7 +112,7 @@ class Reader {
     }
   }
 
-  /// Every key that there may be at the top.
+  /// Every key allowed at the top level.
   [[nodiscard]] std::vector<SettableOption> vocabulary() const {
     std::vector<SettableOption> all;
     for (const SettableCommand& command : commands_) {
@@ -126,7 +126,7 @@ class Reader {
                                  std::string_view whose) const {
     std::vector<std::string_view> known;
     for (const SettableOption& option : options) known.push_back(option.name);
-    fail(key.source().begin, fmt::format("'{}' is no option of {}; the nearest known is '{}'", printable(key.str()),
+    fail(key.source().begin, fmt::format("'{}' is not an option of {}; the nearest known is '{}'", printable(key.str()),
                                          whose, nearest(key.str(), known)));
   }
 
@@ -173,18 +173,18 @@ class Reader {
     return fmt::format("{}", value->get());
   }
 
-  /// One word of a text.
+  /// One element of a text.
   [[nodiscard]] std::string word_of(const SettableOption& option, const toml::node& node,
                                     std::string_view wanted) const {
     if (node.is_number()) return number_of(option, node);
     const toml::value<std::string>* const value = node.as_string();
     if (value == nullptr) fail_type(option, node, wanted);
     if (value->get().find('\0') != std::string::npos)
-      fail(node.source().begin, option.name + " has a zero byte, which no text on a command line has; leave it out");
+      fail(node.source().begin, option.name + " contains a zero byte, which a command line cannot hold; remove it");
     return in_folder(option.name, value->get(), folder_);
   }
 
-  /// A list is what the command line writes with commas, but for names of files, of which there is one.
+  /// A list becomes a comma-separated text, except for file names, which are single values.
   [[nodiscard]] std::string text_of(const SettableOption& option, const toml::node& node) const {
     const FileRole role = known_option(option.name).role;
     const bool is_file = role == FileRole::input || role == FileRole::output;
@@ -211,8 +211,8 @@ class Reader {
   }
 
   void check_length(const SettableOption& option, const toml::array& list) const {
-    if (list.size() > most_in_list)
-      fail(list.source().begin, fmt::format("{} has more than {} values", option.name, most_in_list));
+    if (list.size() > max_list_values)
+      fail(list.source().begin, fmt::format("{} has more than {} values", option.name, max_list_values));
   }
 
   std::string shown_;

@@ -1,3 +1,5 @@
+// Reads and writes settings files (TOML).
+// Used by command_line.h, recorded_run.h and settings_dump.cpp.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +13,11 @@
 
 namespace csgsim::shell {
 
-using namespace session;  // whose requests the shell reads and shows
+using namespace session;
 
-inline constexpr std::size_t most_in_list = 10'000;  ///< values that a file gives an option
+inline constexpr std::size_t max_list_values = 10'000;  ///< values of an option in a file
 
-// Options of every command with options, about settings files.
+// Options of every command that has options; they concern settings files.
 inline constexpr std::string_view config_name = "--config";
 inline constexpr std::string_view dump_name = "--dump-config";
 
@@ -24,21 +26,21 @@ struct SettableCommand {
   std::vector<SettableOption> options;
 };
 
-/// An option that a settings file gives, as the command line would give it.
+/// An option given by a settings file, in the form of the command line.
 struct Setting {
   std::string name;
   std::vector<std::string> values;
   std::string place;  ///< file:line:column
 };
 
-/// What a settings file (TOML) says for one of the commands, whose options there are; `file` is its name, and relative
-/// names of files are relative to its folder. A key at the top is for every command that has such an option; one in
-/// a command's table, [render], is for that command alone and comes before. Throws InputError with file:line:column:
-/// keys that no command has, with the nearest one, and values of the wrong type, for whatever command they are.
+/// Reads the settings in a TOML text for one of the commands. `file` is its name; relative file names are relative to
+/// its folder. A top-level key applies to every command with that option; a key in a command's table, as in [render],
+/// applies to that command only and takes precedence. Throws InputError with file:line:column for unknown keys, with
+/// the nearest known one, and for values of the wrong type, whatever command they belong to.
 std::vector<Setting> read_settings(std::string_view text, const std::string& file,
                                    std::span<const SettableCommand> commands, std::string_view command);
 
-/// A settings file with every option of the command; where nothing is said, an example is commented out.
+/// A settings file with every option of the command; options without a value appear as commented examples.
 std::string settings_text(const std::string& command, std::span<const OptionValue> options);
 
 }  // namespace csgsim::shell

@@ -1,3 +1,5 @@
+// Coherence that evaluates all points.
+// One of the rows of coherences().
 #pragma once
 
 #include <cstddef>
@@ -8,7 +10,7 @@
 
 namespace csgsim::software {
 
-/// Every point is evaluated.
+/// Evaluates every point.
 template <class Count>
 class AllPoints {
  public:
@@ -16,8 +18,8 @@ class AllPoints {
 
   void begin_ray() {}
 
-  /// Whether the points behind the first `end` events are in the solid, and those before event `begin` are not;
-  /// `evaluate()` finds it out.
+  /// Whether the points after the first `end` events are inside the solid, given that those before event `begin` are
+  /// not; `evaluate()` computes it.
   template <class Evaluate>
   bool is_in(std::span<const Event> /*events*/, std::size_t /*begin*/, std::size_t /*end*/, const Evaluate& evaluate,
              Count& /*count*/) {

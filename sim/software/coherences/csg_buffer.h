@@ -1,3 +1,5 @@
+// CSG buffer coherence.
+// One of the rows of coherences().
 #pragma once
 
 #include <cstddef>
@@ -7,9 +9,9 @@
 
 namespace csgsim::software {
 
-/// The list structure with a pointer into it for each pixel, so that surfaces may come in any order from front to back
-/// and pixels side by side (thesis 4.5.4, algorithm 4.1). Here the first surfaces of all rays of a band come first,
-/// then the second ones, and so on.
+/// The list structure with a pointer into it for each pixel, so that surfaces can be processed in any order from front
+/// to back and pixels concurrently (thesis 4.5.4, algorithm 4.1). Here the first surfaces of all rays of a band are
+/// processed first, then the second ones, and so on.
 template <class Count>
 class CsgBuffer : public ListElements<Count> {
  public:
@@ -17,7 +19,7 @@ class CsgBuffer : public ListElements<Count> {
 
   using ListElements<Count>::ListElements;
 
-  /// A buffer has a pointer for each pixel of the picture.
+  /// Sets the number of pixels; the buffer has a pointer for each.
   void set_pixels(std::uint64_t pixels) { pixels_ = pixels; }
   [[nodiscard]] std::uint64_t words() const { return ListElements<Count>::words() + pixels_; }
 

@@ -1,3 +1,5 @@
+// First-point coherence.
+// One of the rows of coherences(), also used by the others.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +14,7 @@
 
 namespace csgsim::software {
 
-/// Of each primitive, whether the solid holds a point that is in this primitive alone: a bit each, worked out
-/// beforehand (thesis 4.5.1).
+/// One precomputed bit per primitive: whether the solid contains a point that is in this primitive only (thesis 4.5.1).
 template <class Count>
 class Alone {
  public:
@@ -42,10 +43,10 @@ class Alone {
   std::vector<bool> is_in_;
 };
 
-/// Whether a point is the first of its ray, and behind one surface alone.
+/// Whether a point is the first of its ray and behind one surface only.
 constexpr bool is_first_alone(std::size_t begin, std::size_t end) { return begin == 0 && end == 1; }
 
-/// Nothing is evaluated for the first point of a ray.
+/// Looks up the first point of a ray in place of an evaluation.
 template <class Count>
 class FirstPoint {
  public:

@@ -1,3 +1,5 @@
+// List structure with merged branches.
+// One of the rows of coherences().
 #pragma once
 
 #include <algorithm>
@@ -12,9 +14,9 @@
 
 namespace csgsim::software {
 
-/// The list structure in which branches lead to one element where the same primitives are active, in whatever order
-/// they were met: the thesis proposes it (4.5.3, at the end) and did not build it. Elements are sets of primitives
-/// then, and links between them are found as sons are in the list structure.
+/// The list structure in which branches lead to the same element if the same primitives are active, independent of the
+/// order of intersection. The thesis proposes it (end of 4.5.3) but did not implement it. Elements are sets of
+/// primitives, and links between them are searched as sons are in the list structure.
 template <class Count>
 class JoinedLists {
  public:
@@ -35,8 +37,9 @@ class JoinedLists {
     return is_in_kept(elements_[at_].kept, is_first_alone(begin, end), events[0].primitive(), alone_, evaluate, count);
   }
 
-  /// The empty set has an array of links, by primitive. An element has a pointer to its links, its class, and its set,
-  /// half a word a primitive; a link two pointers and a primitive; the table of sets a pointer an element.
+  /// The empty set has an array of links indexed by primitive. An element has a pointer to its links, its class, and
+  /// its set at half a word per primitive; a link has two pointers and a primitive; the table of sets has a pointer per
+  /// element.
   [[nodiscard]] std::uint64_t words() const {
     std::uint64_t words = alone_.words() + roots_.size() + 3 * links_.size() + 3 * elements_.size();
     for (const Element& element : elements_) words += element.active.size() / 2;
@@ -47,7 +50,7 @@ class JoinedLists {
   static constexpr std::uint32_t none = 0xffffffffU;
 
   struct Element {
-    std::vector<std::uint32_t> active;  ///< primitives, in order
+    std::vector<std::uint32_t> active;  ///< primitives, sorted
     std::uint32_t first_link;
     Class kept;
   };
@@ -108,7 +111,7 @@ class JoinedLists {
     return set;
   }
 
-  /// Word by word, as it is counted.
+  /// Hashes word by word, which is how it is counted.
   static std::uint64_t hash_of(std::span<const std::uint32_t> set, Count& count) {
     std::uint64_t hash = 0;
     for (const std::uint32_t primitive : set) {
@@ -142,10 +145,10 @@ class JoinedLists {
   }
 
   Alone<Count> alone_;
-  std::vector<std::uint32_t> roots_;  ///< of each primitive, the element of its set alone
+  std::vector<std::uint32_t> roots_;  ///< per primitive, the element of the set with only this primitive
   std::vector<Element> elements_;
   std::vector<Link> links_;
-  std::unordered_multimap<std::uint64_t, std::uint32_t> found_;  ///< elements by what their sets hash to
+  std::unordered_multimap<std::uint64_t, std::uint32_t> found_;  ///< elements by the hashes of their sets
   std::uint32_t at_ = 0;
 };
 

@@ -1,3 +1,5 @@
+// List structure coherence.
+// One of the rows of coherences(), also used by csg_buffer.h and sequences.h.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +12,10 @@
 
 namespace csgsim::software {
 
-/// All sequences of surfaces that rays have met, as a tree of elements: `son` comes next along a ray, `brother` in its
-/// place on other rays, `father` before it (thesis 4.5.3 and algorithm 4.1). An element's depth in the tree is its
-/// place along the ray, and how often a primitive is among its fathers tells whether a ray is in it.
+/// All sequences of surfaces along rays, as a tree of elements: `child` follows along a ray, `sibling` is an
+/// alternative on other rays, `parent` precedes (thesis 4.5.3 and algorithm 4.1). The depth of an element is its
+/// position along the ray; a ray is inside a primitive if it occurs an odd number of times from the element up to the
+/// root.
 template <class Count>
 class ListElements {
  public:
@@ -20,11 +23,11 @@ class ListElements {
 
   ListElements(const Tree& tree, Count& count) : alone_(tree, count), roots_(tree.leaf_of.size(), none) {}
 
-  /// The element of a surface that comes after `father`, or first where there is none; made if it is new.
-  std::uint32_t after(std::uint32_t father, std::uint32_t primitive, Count& count) {
+  /// The element of a surface after `parent`, or of a first surface if `parent` is none; created if it is new.
+  std::uint32_t after(std::uint32_t parent, std::uint32_t primitive, Count& count) {
     count(Operation::compare_long);
     count(Operation::branch);
-    if (father == none) {
+    if (parent == none) {
       count(Operation::add);
       count(Operation::load_long);
       count(Operation::compare_long);
@@ -34,7 +37,7 @@ class ListElements {
       return roots_[primitive];
     }
     count(Operation::load_long);
-    for (std::uint32_t at = elements_[father].son; at != none; at = elements_[at].brother) {
+    for (std::uint32_t at = elements_[parent].child; at != none; at = elements_[at].sibling) {
       count.list_step();
       count(Operation::load);
       count(Operation::compare);
@@ -45,13 +48,13 @@ class ListElements {
       count(Operation::branch_taken);
     }
     // A new branch becomes the first.
-    const std::uint32_t son = made(primitive, father, elements_[father].son, count);
-    elements_[father].son = son;
-    return son;
+    const std::uint32_t child = made(primitive, parent, elements_[parent].child, count);
+    elements_[parent].child = child;
+    return child;
   }
 
-  /// Whether the points behind an element are in; where it is not known, `evaluate()` finds it out. `is_first`: behind
-  /// one surface alone.
+  /// Whether the points after an element are inside; if unknown, `evaluate()` computes it. `is_first`: after one
+  /// surface only.
   template <class Evaluate>
   bool is_in(std::uint32_t element, bool is_first, const Evaluate& evaluate, Count& count) {
     count(Operation::load);
@@ -61,10 +64,10 @@ class ListElements {
     return is_in_kept(one.kept, is_first, one.primitive, alone_, evaluate, count);
   }
 
-  /// The surface before it along a ray; none of a first one.
-  [[nodiscard]] std::uint32_t father_of(std::uint32_t element) const { return elements_[element].father; }
+  /// The preceding surface along a ray; none for the first.
+  [[nodiscard]] std::uint32_t parent_of(std::uint32_t element) const { return elements_[element].parent; }
   [[nodiscard]] std::uint32_t primitive_of(std::uint32_t element) const { return elements_[element].primitive; }
-  /// Elements that are followed back to the first one.
+  /// Counts following pointers back to the first element.
   void count_back(std::size_t elements, Count& count) const {
     count(Operation::load_long, elements);
     count(Operation::load, elements);
@@ -79,14 +82,14 @@ class ListElements {
  private:
   struct Element {
     std::uint32_t primitive;
-    std::uint32_t father;
-    std::uint32_t brother;
-    std::uint32_t son;
+    std::uint32_t parent;
+    std::uint32_t sibling;
+    std::uint32_t child;
     Class kept;
   };
 
-  std::uint32_t made(std::uint32_t primitive, std::uint32_t father, std::uint32_t brother, Count& count) {
-    elements_.push_back({primitive, father, brother, none, Class::unknown});
+  std::uint32_t made(std::uint32_t primitive, std::uint32_t parent, std::uint32_t sibling, Count& count) {
+    elements_.push_back({primitive, parent, sibling, none, Class::unknown});
     count.list_element();
     count(Operation::call);
     count(Operation::store, 2);
@@ -97,11 +100,11 @@ class ListElements {
   }
 
   Alone<Count> alone_;
-  std::vector<std::uint32_t> roots_;  ///< of each primitive, the element of the sequences that it begins
+  std::vector<std::uint32_t> roots_;  ///< per primitive, the element of sequences that begin with it
   std::vector<Element> elements_;
 };
 
-/// Every sequence is evaluated once, ray by ray.
+/// Evaluates every sequence once, ray by ray.
 template <class Count>
 class ListStructure {
  public:

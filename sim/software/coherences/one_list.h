@@ -1,3 +1,5 @@
+// Coherence with the list of the previous ray.
+// One of the rows of coherences().
 #pragma once
 
 #include <algorithm>
@@ -11,13 +13,13 @@
 
 namespace csgsim::software {
 
-/// What is known of the points behind an event.
+/// Classification of the points after an event.
 enum class Class : std::uint8_t { unknown, out, in };
 
 constexpr Class class_of(bool is_in) { return is_in ? Class::in : Class::out; }
 
-/// The class that is kept; where it is unknown, it is looked up for a point behind one first surface alone, else
-/// `evaluate()` finds it out.
+/// The stored class. If unknown, it is looked up for a point behind one first surface only, and otherwise computed by
+/// `evaluate()`.
 template <class Count, class Evaluate>
 bool is_in_kept(Class& kept, bool is_first, std::uint32_t primitive, const Alone<Count>& alone,
                 const Evaluate& evaluate, Count& count) {
@@ -31,10 +33,11 @@ bool is_in_kept(Class& kept, bool is_first, std::uint32_t primitive, const Alone
   return is_in;
 }
 
-/// The list of the last ray's surfaces and classes is read again as long as surfaces come in the same order; from the
-/// first other one on it is made anew (thesis 4.5.2). First points are looked up.
+/// Reuses the list of the previous ray's surfaces and classes while surfaces come in the same order, and rebuilds it
+/// from the first difference on (thesis 4.5.2). First points are looked up.
 ///
-/// Points between events at one depth are no points: their class stays unknown until a ray has them apart.
+/// There are no points between events at the same depth: their class stays unknown until a ray has them at different
+/// depths.
 template <class Count>
 class OneList {
  public:
@@ -54,7 +57,7 @@ class OneList {
   }
 
   /// An element has a pointer to the next, and a primitive with its class.
-  [[nodiscard]] std::uint64_t words() const { return alone_.words() + 2 * most_; }
+  [[nodiscard]] std::uint64_t words() const { return alone_.words() + 2 * max_length_; }
 
  private:
   struct Element {
@@ -74,7 +77,7 @@ class OneList {
     count(Operation::branch_taken);
     list_.resize(place);
     list_.push_back({primitive, Class::unknown});
-    most_ = std::max<std::uint64_t>(most_, list_.size());
+    max_length_ = std::max<std::uint64_t>(max_length_, list_.size());
     count.list_element();
     count(Operation::store, 2);
     count(Operation::store_long, 2);
@@ -82,7 +85,7 @@ class OneList {
 
   Alone<Count> alone_;
   std::vector<Element> list_;
-  std::uint64_t most_ = 0;
+  std::uint64_t max_length_ = 0;
 };
 
 }  // namespace csgsim::software

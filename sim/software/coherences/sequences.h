@@ -1,3 +1,5 @@
+// Classification of surface sequences that come from front to back.
+// Used by ray tracing and by the display methods.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +18,8 @@
 
 namespace csgsim::software {
 
-/// What the surfaces of a pixel lead into, as they come from the front to the back: elements of the list structure, to
-/// which pixels have a pointer (thesis 4.5.4, algorithm 4.1). A sequence that is new is evaluated by a status tree.
+/// Sequences of surfaces as elements of the list structure, to which pixels have pointers (thesis 4.5.4, algorithm
+/// 4.1). A new sequence is evaluated by a status tree.
 template <class Count>
 class Sequences {
  public:
@@ -27,24 +29,25 @@ class Sequences {
   Sequences(const Tree& tree, Count& count)
       : elements_(tree, count), evaluator_(tree), owners_(tree), held_(tree.leaf_of.size()) {}
 
-  /// The element of a surface that comes after those of `element`.
+  /// The element after `element` for the next surface.
   std::uint32_t after(std::uint32_t element, std::uint32_t primitive, Count& count) {
     return elements_.after(element, primitive, count);
   }
 
-  /// The last surface.
+  /// The last surface of a sequence.
   [[nodiscard]] std::uint32_t primitive(std::uint32_t element) const { return elements_.primitive_of(element); }
-  /// Without the last surface.
-  [[nodiscard]] std::uint32_t before(std::uint32_t element) const { return elements_.father_of(element); }
+  /// The sequence without its last surface.
+  [[nodiscard]] std::uint32_t before(std::uint32_t element) const { return elements_.parent_of(element); }
 
-  /// Whether the points behind an element are in, of whose surfaces the last `at` are at one depth.
+  /// Whether the points after an element are inside, if the last `at` surfaces are at the same depth.
   bool is_in(std::uint32_t element, std::size_t at, Count& count) {
-    const bool is_first = at == 1 && elements_.father_of(element) == none;
+    const bool is_first = at == 1 && elements_.parent_of(element) == none;
     return elements_.is_in(
         element, is_first, [&] { return evaluated(element, count); }, count);
   }
 
-  /// Whose surface is seen, if the last `at`, in any order, are at one depth and lead in.
+  /// The owner of the visible surface if the last `at` surfaces, in any order, are at the same depth and enter the
+  /// solid.
   std::uint32_t owner(std::uint32_t element, std::size_t at, Count& count) {
     follow_back(element);
     std::sort(events_.end() - static_cast<std::ptrdiff_t>(at), events_.end());
@@ -52,15 +55,15 @@ class Sequences {
     return owners_.seen(events.first(events.size() - at), events.last(at), count);
   }
 
-  /// The same of a ray whose events are known: those before, and those at that depth.
+  /// The same for a ray with known events: those before, and those at that depth.
   std::uint32_t owner(std::span<const Event> before, std::span<const Event> at, Count& count) {
     return owners_.seen(before, at, count);
   }
 
-  /// Primitives that a ray is in behind an element: those that are met an odd number of times on the way back.
+  /// The primitives that contain the point after an element: those that occur an odd number of times on the way back.
   std::vector<std::uint32_t> held_at(std::uint32_t element, Count& count) {
     std::vector<std::uint32_t> met;
-    for (std::uint32_t at = element; at != none; at = elements_.father_of(at))
+    for (std::uint32_t at = element; at != none; at = elements_.parent_of(at))
       met.push_back(elements_.primitive_of(at));
     elements_.count_back(met.size(), count);
     for (const std::uint32_t primitive : met) held_[primitive] ^= 1U;
@@ -72,8 +75,8 @@ class Sequences {
     return held;
   }
 
-  /// The first of a ray's events that is seen; `farthest` where none is. With `seen_by`, the number of events up to the
-  /// last one at that depth, or all of them.
+  /// The first visible event of a ray; `farthest` if there is none. `seen_by` receives the number of events up to the
+  /// last one at that depth, or of all events.
   Seen along(std::span<const Event> events, std::uint32_t farthest, Count& count, std::size_t* seen_by = nullptr) {
     std::uint32_t element = none;
     for (std::size_t begin = 0; begin < events.size();) {
@@ -99,7 +102,7 @@ class Sequences {
  private:
   void follow_back(std::uint32_t element) {
     primitives_.clear();
-    for (; element != none; element = elements_.father_of(element))
+    for (; element != none; element = elements_.parent_of(element))
       primitives_.push_back(elements_.primitive_of(element));
     events_.clear();
     for (std::size_t i = primitives_.size(); i-- > 0;) {
@@ -111,7 +114,7 @@ class Sequences {
 
   bool evaluated(std::uint32_t element, Count& count) {
     primitives_.clear();
-    for (; element != none; element = elements_.father_of(element))
+    for (; element != none; element = elements_.parent_of(element))
       primitives_.push_back(elements_.primitive_of(element));
     elements_.count_back(primitives_.size(), count);
     evaluator_.start(count);
@@ -124,7 +127,7 @@ class Sequences {
   Owners<Count> owners_;
   std::vector<std::uint32_t> primitives_;
   std::vector<Event> events_;
-  std::vector<std::uint8_t> held_;  ///< 0 between calls
+  std::vector<std::uint8_t> held_;  ///< all 0 between calls
 };
 
 }  // namespace csgsim::software

@@ -37,8 +37,8 @@ struct Block {
 
 Block whole(std::uint32_t resolution) { return {{}, {resolution, resolution, resolution}}; }
 
-/// Writes the code of a block and of those below it. `uniform(block)` tells whether all of it is in, or all out; none
-/// if neither.
+/// Appends the code of a block and its descendants. `uniform(block)` returns whether the block is inside if it is
+/// uniform, and is empty otherwise.
 template <class Uniform>
 void encode(const Block& block, std::size_t axis, const Uniform& uniform, std::string& code) {
   if (const std::optional<bool> is_in = uniform(block)) {
@@ -50,7 +50,7 @@ void encode(const Block& block, std::size_t axis, const Uniform& uniform, std::s
   encode(block.half(axis, true), (axis + 1) % 3, uniform, code);
 }
 
-/// What rays are along a block.
+/// Classification of the rays along a block.
 class RayClass {
  public:
   explicit RayClass(const RayBundle& rays) : rays_(rays) {}
@@ -77,7 +77,7 @@ class RayClass {
   const RayBundle& rays_;
 };
 
-/// Goes through the leaves of a code: visit(block, is_in). Whether it is one whole code of blocks that can be halved.
+/// Calls visit(block, is_in) for the leaves of a code. Returns whether the code is exactly one valid tree.
 template <class Visit>
 bool visit_leaves(std::string_view code, std::uint32_t resolution, const Visit& visit) {
   struct Open {
@@ -171,7 +171,7 @@ std::string text_of(const Bintree& bintree) {
 
 namespace {
 
-/// Words of a text, one after another.
+/// The words of a text, one after another.
 class Words {
  public:
   Words(std::string_view text, std::string_view name) : text_(text), name_(name) {}
@@ -194,12 +194,12 @@ class Words {
     Number value{};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (word.empty() || error != std::errc{} || end != word.data() + word.size())
-      fail(fmt::format("'{}' is no number", printable(word)));
+      fail(fmt::format("'{}' is not a number", printable(word)));
     return value;
   }
 
   [[noreturn]] void fail(std::string_view what) const {
-    throw InputError(fmt::format("{}: {}; write the bintree again", printable(name_), what));
+    throw InputError(fmt::format("{}: {}; create the bintree again", printable(name_), what));
   }
 
  private:
@@ -216,17 +216,18 @@ Bintree read_bintree(std::string_view text, std::string_view name) {
   words.expect("resolution");
   Bintree bintree;
   bintree.resolution = words.number<std::uint32_t>();
-  if (bintree.resolution < fewest_cells || bintree.resolution > most_cells || !std::has_single_bit(bintree.resolution))
-    words.fail("the resolution is no power of two from 2 to 1024");
+  if (bintree.resolution < min_cells || bintree.resolution > max_cells || !std::has_single_bit(bintree.resolution))
+    words.fail("the resolution is not a power of two from 2 to 1024");
   words.expect("cube");
   for (int axis = 0; axis < 3; ++axis) bintree.low[axis] = words.number<double>();
   bintree.side = words.number<double>();
   const bool has_place = std::isfinite(bintree.low.x) && std::isfinite(bintree.low.y) && std::isfinite(bintree.low.z);
-  if (!has_place || !std::isfinite(bintree.side) || bintree.side <= 0) words.fail("the cube has no place or no size");
+  if (!has_place || !std::isfinite(bintree.side) || bintree.side <= 0)
+    words.fail("the position or the size of the cube is invalid");
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) bintree.code += word;
   const bool is_code = bintree.code.find_first_not_of("(01") == std::string::npos &&
                        visit_leaves(bintree.code, bintree.resolution, [](const Block&, bool) {});
-  if (!is_code) words.fail("the code is not that of one whole tree");
+  if (!is_code) words.fail("the code is not exactly one tree");
   return bintree;
 }
 

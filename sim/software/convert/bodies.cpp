@@ -19,7 +19,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// In single precision, outwards.
+/// Converts to single precision, rounding outwards.
 csg::BoxIndex::Box index_box(const UnitBox& box) {
   csg::BoxIndex::Box result;
   constexpr float far = std::numeric_limits<float>::infinity();
@@ -31,15 +31,15 @@ csg::BoxIndex::Box index_box(const UnitBox& box) {
   return result;
 }
 
-/// Greatest distance of points that are merged, as a fraction of the model's diagonal.
+/// Maximum distance of merged points, relative to the model's diagonal.
 constexpr double coarsest = convex::relative_tolerance;
-/// The same as a fraction of the least width of a node of the file.
+/// The same, relative to the minimum width of a node of the file.
 constexpr double part_of_width = 1e-5;
-/// How far a face may move to share a plane, as a fraction of the tolerance.
+/// Maximum displacement of a face to share a plane, relative to the tolerance.
 constexpr double part_of_tolerance = 0.3;
-/// The same as a fraction of the solid's thickness.
+/// The same, relative to the solid's thickness.
 constexpr double part_of_thickness = 1e-3;
-/// Least tolerance, as a fraction of the diagonal: it keeps quotients finite.
+/// Minimum tolerance, relative to the diagonal; keeps quotients finite.
 constexpr double finest = 1e-24;
 /// Error of a chain of transforms in doubles, relative to the coordinates.
 constexpr double rounding = 0x1p-50;
@@ -50,20 +50,20 @@ glm::dvec3 middle_of(const facet::Solid& solid) {
   return sum / static_cast<double>(solid.vertices.size());
 }
 
-/// Half of how thick a solid is, at least: the distance of the middle of its vertices from the nearest face.
+/// Lower bound of half a solid's thickness: the distance from the mean of its vertices to the nearest face.
 double inner_radius(const facet::Solid& solid, const glm::dvec3& middle) {
   double inner = std::numeric_limits<double>::infinity();
   for (const facet::Face& face : solid.faces) inner = std::min(inner, -face.plane.height(middle));
   return std::max(0.0, inner);
 }
 
-/// What is known of a model before its planes are.
+/// Size of a model, needed before its planes are created.
 struct Size {
   facet::Box box;
-  double least_width = std::numeric_limits<double>::infinity();  ///< of a node of the file
+  double min_body_width = std::numeric_limits<double>::infinity();  ///< minimum over nodes of the file
 };
 
-/// A node of the file: its pieces are one solid, of which some may be slivers.
+/// Size of a node of the file: its pieces form one solid, and some of them may be slivers.
 struct NodeSize {
   facet::Box box;
   double thickness = 0;  ///< of the thickest piece
@@ -75,11 +75,11 @@ struct NodeSize {
   }
 
   [[nodiscard]] double width() const {
-    double least = std::numeric_limits<double>::infinity();
-    if (thickness > 0) least = thickness;
+    double min_width = std::numeric_limits<double>::infinity();
+    if (thickness > 0) min_width = thickness;
     for (int axis = 0; axis < 3; ++axis)
-      if (box.high[axis] > box.low[axis]) least = std::min(least, box.high[axis] - box.low[axis]);
-    return least;
+      if (box.high[axis] > box.low[axis]) min_width = std::min(min_width, box.high[axis] - box.low[axis]);
+    return min_width;
   }
 };
 
@@ -93,13 +93,13 @@ Size size_of(const model::Tree& tree, const facet::Faceting& faceting) {
   }
   for (const auto& [place, node] : nodes) {
     size.box = facet::hull(size.box, node.box);
-    size.least_width = std::min(size.least_width, node.width());
+    size.min_body_width = std::min(size.min_body_width, node.width());
   }
   if (size.box.empty()) size.box = {glm::dvec3(0), glm::dvec3(0)};
   return size;
 }
 
-/// The place of the box that is nearest to the origin: doubles are finest there.
+/// The point of the box nearest to the origin, where doubles are finest.
 glm::dvec3 reference_of(const facet::Box& box) { return glm::clamp(glm::dvec3(0), box.low, box.high); }
 
 class BodyMaker {
@@ -107,7 +107,7 @@ class BodyMaker {
   BodyMaker(const glm::dvec3& reference, double diagonal, double unit, double tolerance)
       : reference_(reference), tolerance_(tolerance), planes_(reference, diagonal, unit) {}
 
-  /// The half-spaces of a solid. Appends the face's number to `face_of` for each face of the solid.
+  /// Creates the half-spaces of a solid. Appends the body's face index to `face_of` for each face of the solid.
   Body make(const facet::Solid& solid, std::vector<std::uint32_t>& face_of) {
     Body body;
     planes_.begin(footprint_of(solid));
@@ -198,7 +198,8 @@ std::vector<std::uint32_t> Bodies::meeting(const UnitBox& box) const {
 Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting, const Work& work) {
   const Size size = size_of(tree, faceting);
   const double diagonal = size.box.diagonal() > 0 ? size.box.diagonal() : 1.0;
-  const double tolerance = std::max(finest * diagonal, std::min(coarsest * diagonal, part_of_width * size.least_width));
+  const double tolerance =
+      std::max(finest * diagonal, std::min(coarsest * diagonal, part_of_width * size.min_body_width));
   const glm::dvec3 reference = reference_of(size.box);
   const facet::Box box{size.box.low - reference, size.box.high - reference};
   BodyMaker maker(reference, diagonal, WholePlanes::unit_of(box), tolerance);

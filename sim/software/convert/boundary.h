@@ -1,3 +1,5 @@
+// Boundaries of models.
+// Used by csgsim convert.
 #pragma once
 
 #include "host/facet/faceting.h"
@@ -7,9 +9,9 @@
 
 namespace csgsim::software::convert {
 
-/// The boundary of a model (thesis 5.4.2), of its primitives in facets. Throws InputError, naming the primitive's place
-/// in the file, where one cannot be faceted, and WorkError past the limit on work;
-/// std::logic_error if it is not closed, which would be a fault of ours. It is the same on any number of threads.
+/// The boundary of a model with faceted primitives (thesis 5.4.2). Throws InputError, with the primitive's place in the
+/// file, if it cannot be faceted, WorkError beyond the work limit, and std::logic_error if the boundary is not closed,
+/// which would be an error in csgsim. The result does not depend on the number of threads.
 Outlines boundary(const model::Tree& tree, const facet::Faceting& faceting = {}, const Work& work = {},
                   unsigned threads = 1);
 

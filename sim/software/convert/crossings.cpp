@@ -17,7 +17,7 @@ namespace {
 
 using Point = SeenKernel::Point_2;
 
-/// Finds where sides of an outline cross.
+/// Finds intersections of the sides of an outline.
 class Crossings {
  public:
   explicit Crossings(std::vector<glm::dvec3>& points) : points_(points) {}
@@ -38,7 +38,7 @@ class Crossings {
     }
   }
 
-  /// The points of each line, which is from the lower number to the higher, in its order.
+  /// The points on each line, sorted along it; lines run from the lower to the higher point index.
   [[nodiscard]] std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> taken() {
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> lines;
     for (auto& [key, found] : found_) {
@@ -88,7 +88,7 @@ class Crossings {
     found_[key_of(seg.line)].push_back({((place - seg.from) * way) / way.squared_length(), point});
   }
 
-  /// What part of a line is before another that crosses it; half of it, if rounding has them parallel.
+  /// Fraction of a line before another line that crosses it; 0.5 if rounding makes them parallel.
   static double part_before(const Seg& line, const Seg& other) {
     const SeenKernel::Vector_2 across = other.to - other.from;
     const double start = CGAL::determinant(across, line.from - other.from);

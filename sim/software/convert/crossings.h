@@ -1,3 +1,5 @@
+// Intersections of sides of outlines.
+// Used by outlines.cpp.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +9,9 @@
 
 namespace csgsim::software::convert {
 
-/// Ends sides where sides of one of these outlines cross, as they are seen from outside of its plane, and at its points
-/// that they pass through. A side that several outlines share ends in all of them. Whether there was any.
+/// Splits sides at their intersections with sides of the same outline, as seen from outside of its plane, and at points
+/// of the outline that they pass through. A side shared by several outlines is split in all of them. Returns whether
+/// any side was split.
 bool end_at_crossings(std::span<const std::size_t> which, Outlines& outlines);
 
 }  // namespace csgsim::software::convert

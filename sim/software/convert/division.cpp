@@ -10,8 +10,9 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// Where as many bodies cut a region, it is halved first, so that no cut goes through parts that it does not matter to.
-constexpr std::size_t most_cutting = 6;
+/// If at least this number of bodies cut a region, it is halved first, so that cuts do not extend into parts where they
+/// are irrelevant.
+constexpr std::size_t max_cutting = 6;
 
 std::vector<Known> knowns(const std::vector<Operand>& operands) {
   std::vector<Known> all;
@@ -36,7 +37,7 @@ std::vector<bool> used_operands(const LocalTree& tree, std::size_t count) {
   return is_used;
 }
 
-/// Leaves out the operands that nothing depends on any more.
+/// Removes the operands that no longer affect the result.
 void drop_unused(LocalTree& tree, std::vector<Operand>& operands) {
   std::vector<bool> is_kept = used_operands(tree, operands.size());
   for (std::size_t i = 0; i < operands.size(); ++i)
@@ -64,7 +65,7 @@ Known Division::value_in(const Operand& operand) const {
   return {true, {operand.is_behind, !operand.is_behind}};
 }
 
-/// Whether the region is in the operand or outside of it; if neither, the planes that pass through the region.
+/// Whether the region is inside or outside the operand; if neither, stores the planes that intersect the region.
 Known Division::look(const Region& region, const Bounds& bounds, Operand& operand) const {
   const Body& body = bodies_.bodies[operand.body];
   if (are_apart(body.box, bounds.box)) return outside;
@@ -90,7 +91,7 @@ Division::Fate Division::keep(const Region& region, Fate fate) {
   return fate;
 }
 
-/// What of the region is in the operand, all of whose planes that matter are known.
+/// The part of the region inside the operand; operand.tests must hold all relevant planes.
 Region Division::section(const Region& region, const Operand& operand) {
   Region part = region;
   for (const std::uint32_t face : operand.tests) {
@@ -113,7 +114,7 @@ Division::Fate Division::divide(const Region& region, const LocalTree& tree, std
     operand.known = known;
     if (!known.is_known) ++cutting;
   }
-  // What is owned by others is not in the operands that own it, elsewhere.
+  // Elsewhere, the parts owned by other bodies are outside the operands that own them.
   std::vector<Known> known = knowns(operands);
   for (std::size_t i = 0; i < operands.size(); ++i)
     if (operands[i].owns) known[i] = outside;
@@ -122,7 +123,7 @@ Division::Fate Division::divide(const Region& region, const LocalTree& tree, std
   if (!left.value().is_known && !left.may_differ()) return Fate::none;
   drop_unused(left, operands);
   Fate fate = Fate::none;
-  if (cutting > most_cutting && halve(region, bounds, left, operands, fate)) return fate;
+  if (cutting > max_cutting && halve(region, bounds, left, operands, fate)) return fate;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     if (!operands[i].owns || operands[i].known.is_known) continue;
     const Region within = section(region, operands[i]);
@@ -130,7 +131,7 @@ Division::Fate Division::divide(const Region& region, const LocalTree& tree, std
     operands[i].known = outside;
   }
   if (left.value().is_known) return keep(region, left.value().value.behind ? Fate::front : Fate::back);
-  // The operand nearest to the root: it may decide most.
+  // The operand nearest to the root may decide most.
   for (std::size_t i = left.nodes().size(); i-- > 0;) {
     const LocalTree::Node& node = left.nodes()[i];
     if (node.kind != LocalTree::Node::Kind::leaf) continue;
@@ -142,7 +143,7 @@ Division::Fate Division::divide(const Region& region, const LocalTree& tree, std
   return Fate::none;
 }
 
-/// Divides the region along the sides of its section with an operand.
+/// Divides the region along the sides of its intersection with an operand.
 Division::Fate Division::split(const Region& region, const LocalTree& tree, const std::vector<Operand>& operands,
                                std::size_t by, const Region& section) {
   const std::size_t before = parts_.size();
@@ -175,7 +176,7 @@ Division::Fate Division::split(const Region& region, const LocalTree& tree, cons
   return keep(region, all);
 }
 
-/// Divides the region by a wall, if that leaves fewer operands on either side. Sets its fate if so.
+/// Divides the region by a wall if each side then has fewer operands; returns whether it did, and sets `fate`.
 bool Division::halve(const Region& region, const Bounds& bounds, const LocalTree& tree,
                      const std::vector<Operand>& operands, Fate& fate) {
   const glm::dvec3 size = bounds.box.high - bounds.box.low;

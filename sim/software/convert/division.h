@@ -1,3 +1,5 @@
+// Division of faces by other bodies.
+// Used by fragments.cpp.
 #pragma once
 
 #include <cstdint>
@@ -12,35 +14,35 @@
 
 namespace csgsim::software::convert {
 
-/// What work is charged for.
+/// Name of the operation in work limits.
 inline constexpr std::string_view converting = "converting the model to a boundary";
 
-/// A body besides the one whose face is divided.
+/// Another body that may cut the face to be divided.
 struct Operand {
   std::uint32_t body = 0;
-  bool is_coplanar = false;  ///< has a face in the plane, on that side
-  bool is_behind = false;    ///< if so: the body is behind the plane
-  bool owns = false;         ///< what it shares of the plane is its own, and is left out
-  Numbers tests{};           ///< its faces whose planes may pass through the region: all of it is behind the others
+  bool is_coplanar = false;  ///< whether it has a face in the plane, in this region
+  bool is_behind = false;    ///< for a coplanar body: whether it is behind the plane
+  bool owns = false;         ///< whether the shared part of the plane belongs to it and is omitted here
+  Numbers tests{};  ///< its faces whose planes may intersect the region; the region is entirely inside the others
   Known known{};
 };
 
-/// Leaves out the operands that are not kept. The tree must not refer to them.
+/// Removes the operands that are not kept. The tree must not refer to them.
 void keep(const std::vector<bool>& is_kept, LocalTree& tree, std::vector<Operand>& operands);
 
-/// Divides a face of a body by others into parts of the boundary and parts that are none.
+/// Divides a face of a body by other bodies into parts that are on the boundary and parts that are not.
 class Division {
  public:
   /// Keeps references.
   Division(const Bodies& bodies, Sheet& sheet, std::vector<Fragment>& found, const Work& work)
       : bodies_(bodies), sheet_(sheet), found_(found), work_(work) {}
 
-  /// The region is all of the face, which is one of the body's.
+  /// Divides the face; `region` is the whole face of `body`.
   void operator()(std::uint32_t body, const BodyFace& face, const Region& region, const LocalTree& tree,
                   std::vector<Operand> operands);
 
  private:
-  /// What has become of a region.
+  /// Outcome for a region.
   enum class Fate : std::uint8_t { none, front, back, mixed };
   struct Part {
     Region region;
@@ -61,7 +63,7 @@ class Division {
   Sheet& sheet_;
   std::vector<Fragment>& found_;
   const Work& work_;
-  std::vector<Part> parts_;  ///< that are kept of the present face
+  std::vector<Part> parts_;  ///< boundary parts of the current face
 };
 
 }  // namespace csgsim::software::convert

@@ -10,7 +10,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// Whether a half-space and its opposite are both among them.
+/// Whether the body has a half-space and its opposite.
 bool has_opposites(const Body& body) {
   std::vector<std::uint32_t> planes;
   for (const BodyFace& face : body.faces) planes.push_back(face.halfspace.plane);
@@ -22,7 +22,7 @@ bool reaches_walls(const WholePlanes& planes, const Body& body) {
   return std::ranges::any_of(body.sides, [&](const BodySide& side) { return planes.is_wall(side.plane); });
 }
 
-/// Bounds a body by the outermost walls, where its half-spaces do not meet before them.
+/// Bounds a body by the outermost walls if its half-spaces do not intersect before them.
 void add_walls(const WholePlanes& planes, Body& body) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool is_last : {false, true}) {
@@ -58,8 +58,8 @@ std::vector<ExactFaces::Outline> ExactFaces::outlines_of(const facet::Solid& sol
 
 /// The nearest vertex of the face that a corner of the sheet may be rounded to.
 std::uint32_t ExactFaces::vertex_at(std::uint32_t corner, const Outline& outline, const Body& body) const {
-  constexpr double most_deviation = 0.1;  // of the tolerance
-  const glm::dvec3 place = sheet_.place(corner, most_deviation * tolerance_ / planes_.unit()) * planes_.unit();
+  constexpr double max_deviation = 0.1;  // relative to the tolerance
+  const glm::dvec3 place = sheet_.place(corner, max_deviation * tolerance_ / planes_.unit()) * planes_.unit();
   std::uint32_t found = no_vertex;
   double nearest = tolerance_;
   for (const std::uint32_t vertex : outline.corners) {
@@ -98,7 +98,7 @@ void ExactFaces::cut(std::span<const Outline> outlines, Body& body) {
   }
 }
 
-/// The same with all faces as neighbours. Those far from what is left are passed over.
+/// The same with all faces as neighbours; skips those far from the remaining region.
 void ExactFaces::cut_by_all(std::span<const Outline> outlines, Body& body) {
   body.sides.clear();
   body.box = {};
@@ -120,7 +120,7 @@ void ExactFaces::cut_by_all(std::span<const Outline> outlines, Body& body) {
   }
 }
 
-/// Whether the face has a side along that plane which runs from one point to the other.
+/// Whether the face has a side along this plane from `start` to `end`.
 bool ExactFaces::ends_at(const Body& body, const BodyFace& face, std::uint32_t along, const Meeting& start,
                          const Meeting& end) const {
   const std::span<const BodySide> sides = body.sides_of(face);
@@ -128,14 +128,14 @@ bool ExactFaces::ends_at(const Body& body, const BodyFace& face, std::uint32_t a
     if (sides[i].plane != along) continue;
     const std::uint32_t before = sides[(i + sides.size() - 1) % sides.size()].plane;
     const std::uint32_t after = sides[(i + 1) % sides.size()].plane;
-    // Both points are on the face's plane and on `along`: the third plane decides.
+    // Both points are on the face's plane and on `along`, so the third plane decides.
     return planes_.side(start, before) == 0 && planes_.side(end, after) == 0;
   }
   return false;
 }
 
-/// Whether each side of each face is one of another face, along which it runs the other way. What is so and convex at
-/// each edge is convex altogether, and just what all half-spaces have in common.
+/// Whether each side of each face is also a side of another face in the opposite direction. A closed surface that is
+/// convex at each edge is convex, and equals the intersection of all half-spaces.
 bool ExactFaces::is_closed(const Body& body) const {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> by_plane;
   for (std::uint32_t i = 0; i < body.faces.size(); ++i) by_plane.emplace_back(body.faces[i].halfspace.plane, i);
@@ -152,12 +152,12 @@ bool ExactFaces::is_closed(const Body& body) const {
       const BodyFace& beyond = body.faces[other->second];
       const Meeting start = planes_.meet(plane, sides[(i + sides.size() - 1) % sides.size()].plane, along);
       const Meeting end = planes_.meet(plane, along, sides[(i + 1) % sides.size()].plane);
-      // Faces with normals towards different sides of the body run along their edge alike.
+      // Faces whose normals point to different sides of the body run along their common edge in the same direction.
       const bool is_alike = beyond.halfspace.positive != face.halfspace.positive;
       if (!ends_at(body, beyond, plane, is_alike ? start : end, is_alike ? end : start)) return false;
     }
   }
-  // Only sides along planes of higher numbers were looked up: every edge needs one of each kind.
+  // Only sides along planes with higher indices were checked; every edge needs one of each kind.
   std::size_t higher = 0;
   for (const BodyFace& face : body.faces)
     higher += static_cast<std::size_t>(std::ranges::count_if(

@@ -1,3 +1,5 @@
+// Exact computation of the faces of bodies.
+// Used by bodies.cpp.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +13,23 @@
 
 namespace csgsim::software::convert {
 
-/// Finds the faces of bodies exactly: of each face's plane, what all other half-spaces of the body leave.
+/// Computes the faces of bodies exactly: the part of each face's plane inside all other half-spaces of the body.
 class ExactFaces {
  public:
-  /// Keeps references. Vertices of solids are relative to `reference`, in model units, and stand for corners that are
-  /// within the tolerance.
+  /// Keeps references. Vertices of solids are relative to `reference`, in model units, and represent corners within the
+  /// tolerance.
   ExactFaces(const WholePlanes& planes, const glm::dvec3& reference, double tolerance, const Work& work)
       : planes_(planes), reference_(reference), tolerance_(tolerance), work_(work), sheet_(planes) {}
 
-  /// Sets the sides, the boxes and the balls of a body whose faces have their half-spaces; `face_of` has the number of
-  /// the body's face for each face of the solid. A body without volume gets no sides and an empty box.
+  /// Sets the sides, boxes and balls of a body whose faces have their half-spaces; `face_of` maps faces of the solid to
+  /// faces of the body. A body without volume gets no sides and an empty box.
   void find(const facet::Solid& solid, std::span<const std::uint32_t> face_of, Body& body);
 
  private:
-  /// What is known of a face of the body from those of the solid.
+  /// Data of a body's face that is derived from faces of the solid.
   struct Outline {
     std::vector<std::uint32_t> corners;     ///< vertices of the solid
-    std::vector<std::uint32_t> neighbours;  ///< faces of the body that share a corner with it, ascending
+    std::vector<std::uint32_t> neighbours;  ///< faces of the body that share a corner with this one, ascending
   };
 
   [[nodiscard]] static std::vector<Outline> outlines_of(const facet::Solid& solid,

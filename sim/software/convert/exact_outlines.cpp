@@ -61,7 +61,7 @@ void ExactOutlines::cancel_plane_sides(std::vector<PlaneSide>& sides) {
   cancel(sides, [](const PlaneSide& one) -> const Side& { return one.side; });
 }
 
-/// Ends sides at those of the points that are on them, exactly.
+/// Splits sides at those points that lie on them exactly.
 void ExactOutlines::end_at_points(OnLines& found) {
   Ends ends;
   for (auto& [key, one] : found) {
@@ -95,7 +95,7 @@ void ExactOutlines::find_within(std::size_t outline, OnLines& found) const {
   for (const PlaneSide& one : plane_sides_[outline]) find_beside(outline, one, near, found);
 }
 
-/// Finds the ends of sides that do not cancel on others of these. They are sorted.
+/// Finds the ends of unmatched sides on other unmatched sides. `open` is sorted.
 void ExactOutlines::find_on_open(const std::vector<Side>& open, OnLines& found) const {
   if (open.empty()) return;
   const NearPoints near(points_.places(), ends_of(open));

@@ -1,3 +1,5 @@
+// Exact outlines of the boundary.
+// Used by boundary.cpp and outlines.cpp.
 #pragma once
 
 #include <array>
@@ -16,15 +18,15 @@
 
 namespace csgsim::software::convert {
 
-/// What outlines of a plane are there for.
+/// Side of a plane on which the solid lies.
 enum class Facing : std::uint8_t {
-  back,   ///< the solid is before the plane
-  front,  ///< the solid is behind it
-  sum,    ///< of fronts, and of backs the other way: what stays is on one side only
+  back,   ///< the solid is in front of the plane
+  front,  ///< the solid is behind the plane
+  sum,    ///< sum of fronts and reversed backs; the remainder has the solid on one side only
 };
 
-/// The outlines of fragments, on exact points, and of whole bodies, on the vertices of each body. Everything is decided
-/// exactly, so that they are closed.
+/// The outlines of fragments on exact points, and of whole bodies on their vertices. All decisions are exact, so the
+/// outlines are closed.
 class ExactOutlines {
  public:
   struct Plane {
@@ -37,34 +39,34 @@ class ExactOutlines {
   explicit ExactOutlines(const Bodies& bodies)
       : bodies_(&bodies), points_(bodies.planes), numbers_(bodies.faces.size() + std::size_t{3} * WholePlanes::walls) {}
 
-  /// Those of one body.
+  /// Adds the fragments of one body.
   void add(std::span<const Fragment> fragments);
 
-  /// Called after the last fragment. Cancels sides, and ends them at the points of their outline that are on them; then
-  /// those that do not run as often one way as the other, at the ends of such sides of all outlines.
+  /// Must be called after the last fragment. Cancels opposite sides and splits sides at points of their outline that
+  /// lie on them; then splits sides without a matching opposite at the ends of such sides of all outlines.
   void close();
 
-  /// Called after close(). Adds the polygons of bodies that are `whole` (side_by_side.h), each body closed in itself.
-  /// In planes with faces on both sides the sum of the sides stays: where one face is against another they cancel.
+  /// Must be called after close(). Adds the polygons of bodies that are `whole` (side_by_side.h); each is
+  /// closed. In planes with faces on both sides the sum of the sides remains: touching faces cancel.
   void add_whole(const std::vector<bool>& whole);
 
   [[nodiscard]] const std::vector<Plane>& outlines() const { return outlines_; }
   [[nodiscard]] std::size_t points() const { return vertices_.size(); }
 
-  /// Model space; a vertex of a body where the point stands for one.
+  /// Position in model space; the vertex of a body if the point represents one.
   [[nodiscard]] glm::dvec3 place(std::uint32_t point) const;
   [[nodiscard]] bool is_vertex(std::uint32_t point) const { return vertices_[point] != nullptr; }
 
  private:
   static constexpr std::size_t facings = 3;
 
-  /// A side, and another plane than the outline's that it is on.
+  /// A side, and a second plane that contains it.
   struct PlaneSide {
     Side side{};
     std::uint32_t along = 0;
   };
 
-  /// The line of two planes between two points, and points that may be on it.
+  /// The intersection line of two planes between two points, and points that may lie on it.
   struct OnLine {
     Side line{};
     std::array<std::uint32_t, 2> planes{};
@@ -82,11 +84,11 @@ class ExactOutlines {
 
   const Bodies* bodies_;
   ExactPoints points_;
-  std::vector<const glm::dvec3*> vertices_;                  ///< of points that stand for one
-  std::vector<std::array<std::uint32_t, facings>> numbers_;  ///< of outlines by plane and facing, from 1
+  std::vector<const glm::dvec3*> vertices_;                  ///< per point, the vertex that it represents, or nullptr
+  std::vector<std::array<std::uint32_t, facings>> numbers_;  ///< indices of outlines + 1, by plane and facing
   std::vector<Plane> outlines_;
-  std::vector<std::vector<PlaneSide>> plane_sides_;  ///< of each outline, of fragments, until these are closed
-  std::vector<std::uint32_t> fragments_;             ///< how many each outline has
+  std::vector<std::vector<PlaneSide>> plane_sides_;  ///< per outline, the sides of fragments until close()
+  std::vector<std::uint32_t> fragments_;             ///< number of fragments per outline
   std::vector<std::uint32_t> round_;
 };
 

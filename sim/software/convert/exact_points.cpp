@@ -9,7 +9,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// The number of a cell that a coordinate is in. Cells are as wide as the coordinate is large, times 2^-40.
+/// Number of the cell that contains a coordinate. The width of a cell is about 2^-40 of the coordinate.
 std::uint64_t cell_of(double coordinate) {
   constexpr unsigned dropped_bits = 12;
   return std::bit_cast<std::uint64_t>(coordinate) >> dropped_bits;
@@ -29,7 +29,7 @@ std::uint64_t cell_at(const glm::dvec3& place) {
   return hash_of(cells);
 }
 
-/// Calls visit(hash) for each cell that an equal point may be in, whose place was rounded otherwise.
+/// Calls visit(hash) for each cell that may contain an equal point with a differently rounded position.
 template <class Visit>
 void for_cells_near(const glm::dvec3& place, const Visit& visit) {
   std::array<std::array<std::uint64_t, 2>, 3> cells{};
@@ -49,7 +49,7 @@ void for_cells_near(const glm::dvec3& place, const Visit& visit) {
   }
 }
 
-/// A plane of the point's that the other point, which is not equal to it, is not on; and that point's side of it.
+/// A plane of `point` that does not contain the other, different point, and that point's side of it.
 struct Beyond {
   std::uint32_t plane = 0;
   int side = 0;
@@ -106,7 +106,7 @@ std::vector<std::uint32_t> points_between(const WholePlanes& planes, const Exact
         planes.side(at, after_start.plane) == after_start.side && planes.side(at, before_end.plane) == before_end.side;
     if (is_between) found.push_back({at, candidate});
   }
-  // One is before another where the start is beyond it as seen from that other.
+  // A point precedes another if the start lies beyond it as seen from the other.
   std::ranges::sort(found, [&](const Found& one, const Found& other) {
     const Beyond of_other = beyond(planes, other.at, one.at);
     return of_other.side != 0 && planes.side(start, of_other.plane) == of_other.side;

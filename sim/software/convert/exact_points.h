@@ -1,3 +1,5 @@
+// Exact intersection points of planes.
+// Used by exact_outlines.h.
 #pragma once
 
 #include <array>
@@ -11,17 +13,17 @@
 
 namespace csgsim::software::convert {
 
-/// Points where planes meet, each once: points are one where they are equal exactly, whichever planes they were found
-/// by.
+/// Intersection points of planes without duplicates: points that are exactly equal have one number, regardless of the
+/// planes that define them.
 class ExactPoints {
  public:
   /// Keeps a reference.
   explicit ExactPoints(const WholePlanes& planes) : planes_(planes) {}
 
-  /// The number of the point of these planes.
+  /// The number of the intersection point of these planes.
   std::uint32_t add(const Triple& planes);
 
-  /// Keeps the points, and no longer by which planes they were found, which is quick while these are asked again.
+  /// Keeps the points, but forgets the planes that define them, which only speeds up repeated queries.
   void forget_planes() { known_.clear(); }
 
   [[nodiscard]] std::span<const glm::dvec3> places() const { return places_; }
@@ -40,16 +42,16 @@ class ExactPoints {
   std::vector<Triple> triples_;
   std::vector<glm::dvec3> places_;
   std::unordered_map<Triple, std::uint32_t, TripleHash> known_;
-  std::unordered_multimap<std::uint64_t, std::uint32_t> at_;  ///< points by the hash of their place's cell
+  std::unordered_multimap<std::uint64_t, std::uint32_t> at_;  ///< points by the hash of their position's cell
 };
 
-/// Of points on the line that two planes have in common: those of `candidates` that are between two others, in the
-/// order from one to the other; exact.
+/// Those of `candidates` that lie between two points on the intersection line of two planes, sorted along the line;
+/// exact.
 std::vector<std::uint32_t> points_between(const WholePlanes& planes, const ExactPoints& points, std::uint32_t from,
                                           std::uint32_t to, std::array<std::uint32_t, 2> line,
                                           std::span<const std::uint32_t> candidates);
 
-/// How far a place may be from the exact one, as a part of its greatest coordinate.
+/// Relative error of a position, with respect to its largest coordinate.
 inline constexpr double error_of_place = 0x1p-49;
 
 }  // namespace csgsim::software::convert

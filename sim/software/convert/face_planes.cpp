@@ -12,20 +12,20 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// How far a plane is from another within a ball.
-double most_between(const facet::Plane& one, const facet::Plane& other, const Footprint& ball) {
+/// Maximum distance between two planes within a ball.
+double max_distance(const facet::Plane& one, const facet::Plane& other, const Footprint& ball) {
   const glm::dvec3 turn = one.normal - other.normal;
   return std::abs(glm::dot(turn, ball.middle) + one.offset - other.offset) + glm::length(turn) * ball.radius;
 }
 
-/// Exact, but where products are below the range of doubles.
+/// Exact unless products underflow.
 bool are_products_equal(double a, double b, double c, double d) {
   const double one = a * b;
   const double other = c * d;
   return one == other && std::fma(a, b, -one) == std::fma(c, d, -other);
 }
 
-/// Whether two planes are the same points.
+/// Whether two planes contain the same points.
 bool are_equal(const facet::Plane& one, const facet::Plane& other) {
   const std::array<double, 4> a{one.normal.x, one.normal.y, one.normal.z, one.offset};
   const std::array<double, 4> b{other.normal.x, other.normal.y, other.normal.z, other.offset};
@@ -47,7 +47,7 @@ bool FacePlanes::may_share(const facet::Plane& canonical, bool positive, std::ui
   const Use& use = uses_[known];
   if (use.last + 1 == solids_.size() && use.positive != positive) return false;
   const auto is_within = [&](const Footprint& solid) {
-    return most_between(canonical, other, solid) <= solid.tolerance;
+    return max_distance(canonical, other, solid) <= solid.tolerance;
   };
   return is_within(solids_.back()) && is_within(solids_[use.first]);
 }

@@ -1,3 +1,5 @@
+// Planes of faces without duplicates.
+// Used by bodies.cpp.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +12,26 @@
 
 namespace csgsim::software::convert {
 
-/// A ball that holds a solid, relative to the place that planes are relative to, and how far a face of the solid may
-/// move there to coincide with another; model units.
+/// A bounding ball of a solid, relative to the origin of the planes, and the maximum displacement of its faces when
+/// they are merged with others; model units.
 struct Footprint {
   glm::dvec3 middle{0};
   double radius = 0;
   double tolerance = 0;
 };
 
-/// The planes of faces without repetition. As in facet::PlaneTable, faces that coincide share an entry, but what
-/// coincides is decided where the two solids are: moving either face to the plane of the other moves nothing of its
-/// solid by more than that solid's tolerance. So small solids keep their faces apart beside solids of any size.
+/// The planes of faces without duplicates. As in facet::PlaneTable, coincident faces share an entry, but coincidence is
+/// decided at the location of the two solids: moving a face to the plane of the other must not move any point of its
+/// solid by more than the solid's tolerance. Small solids therefore keep their faces separate next to solids of any
+/// size.
 class FacePlanes {
  public:
-  /// Planes are given in model space and kept relative to `reference`, as WholePlanes holds them with that unit;
+  /// Planes are given in model space and stored relative to `reference` as WholePlanes holds them with that unit;
   /// `diagonal` is the size of the model.
   FacePlanes(const glm::dvec3& reference, double diagonal, double unit)
       : reference_(reference), diagonal_(diagonal), unit_(unit) {}
 
-  /// The planes that follow are those of one solid.
+  /// Starts a solid; the planes added next belong to it.
   void begin(const Footprint& solid) { solids_.push_back(solid); }
 
   /// Opposite faces of one solid share a plane only if there is nothing between them.
@@ -37,11 +40,11 @@ class FacePlanes {
   [[nodiscard]] const std::vector<facet::Plane>& planes() const { return planes_; }
 
  private:
-  /// Which solids a plane was used for.
+  /// The solids that use a plane.
   struct Use {
-    std::uint32_t first = 0;  ///< the solid that it comes from
-    std::uint32_t last = 0;   ///< the latest one
-    bool positive = false;    ///< its side there
+    std::uint32_t first = 0;  ///< the solid that introduced it
+    std::uint32_t last = 0;   ///< the latest solid
+    bool positive = false;    ///< side of the plane in that solid
   };
 
   [[nodiscard]] std::optional<std::uint32_t> find(const facet::Plane& canonical, bool positive) const;
@@ -53,7 +56,7 @@ class FacePlanes {
   double unit_;
   std::vector<Footprint> solids_;
   std::vector<facet::Plane> planes_;
-  std::vector<Use> uses_;                                     ///< of each plane
+  std::vector<Use> uses_;                                     ///< one per plane
   std::unordered_multimap<std::uint64_t, std::uint32_t> at_;  ///< planes by the hash of their key's cell
 };
 

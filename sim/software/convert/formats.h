@@ -1,3 +1,5 @@
+// File formats of surfaces.
+// Used by csgsim convert.
 #pragma once
 
 #include <span>
@@ -8,23 +10,23 @@
 
 namespace csgsim::software::convert {
 
-/// How a file is written.
+/// Options for writing a file.
 struct Writing {
-  bool is_text = false;  ///< if the format has a binary form too
+  bool is_text = false;  ///< text form, if the format also has a binary form
 };
 
-/// A row of the table of formats that hold a surface; each has a file of its own.
+/// A row of the table of formats for surfaces; each has a separate source file.
 struct Format {
-  std::string_view ending;  ///< of a file's name, with its dot
+  std::string_view ending;  ///< file name extension, including the dot
   std::string_view help;
-  bool has_text = false;  ///< has a text beside its usual, binary form
-  /// The whole file. Throws InputError if the surface does not fit the format.
+  bool has_text = false;  ///< whether a text form exists in addition to the binary form
+  /// Returns the content of the file. Throws InputError if the format cannot represent the surface.
   std::string (*write)(const Surface& surface, const Writing& writing);
 };
 
 std::span<const Format* const> formats();
 
-/// The format of a name that ends so, in small letters or capitals; null if there is none.
+/// The format for a file name, by its extension in upper or lower case; nullptr if there is none.
 const Format* format_of(std::string_view path);
 
 }  // namespace csgsim::software::convert

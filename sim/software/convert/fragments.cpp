@@ -21,13 +21,13 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// A ball about faces of a body, in units.
+/// A ball around faces of a body, in units.
 struct Ball {
   glm::dvec3 middle{0};
   double radius = 0;
 };
 
-/// The faces of bodies one after another.
+/// Processes the faces of bodies one after another.
 class Evaluation {
  public:
   Evaluation(const Bodies& bodies, const csg::PositiveTree& tree, const Work& work)
@@ -54,7 +54,7 @@ class Evaluation {
     if (!faces.empty()) add_group({faces.data(), faces.size()}, LocalTree(tree_, paths_, near), std::move(operands));
   }
 
-  /// What was found since it was last asked.
+  /// Returns and removes all fragments.
   std::vector<Fragment> taken() { return std::exchange(found_, {}); }
 
  private:
@@ -66,7 +66,7 @@ class Evaluation {
 
   [[nodiscard]] const Body& own() const { return bodies_.bodies[own_]; }
 
-  /// Whether a box has points on both sides of the plane, or may have.
+  /// Whether a box may have points on both sides of the plane.
   [[nodiscard]] bool meets_plane(const UnitBox& box, std::uint32_t plane) const {
     const std::array<double, 4>& near = bodies_.planes.near(plane);
     const glm::dvec3 normal(near[0], near[1], near[2]);
@@ -92,8 +92,8 @@ class Evaluation {
     return ball;
   }
 
-  /// Whether a ball is inside or outside of an operand; if neither is known, keeps the faces whose planes may pass
-  /// through it. The plane of a face in the ball does.
+  /// Whether a ball is inside or outside an operand; if undecided, keeps the faces whose planes may intersect it. The
+  /// plane of a face in the ball always does.
   [[nodiscard]] Known look(const Ball& ball, Operand& operand) const {
     const Body& body = bodies_.bodies[operand.body];
     if (operand.tests.size() == body.faces.size()) {
@@ -113,9 +113,9 @@ class Evaluation {
     return {};
   }
 
-  /// Adds faces of the body. The tree has the operands that are not known, including the body itself.
+  /// Adds faces of the body. The tree holds the undecided operands, including the body itself.
   void add_group(std::span<std::uint32_t> faces, const LocalTree& tree, std::vector<Operand> operands) {
-    constexpr std::size_t most_at_once = 4;
+    constexpr std::size_t max_at_once = 4;
     const Ball ball = ball_about(faces);
     std::vector<Known> known(operands.size());
     std::vector<bool> is_left(operands.size(), true);
@@ -134,7 +134,7 @@ class Evaluation {
     const LocalTree& here = left ? *left : tree;
     if (faces.size() == 1) {
       add_face(own().faces[faces.front()], here, std::move(operands));
-    } else if (faces.size() <= most_at_once) {
+    } else if (faces.size() <= max_at_once) {
       for (std::size_t i = 0; i < faces.size(); ++i) add_group(faces.subspan(i, 1), here, operands);
     } else {
       const std::size_t half = faces.size() / 2;
@@ -146,7 +146,7 @@ class Evaluation {
     }
   }
 
-  /// Along which the middles of the faces are farthest apart.
+  /// The axis along which the centres of the faces are farthest apart.
   [[nodiscard]] int widest_axis(std::span<const std::uint32_t> faces) const {
     glm::dvec3 low = middle_of(own().faces[faces.front()]);
     glm::dvec3 high = low;
@@ -158,7 +158,7 @@ class Evaluation {
     return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   }
 
-  /// Tells an operand how it is to the plane of the face.
+  /// Determines an operand's position relative to the plane of the face.
   void place(Operand& operand, const BodyFace& face) const {
     const facet::Halfspace halfspace = face.halfspace;
     if (operand.body == own_) {
@@ -178,7 +178,7 @@ class Evaluation {
     }
   }
 
-  /// Adds all of the face or nothing of it, if the known operands decide that.
+  /// Adds the whole face or nothing if the known operands decide that; returns whether they do.
   bool add_whole(const BodyFace& face, const LocalTree& tree, std::span<const Operand> operands) {
     std::vector<Known> known;
     std::vector<bool> may_differ;
@@ -218,10 +218,10 @@ class Evaluation {
   Sheet sheet_;
   std::vector<Fragment> found_;
   Division divide_;
-  std::uint32_t own_ = 0;  ///< the present body
+  std::uint32_t own_ = 0;  ///< the current body
 };
 
-/// Evaluates bodies on several threads, which take one after another.
+/// Evaluates bodies on several threads; each thread takes one body after another.
 class Sharing {
  public:
   Sharing(const Bodies& bodies, const csg::PositiveTree& tree, std::vector<std::uint32_t> numbers, const Work& work,
@@ -245,7 +245,7 @@ class Sharing {
 
  private:
   void take() {
-    const Work work = work_.afresh();  // counts of several threads are added up at the end
+    const Work work = work_.afresh();  // counts of all threads are added up at the end
     try {
       Evaluation evaluation(bodies_, tree_, work);
       for (std::size_t i = next_++; i < numbers_.size(); i = next_++) {
@@ -261,7 +261,7 @@ class Sharing {
     done_ += work.done();
   }
 
-  /// Hands on what was found of a body, once that of all before it was.
+  /// Passes on the fragments of a body once those of all earlier bodies were passed on.
   void add(std::size_t number, std::vector<Fragment> found) {
     const std::lock_guard guard(lock_);
     found_[number] = std::move(found);
@@ -276,7 +276,7 @@ class Sharing {
   std::vector<std::uint32_t> numbers_;
   const Work& work_;
   const TakeFragments& hand_on_;
-  std::vector<std::optional<std::vector<Fragment>>> found_;  ///< of each body
+  std::vector<std::optional<std::vector<Fragment>>> found_;  ///< one per body
   std::size_t handed_on_ = 0;
   std::atomic<std::size_t> next_ = 0;
   std::mutex lock_;
@@ -292,7 +292,7 @@ Fragment fragment_of(const Sheet& sheet, const Region& region, bool is_front, st
   const std::size_t count = region.corners.size();
   fragment.corners.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    // Reversed corners: the side after a corner is the one that was before it.
+    // Corners are reversed: the side after a corner is the one that preceded it.
     const std::size_t at = is_front ? i : count - 1 - i;
     const std::size_t along = is_front ? at : (at + count - 1) % count;
     const std::uint32_t corner = region.corners[at];

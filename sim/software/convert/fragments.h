@@ -1,3 +1,5 @@
+// Fragments of the boundary.
+// Used by boundary.cpp and exact_outlines.h.
 #pragma once
 
 #include <cstdint>
@@ -15,31 +17,31 @@ namespace csgsim::software::convert {
 
 /// A corner of a fragment.
 struct FragmentCorner {
-  Triple planes{};                   ///< three that it is on
-  std::uint32_t along = 0;           ///< another plane than the fragment's: that of the side to the next corner
-  std::uint32_t vertex = no_vertex;  ///< of the body, if the corner stands for one
+  Triple planes{};                   ///< three planes that contain it
+  std::uint32_t along = 0;           ///< plane of the side to the next corner, other than the fragment's
+  std::uint32_t vertex = no_vertex;  ///< vertex of the body that the corner represents
 };
 
-/// A part of the boundary, convex. The corners run counter-clockwise as seen from outside of the solid.
+/// A convex part of the boundary. The corners run counter-clockwise as seen from outside of the solid.
 struct Fragment {
   std::uint32_t plane = 0;
-  bool is_front = true;  ///< the solid is behind the plane, else it is before it
+  bool is_front = true;  ///< whether the solid is behind the plane; otherwise in front of it
   std::uint32_t body = 0;
   std::vector<FragmentCorner> corners;
 };
 
-/// A region of the sheet, whose first corners are those of the face of a body with those sides.
+/// Converts a region of the sheet, whose first corners are those of the face of a body with these sides.
 Fragment fragment_of(const Sheet& sheet, const Region& region, bool is_front, std::uint32_t body,
                      std::span<const BodySide> sides);
 
-/// A function that is given the fragments of one body.
+/// Receives the fragments of one body.
 using TakeFragments = std::function<void(std::span<const Fragment>)>;
 
-/// The boundary of what a tree leaves of the bodies, exactly, in convex parts that do not overlap, body by body in
-/// their order; one thread at a time calls `take`. The face of a body is divided by those others alone that meet it and
-/// that the tree depends on there; where faces are in one plane, what is behind them and before them is asked at once.
-/// Throws WorkError past the limit on work. Bodies that are `whole` give none, and have nothing to do with others. The
-/// outcome is the same on any number of threads.
+/// Computes the boundary of the solid exactly, in convex parts that do not overlap, body by body in order; `take` is
+/// called by one thread at a time. A face is divided only by those bodies that intersect it and that affect the tree
+/// there; for coplanar faces, the sides behind and in front of the plane are evaluated together. Throws WorkError
+/// beyond the work limit. Bodies that are `whole` yield no fragments and must not touch others. The result does not
+/// depend on the number of threads.
 void find_fragments(const Bodies& bodies, const csg::PositiveTree& tree, const std::vector<bool>& whole,
                     const TakeFragments& take, const Work& work, unsigned threads = 1);
 

@@ -10,13 +10,13 @@ namespace {
 using Node = LocalTree::Node;
 using Kind = Node::Kind;
 
-/// What an operator gathers of its operands.
+/// Combined value of an operator's operands.
 struct Sum {
-  Both value{};            ///< of those that are known
-  std::uint32_t open = 0;  ///< operands that are not
+  Both value{};            ///< of the known operands
+  std::uint32_t open = 0;  ///< number of unknown operands
 };
 
-/// The value that decides an operator whatever its other operands.
+/// The value that decides an operator regardless of its other operands.
 bool deciding(Kind kind) { return kind == Kind::unite; }
 
 Both identity_of(Kind kind) { return {!deciding(kind), !deciding(kind)}; }
@@ -39,7 +39,7 @@ Kind kind_of(csg::PositiveOperator op) { return op == csg::PositiveOperator::uni
 
 bool is_operator(const Node& node) { return node.kind == Kind::unite || node.kind == Kind::intersect; }
 
-/// Nodes of the tree at or above the leaves of the primitives, ascending: children come before their parents.
+/// Nodes of the tree at or above the leaves of the primitives, ascending: children precede their parents.
 std::vector<std::uint32_t> nodes_above(const csg::PositiveTree& tree, std::span<const std::uint32_t> primitives) {
   std::vector<std::uint32_t> open;
   for (const std::uint32_t primitive : primitives) open.push_back(tree.leaf_of[primitive]);
@@ -66,7 +66,8 @@ LocalTree::LocalTree(const csg::PositiveTree& tree, const csg::TreePaths& paths,
   const auto number_of = [&](std::uint32_t node) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(above, node) - above.begin());
   };
-  std::vector<std::uint32_t> deciding_elsewhere(above.size(), 0);  // operands among them, wherever no primitive is
+  std::vector<std::uint32_t> deciding_elsewhere(
+      above.size(), 0);  // number of such operands with a deciding value outside all primitives
   for (const std::uint32_t index : above) {
     const csg::PositiveNode& node = tree.nodes[index];
     Node local{.kind = node.is_leaf ? Kind::leaf : kind_of(node.op), .complemented = node.complemented};
@@ -81,7 +82,7 @@ LocalTree::LocalTree(const csg::PositiveTree& tree, const csg::TreePaths& paths,
   }
   for (std::size_t i = 0; i < above.size(); ++i) {
     if (!is_operator(nodes_[i]) || paths.deciding_children(above[i]) == deciding_elsewhere[i]) continue;
-    // Some operand where none of the primitives is decides it.
+    // An operand without any of the primitives decides this node.
     nodes_[i] = {.kind = Kind::constant,
                  .value = complement(identity_of(nodes_[i].kind)),
                  .operand = 0,
@@ -130,8 +131,9 @@ LocalTree LocalTree::reduced(std::span<const Known> operands, const std::vector<
       ++sums[node.parent].open;
     }
   }
-  // From the root down: what is left, and for nodes with one open operand and nothing else, who stands in for them.
-  std::vector<std::uint32_t> stands_for(count, none);  // the node that operands of this one are operands of
+  // Proceeding from the root, determine the remaining nodes; nodes with a single open operand and no other effect are
+  // replaced by that operand.
+  std::vector<std::uint32_t> stands_for(count, none);  // the node that becomes the parent of this one's operands
   std::vector<bool> is_left(count, false);
   for (std::size_t i = count; i-- > 0;) {
     const Node& node = nodes_[i];

@@ -1,3 +1,5 @@
+// CSG trees restricted to some primitives.
+// Used by division.h and fragments.cpp.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +11,7 @@
 
 namespace csgsim::software::convert {
 
-/// Whether a point just behind a plane is in a solid, and one just before it.
+/// Whether the points just behind and just in front of a plane are inside a solid.
 struct Both {
   bool behind = false;
   bool before = false;
@@ -17,39 +19,39 @@ struct Both {
   bool operator==(const Both&) const = default;
 };
 
-/// What is known of an operand.
+/// Knowledge about an operand.
 struct Known {
   bool is_known = false;
   Both value{};
 };
 
-/// The part of a tree that depends on some primitives, where no others are: each of its leaves stands for one of those.
-/// Nodes come before their parents.
+/// The part of a tree that depends on some primitives, in a region without others: each leaf represents one of them.
+/// Children precede their parents.
 class LocalTree {
  public:
   struct Node {
     enum class Kind : std::uint8_t { unite, intersect, leaf, constant };
     Kind kind = Kind::leaf;
-    bool complemented = false;    ///< leaf
-    Both value{};                 ///< constant
-    std::uint32_t operand = 0;    ///< leaf: number of the primitive among the given ones
-    std::uint32_t parent = none;  ///< none of the root
+    bool complemented = false;    ///< for a leaf
+    Both value{};                 ///< for a constant
+    std::uint32_t operand = 0;    ///< for a leaf: index of the primitive among the given ones
+    std::uint32_t parent = none;  ///< none for the root
   };
   static constexpr std::uint32_t none = 0xffffffffU;
 
-  /// Of these primitives, ascending.
+  /// Creates the tree of these primitives, given in ascending order.
   LocalTree(const csg::PositiveTree& tree, const csg::TreePaths& paths, std::span<const std::uint32_t> primitives);
 
-  /// What is left where some operands are known. `may_differ`: of each operand, whether it can yet be other behind the
-  /// plane than before it.
+  /// The tree reduced by known operands. `may_differ`: per operand, whether its values behind and in front of the plane
+  /// may differ.
   [[nodiscard]] LocalTree reduced(std::span<const Known> operands, const std::vector<bool>& may_differ) const;
 
-  /// The same with operands of other numbers: `numbers` has the new one of each.
+  /// Replaces the indices of operands: `numbers` maps old to new ones.
   void renumber(std::span<const std::uint32_t> numbers);
 
-  /// None if the value depends on operands; else it is the same wherever they are.
+  /// Unknown if the value depends on operands; otherwise constant.
   [[nodiscard]] const Known& value() const { return value_; }
-  /// Whether the value behind the plane and before it may differ.
+  /// Whether the values behind and in front of the plane may differ.
   [[nodiscard]] bool may_differ() const { return may_differ_; }
 
   [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }

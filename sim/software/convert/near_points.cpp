@@ -52,7 +52,7 @@ std::vector<PointAlong> NearPoints::beside(std::uint32_t from, std::uint32_t to,
   const glm::dvec3 way = points_[to] - start;
   const double length = glm::length(way);
   std::vector<PointAlong> found;
-  // A slanting line is looked along in pieces, whose boxes hold less.
+  // Oblique lines are searched in pieces, whose boxes contain fewer points.
   const glm::dvec3 across = glm::abs(way);
   const double widest = std::max({across.x, across.y, across.z});
   const double second = across.x + across.y + across.z - widest - std::min({across.x, across.y, across.z});

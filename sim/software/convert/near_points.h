@@ -1,3 +1,5 @@
+// Search for points near lines.
+// Used by exact_outlines.h and sides.h.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +10,9 @@
 
 namespace csgsim::software::convert {
 
-/// A point beside a line.
+/// A point near a line.
 struct PointAlong {
-  double along = 0;  ///< where it is nearest to: 0 at the line's start, 1 at its end; 0 if these are at one place
+  double along = 0;  ///< position of the nearest point on the line: 0 at its start, 1 at its end; 0 if both coincide
   std::uint32_t point = 0;
 
   bool operator==(const PointAlong&) const = default;
@@ -19,23 +21,24 @@ struct PointAlong {
   }
 };
 
-/// Finds points beside lines, by an R-tree.
+/// Finds points near lines, using an R-tree.
 class NearPoints {
  public:
-  /// Keeps a reference to the points. Only those that are `used` are found.
+  /// Keeps a reference to the points. Finds only the points in `used`.
   NearPoints(std::span<const glm::dvec3> points, std::span<const std::uint32_t> used);
   ~NearPoints();
   NearPoints(const NearPoints&) = delete;
   NearPoints& operator=(const NearPoints&) = delete;
 
-  /// Points other than those two that are no farther than `distance` from the line between them, in its order.
+  /// Points other than the two ends whose distance from the line between them is at most `distance`, sorted along the
+  /// line.
   [[nodiscard]] std::vector<PointAlong> beside(std::uint32_t from, std::uint32_t to, double distance) const;
 
  private:
   struct Index;
 
   std::span<const glm::dvec3> points_;
-  double size_;  ///< of the box of those that are used
+  double size_;  ///< diagonal of the bounding box of the used points
   std::unique_ptr<const Index> index_;
 };
 

@@ -24,7 +24,7 @@ std::string write(const Surface& surface, const Writing&) {
 
 }  // namespace
 
-extern const Format off_format{".off", "Object File Format, polygons of double precision that share points", false,
+extern const Format off_format{".off", "Object File Format, polygons of double precision with shared points", false,
                                write};
 
 }  // namespace csgsim::software::convert

@@ -20,14 +20,14 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// Deviation of a corner from a straight line that rounding explains, as a fraction of the tolerance.
+/// Maximum deviation of a corner from a straight line due to rounding, relative to the tolerance.
 constexpr double straight_tolerance = 1e-3;
 
-/// Length of an edge, relative to its largest coordinate, below which its ends become one point.
+/// Length of an edge, relative to its largest coordinate, up to which its ends are merged.
 constexpr double shortest_edge = 0x1p-48;
 
-/// Numbers of the points that exact ones are rounded to. Outlines on exact points that are closed stay so, whatever
-/// points become one.
+/// Indices of the points that exact points are rounded to. Closed outlines stay closed, regardless of the points that
+/// are merged.
 class Rounding {
  public:
   Rounding(const Bodies& bodies, const ExactOutlines& exact)
@@ -35,7 +35,7 @@ class Rounding {
     std::vector<bool> is_used(exact.points(), false);
     for (const ExactOutlines::Plane& outline : exact.outlines())
       for (const Side& side : outline.sides) is_used[side[0]] = is_used[side[1]] = true;
-    // Vertices of primitives are added first: nearby points take their coordinates.
+    // Vertices of primitives are added first, so that nearby points take their coordinates.
     for (const bool is_vertex : {true, false})
       for (std::uint32_t i = 0; i < numbers_.size(); ++i)
         if (is_used[i] && exact.is_vertex(i) == is_vertex) numbers_[i] = table_.add(exact.place(i));
@@ -81,7 +81,7 @@ void append(std::vector<Side>& sides, const std::vector<Triangle>& triangles) {
   cancel(sides);
 }
 
-/// Divides what is left of the sums into fronts and backs. Whether no sides cross there.
+/// Divides the remaining sums into fronts and backs. Returns false if sides cross.
 bool divide_sums(std::span<const std::size_t> sums, Outlines& outlines) {
   for (const std::size_t sum : sums) {
     if (outlines.outlines[sum].sides.empty()) continue;
@@ -112,20 +112,20 @@ NearPoints used_points(const Outlines& outlines) {
   return {outlines.points, used};
 }
 
-/// Ends sides at points that are on them.
+/// Splits sides at points that lie on them.
 void end_at_all_points(double tolerance, Outlines& outlines) {
-  constexpr int most_rounds = 10;
+  constexpr int max_rounds = 10;
   const NearPoints near = used_points(outlines);
   std::vector<std::size_t> changed = all_of(outlines);
-  for (int round = 0; round < most_rounds && !changed.empty(); ++round)
+  for (int round = 0; round < max_rounds && !changed.empty(); ++round)
     changed = end_at_points(changed, near, tolerance, outlines);
 }
 
-/// Ends sides at points that are on them, and at points where sides of the sums cross.
+/// Splits sides at points that lie on them, and at intersections of sides of the sums.
 void end_everywhere(std::span<const std::size_t> sums, double tolerance, Outlines& outlines) {
-  constexpr int most_crossing_rounds = 3;
+  constexpr int max_crossing_rounds = 3;
   end_at_all_points(tolerance, outlines);
-  for (int round = 0; round < most_crossing_rounds && end_at_crossings(sums, outlines); ++round)
+  for (int round = 0; round < max_crossing_rounds && end_at_crossings(sums, outlines); ++round)
     end_at_all_points(tolerance, outlines);
 }
 
@@ -135,7 +135,7 @@ std::optional<Outlines> join(const Bodies& bodies, ExactOutlines exact) {
   Outlines result;
   std::vector<std::size_t> sums;
   {
-    const ExactOutlines taken = std::move(exact);  // its memory is needed no longer than this
+    const ExactOutlines taken = std::move(exact);  // released before the following steps to save memory
     const Rounding rounding(bodies, taken);
     result.points = rounding.points();
     for (const ExactOutlines::Plane& outline : taken.outlines()) {

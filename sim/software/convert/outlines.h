@@ -1,3 +1,5 @@
+// Outlines of the boundary in planes.
+// Used by boundary.h and surface.h.
 #pragma once
 
 #include <array>
@@ -12,23 +14,23 @@
 
 namespace csgsim::software::convert {
 
-/// All of the boundary that is in one plane and has the solid on one side of it: its sides run counter-clockwise around
-/// it as seen from outside, clockwise around holes. A side may stand there more than once.
+/// The part of the boundary in one plane with the solid on one side: its sides run counter-clockwise around it as seen
+/// from outside, and clockwise around holes. A side may occur more than once.
 struct Outline {
-  glm::dvec3 outward{0};  ///< of length 1
+  glm::dvec3 outward{0};  ///< unit normal
   std::vector<Side> sides;
 };
 
-/// Outlines that share points; wherever a side runs, as many run back, of other outlines or the same.
+/// Outlines with shared points; every side is matched by an opposite side of the same or another outline.
 struct Outlines {
-  std::vector<glm::dvec3> points;  ///< model space
+  std::vector<glm::dvec3> points;  ///< in model space
   std::vector<Outline> outlines;
 };
 
-/// Rounds outlines that are closed on exact points: points nearer to each other than the tolerance of the bodies become
-/// one, a corner of a primitive where there is one; sides end at every point that is on them, and go on through points
-/// where nothing but straight sides meet. None if faces of whole bodies in one plane cross. Throws std::logic_error if
-/// the outcome is not closed.
+/// Rounds outlines that are closed on exact points: points closer to each other than the tolerance of the bodies are
+/// merged, if possible into a corner of a primitive; sides are split at every point on them, and joined at points where
+/// only collinear sides meet. Empty if coplanar faces of whole bodies cross. Throws std::logic_error if the result is
+/// not closed.
 std::optional<Outlines> join(const Bodies& bodies, ExactOutlines exact);
 
 }  // namespace csgsim::software::convert

@@ -1,3 +1,5 @@
+// Merging of nearby points.
+// Used by outlines.cpp.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +11,13 @@
 
 namespace csgsim::software::convert {
 
-/// Merges points that differ by less than a tolerance in each coordinate; the first one stands for all.
+/// Merges points that differ by less than a tolerance in each coordinate; the first one represents all.
 class PointTable {
  public:
   PointTable(const glm::dvec3& centre, double tolerance)
       : centre_(centre), scale_(facet::coincidence_tolerance / tolerance) {}
 
-  /// In model space.
+  /// Adds a point in model space and returns its index.
   std::uint32_t add(const glm::dvec3& point) {
     const glm::dvec3 place = (point - centre_) * scale_;
     const facet::Key<3> key{place.x, place.y, place.z};
@@ -42,7 +44,7 @@ class PointTable {
   double scale_;
   std::vector<glm::dvec3> points_;
   std::vector<facet::Key<3>> keys_;
-  std::unordered_multimap<std::uint64_t, std::uint32_t> at_;  ///< by the hash of the cell
+  std::unordered_multimap<std::uint64_t, std::uint32_t> at_;  ///< indexed by the hash of the cell
 };
 
 }  // namespace csgsim::software::convert

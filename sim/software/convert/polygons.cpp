@@ -12,7 +12,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// Triangles of one plane.
+/// The triangles of one plane.
 class PlaneFaces {
  public:
   PlaneFaces(const Surface& surface, std::size_t first, std::size_t last)
@@ -36,8 +36,8 @@ class PlaneFaces {
         for (std::size_t corner = 0; corner < 3; ++corner) outline.sides.push_back(side(i, corner));
       cancel(outline.sides);
       std::vector<std::vector<std::uint32_t>> rounds = rounds_of(outline);
-      // A polygon of n corners is cut into n - 2 triangles; where it touches itself it is left in these. So is one that
-      // rounding has bent, which OpenSCAD takes for none.
+      // A polygon of n corners consists of n - 2 triangles. A polygon that touches itself stays in triangles, as does
+      // one bent by rounding, which OpenSCAD would reject.
       if (rounds.size() == 1 && rounds.front().size() == triangles.size() + 2 && is_simple(rounds.front()) &&
           is_flat(surface_.points, rounds.front())) {
         polygons.push_back(std::move(rounds.front()));

@@ -1,3 +1,5 @@
+// Polygons of surfaces.
+// Used by file formats with polygons.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +9,8 @@
 
 namespace csgsim::software::convert {
 
-/// The faces of a surface, by its points: what hangs together in one plane is one polygon where it has no holes and its
-/// corners are in a plane exactly, else its triangles.
+/// The faces of a surface as lists of point indices: a connected part in one plane is one polygon if it has no holes
+/// and its corners are exactly coplanar, and is output as triangles otherwise.
 std::vector<std::vector<std::uint32_t>> polygons_of(const Surface& surface);
 
 }  // namespace csgsim::software::convert

@@ -14,24 +14,24 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// A ray gets into a body or out of it before the cell of that number.
+/// A ray enters or leaves a body before the cell `z`.
 struct Crossing {
   std::uint32_t x = 0;
   std::uint32_t z = 0;
   std::uint32_t body = 0;
 };
 
-/// Cells from the first to before the last.
+/// A half-open range of cells.
 struct Range {
   std::uint32_t first = 0;
   std::uint32_t last = 0;
 };
 
-std::uint32_t clamped(double number, std::uint32_t most) {
-  return static_cast<std::uint32_t>(std::clamp(number, 0.0, static_cast<double>(most)));
+std::uint32_t clamped(double number, std::uint32_t maximum) {
+  return static_cast<std::uint32_t>(std::clamp(number, 0.0, static_cast<double>(maximum)));
 }
 
-/// Cells whose middles are between two places.
+/// Cells whose centres lie between two coordinates.
 Range cells_between(const CellGrid& grid, int axis, double low, double high) {
   return {clamped(std::ceil((low - grid.low[axis]) / grid.cell - 0.5), grid.resolution),
           clamped(std::floor((high - grid.low[axis]) / grid.cell - 0.5) + 1, grid.resolution)};
@@ -53,7 +53,7 @@ class Row {
     }
   }
 
-  /// The events of the row in the order of columns and depths. Nothing is left of them.
+  /// Returns and removes the events of the row, sorted by column and depth.
   std::vector<Crossing> take() {
     std::ranges::sort(events_, {}, [](const Crossing& one) { return std::tuple(one.x, one.z, one.body); });
     return std::exchange(events_, {});
@@ -66,7 +66,7 @@ class Row {
       const std::array<double, 4>& near = bodies_.planes.near(face.halfspace.plane);
       const double start = near[0] * x + near[1] * y + near[2] * grid_.middle(2, 0) + near[3];
       const double step = near[2] * grid_.cell;
-      // A middle on the plane is before it, where the normal, whose first component is above 0, points to.
+      // A centre on the plane counts as in front of it, because the first component of the normal is positive.
       const bool keeps_before = !face.halfspace.positive;
       if (std::abs(step) < place_error / grid_.resolution) {
         if ((start > -place_error) != keeps_before) return {};

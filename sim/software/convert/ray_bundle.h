@@ -1,3 +1,5 @@
+// Classified rays for block models.
+// Used by blocks.cpp.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +22,13 @@ struct CellGrid {
   [[nodiscard]] double middle(int axis, std::uint32_t number) const { return low[axis] + (number + 0.5) * cell; }
 };
 
-/// Parallel rays along z through the middles of all columns of cells, classified.
+/// Classified parallel rays along z through the centres of all columns of cells.
 class RayBundle {
  public:
   RayBundle(const model::Tree& tree, const Bodies& bodies, const CellGrid& grid, const Work& work);
 
-  /// The numbers of the cells where a ray gets into the solid, out of it, and so on: it is in from the first to before
-  /// the second.
+  /// Indices of the cells at which a ray enters or leaves the solid, alternating: it is inside from the first to just
+  /// before the second.
   [[nodiscard]] std::span<const std::uint16_t> changes(std::uint32_t x, std::uint32_t y) const {
     const std::size_t ray = static_cast<std::size_t>(y) * resolution_ + x;
     return std::span(changes_).subspan(first_[ray], first_[ray + 1] - first_[ray]);
@@ -34,7 +36,7 @@ class RayBundle {
 
  private:
   std::uint32_t resolution_;
-  std::vector<std::size_t> first_;  ///< of each ray, and the end
+  std::vector<std::size_t> first_;  ///< start index of each ray, and the end
   std::vector<std::uint16_t> changes_;
 };
 

@@ -1,3 +1,5 @@
+// Projection of points for exact 2D predicates.
+// Used by crossings.cpp and triangulate.cpp.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -12,7 +14,7 @@ namespace csgsim::software::convert {
 
 using SeenKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// Points as seen from outside of a plane, along the axis that it faces most.
+/// Projects points along the axis closest to a plane's outward normal, as seen from outside.
 class Seen {
  public:
   Seen(const std::vector<glm::dvec3>& points, const glm::dvec3& outward) : points_(points) {

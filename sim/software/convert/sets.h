@@ -1,3 +1,5 @@
+// Disjoint sets.
+// Used by mesh conversion.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +10,7 @@
 
 namespace csgsim::software::convert {
 
-/// Sets of the numbers from 0, which are joined; each is known by its least number.
+/// Disjoint sets of the numbers from 0; each is represented by its smallest number.
 class Sets {
  public:
   explicit Sets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }

@@ -6,7 +6,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// Appends what a side becomes that ends at each of the points.
+/// Appends the parts of a side that is split at these points.
 void end_at(const Side& side, std::span<const std::uint32_t> points, std::vector<Side>& sides) {
   const bool is_forward = side[0] < side[1];
   std::uint32_t at = side[0];

@@ -1,3 +1,5 @@
+// Directed sides between points.
+// Used by mesh conversion.
 #pragma once
 
 #include <algorithm>
@@ -10,19 +12,18 @@
 
 namespace csgsim::software::convert {
 
-/// A line from one point to another.
+/// A directed line between two points.
 using Side = std::array<std::uint32_t, 2>;
 
-/// The same line, from the lower number to the higher.
+/// The same line from the lower to the higher point index.
 inline Side ordered(const Side& side) { return {std::min(side[0], side[1]), std::max(side[0], side[1])}; }
 
-/// The same of a side and of one that runs back.
+/// Key that is equal for a side and its opposite.
 inline std::uint64_t key_of(const Side& side) {
   return static_cast<std::uint64_t>(std::min(side[0], side[1])) << 32U | std::max(side[0], side[1]);
 }
 
-/// Takes out pairs that run one against the other, and those that end where they begin, of what has a side:
-/// `side_of(one)`. The rest is sorted.
+/// Removes pairs of opposite sides and degenerate sides from elements with a side `side_of(one)`. Sorts the rest.
 template <class One, class SideOf>
 void cancel(std::vector<One>& all, const SideOf& side_of) {
   std::erase_if(all, [&](const One& one) { return side_of(one)[0] == side_of(one)[1]; });
@@ -49,13 +50,13 @@ inline void cancel(std::vector<Side>& sides) {
   cancel(sides, [](const Side& side) -> const Side& { return side; });
 }
 
-/// Their ends, each once, ascending.
+/// The end points of the sides, ascending and without duplicates.
 std::vector<std::uint32_t> ends_of(std::span<const Side> sides);
 
-/// Points on sides, by the sides' keys, in the order from the end of the lower number to that of the higher.
+/// Points on sides, by the sides' keys, sorted from the lower to the higher end point.
 using Ends = std::unordered_map<std::uint64_t, std::vector<std::uint32_t>>;
 
-/// Ends each side at its points. Whether there were any.
+/// Splits each side at its points. Returns whether any was split.
 bool end_at(const Ends& ends, std::vector<Side>& sides);
 
 }  // namespace csgsim::software::convert

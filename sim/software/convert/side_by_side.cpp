@@ -17,17 +17,17 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// Looks whether pairs of bodies without walls lie side by side.
+/// Tests whether pairs of bodies without walls lie side by side.
 class Pairs {
  public:
   Pairs(const Bodies& bodies, const Work& work) : bodies_(bodies), work_(work), tolerance_(bodies.tolerance) {}
 
   [[nodiscard]] bool are_apart(std::uint32_t one, std::uint32_t other) const {
-    return is_before_a_face(one, other) || is_before_a_face(other, one) || have_edges_between(one, other);
+    return is_before_a_face(one, other) || is_before_a_face(other, one) || has_edges_between(one, other);
   }
 
  private:
-  /// Whether all of a body is on the far side of a face of another.
+  /// Whether a body is entirely on the far side of a face of another one.
   [[nodiscard]] bool is_before_a_face(std::uint32_t body, std::uint32_t of) const {
     const std::vector<BodyFace>& faces = bodies_.bodies[of].faces;
     work_.charge(faces.size(), converting);
@@ -44,17 +44,18 @@ class Pairs {
       if (out < -tolerance_) return false;
       if (out <= tolerance_) ++on;
     }
-    // With less than a face on it, it touches the plane in a line or a point.
+    // A body with fewer than three vertices on the plane touches it in a line or point.
     return on < 3 || std::ranges::find(body.faces, facet::Halfspace{face.plane, !face.positive},
                                        &BodyFace::halfspace) != body.faces.end();
   }
 
-  /// Whether a plane along an edge of each is between them. Bodies of many edges, which would take long, are not asked.
-  [[nodiscard]] bool have_edges_between(std::uint32_t one, std::uint32_t other) const {
-    constexpr std::size_t most_pairs = 1000;
+  /// Whether a plane along an edge of each separates them. Bodies with many edges are not tested, because it would take
+  /// too long.
+  [[nodiscard]] bool has_edges_between(std::uint32_t one, std::uint32_t other) const {
+    constexpr std::size_t max_pairs = 1000;
     const Body& a = bodies_.bodies[one];
     const Body& b = bodies_.bodies[other];
-    if (a.edges.empty() || b.edges.empty() || a.edges.size() * b.edges.size() > most_pairs) return false;
+    if (a.edges.empty() || b.edges.empty() || a.edges.size() * b.edges.size() > max_pairs) return false;
     work_.charge(a.edges.size() * b.edges.size(), converting);
     const auto way = [](const Body& solid, const std::array<std::uint32_t, 2>& edge) {
       return solid.vertices[edge[1]] - solid.vertices[edge[0]];
@@ -71,7 +72,7 @@ class Pairs {
     return false;
   }
 
-  /// Whether, along the normal, no vertex of a is beyond one of b, and no more than an edge of either where they meet.
+  /// Whether no vertex of a is beyond one of b along the normal, and they touch in no more than an edge.
   [[nodiscard]] bool is_between(const Body& a, const Body& b, const glm::dvec3& normal) const {
     constexpr double far = std::numeric_limits<double>::infinity();
     const glm::dvec3& centre = bodies_.reference;
@@ -91,7 +92,7 @@ class Pairs {
   double tolerance_;
 };
 
-/// Whether nothing is done to the bodies, ascending, but to unite them.
+/// Whether the bodies (ascending) are combined only by unions.
 bool are_united(const csg::PositiveTree& tree, const csg::TreePaths& paths, std::span<const std::uint32_t> bodies) {
   using NodeKind = LocalTree::Node::Kind;
   const LocalTree local(tree, paths, bodies);

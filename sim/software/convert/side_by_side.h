@@ -1,3 +1,5 @@
+// Bodies that need no division.
+// Used by boundary.cpp.
 #pragma once
 
 #include <vector>
@@ -8,10 +10,11 @@
 
 namespace csgsim::software::convert {
 
-/// Of each body, whether it and all that hang together with it by their boxes are united alone, and lie side by side:
-/// of any two, a plane of a face of one, or along an edge of each, is between them, and where both have a face there,
-/// these are in one canonical plane. So are a lone primitive and the pieces of one solid. Their faces, less what one
-/// has against another, are the boundary there; nothing has to be divided. Throws WorkError past the limit on work.
+/// Determines for each body whether it and all bodies connected to it by their boxes are combined only by union and lie
+/// side by side: any two are separated by the plane of a face of one, or a plane along an edge of each, and if both
+/// have a face there, these are in one canonical plane. This holds for a lone primitive and for the pieces of one
+/// solid. Their boundary consists of their faces, minus touching parts; nothing needs to be divided. Throws WorkError
+/// beyond the work limit.
 std::vector<bool> side_by_side(const Bodies& bodies, const csg::PositiveTree& tree, const Work& work);
 
 }  // namespace csgsim::software::convert

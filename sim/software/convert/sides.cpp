@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t none = 0xffffffffU;
 constexpr std::uint32_t several = none - 1;
 
-/// Of each point the two others that sides join it to, if they are on one line; else `several` or `none`.
+/// Per point, the two points that sides connect it to, if all three are collinear; otherwise `several` or `none`.
 std::vector<Side> straight_neighbours(const Outlines& outlines, double tolerance) {
   std::vector<Side> neighbours(outlines.points.size(), Side{none, none});
   const auto note = [&](std::uint32_t at, std::uint32_t other) {

@@ -1,3 +1,5 @@
+// Splitting and joining of sides.
+// Used by outlines.cpp.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +12,14 @@
 
 namespace csgsim::software::convert {
 
-/// Ends sides of those outlines, ascending, at each point that is within the tolerance of them. Returns the outlines
-/// that it changed.
+/// Splits sides of these outlines (ascending) at each point within the tolerance. Returns the outlines that changed.
 std::vector<std::size_t> end_at_points(std::span<const std::size_t> which, const NearPoints& near, double tolerance,
                                        Outlines& outlines);
 
-/// Joins sides at points where only two others are joined to, on one line with it.
+/// Joins sides at points with only two neighbours that are collinear with the point.
 void join_straight(Outlines& outlines, double tolerance);
 
-/// A side that does not run as often one way as the other, over all outlines.
+/// A side without a matching opposite side in any outline, if any.
 std::optional<Side> open_side(const Outlines& outlines);
 
 }  // namespace csgsim::software::convert

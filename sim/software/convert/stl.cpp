@@ -19,12 +19,12 @@ namespace {
 
 using Facet = std::array<glm::vec3, 3>;
 
-/// Greatest part of a volume that single precision may lose.
-constexpr double most_loss = 1e-3;
+/// Maximum relative change of the volume in single precision.
+constexpr double max_loss = 1e-3;
 
-/// Throws InputError where the coordinates are too large for single precision to keep the volume.
+/// Throws InputError if the coordinates are too large for single precision to preserve the volume.
 void require_volume(const Surface& surface) {
-  // GCC 12 leaves out the rounding of a vector that is widened again at once.
+  // GCC 12 omits the rounding of a vector that is immediately widened again.
   const std::vector<glm::vec3> rounded(surface.points.begin(), surface.points.end());
   Surface single = surface;
   single.points.assign(rounded.begin(), rounded.end());
@@ -32,15 +32,15 @@ void require_volume(const Surface& surface) {
   for (const glm::dvec3& point : surface.points)
     for (int axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(point[axis]));
   const double volume = measure(surface).volume;
-  if (std::abs(measure(single).volume - volume) <= most_loss * std::abs(volume)) return;
+  if (std::abs(measure(single).volume - volume) <= max_loss * std::abs(volume)) return;
   throw InputError(
       fmt::format("binary STL has single precision, which would change the volume of this model by more than a "
-                  "thousandth, since its coordinates reach {:.3g}; write .off or .3mf, or an STL text with --ascii",
+                  "thousandth, because its coordinates reach {:.3g}; write .off or .3mf, or a text STL with --ascii",
                   farthest));
 }
 
-/// Points in single precision, and triangles that are still some then: where two points become one, as many sides run
-/// along each edge one way as the other without those that collapse.
+/// Rounds points to single precision and drops triangles that collapse. If two points become one, the remaining
+/// triangles still have equal numbers of sides in both directions along each edge.
 std::vector<Facet> rounded(const Surface& surface) {
   std::vector<Facet> facets;
   for (const Triangle& triangle : surface.triangles) {
@@ -57,7 +57,7 @@ glm::dvec3 normal_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3&
   return length > 0 ? normal / length : glm::dvec3(0);
 }
 
-/// Little-endian.
+/// Appends little-endian bytes.
 void append(std::string& bytes, std::uint32_t number) {
   for (unsigned shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(number >> shift & 0xffU));
 }
@@ -70,7 +70,7 @@ std::string binary(const Surface& surface) {
   require_volume(surface);
   const std::vector<Facet> facets = rounded(surface);
   if (facets.size() > std::numeric_limits<std::uint32_t>::max())
-    throw InputError("an STL file holds no more than 4,294,967,295 triangles; make the facets coarser");
+    throw InputError("an STL file cannot hold more than 4,294,967,295 triangles; make the facets coarser");
   constexpr std::size_t header_bytes = 80;
   constexpr std::size_t facet_bytes = 50;
   std::string bytes = "binary STL by csgsim";
@@ -85,7 +85,7 @@ std::string binary(const Surface& surface) {
   return bytes;
 }
 
-/// Numbers have the digits that tell doubles apart.
+/// Prints enough digits to reproduce the doubles exactly.
 std::string text(const Surface& surface) {
   std::string lines = "solid csgsim\n";
   const auto out = std::back_inserter(lines);
@@ -107,7 +107,7 @@ std::string write(const Surface& surface, const Writing& writing) {
 
 }  // namespace
 
-extern const Format stl_format{".stl", "STL, triangles of single precision; with --ascii as text, of double precision",
+extern const Format stl_format{".stl", "STL, triangles of single precision; with --ascii, text of double precision",
                                true, write};
 
 }  // namespace csgsim::software::convert

@@ -21,16 +21,16 @@ constexpr std::uint32_t none = 0xffffffffU;
 
 /// A side of a triangle.
 struct HalfEdge {
-  std::uint32_t low = 0;  ///< its ends
+  std::uint32_t low = 0;  ///< its end points
   std::uint32_t high = 0;
-  std::uint32_t number = 0;  ///< three a triangle, each from the corner of that number
+  std::uint32_t number = 0;  ///< three per triangle, numbered by the corner where each starts
 };
 
-/// One of several that have both ends in common.
+/// One of several half-edges between the same two points.
 struct Leaf {
   std::uint32_t number = 0;
-  bool is_forward = false;  ///< from the lower end to the higher
-  double angle = 0;         ///< in which the triangle is seen along the edge
+  bool is_forward = false;  ///< from the lower to the higher end point
+  double angle = 0;         ///< direction of the triangle as seen along the edge
 };
 
 std::uint32_t next_corner(std::uint32_t number) { return number % 3 == 2 ? number - 2 : number + 1; }
@@ -40,7 +40,7 @@ class Pairing {
   Pairing(const Surface& surface, const Outlines& outlines)
       : surface_(surface), outlines_(outlines), others_(3 * surface.triangles.size(), none) {}
 
-  /// Of each half-edge, the one that it is joined to.
+  /// The partner of each half-edge.
   std::vector<std::uint32_t> operator()() {
     std::vector<HalfEdge> edges;
     edges.reserve(others_.size());
@@ -69,7 +69,8 @@ class Pairing {
     return surface_.triangles[edge.number / 3][edge.number % 3] == edge.low;
   }
 
-  /// Around an edge, from a triangle that runs forward clockwise through the solid to the next that runs back.
+  /// Pairs half-edges around an edge: each triangle that runs forward with the next one that runs back, clockwise
+  /// through the solid.
   void pair(std::span<const HalfEdge> edges) {
     const auto forward = std::ranges::count_if(edges, [&](const HalfEdge& edge) { return is_forward(edge); });
     if (2 * forward != static_cast<std::ptrdiff_t>(edges.size()))
@@ -92,13 +93,13 @@ class Pairing {
     }
   }
 
-  /// The leaves in their order around the edge.
+  /// The leaves sorted around the edge.
   [[nodiscard]] std::vector<Leaf> leaves_around(std::span<const HalfEdge> edges) const {
     std::vector<Leaf> leaves;
     leaves.reserve(edges.size());
     for (const HalfEdge& edge : edges) leaves.push_back({edge.number, is_forward(edge), 0});
     const glm::dvec3 way = outlines_.points[edges.front().high] - outlines_.points[edges.front().low];
-    if (way != glm::dvec3(0)) find_angles(glm::normalize(way), leaves);  // else any pairing is as good
+    if (way != glm::dvec3(0)) find_angles(glm::normalize(way), leaves);  // otherwise all pairings are equivalent
     std::ranges::sort(leaves, [](const Leaf& one, const Leaf& other) {
       return one.angle != other.angle ? one.angle > other.angle : one.is_forward > other.is_forward;
     });
@@ -120,7 +121,7 @@ class Pairing {
   std::vector<std::uint32_t> others_;
 };
 
-/// Corners that are joined along edges share a point, others do not.
+/// Corners connected along edges share a point; others are separated.
 void part_points(Surface& surface, const std::vector<std::uint32_t>& others) {
   Sets corners(others.size());
   for (std::uint32_t i = 0; i < others.size(); ++i) {
@@ -141,12 +142,12 @@ void part_points(Surface& surface, const std::vector<std::uint32_t>& others) {
   surface.points = std::move(points);
 }
 
-/// Takes out triangles that stand back to back on the same three points, with nothing between them.
+/// Removes pairs of opposite triangles on the same three points.
 void cancel_triangles(Surface& surface) {
   struct Standing {
     Triangle corners{};  ///< ascending
     std::uint32_t number = 0;
-    bool is_even = false;  ///< whether an even number of exchanges leads there
+    bool is_even = false;  ///< whether the sorted order is an even permutation
   };
   std::vector<Standing> standing;
   standing.reserve(surface.triangles.size());
@@ -181,13 +182,13 @@ void cancel_triangles(Surface& surface) {
   surface.outlines.resize(kept);
 }
 
-/// Halves edges of a surface whose half-edges are paired.
+/// Splits edges of a surface with paired half-edges.
 class Halving {
  public:
   Halving(Surface& surface, std::vector<std::uint32_t>& others) : surface_(surface), others_(others) {}
 
-  /// Puts a point in the middle of each edge that runs between the same points as another, which is so where a solid
-  /// touches itself along an edge and hangs together at both of its ends.
+  /// Inserts a point in the middle of each edge that connects the same points as another edge, which occurs if a solid
+  /// touches itself along an edge and is connected at both ends.
   void operator()() {
     std::vector<std::pair<Side, std::uint32_t>> edges;
     for (std::uint32_t i = 0; i < others_.size(); ++i) edges.emplace_back(Side{corner(i), corner(next_corner(i))}, i);
@@ -212,7 +213,8 @@ class Halving {
     others_[other] = one;
   }
 
-  /// Splits a triangle at the middle of a half-edge. Returns the second part's half-edge, from the middle on.
+  /// Splits a triangle at the middle of a half-edge. Returns the half-edge of the second part, which starts at the
+  /// middle.
   std::uint32_t cut(std::uint32_t half_edge, std::uint32_t middle) {
     const std::uint32_t after = next_corner(half_edge);
     const auto first = static_cast<std::uint32_t>(others_.size());
@@ -239,7 +241,7 @@ class Halving {
 
   Surface& surface_;
   std::vector<std::uint32_t>& others_;
-  std::unordered_map<std::uint32_t, std::uint32_t> moved_;  ///< where half-edges are that had these numbers
+  std::unordered_map<std::uint32_t, std::uint32_t> moved_;  ///< new index of half-edges that were renumbered
 };
 
 /// Restores the order of Surface::outlines.
@@ -257,7 +259,7 @@ void sort_by_outlines(Surface& surface) {
 
 using LongVector = glm::vec<3, long double>;
 
-/// The cross product of the two shortest sides: that of two long sides of a needle would lose its area to rounding.
+/// The cross product of the two shortest sides: with two long sides of a needle, rounding would destroy the area.
 LongVector twice_area(const Surface& surface, const Triangle& triangle) {
   std::array<LongVector, 3> sides;
   for (std::size_t i = 0; i < 3; ++i)
@@ -288,8 +290,8 @@ Surface make_surface(const Outlines& outlines) {
 
 namespace {
 
-/// What rounding moves of the volume behind a triangle: its area as seen along each axis, times half a unit of the last
-/// place of the greatest coordinate along that.
+/// Upper bound of the effect of rounding on the volume behind a triangle: its projected area along each axis times half
+/// a unit in the last place of the largest coordinate on that axis.
 double volume_error(const Surface& surface, const Triangle& triangle, const LongVector& twice_area) {
   constexpr double half_unit = 0x1p-53;
   double sum = 0;
@@ -312,7 +314,7 @@ Measures measure(const Surface& surface) {
   }
   long double volume = 0;
   for (const Triangle& triangle : surface.triangles) {
-    // Relative to a point of the shell, since a far origin would cost precision.
+    // Relative to a point of the shell, because a distant origin would cost precision.
     const glm::dvec3& origin = surface.points[points.find(triangle[0])];
     const LongVector area = twice_area(surface, triangle);
     volume += glm::dot(LongVector(surface.points[triangle[0]]) - LongVector(origin), area) / 6;

@@ -1,3 +1,5 @@
+// Triangulated surfaces.
+// Used by csgsim convert and by file formats.
 #pragma once
 
 #include <cmath>
@@ -9,26 +11,28 @@
 
 namespace csgsim::software::convert {
 
-/// The boundary of a solid as triangles that run counter-clockwise as seen from outside. Each side of one is a side of
-/// exactly one other, which runs along it the other way, and triangles at a point all hang together there: where a
-/// solid touches itself along an edge or at a corner, points stand there more than once.
+/// The boundary of a solid as triangles that run counter-clockwise as seen from outside. Each side of a triangle is
+/// also a side of exactly one other, in the opposite direction, and all triangles at a point are connected there: if a
+/// solid touches itself along an edge or at a corner, points are duplicated.
 struct Surface {
   std::vector<glm::dvec3> points;
   std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> outlines;  ///< of each triangle, the number of its outline, ascending
+  std::vector<std::uint32_t> outlines;  ///< outline index of each triangle, ascending
 };
 
 /// Throws std::logic_error if the outlines are not closed.
 Surface make_surface(const Outlines& outlines);
 
-/// What is told of a surface.
+/// Measured properties of a surface.
 struct Measures {
-  double volume = 0;         ///< cubic model units; of the inside less that of the outside, if that is enclosed
-  double volume_error = 0;   ///< what the rounding of coordinates to doubles may have changed of it, at most
+  double volume = 0;         ///< cubic model units; enclosed outside volume is subtracted
+  double volume_error = 0;   ///< upper bound of the change due to rounding of coordinates to doubles
   double area = 0;           ///< square model units
-  std::int64_t euler = 0;    ///< points less edges plus triangles
-  std::uint64_t shells = 0;  ///< parts that hang together by edges
-  [[nodiscard]] std::int64_t genus() const { return static_cast<std::int64_t>(shells) - euler / 2; }  ///< of all shells
+  std::int64_t euler = 0;    ///< points - edges + triangles
+  std::uint64_t shells = 0;  ///< number of parts connected by edges
+  [[nodiscard]] std::int64_t genus() const {
+    return static_cast<std::int64_t>(shells) - euler / 2;
+  }  ///< total of all shells
 };
 
 Measures measure(const Surface& surface);

@@ -15,7 +15,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// A file of minizip's that is in memory.
+/// An in-memory file for minizip.
 struct MemoryStream {
   std::string bytes;
   std::size_t at = 0;
@@ -43,7 +43,7 @@ long seek_stream(voidpf, voidpf stream, ZPOS64_T offset, int origin) {
 
 int close_stream(voidpf, voidpf) { return 0; }
 
-/// A zip archive with the same bytes whenever it is made.
+/// A reproducible zip archive: equal content gives equal bytes.
 class Archive {
  public:
   Archive() {
@@ -75,7 +75,7 @@ class Archive {
 
  private:
   static void check(int result) {
-    if (result != ZIP_OK) throw InputError("the mesh cannot be zipped; there may not be enough memory");
+    if (result != ZIP_OK) throw InputError("the mesh cannot be compressed; there may not be enough memory");
   }
 
   MemoryStream stream_;
@@ -117,7 +117,7 @@ void add_mesh(pugi::xml_node mesh, const Surface& surface) {
   }
 }
 
-/// One object, which is what is built; 3MF has millimetres where it is told nothing else, as OpenSCAD's users have.
+/// One object and one build item. 3MF files without a unit are in millimetres, as are OpenSCAD models.
 std::string model_part(const Surface& surface) {
   pugi::xml_document document;
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
@@ -138,8 +138,8 @@ std::string model_part(const Surface& surface) {
 
 std::string write(const Surface& surface, const Writing&) {
   const std::string model = model_part(surface);
-  constexpr std::size_t most_bytes = 0xffffffffU;
-  if (model.size() >= most_bytes) throw InputError("a 3MF file of more than 4 GiB; make the facets coarser");
+  constexpr std::size_t max_bytes = 0xffffffffU;
+  if (model.size() >= max_bytes) throw InputError("the 3MF file would exceed 4 GiB; make the facets coarser");
   Archive archive;
   archive.add("[Content_Types].xml", content_types);
   archive.add("_rels/.rels", relationships);
@@ -149,7 +149,7 @@ std::string write(const Surface& surface, const Writing&) {
 
 }  // namespace
 
-extern const Format three_mf_format{".3mf", "3D Manufacturing Format, triangles of double precision that share points",
+extern const Format three_mf_format{".3mf", "3D Manufacturing Format, triangles of double precision with shared points",
                                     false, write};
 
 }  // namespace csgsim::software::convert

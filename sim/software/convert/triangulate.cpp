@@ -19,7 +19,7 @@ namespace {
 using Kernel = SeenKernel;
 using Point = Kernel::Point_2;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-/// How often the outline runs around a face, once it is known.
+/// Winding number of a face, once known.
 using FaceBase =
     CGAL::Constrained_triangulation_face_base_2<Kernel,
                                                 CGAL::Triangulation_face_base_with_info_2<std::optional<int>, Kernel>>;
@@ -28,19 +28,19 @@ using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Storage,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-/// A round may pass through its first corner again: what is no triangle there has no sides either.
+/// A round may pass through its first corner again; degenerate triangles there contribute no sides.
 void add_fan(const std::vector<std::uint32_t>& round, std::vector<Triangle>& triangles) {
   for (std::size_t i = 1; i + 1 < round.size(); ++i)
     if (round[i] != round[0] && round[i + 1] != round[0]) triangles.push_back({round[0], round[i], round[i + 1]});
 }
 
-/// Whether the turn is clearly to the left. Where it is not, as at a corner that rounding has moved off a straight
-/// side, triangles from any other corner may be slivers along that side.
+/// Whether the turn is clearly to the left. If it is not, for instance at a corner that rounding has moved off a
+/// straight side, triangles from another corner may be slivers along that side.
 bool turns_left(const Point& before, const Point& here, const Point& after) {
-  constexpr double least_sine = 1e-3;
+  constexpr double min_sine = 1e-3;
   const Kernel::Vector_2 in = here - before;
   const Kernel::Vector_2 out = after - here;
-  return CGAL::determinant(in, out) > least_sine * std::sqrt(in.squared_length() * out.squared_length());
+  return CGAL::determinant(in, out) > min_sine * std::sqrt(in.squared_length() * out.squared_length());
 }
 
 bool is_convex(const std::vector<std::uint32_t>& round, const Seen& seen) {
@@ -56,8 +56,8 @@ bool is_convex(const std::vector<std::uint32_t>& round, const Seen& seen) {
   return lowest == 1;
 }
 
-/// The triangulation of an outline's points with its sides. Not possible if sides cross, or if points are one as they
-/// are seen.
+/// The constrained triangulation of an outline's points and sides. Impossible if sides cross, or if points coincide in
+/// the projection.
 class Covering {
  public:
   Covering(const Outline& outline, const Seen& seen) {
@@ -101,7 +101,7 @@ class Covering {
     return found == surplus_.end() ? 0 : found->second;
   }
 
-  /// From the infinite face inwards.
+  /// Propagates winding numbers from the infinite face inwards.
   void spread() {
     std::vector<Triangulation::Face_handle> open{triangulation_.infinite_face()};
     open.front()->info() = 0;
@@ -113,7 +113,7 @@ class Covering {
         if (other->info()) continue;
         int times = *face->info();
         if (face->is_constrained(i)) {
-          // The face runs along its side from one end to the other, its neighbour back.
+          // The side runs along the face in its direction, and along the neighbour in the opposite direction.
           const std::uint32_t from = face->vertex(Triangulation::ccw(i))->info();
           const std::uint32_t to = face->vertex(Triangulation::cw(i))->info();
           times += surplus(to, from) - surplus(from, to);
@@ -137,7 +137,7 @@ std::vector<Triangle> all_of(const TwoSides& sides) {
   return all;
 }
 
-/// Every side of the outline, and others only with their backs.
+/// Whether the unmatched sides of the triangles are exactly the sides of the outline.
 bool is_bounded_by(const std::vector<Triangle>& triangles, const Outline& outline) {
   std::map<Side, int> sums;
   for (const Triangle& triangle : triangles) {
@@ -198,7 +198,7 @@ std::optional<TwoSides> two_sides(const std::vector<glm::dvec3>& points, const O
     TwoSides sides = covering.two_sides();
     if (is_bounded_by(all_of(sides), outline)) return sides;
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
-    // Said to the caller.
+    // The caller receives an empty result.
   }
   return std::nullopt;
 }

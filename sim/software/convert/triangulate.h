@@ -1,3 +1,5 @@
+// Triangulation of outlines.
+// Used by surface.cpp and outlines.cpp.
 #pragma once
 
 #include <array>
@@ -12,25 +14,25 @@ namespace csgsim::software::convert {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// What an outline encloses, as triangles on its points that run counter-clockwise as seen from outside, and whose
-/// sides leave those of the outline. By a constrained Delaunay triangulation of the plane; an outline whose sides cross
-/// each other, which rounding can do to slivers alone, is cut into triangles from a corner of each of its rounds.
+/// Triangulates the interior of an outline on its points; triangles run counter-clockwise as seen from outside, and
+/// their unmatched sides are those of the outline. Uses a constrained Delaunay triangulation of the plane. An outline
+/// with crossing sides, which only rounding of slivers can cause, is cut into a fan of triangles per closed round.
 std::vector<Triangle> triangulate(const std::vector<glm::dvec3>& points, const Outline& outline);
 
-/// What sides enclose that run counter-clockwise around some parts of a plane, as seen from where `outward` points to,
-/// and clockwise around others: triangles that run as the sides do.
+/// Triangles enclosed by sides that run counter-clockwise around some parts of a plane, as seen from the tip of
+/// `outward`, and clockwise around others; triangles have the orientation of the sides.
 struct TwoSides {
   std::vector<Triangle> front;  ///< counter-clockwise
   std::vector<Triangle> back;
 };
 
-/// None if sides cross.
+/// Empty if sides cross.
 std::optional<TwoSides> two_sides(const std::vector<glm::dvec3>& points, const Outline& outline);
 
-/// Whether the corners are in one plane, exactly.
+/// Whether the corners are exactly coplanar.
 bool is_flat(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& round);
 
-/// The rounds that sides make, each once.
+/// The closed rounds formed by the sides.
 std::vector<std::vector<std::uint32_t>> rounds_of(const Outline& outline);
 
 }  // namespace csgsim::software::convert

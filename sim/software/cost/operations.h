@@ -1,3 +1,5 @@
+// Operation counters.
+// Used as template arguments by all methods of software.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +13,13 @@ using processors::operation_kinds;
 using processors::operation_rows;
 using processors::Operations;
 
-/// Methods are compiled twice: with this they count what they do, where they do it,
+/// Counter that counts operations. Methods are compiled twice, with Counting and with Uncounted.
 class Counting {
  public:
   static constexpr bool counts = true;
 
   void operator()(Operation kind, std::uint64_t times = 1) { done_.counts[static_cast<std::size_t>(kind)] += times; }
-  /// A shift of a long by that many places.
+  /// Counts a shift of a long by `places` bits.
   void shift(std::uint64_t places) {
     (*this)(Operation::shift_long);
     (*this)(Operation::shifted_bit, places);
@@ -29,7 +31,7 @@ class Counting {
   Operations done_;
 };
 
-/// and with this they only do it.
+/// Counter that does nothing, for full speed.
 class Uncounted {
  public:
   static constexpr bool counts = false;

@@ -16,7 +16,7 @@ namespace csgsim::software {
 
 namespace {
 
-/// What is left of a facet in one place.
+/// A remaining part of a facet.
 struct Part {
   Region region;
   std::vector<Cut> cuts;
@@ -52,7 +52,7 @@ class FacetClipper {
   }
 
  private:
-  /// Of the model's diagonal.
+  /// Relative to the model's diagonal.
   static constexpr double thinnest = 1e-8;
 
   [[nodiscard]] Part part(std::uint32_t facet, Region region, std::vector<Cut> cuts) const {
@@ -60,7 +60,7 @@ class FacetClipper {
     return {std::move(region), std::move(cuts), box};
   }
 
-  /// Each pair once, of however many cells.
+  /// Clips each pair once, even if it shares several cells.
   void clip_in_cells(const std::vector<SpacePart>& space) {
     std::vector<std::vector<std::uint32_t>> cells_of(parts_.size());
     for (std::uint32_t cell = 0; cell < space.size(); ++cell) {
@@ -109,7 +109,7 @@ class FacetClipper {
     return true;
   }
 
-  /// Leaves what is on the plane's positive side, and puts what is on the other one behind all parts.
+  /// Keeps the part on the plane's positive side, and appends the other part to the facet's parts.
   void cut(std::uint32_t facet, std::size_t number, std::uint32_t plane) {
     Part& whole = parts_[facet][number];
     Parts halves = sheets_.of(facet).cut(whole.region, {plane, true});
@@ -141,7 +141,7 @@ class FacetClipper {
     made_.cuts.push_back(std::move(cuts));
   }
 
-  /// Of a facet without an area.
+  /// Corners that stand for a facet without area.
   [[nodiscard]] std::vector<glm::dvec3> place_of(std::uint32_t facet) const {
     const std::span<const glm::dvec3> own = facets_.corners_of(facet);
     if (!own.empty()) return entered({own.begin(), own.end()});
@@ -153,7 +153,7 @@ class FacetClipper {
     return {glm::dvec3{0}};
   }
 
-  /// Corners as they are put into directories.
+  /// Corners in the form in which they are inserted into directories.
   [[nodiscard]] std::vector<glm::dvec3> entered(std::vector<glm::dvec3> corners) const {
     glm::dvec3 area{0};
     for (std::size_t i = 2; i < corners.size(); ++i)
@@ -173,7 +173,7 @@ class FacetClipper {
   double reach_;
   double thinnest_;
   FacetSheets sheets_;
-  std::vector<std::vector<Part>> parts_;  ///< by facet
+  std::vector<std::vector<Part>> parts_;  ///< indexed by facet
   Count& count_;
   ClippedFacets made_;
 };

@@ -1,3 +1,5 @@
+// Facets clipped against each other.
+// Used by list priority.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +12,25 @@
 
 namespace csgsim::software {
 
-/// Where a polygon was cut: it is on that side of the plane.
+/// A cut of a polygon; the polygon lies on the given side of the plane.
 struct Cut {
-  std::uint32_t plane = 0;  ///< a canonical plane, or behind these a wall of cells
+  std::uint32_t plane = 0;  ///< index of a canonical plane; higher indices are walls of cells
   bool positive = true;     ///< normal . p + offset <= 0
 };
 
-/// The facets of a model clipped against each other: no two of different primitives cross.
+/// The facets of a model clipped against each other: polygons of different primitives do not cross.
 struct ClippedFacets {
-  /// In the order of the facets that they are of. What is thinner than directories can tell directions of has the ends
-  /// of its longest extent.
+  /// Polygons in the order of their facets. Polygons too thin for directories to determine directions are reduced to
+  /// the ends of their longest extent.
   Facets polygons;
-  std::vector<std::uint32_t> facets;   ///< that they are of
-  std::vector<std::vector<Cut>> cuts;  ///< each has a polygon of the facet on its other side too
-  std::uint64_t crossing_tests = 0;    ///< pairs of polygons that were held against each other
-  std::uint64_t overlap_tests = 0;     ///< of a facet and a cell
+  std::vector<std::uint32_t> facets;   ///< facet of each polygon
+  std::vector<std::vector<Cut>> cuts;  ///< for each cut, another polygon of the facet lies on the opposite side
+  std::uint64_t crossing_tests = 0;    ///< tested pairs of polygons
+  std::uint64_t overlap_tests = 0;     ///< tests of a facet against a cell
 };
 
-/// Each pair of facets that a cell of the directory has is held against each other; where they cross, exactly, both are
-/// cut by each other's planes. A facet without corners gets one of its primitive's. `Count` is CountingMethod or
-/// UncountedMethod.
+/// Tests each pair of facets in a cell of the directory; if they cross (exact test), both are cut by each other's
+/// planes. A facet without corners gets one of its primitive's corners. `Count` is CountingMethod or UncountedMethod.
 template <class Count>
 ClippedFacets clip_each_other(const Facets& facets, const facet::Geometry& geometry, const DirectoryRow& directory,
                               std::uint32_t bucket_size, Count& count);

@@ -1,3 +1,5 @@
+// Common steps of the display methods.
+// Used by the methods that draw facet by facet.
 #pragma once
 
 #include <chrono>
@@ -15,14 +17,14 @@
 
 namespace csgsim::software {
 
-/// Three coordinates a corner; of what is seen a plane and each of its edges three coefficients of two longs, and a
-/// primitive, a rectangle and a pointer.
+/// Memory in words: three coordinates per corner; per visible facet, a plane and edges with three coefficients of two
+/// longs each, and a primitive, a rectangle and a pointer.
 inline std::uint64_t words_of_polygons(const Facets& facets, const ScreenFacets& seen) {
   return 3 * facets.corners.size() + 6 * seen.linears.size() + 10 * seen.facets.size();
 }
 
-/// What all methods do: polygons are brought into the picture, pixels drawn, and what was counted is told.
-/// `draw(seen, ledger, displayed)` draws, and adds what it keeps to the words.
+/// Performs the steps common to all methods: transforms polygons into the picture, draws, and collects counts.
+/// `draw(seen, ledger, displayed)` draws and adds its memory to the words.
 template <class Count, class Draw>
 Displayed displayed(const DisplaySubject& subject, const Draw& draw) {
   Displayed result;
@@ -40,7 +42,7 @@ Displayed displayed(const DisplaySubject& subject, const Draw& draw) {
   result.counts.words.pixels = 2 * subject.pixels();
   draw(seen, ledger, result);
   result.drawing_seconds = seconds_since(begin);
-  ledger.tell(result.counts);
+  ledger.add_counts(result.counts);
   return result;
 }
 

@@ -1,3 +1,5 @@
+// Operation counts of clipping.
+// Used by clipped_facets.cpp and polygons.cpp.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +8,7 @@
 
 namespace csgsim::software {
 
-/// Heights of corners over a plane: three products of longs each, of four products of words.
+/// Counts the heights of corners above a plane: three long products each, of four word products.
 template <class Count>
 void count_heights(Count& count, std::size_t corners) {
   count(Operation::load_long, 6 * corners);
@@ -17,7 +19,7 @@ void count_heights(Count& count, std::size_t corners) {
   count(Operation::branch_taken, corners);
 }
 
-/// Corners where edges cross a plane: a quotient of two digits, three products.
+/// Counts the intersections of edges with a plane: a two-digit quotient and three products each.
 template <class Count>
 void count_crossings(Count& count, std::size_t crossings) {
   count(Operation::divide, 2 * crossings);
@@ -27,7 +29,7 @@ void count_crossings(Count& count, std::size_t crossings) {
   count(Operation::store_long, 3 * crossings);
 }
 
-/// What a directory has counted so far.
+/// Adds the operation counts of building a directory.
 template <class Count>
 void count_built(Count& count, const Operations& built) {
   for (std::size_t kind = 0; kind < operation_kinds; ++kind) count(static_cast<Operation>(kind), built.counts[kind]);

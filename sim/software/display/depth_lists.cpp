@@ -14,7 +14,7 @@ namespace csgsim::software {
 
 namespace {
 
-/// All surfaces of all pixels, a list for each pixel; the last that was added is the first.
+/// The surfaces of all pixels, as a linked list per pixel; the last added is the first.
 class PixelLists {
  public:
   explicit PixelLists(std::size_t pixels) : heads_(pixels, none) {}
@@ -29,7 +29,7 @@ class PixelLists {
     count(Operation::add_long, 2);
   }
 
-  /// Copies those of a pixel to `events`, the first that was added first.
+  /// Copies the surfaces of a pixel to `events` in the order in which they were added.
   template <class Count>
   void gather(std::size_t pixel, std::vector<Event>& events, Count& count) const {
     events.clear();
@@ -75,7 +75,7 @@ void draw_by_lists(const DisplaySubject& subject, const ScreenFacets& seen, Ledg
   for (std::size_t pixel = 0; pixel < subject.pixels(); ++pixel) {
     Count& sorting = ledger[Phase::sorting];
     lists.gather(pixel, events, sorting);
-    if (events.size() > most_inserted) {
+    if (events.size() > max_inserted) {
       sort_by_halves(std::span(events), sorting);
     } else {
       insert_in_order(std::span(events), sorting);
@@ -99,7 +99,7 @@ Displayed run_depth_lists(const DisplaySubject& subject, bool counts) {
 }  // namespace
 
 extern const DisplayRow depth_lists_row{.name = "depth-lists",
-                                        .help = "all depths of a pixel are stored, sorted and classified",
+                                        .help = "stores, sorts and classifies all depths of a pixel",
                                         .source = "Jansen 1987, 2.4.1 and 6.1",
                                         .run = run_depth_lists};
 

@@ -1,3 +1,5 @@
+// Depth order of the polygons of a bucket.
+// Used by list priority.
 #pragma once
 
 #include <algorithm>
@@ -15,17 +17,18 @@
 
 namespace csgsim::software {
 
-/// Puts the pieces of a bucket in order of depth, the nearest first. The key is a piece's least depth over its
-/// rectangle of pixels. A piece that hides part of another comes before it, whatever the keys: of one primitive, what
-/// is entered before what is left; of two, the one that is nearer where both have pixels. Level ones keep the order of
-/// the keys. Where pieces hide each other in a circle, the one with the least key comes first and is a conflict.
+/// Sorts the pieces of a bucket by depth, nearest first. The key is a piece's minimum depth over its pixel rectangle. A
+/// piece that hides part of another precedes it, regardless of the keys: of one primitive, entering faces precede
+/// leaving faces; of two primitives, the piece that is nearer where both have pixels precedes. Pieces at equal depth
+/// keep the order of their keys. If pieces hide each other cyclically, the one with the smallest key comes first and is
+/// a conflict.
 template <class Count>
 class DepthOrder {
  public:
   DepthOrder(const ScreenFacets& pieces, std::uint64_t longs, Count& count)
       : pieces_(pieces), longs_(longs), count_(count) {}
 
-  /// Numbers of pieces from `begin` to `end`, in order.
+  /// Indices of the pieces from `begin` to `end`, sorted.
   const std::vector<std::uint32_t>& of(std::uint32_t begin, std::uint32_t end) {
     begin_ = begin;
     order_.clear();
@@ -51,7 +54,7 @@ class DepthOrder {
   [[nodiscard]] std::uint64_t conflicts() const { return conflicts_; }
 
  private:
-  /// Which of two pieces has to be drawn first.
+  /// Drawing order of two pieces.
   enum class First : std::uint8_t { any, one, other };
 
   void find_hidden() {
@@ -94,7 +97,7 @@ class DepthOrder {
     return nearer_of(a, b, pixels);
   }
 
-  /// By the difference of depths at the corners of what they have in common.
+  /// Compares depths at the corners of the region that both pieces cover.
   First nearer_of(const ScreenFacet& a, const ScreenFacet& b, const view::PixelRect& pixels) {
     view::Region common(pixels);
     for (const ScreenFacet* const piece : {&a, &b}) {
@@ -110,7 +113,7 @@ class DepthOrder {
     return high >= -low ? First::one : First::other;
   }
 
-  /// Values of a linear function at corners, each of two products of so many longs by a word.
+  /// Counts values of a linear function at corners, each of two products of `longs_` longs by a word.
   void count_values(std::size_t corners) {
     count_(Operation::load_long, 3 * longs_ + 2 * corners);
     count_(Operation::multiply, 2 * longs_ * corners);
@@ -135,7 +138,7 @@ class DepthOrder {
       left.erase(next);
       order_.push_back(begin_ + static_cast<std::uint32_t>(piece));
       count_(Operation::store_long, 2);
-      // What is drawn hides nothing more; of a circle it is not waited for again.
+      // A drawn piece no longer blocks others; in a cycle, pieces are not blocked by it again.
       for (const std::size_t behind : hides_[piece]) --hidden_by_[behind];
       count_(Operation::load_long, hides_[piece].size());
       count_(Operation::add, hides_[piece].size());
@@ -146,10 +149,10 @@ class DepthOrder {
   std::uint64_t longs_;
   Count& count_;
   std::uint32_t begin_ = 0;
-  std::vector<view::Range> ranges_;  ///< of depths with fraction bits, of each piece over its rectangle
+  std::vector<view::Range> ranges_;  ///< depths with fraction bits of each piece over its rectangle
   std::vector<std::size_t> by_key_;
-  std::vector<std::vector<std::size_t>> hides_;  ///< of each piece, those that come after it
-  std::vector<std::uint32_t> hidden_by_;         ///< how many come before it, and are not taken yet
+  std::vector<std::vector<std::size_t>> hides_;  ///< per piece, the pieces that must follow it
+  std::vector<std::uint32_t> hidden_by_;         ///< per piece, the number of undrawn pieces that must precede it
   std::vector<std::uint32_t> order_;
   std::uint64_t conflicts_ = 0;
 };

@@ -11,8 +11,8 @@ namespace csgsim::software {
 
 namespace {
 
-/// Takes one layer of surfaces after another off all pixels: a first pass over the facets finds the nearest depth
-/// behind the last one, a second takes all surfaces that are there.
+/// Peels one layer of surfaces after another off all pixels: a first pass over the facets finds the nearest depth
+/// behind the previous layer, a second one processes all surfaces at that depth.
 template <class Count>
 class Peeling {
  public:
@@ -37,10 +37,10 @@ class Peeling {
   }
 
  private:
-  /// Depths that are looked at next are at least `least`; the nearest of them so far.
+  /// Depths below `min_depth` are already processed; `nearest` is the minimum found for the current layer.
   struct Pixel {
     std::uint32_t nearest;
-    std::uint32_t least = 0;
+    std::uint32_t min_depth = 0;
     std::uint32_t element = Sequences<Count>::none;
     std::uint32_t taken = 0;
   };
@@ -63,7 +63,7 @@ class Peeling {
     count(Operation::load_long, 2);
     count(Operation::compare_long, 2);
     count(Operation::branch_taken);
-    if (event.depth < pixel.least || event.depth >= pixel.nearest) return;
+    if (event.depth < pixel.min_depth || event.depth >= pixel.nearest) return;
     pixel.nearest = event.depth;
     count(Operation::branch);
     count(Operation::store_long);
@@ -84,7 +84,7 @@ class Peeling {
     count(Operation::store_long);
   }
 
-  /// Classifies what was taken; false where no pixel has anything behind it that matters.
+  /// Classifies the current layer; returns whether some pixel needs further layers.
   bool end_layer() {
     bool is_more = false;
     Count& count = ledger_[Phase::scan_conversion];
@@ -101,7 +101,7 @@ class Peeling {
         count(Operation::store_long, 2);
       }
       is_more = is_more || !is_in;
-      pixel.least = is_in ? subject_.farthest() : pixel.nearest + 1;
+      pixel.min_depth = is_in ? subject_.farthest() : pixel.nearest + 1;
       pixel.nearest = subject_.farthest();
       pixel.taken = 0;
       count(Operation::store_long, 2);
@@ -129,7 +129,7 @@ Displayed run_depth_peeling(const DisplaySubject& subject, bool counts) {
 
 extern const DisplayRow depth_peeling_row{
     .name = "depth-peeling",
-    .help = "passes over all facets take the nearest surfaces off all pixels, until they are in",
+    .help = "peels the nearest surfaces off all pixels, in passes over all facets, until the pixels are inside",
     .source = "Everitt 2001",
     .run = run_depth_peeling};
 

@@ -12,7 +12,7 @@ namespace csgsim::software {
 
 namespace {
 
-/// Ends of a polygon's side, in its direction.
+/// End points of a polygon's side in its direction.
 using Ends = std::array<double, 6>;
 
 Ends ends_of(const glm::dvec3& from, const glm::dvec3& to) { return {from.x, from.y, from.z, to.x, to.y, to.z}; }
@@ -45,7 +45,7 @@ void FacetSheets::find_neighbours(std::uint32_t primitive) {
       if (place != beyond.end()) bounds_[i].push_back(place->second);
     }
     if (bounds_[i].size() == corners.size()) continue;
-    // The face behind a side is one of two in a plane, of which Facets have the other.
+    // The neighbour is a duplicate plane that Facets contains only once, so all faces are used.
     bounds_[i].clear();
     for (std::uint32_t other = first; other < end; ++other) {
       if (other != i) bounds_[i].push_back(facets_.facets[other].halfspace);

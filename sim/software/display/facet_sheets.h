@@ -1,3 +1,5 @@
+// Facets as exact convex polygons.
+// Used by clipped_facets.cpp.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +12,18 @@
 
 namespace csgsim::software {
 
-/// Facets as convex regions that whole planes bound, a sheet each. Keeps references.
+/// Facets as convex regions bounded by whole planes, with a sheet each. Keeps references.
 class FacetSheets {
  public:
   FacetSheets(const Facets& facets, const facet::Geometry& geometry);
 
-  /// What the planes of the facets on its other sides leave of a facet's plane; empty where a facet has no area.
+  /// The region of a facet, bounded by the planes of its neighbours; empty for a facet without area.
   Region whole(std::uint32_t facet);
   [[nodiscard]] Sheet& of(std::uint32_t facet) { return sheets_[facet]; }
   [[nodiscard]] const Sheet& of(std::uint32_t facet) const { return sheets_[facet]; }
   [[nodiscard]] std::uint32_t plane_of(std::uint32_t facet) const { return facets_.facets[facet].halfspace.plane; }
 
-  /// Whether regions of two facets in different planes have points in common that are on the edges of neither; exact.
+  /// Whether the interiors of regions of two facets in different planes intersect; exact.
   [[nodiscard]] bool cross(std::uint32_t one, const Region& of_one, std::uint32_t other, const Region& of_other) const;
 
   /// Corners relative to PlaneTable::centre(), counter-clockwise as seen from outside.
@@ -33,7 +35,7 @@ class FacetSheets {
   const Facets& facets_;
   WholePlanes planes_;
   std::vector<Sheet> sheets_;
-  std::vector<std::vector<facet::Halfspace>> bounds_;  ///< of each facet, by which it ends
+  std::vector<std::vector<facet::Halfspace>> bounds_;  ///< per facet, the half-spaces of its neighbours
 };
 
 }  // namespace csgsim::software

@@ -10,7 +10,7 @@ namespace csgsim::software {
 
 namespace {
 
-/// Of a step: more than doubles err in depths.
+/// Maximum depth difference of coincident surfaces in steps; exceeds the rounding errors of doubles.
 constexpr double coincidence = 0x1p-10;
 
 struct Surface {
@@ -18,7 +18,7 @@ struct Surface {
   double depth;
 };
 
-/// Of a surface that others are taken for equal to, or that comes before those that integers have before it.
+/// Cause for a surface that ties with others, or was drawn before surfaces with smaller integer depths.
 Fault fault_near(const WrongRay& ray, const Surface& surface) {
   const auto coinciding =
       std::ranges::count_if(ray.depths, [&](double other) { return std::abs(other - surface.depth) <= coincidence; });

@@ -1,3 +1,5 @@
+// Causes of wrong pixels.
+// Used by list priority.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +9,17 @@
 
 namespace csgsim::software {
 
-/// Why a pixel of the list priority algorithm is not as it is to be (thesis 5.2). Surfaces coincide if they are at one
-/// depth, in real numbers.
+/// Cause of a wrong pixel of the list priority algorithm (thesis 5.2). Surfaces coincide if their real depths are
+/// equal.
 enum class Fault : std::uint8_t {
-  depth_bits,  ///< surfaces came in the order of their real depths, or rounding hides it; integers say otherwise
+  depth_bits,  ///< surfaces were in the order of their real depths (or within rounding), but integers order them
+               ///< differently
   coincident,  ///< two surfaces coincide
-  three_way,   ///< two coincide, and a third is where they are by integers, or a step from there
-  order,       ///< surfaces came in another order than their real depths, which are too far apart for that
+  three_way,   ///< two surfaces coincide, and a third has the same integer depth or differs by one step
+  order,       ///< surfaces were not in the order of their real depths, by more than rounding explains
 };
 
-/// Pixels that differ from the exact picture.
+/// Number of pixels that differ from the exact picture.
 struct Faults {
   std::uint64_t depth_bits = 0;
   std::uint64_t coincident = 0;
@@ -29,15 +32,15 @@ struct Faults {
 
 /// The ray of a wrong pixel.
 struct WrongRay {
-  std::span<const Event> events;   ///< in order of their integers, those that were drawn
-  std::span<const double> depths;  ///< of these, real, in steps (RealDepths)
-  double rounding = 0;             ///< steps that two depths may seem to be apart less, or more
-  bool has_lost = false;           ///< others were not drawn, since rounding took them far from their cells
+  std::span<const Event> events;   ///< drawn events, sorted by integer depth
+  std::span<const double> depths;  ///< their real depths in steps (RealDepths)
+  double rounding = 0;             ///< maximum error, in steps, of the difference between two depths
+  bool has_lost = false;           ///< some events were not drawn, because rounding moved them far from their cells
 };
 
-/// `drawn`: the surfaces as they were drawn there. The pixel is wrong for those that came before a nearer one by
-/// integers, or for the last one if another is at its depth; of several reasons, for the last in Fault. If for none, it
-/// is for what was not drawn.
+/// `drawn`: the surfaces in drawing order. A surface is at fault if it was drawn before one with a smaller integer
+/// depth, or if it is the last and shares its depth. If there are several causes, the last one in Fault is returned; if
+/// there is none, the fault lies with surfaces that were not drawn.
 Fault fault_of(const WrongRay& ray, std::span<const Event> drawn);
 
 }  // namespace csgsim::software

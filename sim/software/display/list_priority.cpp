@@ -21,17 +21,17 @@ namespace csgsim::software {
 
 namespace {
 
-/// How far a pixel has come in the order of surfaces.
+/// Progress of a pixel in the order of surfaces.
 struct PriorityPixel {
   std::uint32_t element = 0;
-  std::uint32_t depth = 0;  ///< of the last surface; of the method with a depth buffer
-  std::uint32_t level = 0;  ///< surfaces at that depth
+  std::uint32_t depth = 0;  ///< depth of the last surface; only with a depth buffer
+  std::uint32_t level = 0;  ///< number of surfaces at that depth
   bool is_set = false;
 };
 
-/// Draws polygons from the front to the back and sets a pixel once, where a polygon leads into the solid (thesis,
-/// algorithm 5.2). With a depth buffer, a surface at the depth of the last one is taken together with it, and one
-/// before the last is exchanged with it.
+/// Draws polygons from front to back and sets a pixel once, when a polygon enters the solid (thesis, algorithm 5.2).
+/// If has_depth_buffer, a surface at the depth of the last one is processed together with it, and a surface before the
+/// last one is swapped with it.
 template <class Count, bool has_depth_buffer>
 class ListPriority {
  public:
@@ -53,7 +53,7 @@ class ListPriority {
     screen_ = screen_pieces(polygons, order.cells, seen, subject_.geometry, subject_.view);
     count_retrieval(order);
     count_pieces(polygons, order, seen, screen_);
-    // Rays that begin in a primitive do so before all polygons.
+    // Near caps, where rays start inside a primitive, precede all polygons.
     for (const ScreenFacet& facet : seen.facets) {
       if (facet.facet != ScreenFacet::near_cap) continue;
       draw_piece(seen, facet);
@@ -65,11 +65,11 @@ class ListPriority {
       for (const std::uint32_t piece : sorted.of(screen_.begins[cell], screen_.begins[cell + 1]))
         draw_piece(screen_.pieces, screen_.pieces.facets[piece]);
     }
-    tell(polygons, order, screen_);
+    add_counts(polygons, order, screen_);
     result_.counts.conflicts = sorted.conflicts();
   }
 
-  /// Counts the pixels that are wrong.
+  /// Counts the wrong pixels by cause.
   void judge() {
     const RayCaster rays(subject_.model, subject_.geometry, subject_.view);
     UncountedMethod uncounted;
@@ -110,7 +110,7 @@ class ListPriority {
            });
   }
 
-  /// A cell takes the side of a wall that the eye is on, four sides of what is seen at eight corners, its box.
+  /// Per cell: the eye's side of a wall, four sides of the view at eight corners, and the box.
   void count_retrieval(const CellOrder& order) {
     Count& count = ledger_[Phase::sorting];
     const std::uint64_t cells = order.looked_at;
@@ -122,7 +122,7 @@ class ListPriority {
     count(Operation::store_long, 2 * order.cells.size());
   }
 
-  /// Corners are those of the pieces in cells that are drawn, and so are edges; planes are those of facets.
+  /// Corners and edges are those of pieces in drawn cells; planes are those of facets.
   void count_pieces(const Polygons& polygons, const CellOrder& order, const ScreenFacets& seen,
                     const ScreenPieces& screen) {
     std::uint64_t corners = 0;
@@ -133,7 +133,7 @@ class ListPriority {
     count_transformation(corners, seen.facets.size(), screen.pieces.linears.size(), ledger_[Phase::transformation]);
   }
 
-  void tell(const Polygons& polygons, const CellOrder& order, const ScreenPieces& screen) {
+  void add_counts(const Polygons& polygons, const CellOrder& order, const ScreenPieces& screen) {
     DisplayCounts& counts = result_.counts;
     counts.pieces = polygons.clipped;
     counts.shared = polygons.shared;
@@ -149,7 +149,7 @@ class ListPriority {
       counts.references += cell.bucket.size();
       for (const Piece& piece : cell.bucket) corners += piece.corners.size();
     }
-    // A corner has three coordinates, a piece its facet and box; a plane in the picture three coefficients of two
+    // A corner has three coordinates, a piece its facet and box, and a plane in the picture three coefficients of two
     // longs.
     counts.words.polygons =
         3 * corners + 8 * counts.references + 6 * screen.pieces.linears.size() + 10 * counts.drawn_polygons;
@@ -191,7 +191,7 @@ class ListPriority {
     if constexpr (Count::counts) drawn_[static_cast<std::size_t>(&pixel - pixels_.data())].push_back(event);
   }
 
-  /// Sets a pixel, or takes it back, by what is behind the last surfaces, of which so many are at its depth.
+  /// Sets or resets a pixel according to the point behind the last surfaces, `at` of them at its depth.
   void classify(PriorityPixel& pixel, Seen& seen, std::uint32_t primitive, std::size_t at) {
     Count& count = ledger_[Phase::scan_conversion];
     count.point();
@@ -219,7 +219,7 @@ class ListPriority {
     }
   }
 
-  /// A surface at the depth of the last ones.
+  /// Adds a surface at the same depth as the last ones.
   void join(PriorityPixel& pixel, Seen& seen, const Event& event) {
     const std::size_t level = pixel.level + 1;
     advance(pixel, event);
@@ -227,7 +227,7 @@ class ListPriority {
     classify(pixel, seen, event.primitive(), level);
   }
 
-  /// A surface before the last one, which it is exchanged with.
+  /// Swaps a surface with the last one, which is behind it.
   void exchange(PriorityPixel& pixel, Seen& seen, const Event& event) {
     Count& count = ledger_[Phase::scan_conversion];
     const Event last = take_back(pixel);
@@ -241,7 +241,7 @@ class ListPriority {
     classify(pixel, seen, last.primitive(), 1);
   }
 
-  /// The last surface of a pixel, as far as it is told apart where nothing is counted.
+  /// Removes and returns the last surface of a pixel. Without counting, only its depth and primitive are exact.
   Event take_back(const PriorityPixel& pixel) {
     Event last{pixel.depth, 2 * sequences_.primitive(pixel.element)};
     if constexpr (Count::counts) {
@@ -257,9 +257,9 @@ class ListPriority {
   Displayed& result_;
   Sequences<Count> sequences_;
   std::vector<PriorityPixel> pixels_;
-  std::vector<std::vector<Event>> drawn_;  ///< at each pixel, to judge it; where it is counted
+  std::vector<std::vector<Event>> drawn_;  ///< per pixel, for judge(); only with counting
   ScreenPieces screen_;
-  std::vector<std::uint32_t> near_caps_;  ///< primitives that rays begin in, at some pixels
+  std::vector<std::uint32_t> near_caps_;  ///< primitives that contain the start of some rays
 };
 
 template <class Count, bool has_depth_buffer>
@@ -282,22 +282,22 @@ Displayed list_priority(const DisplaySubject& subject) {
 
 }  // namespace
 
-extern const DisplayRow list_priority_row{
-    .name = "list-priority",
-    .help = "polygons clipped against each other are drawn from the front to the back",
-    .source = "Jansen 1987, 5.2, algorithm 5.2",
+extern const DisplayRow list_priority_row{.name = "list-priority",
+                                          .help = "draws polygons, clipped against each other, from front to back",
+                                          .source = "Jansen 1987, 5.2, algorithm 5.2",
+                                          .is_exact = false,
+                                          .run = [](const DisplaySubject& subject, bool counts) {
+                                            return counts ? list_priority<CountingMethod, false>(subject)
+                                                          : list_priority<UncountedMethod, false>(subject);
+                                          }};
+
+extern const DisplayRow depth_buffer_row{
+    .name = "list-priority/depth-buffer",
+    .help = "the same, with a buffer for the depth of the last polygon at each pixel",
+    .source = "Jansen 1987, 5.2",
     .is_exact = false,
     .run = [](const DisplaySubject& subject, bool counts) {
-      return counts ? list_priority<CountingMethod, false>(subject) : list_priority<UncountedMethod, false>(subject);
+      return counts ? list_priority<CountingMethod, true>(subject) : list_priority<UncountedMethod, true>(subject);
     }};
-
-extern const DisplayRow depth_buffer_row{.name = "list-priority/depth-buffer",
-                                         .help = "the same, with the depth of the last polygon at each pixel",
-                                         .source = "Jansen 1987, 5.2",
-                                         .is_exact = false,
-                                         .run = [](const DisplaySubject& subject, bool counts) {
-                                           return counts ? list_priority<CountingMethod, true>(subject)
-                                                         : list_priority<UncountedMethod, true>(subject);
-                                         }};
 
 }  // namespace csgsim::software

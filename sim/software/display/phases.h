@@ -1,3 +1,5 @@
+// Phases, memory and counts of the display methods.
+// Used by the display methods and by csgsim display.
 #pragma once
 
 #include <array>
@@ -9,14 +11,14 @@
 
 namespace csgsim::software {
 
-/// What the time of a picture goes into (thesis, table 5.1).
+/// Phases of the time of a picture (thesis, table 5.1).
 enum class Phase : std::uint8_t {
-  preprocessing,    ///< clipping of polygons, once a model
-  transformation,   ///< of polygons into the picture
-  sorting,          ///< buckets and polygons in order of depth, or what takes the place of that
-  scan_conversion,  /// of polygons, and the CSG test
+  preprocessing,    ///< clipping of polygons, once per model
+  transformation,   ///< transformation of polygons into the picture
+  sorting,          ///< depth order of buckets and polygons, or an equivalent step
+  scan_conversion,  /// scan conversion of polygons, and the CSG test
   depth_test,
-  initialisation,  ///< of what pixels have
+  initialisation,  ///< initialisation of pixel data
 };
 
 struct PhaseRow {
@@ -24,7 +26,7 @@ struct PhaseRow {
   const char* meaning;
 };
 
-/// In the order of the enumerators.
+/// Rows in the order of the enumerators.
 inline constexpr std::array phase_rows{
     PhaseRow{"preprocessing", "preprocessing"}, PhaseRow{"transformation", "transformation"},
     PhaseRow{"sorting", "retrieval and sort"},  PhaseRow{"scan_conversion", "scan conversion and CSG test"},
@@ -34,49 +36,49 @@ inline constexpr std::array phase_rows{
 inline constexpr std::size_t phases = phase_rows.size();
 static_assert(phases == static_cast<std::size_t>(Phase::initialisation) + 1);
 
-/// Memory of a method, words of 32 bits.
+/// Memory of a method in 32-bit words.
 struct DisplayWords {
   std::uint64_t polygons = 0;   ///< in space and in the picture
-  std::uint64_t buckets = 0;    ///< and the directory of them
-  std::uint64_t pixels = 0;     ///< what pixels have: depths, pointers, lists of events, what is seen
-  std::uint64_t sequences = 0;  ///< the tree of sequences of surfaces, and the CSG tree
+  std::uint64_t buckets = 0;    ///< buckets and their directory
+  std::uint64_t pixels = 0;     ///< data of pixels: depths, pointers, lists of events, visible surfaces
+  std::uint64_t sequences = 0;  ///< the tree of surface sequences, and the CSG tree
 
   [[nodiscard]] std::uint64_t all() const { return polygons + buckets + pixels + sequences; }
 };
 
-/// What drawing a picture facet by facet takes.
+/// Counts of drawing a picture facet by facet.
 struct DisplayCounts {
   std::uint64_t polygons = 0;        ///< of the model
-  std::uint64_t pieces = 0;          ///< that clipping them against each other makes of them
-  std::uint64_t shared = 0;          ///< of these, in several cells
-  std::uint64_t references = 0;      ///< parts of them in cells, in all
-  std::uint64_t crossing_tests = 0;  ///< pairs of polygons that were held against each other
-  std::uint64_t overlap_tests = 0;   ///< of a polygon and a cell
-  std::uint64_t drawn_polygons = 0;  ///< that have pixels
-  std::uint64_t pixel_events = 0;    ///< surfaces that were found at pixels, each time that they were
+  std::uint64_t pieces = 0;          ///< polygons after clipping against each other
+  std::uint64_t shared = 0;          ///< clipped polygons in several cells
+  std::uint64_t references = 0;      ///< total number of polygon parts in cells
+  std::uint64_t crossing_tests = 0;  ///< tested pairs of polygons
+  std::uint64_t overlap_tests = 0;   ///< tests of a polygon against a cell
+  std::uint64_t drawn_polygons = 0;  ///< polygons with pixels
+  std::uint64_t pixel_events = 0;    ///< surfaces found at pixels, counted each time
   std::uint64_t passes = 0;          ///< over all facets
-  std::uint64_t spans = 0;           ///< of rows, that were evaluated at their ends
-  std::uint64_t splits = 0;          ///< of spans in which the order of surfaces may change
-  std::uint64_t cells = 0;           ///< with polygons in them
-  std::uint64_t drawn_cells = 0;     ///< of these, in the viewing cone
-  std::uint64_t looked_parts = 0;    ///< of space, cells among them, that were looked at for their order
-  std::uint64_t overfull_cells = 0;  ///< with more polygons than a bucket takes
-  std::uint64_t conflicts = 0;       ///< polygons that were drawn before one that they may hide, since no order is left
-  Counts csg;                        ///< of classification; its operations are of all phases
+  std::uint64_t spans = 0;           ///< spans of rows evaluated at their ends
+  std::uint64_t splits = 0;          ///< spans split because the order of surfaces may change
+  std::uint64_t cells = 0;           ///< cells with polygons
+  std::uint64_t drawn_cells = 0;     ///< such cells in the viewing cone
+  std::uint64_t looked_parts = 0;    ///< parts of space, including cells, visited to determine their order
+  std::uint64_t overfull_cells = 0;  ///< cells with more polygons than the bucket size
+  std::uint64_t conflicts = 0;       ///< polygons drawn before others that they may hide, because no order exists
+  Counts csg;                        ///< classification counts; `operations` covers all phases
   DisplayWords words;
   std::array<Operations, phases> operations{};
 
   [[nodiscard]] const Operations& of(Phase phase) const { return operations[static_cast<std::size_t>(phase)]; }
 };
 
-/// Counts operations by phase. `Count` is what a method is compiled with: CountingMethod or UncountedMethod.
+/// Counts operations by phase. `Count` is CountingMethod or UncountedMethod.
 template <class Count>
 class Ledger {
  public:
   Count& operator[](Phase phase) { return counts_[static_cast<std::size_t>(phase)]; }
 
-  /// Adds up what was counted.
-  void tell(DisplayCounts& counts) const {
+  /// Sums up the counts of all phases.
+  void add_counts(DisplayCounts& counts) const {
     counts.csg = {};
     for (std::size_t phase = 0; phase < phases; ++phase) {
       const Counts one = counts_[phase].counts_so_far();

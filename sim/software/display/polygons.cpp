@@ -17,17 +17,17 @@ namespace csgsim::software {
 
 namespace {
 
-/// What reaches less beyond a wall is not cut by it, of the tolerance that directories have cells reach: more than that
-/// moves walls off faces that they would be on.
-constexpr double least_overhang = 10;
+/// Minimum overhang beyond a wall for a cut, as a multiple of the tolerance of directories. The tolerance also moves
+/// walls off faces that would lie on them.
+constexpr double min_overhang = 10;
 
-/// Which sides of a plane points are on.
+/// The sides of a plane on which points lie.
 struct WallSides {
   bool above = false;
   bool below = false;
 };
 
-/// The cells that a directory has polygons in, as ranges of numbers.
+/// The cells of each polygon as numbers, in which every part of space is a contiguous range.
 class CellNumbers {
  public:
   CellNumbers(const std::vector<SpacePart>& space, std::size_t polygons) : space_(space), of_(polygons) {
@@ -39,7 +39,7 @@ class CellNumbers {
     const auto place = std::ranges::lower_bound(of_[polygon], ranges_[part].first);
     return place != of_[polygon].end() && *place < ranges_[part].end;
   }
-  /// Polygons in several cells.
+  /// Number of polygons in several cells.
   [[nodiscard]] std::uint64_t shared() const {
     return static_cast<std::uint64_t>(std::ranges::count_if(of_, [](const auto& cells) { return cells.size() > 1; }));
   }
@@ -64,11 +64,11 @@ class CellNumbers {
 
   const std::vector<SpacePart>& space_;
   std::vector<std::vector<std::uint32_t>> of_;  ///< cells of each polygon, ascending
-  std::vector<Numbers> ranges_;                 ///< of each part
+  std::vector<Numbers> ranges_;                 ///< one per part
   std::uint32_t cells_ = 0;
 };
 
-/// Takes polygons down a directory to its cells.
+/// Distributes polygons to the cells of a directory, top down.
 template <class Count>
 class CellFiller {
  public:
@@ -76,7 +76,7 @@ class CellFiller {
              Count& count)
       : space_(space),
         numbers_(space, clipped.facets.size()),
-        tolerance_(least_overhang * convex::tolerance(geometry.planes)),
+        tolerance_(min_overhang * convex::tolerance(geometry.planes)),
         count_(count) {
     made_.canonical_planes = geometry.planes.planes().size();
     made_.clipped = clipped.polygons.polygons();
@@ -97,7 +97,7 @@ class CellFiller {
 
  private:
   struct Entry {
-    std::uint32_t polygon;  ///< of ClippedFacets
+    std::uint32_t polygon;  ///< index into ClippedFacets
     Piece piece;
   };
 
@@ -125,7 +125,7 @@ class CellFiller {
     fill(space.high, std::move(high));
   }
 
-  /// Puts a polygon, or its parts, on the sides of a wall that have it.
+  /// Puts a polygon, or its parts, on the sides of a wall where it has cells.
   void share(Entry entry, const SpacePart& space, std::uint32_t wall, std::vector<Entry>& low,
              std::vector<Entry>& high) {
     count_(Operation::load_long, 2);
@@ -169,7 +169,7 @@ class CellFiller {
     return sides;
   }
 
-  /// Leaves what is below the plane, and returns what is above.
+  /// Keeps the part below the plane and returns the part above.
   Piece cut(Piece& piece, std::uint32_t number, const facet::Plane& plane) {
     Piece above{piece.facet, {}, piece.cuts, {}};
     std::vector<glm::dvec3> below;
@@ -205,7 +205,7 @@ class CellFiller {
   Polygons made_;
 };
 
-/// Whether the picture cannot show a cell: all of it is beyond one side of what is seen, or behind the eye.
+/// Whether a cell is invisible: entirely beyond one side of the view, or behind the eye.
 bool is_outside(const facet::Box& box, const view::EyeSpace& eye, const glm::dvec3& centre, double width,
                 double height) {
   std::array<bool, 5> beyond{true, true, true, true, eye.perspective};

@@ -1,3 +1,5 @@
+// Polygons in the cells of a directory.
+// Used by list priority.
 #pragma once
 
 #include <cstddef>
@@ -13,60 +15,60 @@
 
 namespace csgsim::software {
 
-/// What clipping leaves of a facet in one place.
+/// A remaining part of a facet.
 struct Piece {
   std::uint32_t facet = 0;          ///< index into Facets::facets
   std::vector<glm::dvec3> corners;  ///< convex, relative to PlaneTable::centre(); fewer than three have no area
-  std::vector<Cut> cuts;            ///< each has a piece of the facet on its other side too
+  std::vector<Cut> cuts;            ///< for each cut, another piece of the facet lies on the opposite side
   facet::Box box;
 };
 
-/// A part of space: halved by a wall, or a cell with a bucket of pieces.
+/// A part of space: divided by a wall, or a cell with a bucket of pieces.
 struct PolygonCell {
   static constexpr std::uint32_t none = 0xffffffffU;
 
   facet::Box box;
   std::uint32_t wall = none;  ///< index into Polygons::walls
-  std::uint32_t low = none;   ///< cells on the sides of the wall
+  std::uint32_t low = none;   ///< cells on the two sides of the wall
   std::uint32_t high = none;
   std::vector<Piece> bucket{};
 };
 
-/// The facets of a model clipped against each other, in the buckets of a directory. PolygonCell 0 holds all.
+/// The facets of a model clipped against each other, in the buckets of a directory. PolygonCell 0 is the root.
 struct Polygons {
   std::vector<PolygonCell> cells;
-  std::vector<facet::Plane> walls;  ///< normals along axes, to the high side
+  std::vector<facet::Plane> walls;  ///< axis-aligned, with normals to the high side
   std::size_t canonical_planes = 0;
-  std::uint64_t clipped = 0;         ///< polygons after clipping, before walls cut them
-  std::uint64_t shared = 0;          ///< of these, those in several cells
-  std::uint64_t crossing_tests = 0;  ///< pairs of polygons that were held against each other
-  std::uint64_t overlap_tests = 0;   ///< of a polygon and a cell
-  std::uint64_t words = 0;           ///< of 32 bits, of the directory and its buckets
+  std::uint64_t clipped = 0;         ///< polygons after clipping, before cuts by walls
+  std::uint64_t shared = 0;          ///< clipped polygons in several cells
+  std::uint64_t crossing_tests = 0;  ///< tested pairs of polygons
+  std::uint64_t overlap_tests = 0;   ///< tests of a polygon against a cell
+  std::uint64_t words = 0;           ///< 32-bit words of the directory and its buckets
 
-  /// Pieces with an area, in all cells.
+  /// Number of pieces with an area in all cells.
   [[nodiscard]] std::size_t pieces() const;
-  /// Cells with a bucket that is not empty.
+  /// Number of cells with a non-empty bucket.
   [[nodiscard]] std::size_t filled() const;
 };
 
-/// How polygons are put into cells.
+/// How polygons are distributed to cells.
 struct PolygonOptions {
-  const DirectoryRow& directory;  ///< that halves space
+  const DirectoryRow& directory;  ///< must halve space
   std::uint32_t bucket_size = 24;
 };
 
-/// Clips facets against each other and puts what is left of them into a directory; where its cells have a polygon on
-/// both sides of a wall, the wall cuts it. `Count` is CountingMethod or UncountedMethod.
+/// Clips facets against each other and inserts the pieces into a directory; polygons on both sides of a wall are cut by
+/// it. `Count` is CountingMethod or UncountedMethod.
 template <class Count>
 Polygons clipped(const Facets& facets, const facet::Geometry& geometry, const PolygonOptions& options, Count& count);
 
-/// Cells with a bucket that is not empty, the nearest first: of two that a ray meets, the one that it meets first.
+/// Cells with a non-empty bucket, nearest first: of two cells on a ray, the one that it enters first precedes.
 struct CellOrder {
   std::vector<std::uint32_t> cells;
-  std::size_t looked_at = 0;  ///< parts of space, cells among them
+  std::size_t looked_at = 0;  ///< visited parts of space, including cells
 };
 
-/// `centre`: PlaneTable::centre(). What the picture cannot show is left out.
+/// Orders the cells from front to back and omits those that the picture cannot show. `centre`: PlaneTable::centre().
 CellOrder front_to_back(const Polygons& polygons, const view::EyeSpace& eye, const glm::dvec3& centre,
                         std::uint32_t width, std::uint32_t height);
 

@@ -13,7 +13,7 @@ namespace csgsim::software {
 
 namespace {
 
-/// The half-spaces are brought into the picture, as planes of facets are.
+/// Counts transforming the half-spaces into the picture, like the planes of facets.
 void count_planes(const facet::Geometry& geometry, Counting& count) {
   const std::uint64_t planes = geometry.halfspaces();
   constexpr std::uint64_t words_of_product = 4;
@@ -37,28 +37,28 @@ Displayed run_rays(const DisplaySubject& subject, bool counts) {
   result.picture = draw(rays, *method, counts ? &of_rays : nullptr);
   result.drawing_seconds = seconds_since(begin);
   const Counts of_method = method->counts();
-  DisplayCounts& told = result.counts;
-  told.polygons = told.pieces = told.drawn_polygons = subject.facets.polygons();
-  told.words.polygons = 6 * subject.geometry.halfspaces();
-  told.words.pixels = 2 * subject.pixels();
-  told.words.sequences = of_method.words;
+  DisplayCounts& counted = result.counts;
+  counted.polygons = counted.pieces = counted.drawn_polygons = subject.facets.polygons();
+  counted.words.polygons = 6 * subject.geometry.halfspaces();
+  counted.words.pixels = 2 * subject.pixels();
+  counted.words.sequences = of_method.words;
   if (!counts) return result;
-  told.pixel_events = of_rays.events;
-  told.csg = of_method;
+  counted.pixel_events = of_rays.events;
+  counted.csg = of_method;
   Counting planes;
   count_planes(subject.geometry, planes);
   Counting pixels;
   pixels(Operation::store_long, 2 * subject.pixels());
   const auto set = [&](Phase phase, const Operations& operations) {
-    told.operations[static_cast<std::size_t>(phase)] += operations;
+    counted.operations[static_cast<std::size_t>(phase)] += operations;
   };
   set(Phase::transformation, planes.done());
   set(Phase::sorting, of_rays.sorting);
   set(Phase::scan_conversion, of_rays.intersecting);
   set(Phase::scan_conversion, of_method.operations);
   set(Phase::initialisation, pixels.done());
-  told.csg.operations = {};
-  for (const Operations& phase : told.operations) told.csg.operations += phase;
+  counted.csg.operations = {};
+  for (const Operations& phase : counted.operations) counted.csg.operations += phase;
   return result;
 }
 
@@ -66,7 +66,7 @@ Displayed run_rays(const DisplaySubject& subject, bool counts) {
 
 extern const DisplayRow rays_row{
     .name = "rays",
-    .help = "no facets: half-spaces are worked out ray by ray, and classified by status/list-structure",
+    .help = "no facets: intersects half-spaces ray by ray and classifies by status/list-structure",
     .source = "Jansen 1987, 4.5.3",
     .run = run_rays};
 

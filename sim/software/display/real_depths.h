@@ -1,3 +1,5 @@
+// Depths of faces without rounding to integers.
+// Used to find the causes of wrong pixels.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +12,14 @@
 
 namespace csgsim::software {
 
-/// Depths in steps as they are before planes are rounded to integers, in doubles: off by less than 10^-6 of a step at
-/// 20 bits of depth. Keeps references.
+/// Depths in steps before planes are rounded to integers, computed in doubles with an error below 10^-6 steps at 20
+/// depth bits. Keeps references.
 class RealDepths {
  public:
   RealDepths(const facet::Geometry& geometry, const view::View& view) : geometry_(geometry), view_(view) {}
 
-  /// Where the ray of a pixel enters or leaves a primitive, a crossing as Event has it: at the farthest of the planes
-  /// that face the eye, or the nearest of the others. Edge-on planes have no depth.
+  /// The depth at which the ray of a pixel enters or leaves a primitive (`crossing` as in Event): the maximum over the
+  /// planes facing the eye, or the minimum over the others. Edge-on planes have no depth.
   [[nodiscard]] double of(std::uint32_t crossing, std::uint32_t column, std::uint32_t row) const {
     const bool leaves = (crossing & 1U) != 0;
     double depth = leaves ? std::numeric_limits<double>::infinity() : 0;
@@ -31,15 +33,15 @@ class RealDepths {
     return depth;
   }
 
-  /// By how many steps two depths may be out of order by integers: they and what separates them are off by their
-  /// rounding (docs/numbers.md), and floor takes less than a step.
+  /// Maximum number of steps by which integers can reverse two depths: their planes and the separating plane are off by
+  /// rounding (docs/numbers.md), and floor by less than one step.
   [[nodiscard]] double rounding(std::uint32_t column, std::uint32_t row) const {
     const double places = 1 + std::abs(across(column)) + std::abs(down(row));
     return 1 + 3 * std::ldexp(places, -static_cast<int>(view_.sampling.fraction_bits) - 1);
   }
 
  private:
-  /// From the middle of the picture.
+  /// Distance from the middle of the picture.
   [[nodiscard]] double across(std::uint32_t column) const { return column - (view_.sampling.width - 1) / 2.0; }
   [[nodiscard]] double down(std::uint32_t row) const { return row - (view_.sampling.height - 1) / 2.0; }
   [[nodiscard]] double value(const view::RealLinear& linear, std::uint32_t column, std::uint32_t row) const {

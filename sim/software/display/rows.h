@@ -1,3 +1,5 @@
+// The table of display methods.
+// Used by csgsim display and by csgsim manual methods.
 #pragma once
 
 #include <cstddef>
@@ -17,28 +19,28 @@
 
 namespace csgsim::software {
 
-/// What is displayed.
+/// Inputs of a display method.
 struct DisplaySubject {
   const model::Tree& model;
   const facet::Geometry& geometry;
   const view::View& view;
-  const Tree& tree;  ///< of the model, in some shape
+  const Tree& tree;  ///< tree of the model, in some shape
   const Facets& facets;
-  std::size_t bucket_size = 24;           ///< polygons that a bucket takes, of methods that have any
-  std::string_view directory = "excell";  ///< of the same, one that halves space
+  std::size_t bucket_size = 24;           ///< maximum polygons per bucket, for methods with buckets
+  std::string_view directory = "excell";  ///< directory of the buckets; must halve space
 
-  /// 2^n - 1, where nothing is seen.
+  /// 2^n - 1, the depth where nothing is visible.
   [[nodiscard]] std::uint32_t farthest() const { return (std::uint32_t{1} << view.sampling.z_bits) - 1; }
   [[nodiscard]] std::size_t pixels() const { return std::size_t{view.sampling.width} * view.sampling.height; }
 };
 
-/// A picture, and what it took.
+/// A picture and its cost.
 struct Displayed {
   Picture picture;
-  DisplayCounts counts;              ///< where it was counted; words and numbers of polygons always
-  Faults faults;                     ///< the same; of methods that are not exact
+  DisplayCounts counts;              ///< complete only with counting; words and numbers of polygons are always set
+  Faults faults;                     ///< only with counting, for methods that are not exact
   double preprocessing_seconds = 0;  ///< wall time on this computer
-  double drawing_seconds = 0;        ///< the same, of all but preprocessing
+  double drawing_seconds = 0;        ///< wall time on this computer, without preprocessing
 };
 
 /// A row of the table of methods that draw facet by facet.
@@ -46,15 +48,15 @@ struct DisplayRow {
   std::string_view name;
   std::string_view help;
   std::string_view source;
-  bool is_exact = true;  ///< at every pixel, by construction
-  /// `counts`: it tells what it does, and is slower. Throws InputError for a face that does not fit the numbers of
-  /// machines.
+  bool is_exact = true;  ///< exact at every pixel by construction
+  /// With `counts`, the method counts operations and is slower. Throws InputError if a face exceeds the number range of
+  /// the machines.
   Displayed (*run)(const DisplaySubject& subject, bool counts) = nullptr;
 };
 
 std::span<const DisplayRow* const> display_methods();
 
-/// By name. Throws InputError that lists what there is.
+/// Finds a method by name. Throws InputError that lists the valid names.
 const DisplayRow& display_method(const std::string& name);
 
 }  // namespace csgsim::software

@@ -1,3 +1,5 @@
+// Scan conversion of facets with operation counts.
+// Used by the display methods.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +13,8 @@
 
 namespace csgsim::software {
 
-/// Setting up the edges of a facet for scan-conversion: where each meets the first row, and how far it goes in a row,
-/// by quotient and remainder. A value has so many longs, a quotient two digits of a word.
+/// Counts setting up the edges of a facet: the intersection with the first row, and the increment per row as quotient
+/// and remainder. A value has `longs` longs, a quotient two word digits.
 template <class Count>
 void count_edges(Count& count, std::size_t bounds, std::uint64_t longs) {
   constexpr std::uint64_t digits = 2;
@@ -24,7 +26,8 @@ void count_edges(Count& count, std::size_t bounds, std::uint64_t longs) {
   count(Operation::store_long, 4 * bounds);
 }
 
-/// A row further: column and remainder of each edge, the columns between them, the depth at the first of these.
+/// Counts stepping to the next row: column and remainder of each edge, the columns between them, and the depth at the
+/// first column.
 template <class Count>
 void count_row_further(Count& count, std::size_t bounds, std::uint64_t longs) {
   count(Operation::load_long, 4 * bounds + 2 * longs);
@@ -36,14 +39,15 @@ void count_row_further(Count& count, std::size_t bounds, std::uint64_t longs) {
   count(Operation::branch_taken);
 }
 
-/// A step to the next pixel of a span.
+/// Counts stepping to the next pixel of a span.
 template <class Count>
 void count_columns(Count& count, std::uint64_t columns) {
   count(Operation::branch_taken, columns);
 }
 
-/// Interpolation of a depth: the value a column further, shifted, within range. That a primitive may be thinner than a
-/// step of depth is no matter of polygons: csgsim checks it so that pictures are the machines', and does not count it.
+/// Counts interpolating a depth: the value at the next column, shifted and clamped. The check whether a primitive is
+/// thinner than a depth step is not part of a polygon method: csgsim performs it so that pictures equal those of the
+/// machines, and does not count it.
 template <class Count>
 void count_depths(Count& count, std::uint64_t columns, unsigned fraction_bits, std::uint64_t longs) {
   count(Operation::add_long, longs * columns);
@@ -53,7 +57,7 @@ void count_depths(Count& count, std::uint64_t columns, unsigned fraction_bits, s
   count(Operation::branch, 2 * columns);
 }
 
-/// Calls use(column, row, event) at each pixel of a facet. Depths are counted where the method needs them.
+/// Calls use(column, row, event) at each pixel of a facet. Depths are counted if the method needs them.
 template <class Count, class Use>
 void scan(const ScreenFacets& facets, const ScreenFacet& facet, std::uint64_t longs, Ledger<Count>& ledger,
           bool needs_depths, const Use& use) {

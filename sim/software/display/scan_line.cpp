@@ -16,36 +16,36 @@ namespace csgsim::software {
 
 namespace {
 
-/// A facet in a row: its depths are a linear function of the column.
+/// A facet in a row, where its depth is a linear function of the column.
 struct ActiveFacet {
   const ScreenFacet* facet = nullptr;
-  std::int64_t at_start = 0;  ///< its value at column 0 of the row
+  std::int64_t at_start = 0;  ///< value at column 0 of the row
 
   [[nodiscard]] std::int64_t value(std::int32_t column) const { return at_start + facet->depth.a * column; }
 };
 
-/// What is certain of a facet over a span.
+/// Certainty about the events of a facet over a span.
 enum class Presence : std::uint8_t {
-  none,       ///< it has no event anywhere there
-  somewhere,  ///< it may have
-  all,        ///< it has one everywhere
+  none,       ///< no event anywhere
+  somewhere,  ///< possibly some events
+  all,        ///< an event at every pixel
 };
 
 /// A facet over a span.
 struct OverSpan {
   Presence presence = Presence::somewhere;
-  std::int64_t left = 0;  ///< values at the ends; 0 at both where its depth is 0 throughout
+  std::int64_t left = 0;  ///< values at the ends; both 0 if the depth is 0 throughout
   std::int64_t right = 0;
 };
 
-/// An event at the left end of a span, and the facet that has it.
+/// An event at the left end of a span, and its facet.
 struct LeftEvent {
   Event event;
   std::size_t active;
 };
 
-/// Draws a picture row by row: where the facets that a row meets stay the same, and their order is the same and sure at
-/// both ends of a span, what is seen at one is seen all along.
+/// Draws a picture row by row. Within a span in which the same facets are active and their order is certain and equal
+/// at both ends, the surface visible at one end is visible throughout.
 template <class Count>
 class ScanLines {
  public:
@@ -62,15 +62,15 @@ class ScanLines {
   void draw() {
     const std::vector<std::vector<const ScreenFacet*>> buckets = bucketed();
     std::vector<const ScreenFacet*> active;
-    std::size_t most_active = 0;
+    std::size_t max_active = 0;
     for (std::uint32_t row = 0; row < subject_.view.sampling.height; ++row) {
       active.insert(active.end(), buckets[row].begin(), buckets[row].end());
       std::erase_if(active, [&](const ScreenFacet* one) { return one->pixels.y1 < static_cast<std::int32_t>(row); });
-      most_active = std::max(most_active, active.size());
+      max_active = std::max(max_active, active.size());
       row_ = static_cast<std::int32_t>(row);
       draw_row(active);
     }
-    result_.counts.words.buckets = buckets.size() + facets_.facets.size() + 12 * most_active;
+    result_.counts.words.buckets = buckets.size() + facets_.facets.size() + 12 * max_active;
     result_.counts.words.sequences = sequences_.words();
   }
 
@@ -90,7 +90,7 @@ class ScanLines {
     return buckets;
   }
 
-  /// Between the columns at which a facet begins, or has ended, the active ones are the same.
+  /// Splits the row at columns where a facet begins or ends; the active facets are constant in between.
   void draw_row(std::span<const ScreenFacet* const> active) {
     begin_row(active);
     inside_.clear();
@@ -155,7 +155,7 @@ class ScanLines {
     draw_span({middle + 1, span.last});
   }
 
-  /// Events at the left end, in order; what of them is seen.
+  /// Collects the sorted events at the left end, and returns the visible surface.
   Seen seen_at(std::int32_t column) {
     Count& scanning = ledger_[Phase::scan_conversion];
     left_.clear();
@@ -182,9 +182,9 @@ class ScanLines {
     return sequences_.along(events_, facets_.farthest, scanning, &seen_by_);
   }
 
-  /// Whether the surfaces up to the one that is seen come in this order all along the span. `surface` is one that is
-  /// seen, if any is. Where a ray leaves a primitive is among what has to be a step behind where it enters it, so that
-  /// the primitive is nowhere too thin to be met.
+  /// Whether the order of the surfaces up to the visible one is certain throughout the span. `surface` is set to the
+  /// visible one, if any. The order includes that a ray leaves a primitive at least a step behind entering it, so that
+  /// the primitive is never too thin to be hit.
   bool is_sure(Span span, const Seen& seen, const ActiveFacet*& surface) {
     over_.assign(active_.size(), {});
     for (const std::size_t active : inside_) over_[active] = over(active_[active], span);
@@ -200,7 +200,7 @@ class ScanLines {
     return is_rest_behind(is_seen ? last : nullptr);
   }
 
-  /// At both ends level, or a step behind.
+  /// Whether `here` is level with `before`, or at least a step behind it, at both ends.
   bool follows(const OverSpan& before, const OverSpan& here, bool is_level) {
     Count& count = ledger_[Phase::scan_conversion];
     count(Operation::load_long, 4 * longs_);
@@ -211,7 +211,7 @@ class ScanLines {
     return here.left >= before.left + step_ && here.right >= before.right + step_;
   }
 
-  /// Whether what is not among the surfaces up to the one that is seen is behind it, or nowhere.
+  /// Whether all other facets are behind the visible surface, or have no events.
   bool is_rest_behind(const OverSpan* seen) {
     for (std::size_t i = 0; i < seen_by_; ++i) over_[left_[i].active].presence = Presence::none;
     return std::ranges::all_of(inside_, [&](std::size_t active) {
@@ -236,7 +236,7 @@ class ScanLines {
     return over;
   }
 
-  /// The value of a facet at the right end of a span, the left one being known, and what is certain of it.
+  /// Counts the value of a facet at the right end of a span, given the left one, and its classification.
   void count_ends() {
     Count& count = ledger_[Phase::scan_conversion];
     count(Operation::multiply, longs_);
@@ -248,7 +248,7 @@ class ScanLines {
     count(Operation::store);
   }
 
-  /// Sets the pixels of a span: all alike, or at the depths of a surface.
+  /// Sets the pixels of a span: all equal, or at the depths of a surface.
   void fill(const Span& span, const Seen& seen, const ActiveFacet* surface) {
     Count& count = ledger_[Phase::scan_conversion];
     const auto columns = static_cast<std::uint64_t>(span.columns());
@@ -272,17 +272,17 @@ class ScanLines {
   Ledger<Count>& ledger_;
   Displayed& result_;
   Sequences<Count> sequences_;
-  std::uint64_t longs_;  ///< of a value
-  std::int64_t step_;    ///< of depth, with fraction bits
-  std::int64_t beyond_;  ///< the farthest depth, with fraction bits
+  std::uint64_t longs_;  ///< longs per value
+  std::int64_t step_;    ///< depth step, with fraction bits
+  std::int64_t beyond_;  ///< farthest depth, with fraction bits
   std::int32_t row_ = 0;
-  std::vector<ActiveFacet> active_;                           ///< with columns in this row
-  std::vector<std::pair<std::int32_t, std::size_t>> limits_;  ///< columns at which one of these begins or has ended
-  std::vector<std::size_t> inside_;                           ///< that have the columns between two limits
-  std::vector<LeftEvent> left_;                               ///< of a span
-  std::vector<Event> events_;                                 ///< the same, alone
-  std::size_t seen_by_ = 0;                                   ///< of them, up to what is seen
-  std::vector<OverSpan> over_;                                ///< by active facet
+  std::vector<ActiveFacet> active_;                           ///< facets with columns in this row
+  std::vector<std::pair<std::int32_t, std::size_t>> limits_;  ///< columns at which an active facet begins or has ended
+  std::vector<std::size_t> inside_;                           ///< active facets in the columns between two limits
+  std::vector<LeftEvent> left_;                               ///< events at the left end of a span
+  std::vector<Event> events_;                                 ///< the same events without facets
+  std::size_t seen_by_ = 0;                                   ///< number of these events up to the visible one
+  std::vector<OverSpan> over_;                                ///< indexed by active facet
 };
 
 Displayed run_scan_line(const DisplaySubject& subject, bool counts) {
@@ -296,7 +296,7 @@ Displayed run_scan_line(const DisplaySubject& subject, bool counts) {
 
 extern const DisplayRow scan_line_row{
     .name = "scan-line",
-    .help = "a row is cut where facets begin and end, and their order is looked at where it is cut",
+    .help = "splits a row where facets begin and end, and compares their order at the ends of spans",
     .source = "Atherton 1983",
     .run = run_scan_line};
 

@@ -12,7 +12,7 @@ namespace {
 
 using view::FixedLinear;
 
-/// Makes what of facets is in pieces.
+/// Creates pieces from facets and their cuts.
 class PieceMaker {
  public:
   PieceMaker(const Polygons& polygons, const ScreenFacets& seen, const facet::Geometry& geometry,
@@ -50,9 +50,9 @@ class PieceMaker {
       linears.resize(made.bounds);
       return;
     }
-    // A convex region on which a function is above 0 throughout is no larger without it.
+    // A constraint that is positive throughout a convex region does not bound it.
     const auto first = linears.begin() + static_cast<std::ptrdiff_t>(made.bounds);
-    const auto is_slack = [&](const FixedLinear& bound) { return region.is_surely_at_least(bound, 1); };
+    const auto is_slack = [&](const FixedLinear& bound) { return region.is_certainly_at_least(bound, 1); };
     linears.erase(std::remove_if(first, linears.end(), is_slack), linears.end());
     made.opposites = linears.size();
     for (const FixedLinear& opposite : seen_.opposites_of(*facet)) linears.push_back(opposite);
@@ -66,14 +66,14 @@ class PieceMaker {
   }
 
  private:
-  /// At least 0 on the side of the cut that the piece is on.
+  /// A function that is >= 0 on the piece's side of the cut.
   [[nodiscard]] FixedLinear bound_of(const FixedLinear& depth, const Cut& cut) const {
     const bool is_wall = cut.plane >= polygons_.canonical_planes;
     const view::ScreenPlane& plane = is_wall ? walls_[cut.plane - polygons_.canonical_planes] : view_.planes[cut.plane];
     if (!plane.representable) {
       throw InputError(
-          "a plane that polygons are clipped by is too large for the picture: its coefficients do not fit the numbers "
-          "of machines; move the camera back, or give up --z-bits or --fraction-bits");
+          "a plane that clips polygons is too large for the picture: its coefficients exceed the number range of "
+          "the machines; move the camera back, or reduce --z-bits or --fraction-bits");
     }
     const FixedLinear& at = plane.linear;
     switch (view::side_of(plane, cut.positive)) {
@@ -89,7 +89,7 @@ class PieceMaker {
   const ScreenFacets& seen_;
   glm::dvec3 centre_;
   const view::View& view_;
-  std::vector<const ScreenFacet*> seen_of_;  ///< by facet; nullptr where it is not in the picture
+  std::vector<const ScreenFacet*> seen_of_;  ///< indexed by facet; nullptr if it is not in the picture
   std::vector<view::ScreenPlane> walls_;
   ScreenPieces made_;
 };

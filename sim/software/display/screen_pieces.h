@@ -1,3 +1,5 @@
+// Pieces of facets in a picture.
+// Used by list priority.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +13,15 @@
 
 namespace csgsim::software {
 
-/// Pieces in a picture: each a ScreenFacet that is bounded further by the planes that cut it, so that each pixel of a
-/// facet is in one of its pieces.
+/// Pieces in a picture: each is a ScreenFacet further bounded by the planes of its cuts, so that each pixel of a facet
+/// belongs to exactly one of its pieces.
 struct ScreenPieces {
   ScreenFacets pieces;
-  std::vector<std::uint32_t> begins;  ///< of each cell its first piece, and of the one after the last
+  std::vector<std::uint32_t> begins;  ///< index of the first piece of each cell, and the end of the last cell
 };
 
-/// The pieces of these cells, in their order, that may have pixels; none of near caps. Throws InputError for a plane
-/// that cuts a facet and does not fit the numbers of machines.
+/// The pieces of these cells, in order, that may have pixels; near caps have none. Throws InputError if a cutting plane
+/// exceeds the number range of the machines.
 ScreenPieces screen_pieces(const Polygons& polygons, std::span<const std::uint32_t> cells, const ScreenFacets& seen,
                            const facet::Geometry& geometry, const view::View& view);
 

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::uint32_t no_face = 0xffffffffU;
 
-/// Of each half-space the face that the polytope has in it; no_face if it has none. Both are in one order: clipping
-/// adds a face with each half-space, behind the others.
+/// The face of the polytope for each half-space; no_face if there is none. Both have the same order, because clipping
+/// appends a face for each half-space.
 std::vector<std::uint32_t> faces_of(const convex::Polytope& polytope, const std::vector<facet::Halfspace>& halfspaces) {
   std::vector<std::uint32_t> found(halfspaces.size(), no_face);
   std::uint32_t next = 0;
@@ -26,7 +26,7 @@ std::vector<std::uint32_t> faces_of(const convex::Polytope& polytope, const std:
   return found;
 }
 
-/// The corners of the face; of a half-space without a face, the vertices that are on its plane.
+/// Adds the corners of the face or, without a face, the vertices on the half-space's plane.
 void add_corners(const convex::Polytope& polytope, std::uint32_t face, const facet::Plane& plane, double near,
                  std::vector<glm::dvec3>& corners) {
   if (face != no_face) {
@@ -52,7 +52,7 @@ Facets facets_of(const model::Tree& tree, const facet::Geometry& geometry) {
     const facet::Convex& solid = geometry.solids[primitive];
     if (!solid.quadrics.empty()) {
       throw InputError(model::place_of(tree, primitive) +
-                       ": this primitive stays curved and has no faces; say --curves facets");
+                       ": this primitive stays curved and has no faces; use --curves facets");
     }
     facets.of_primitives.push_back(facets.facets.size());
     const convex::Polytope polytope = convex::make_polytope(solid, geometry.planes);

@@ -1,3 +1,5 @@
+// Facets of primitives in space.
+// Used by ray tracing, by the display methods and by directories.
 #pragma once
 
 #include <cstddef>
@@ -12,31 +14,31 @@
 
 namespace csgsim::software {
 
-/// A face of a primitive, in one of the canonical planes.
+/// A face of a primitive in one of the canonical planes.
 struct Facet {
   std::uint32_t primitive = 0;
-  facet::Halfspace halfspace;  ///< holds the primitive; its plane is the face's
-  std::size_t begin = 0;       ///< of its corners in Facets::corners
+  facet::Halfspace halfspace;  ///< contains the primitive; its plane is that of the face
+  std::size_t begin = 0;       ///< range of its corners in Facets::corners
   std::size_t end = 0;
 };
 
-/// The faces of all primitives: one for each half-space, primitive after primitive, in the order that a primitive has
-/// its half-spaces in.
+/// The faces of all primitives: one per half-space, in the order of primitives and of their half-spaces.
 struct Facets {
   std::vector<Facet> facets;
-  std::vector<glm::dvec3> corners;         ///< model space, relative to PlaneTable::centre()
-  std::vector<std::size_t> of_primitives;  ///< of each primitive its first facet, and of the one after the last
+  std::vector<glm::dvec3> corners;         ///< in model space, relative to PlaneTable::centre()
+  std::vector<std::size_t> of_primitives;  ///< index of each primitive's first facet, and the end
 
-  /// Counter-clockwise as seen from outside. A half-space that meets its primitive in an edge or a corner only has that
-  /// one's ends; one that the primitive does not reach by the tolerance of convex::clip() has none.
+  /// Corners in counter-clockwise order as seen from outside. A half-space that touches its primitive only in an edge
+  /// or corner has the ends of that edge, or that corner; one that is farther from the primitive than the tolerance of
+  /// convex::clip() has none.
   [[nodiscard]] std::span<const glm::dvec3> corners_of(std::uint32_t facet) const {
     return std::span(corners).subspan(facets[facet].begin, facets[facet].end - facets[facet].begin);
   }
-  /// With an area: those of three corners and more.
+  /// Number of facets with an area, i.e. at least three corners.
   [[nodiscard]] std::size_t polygons() const;
 };
 
-/// Throws InputError, naming its place in the file, for a primitive that stays curved: it has no faces.
+/// Throws InputError, with the primitive's place in the file, if it stays curved: it has no faces then.
 Facets facets_of(const model::Tree& tree, const facet::Geometry& geometry);
 
 }  // namespace csgsim::software

@@ -15,13 +15,13 @@ namespace {
 using view::difference;
 using view::FixedLinear;
 
-/// What is not below 0 where the edge test is passed.
+/// A function that is >= 0 where the edge test passes.
 FixedLinear passed(const TilePlanes::Edge& edge) {
   if (edge.positive) return edge.linear;
   return {-edge.linear.a, -edge.linear.b, -edge.linear.c - 1};
 }
 
-/// A primitive's planes as rays meet them: one that has none at the front begins at the near cap, at depth 0.
+/// A primitive's planes along rays: without front planes, the front is the near cap at depth 0.
 view::Boundary boundary_of(TilePlanes planes) {
   view::Boundary boundary{std::move(planes.fronts), std::move(planes.backs), {}};
   if (boundary.fronts.empty()) boundary.fronts.emplace_back();
@@ -29,7 +29,7 @@ view::Boundary boundary_of(TilePlanes planes) {
   return boundary;
 }
 
-/// Makes the facets of one primitive.
+/// Creates the screen facets of one primitive.
 class Maker {
  public:
   Maker(const view::View& view, std::uint32_t primitive, TilePlanes planes, ScreenFacets& made)
@@ -42,14 +42,14 @@ class Maker {
   void add_near_cap() {
     if (has_near_cap_) add_front(ScreenFacet::near_cap, 0);
   }
-  /// The one of so many among those at the front, or at the back.
+  /// Adds the front or back facet with index `place` among those of its side.
   void add_front(std::uint32_t facet, std::uint32_t place) {
     const view::Rivals& rivals = rivals_.of_fronts[place];
     add({.facet = facet, .depth = boundary_.fronts[place]}, place, rivals, rivals.fronts, rivals.backs);
   }
   void add_back(std::uint32_t facet, std::uint32_t place) {
     const view::Rivals& rivals = rivals_.of_backs[place];
-    // What is before depth 0 is no event, with or without the near cap.
+    // Depths before 0 are not events, with or without the near cap.
     static const std::vector<std::uint32_t> none;
     add({.facet = facet, .leaves = true, .depth = boundary_.backs[place]}, place, rivals, rivals.backs,
         has_near_cap_ ? none : rivals.fronts);
@@ -60,7 +60,7 @@ class Maker {
     if (!region_.clip(linear)) made_.linears.push_back(linear);
   }
 
-  /// Bounds the region by the rivals on the facet's own side, and by those on the other one.
+  /// Bounds the region by the rivals on the facet's own side and on the opposite side.
   void bound(const ScreenFacet& facet, std::uint32_t place, const std::vector<std::uint32_t>& same,
              const std::vector<std::uint32_t>& others) {
     for (const std::uint32_t i : same) {
@@ -89,7 +89,7 @@ class Maker {
     }
     leave_out_slack(facet.bounds);
     facet.opposites = made_.linears.size();
-    if (!covers_a_pixel(facet)) {
+    if (!covers_pixel(facet)) {
       made_.linears.resize(facet.bounds);
       return;
     }
@@ -101,8 +101,8 @@ class Maker {
     made_.facets.push_back(facet);
   }
 
-  /// Rivals bound it at pixels: between these it may reach far beyond its place.
-  [[nodiscard]] bool covers_a_pixel(const ScreenFacet& facet) const {
+  /// Rivals bound the facet at pixels only; between pixels it may extend far beyond its position.
+  [[nodiscard]] bool covers_pixel(const ScreenFacet& facet) const {
     for (std::int32_t row = facet.pixels.y0; row <= facet.pixels.y1; ++row) {
       if (!made_.span_of(facet, row).empty()) return true;
     }
@@ -113,20 +113,20 @@ class Maker {
     return facet.leaves ? boundary_.fronts[number] : boundary_.backs[number];
   }
 
-  /// Leaves out bounds that were cut by before others took more: a convex region on which a function is above 0
-  /// throughout is no larger without it.
+  /// Removes bounds that no longer matter after later cuts: a constraint that is positive throughout a convex region
+  /// does not bound it.
   void leave_out_slack(std::size_t begin) {
     const auto first = made_.linears.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto is_slack = [&](const FixedLinear& bound) { return region_.is_surely_at_least(bound, 1); };
+    const auto is_slack = [&](const FixedLinear& bound) { return region_.is_certainly_at_least(bound, 1); };
     made_.linears.erase(std::remove_if(first, made_.linears.end(), is_slack), made_.linears.end());
   }
 
-  /// Whether a step lies between a facet and one of the other side at every pixel, and what is left begins no nearer
-  /// than at depth 0.
+  /// Whether a facet and one of the opposite side are at least a step apart at every pixel, and the remaining interval
+  /// starts no nearer than depth 0.
   [[nodiscard]] bool is_surely_behind(const ScreenFacet& facet, const FixedLinear& other) const {
     const double step = static_cast<double>(std::int64_t{1} << made_.fraction_bits);
-    return region_.is_surely_at_least(thickness(facet, other), step) &&
-           (facet.leaves || region_.is_surely_at_least(other, step));
+    return region_.is_certainly_at_least(thickness(facet, other), step) &&
+           (facet.leaves || region_.is_certainly_at_least(other, step));
   }
 
   static FixedLinear thickness(const ScreenFacet& facet, const FixedLinear& other, std::int64_t more = 0) {

@@ -1,3 +1,5 @@
+// Facets of primitives in a picture.
+// Used by ray tracing and by the display methods.
 #pragma once
 
 #include <cstddef>
@@ -15,20 +17,20 @@
 
 namespace csgsim::software {
 
-/// A facet in a picture. It covers the pixels at which its plane is what a ray enters its primitive through, or leaves
-/// it through, by the integers that machines draw by (docs/numbers.md). Of planes of one primitive that are level the
-/// first of its half-spaces is the one. So the events at a pixel are those of the facets that cover it.
+/// A facet in a picture. It covers the pixels at which a ray enters or leaves its primitive through its plane,
+/// according to the integers of the machines (docs/numbers.md). If planes of one primitive have equal depth, the first
+/// of its half-spaces is used. The events at a pixel are therefore exactly those of the facets that cover it.
 struct ScreenFacet {
   static constexpr std::uint32_t near_cap = 0xffffffffU;
 
-  std::uint32_t facet = near_cap;  ///< index into Facets::facets; near_cap where a ray begins in the primitive
+  std::uint32_t facet = near_cap;  ///< index into Facets::facets; near_cap if a ray starts inside the primitive
   std::uint32_t primitive = 0;
-  bool leaves = false;        ///< rays leave the primitive here
+  bool leaves = false;        ///< whether rays leave the primitive here
   view::FixedLinear depth{};  ///< depth steps with fraction bits
-  view::PixelRect pixels{};   ///< that hold those it covers; not empty
-  /// Of what ScreenFacets::linears has of it: first functions that are at least 0 where it covers, then the depths of
-  /// faces on the other side of the primitive that are within a step of it somewhere: there it depends on whether
-  /// anything is left between them.
+  view::PixelRect pixels{};   ///< non-empty bounding rectangle of the covered pixels
+  /// Ranges in ScreenFacets::linears: first the functions that are >= 0 at covered pixels, then the depths of faces on
+  /// the opposite side of the primitive that are within a step of this one somewhere, where the primitive may be too
+  /// thin.
   std::size_t bounds = 0;
   std::size_t opposites = 0;
   std::size_t end = 0;
@@ -36,13 +38,13 @@ struct ScreenFacet {
   [[nodiscard]] std::uint32_t crossing() const { return 2 * primitive + (leaves ? 1 : 0); }
 };
 
-/// All facets of a model in a picture, in the order of Facets, a primitive's near cap before its facets.
+/// All facets of a model in a picture, in the order of Facets; a primitive's near cap precedes its facets.
 struct ScreenFacets {
   std::vector<ScreenFacet> facets;
   std::vector<view::FixedLinear> linears;
-  std::vector<std::size_t> of_primitives;  ///< of each primitive its first facet here, and of the one after the last
+  std::vector<std::size_t> of_primitives;  ///< index of each primitive's first screen facet, and the end
   unsigned fraction_bits = 0;
-  std::uint32_t farthest = 0;  ///< 2^n - 1, where nothing is seen
+  std::uint32_t farthest = 0;  ///< 2^n - 1, the depth where nothing is visible
 
   [[nodiscard]] std::span<const view::FixedLinear> bounds_of(const ScreenFacet& facet) const {
     return std::span(linears).subspan(facet.bounds, facet.opposites - facet.bounds);
@@ -51,15 +53,15 @@ struct ScreenFacets {
     return std::span(linears).subspan(facet.opposites, facet.end - facet.opposites);
   }
 
-  /// The columns of a row within the bounds of a facet. Of a facet with opposites, and of one whose depth leaves the
-  /// range of depths, event_at() has to be asked at each of them still.
+  /// The columns of a row within the bounds of a facet. If the facet has opposites, or its depth leaves the valid
+  /// range, event_at() must be called for each of them.
   [[nodiscard]] Span span_of(const ScreenFacet& facet, std::int32_t row) const;
-  /// The event at a pixel within the facet's bounds; `value` is its depth there, with fraction bits. Nothing where the
-  /// primitive is thinner than a step, or outside the range of depths.
+  /// The event at a pixel within the facet's bounds; `value` is its depth with fraction bits. Empty if the primitive is
+  /// thinner than a step, or the depth is out of range.
   [[nodiscard]] std::optional<Event> event_at(const ScreenFacet& facet, std::int32_t column, std::int32_t row,
                                               std::int64_t value) const;
-  /// Calls use(column, event) at each pixel of a row that the facet covers, from the left. Returns the columns that
-  /// were looked at.
+  /// Calls use(column, event) from left to right at each pixel of a row that the facet covers. Returns the tested
+  /// columns.
   template <class Use>
   Span for_row(const ScreenFacet& facet, std::int32_t row, const Use& use) const {
     const Span span = span_of(facet, row);
@@ -69,11 +71,11 @@ struct ScreenFacets {
     }
     return span;
   }
-  /// The same at any pixel.
+  /// The event at any pixel.
   [[nodiscard]] std::optional<Event> event_at(const ScreenFacet& facet, std::int32_t column, std::int32_t row) const;
 };
 
-/// Throws InputError, naming its place in the file, for a face that does not fit the numbers of machines.
+/// Throws InputError, with the primitive's place in the file, if a face exceeds the number range of the machines.
 ScreenFacets screen_facets(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                            const Facets& facets);
 

@@ -1,3 +1,5 @@
+// Operation counts of transforming polygons.
+// Used by ray tracing and by the display methods.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +8,9 @@
 
 namespace csgsim::software {
 
-/// Polygons are brought into the picture in fixed point: a corner is turned by nine products of longs, each of four
-/// products of words, and divided by its distance; a plane takes three quotients of sums of two such products, and an
-/// edge two products.
+/// Counts transforming polygons into the picture in fixed point: a corner takes nine long products, of four word
+/// products each, and a division by its distance; a plane three quotients of sums of two such products; an edge two
+/// products.
 template <class Count>
 void count_transformation(std::uint64_t corners, std::uint64_t planes, std::uint64_t edges, Count& count) {
   const std::uint64_t products = 9 * corners + 6 * planes + 2 * edges;

@@ -1,3 +1,5 @@
+// Boxes of pixels and depths, and the planes that bound primitives in them.
+// Used by interval arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -18,20 +20,20 @@
 
 namespace csgsim::software {
 
-/// Pixels, and depths z0 <= z < z1.
+/// A box of pixels and depths z0 <= z < z1.
 struct Box {
   view::PixelRect pixels;
   std::uint32_t z0 = 0;
   std::uint32_t z1 = 0;
 };
 
-/// A primitive and its planes that bound it somewhere in a box.
+/// A primitive with the planes that bound it somewhere in a box.
 struct BoxPrimitive {
   std::uint32_t primitive = 0;
   TilePlanes planes;
 };
 
-/// The front or rear half of a box in depth, cut in four; parts without pixels are left out.
+/// The front or rear half of a box in depth, divided into four parts; parts without pixels are omitted.
 inline std::vector<Box> quarters(const Box& box, bool is_far) {
   const std::uint32_t middle = box.z0 + (box.z1 - box.z0) / 2;
   const std::uint32_t z0 = is_far ? middle : box.z0;
@@ -49,7 +51,7 @@ inline std::vector<Box> quarters(const Box& box, bool is_far) {
   return parts;
 }
 
-/// Bounds of a plane over pixels, whose values have so many longs: of two corners, by the signs of its slopes.
+/// Bounds of a plane over pixels, from two corners selected by the signs of its slopes; values occupy `longs` longs.
 template <class Count>
 view::Range bounds(const view::FixedLinear& plane, const view::PixelRect& pixels, std::uint64_t longs, Count& count) {
   count.visit();
@@ -61,8 +63,7 @@ view::Range bounds(const view::FixedLinear& plane, const view::PixelRect& pixels
   return view::range_over(plane, pixels);
 }
 
-/// Keeps the planes that may be the greatest somewhere, or, if not `greatest`, the least; returns the
-/// bounds of that.
+/// Keeps the planes that may be maximal (or minimal, if not `greatest`) somewhere; returns bounds of that extreme.
 template <class Count>
 view::Range keep_bounding(std::span<const view::FixedLinear> all, const view::PixelRect& pixels, bool greatest,
                           std::uint64_t longs, std::vector<view::FixedLinear>& kept, Count& count) {
@@ -87,8 +88,8 @@ view::Range keep_bounding(std::span<const view::FixedLinear> all, const view::Pi
   return extreme;
 }
 
-/// What a primitive is in a box: in or out everywhere, or nothing is known; `narrowed` gets the planes that matter
-/// there.
+/// Classifies a primitive in a box as inside, outside or unknown; `narrowed` receives the planes that matter in the
+/// box.
 template <class Count>
 Known narrow(const Subject& subject, const Box& box, const BoxPrimitive& one, BoxPrimitive& narrowed, Count& count) {
   const view::PixelRect pixels = view::common(box.pixels, subject.view.extents[one.primitive].pixels);
@@ -114,7 +115,7 @@ Known narrow(const Subject& subject, const Box& box, const BoxPrimitive& one, Bo
   return is_whole && front.high <= box.z0 && back.low >= box.z1 ? Known::in : Known::nothing;
 }
 
-/// What a ray meets of a primitive, by its planes that matter there.
+/// The intersection of a ray and a primitive, computed from the planes that matter in the box.
 template <class Count>
 std::optional<Interval> interval_at(const Subject& subject, const BoxPrimitive& one, std::int32_t x, std::int32_t y,
                                     Count& count) {

@@ -1,3 +1,5 @@
+// Counts of classification methods.
+// Used by the methods and by the studies of software.
 #pragma once
 
 #include <cstdint>
@@ -6,24 +8,24 @@
 
 namespace csgsim::software {
 
-/// What a method did, in the terms of the field. Words have 32 bits.
+/// Counts of a method. Words have 32 bits.
 struct Counts {
-  std::uint64_t points = 0;         ///< of rays that were classified; events at one depth are one
+  std::uint64_t points = 0;         ///< classified points of rays; events at the same depth are one point
   std::uint64_t evaluations = 0;    ///< of the tree, for a point of a ray
   std::uint64_t precomputed = 0;    ///< evaluations before the first ray
-  std::uint64_t looked_up = 0;      ///< points whose class was kept from before
-  std::uint64_t pruned_nodes = 0;   ///< nodes that were looked at to prune trees
-  std::uint64_t node_visits = 0;    ///< nodes of trees, or words of strings of bits, that were looked at
-  std::uint64_t early_outs = 0;     ///< operands that were left out since the other one decided
-  std::uint64_t list_steps = 0;     ///< elements of lists that were looked at
-  std::uint64_t list_elements = 0;  ///< elements that were made
-  std::uint64_t ties = 0;           ///< points at which several surfaces could be the seen one
-  std::uint64_t words = 0;          ///< of memory, at most at one time
-  Operations operations;            ///< of classification: rays and events are there before
-  Operations traversal;             ///< of these, the traversal's own: its flips and evaluations
+  std::uint64_t looked_up = 0;      ///< points whose class was already stored
+  std::uint64_t pruned_nodes = 0;   ///< nodes visited to prune trees
+  std::uint64_t node_visits = 0;    ///< visited nodes of trees, or words of bit strings
+  std::uint64_t early_outs = 0;     ///< operands skipped because the other one decides
+  std::uint64_t list_steps = 0;     ///< visited list elements
+  std::uint64_t list_elements = 0;  ///< created list elements
+  std::uint64_t ties = 0;           ///< points with several candidates for the visible surface
+  std::uint64_t words = 0;          ///< maximum memory in use at one time
+  Operations operations;            ///< of classification, without ray intersection and sorting
+  Operations traversal;             ///< subset of `operations`: flips and evaluations by the traversal
 };
 
-/// What methods are compiled with to count.
+/// Counter type of methods that count.
 class CountingMethod : public Counting {
  public:
   void point() { ++counts_.points; }
@@ -36,7 +38,7 @@ class CountingMethod : public Counting {
   void list_step() { ++counts_.list_steps; }
   void list_element() { ++counts_.list_elements; }
   void tie() { ++counts_.ties; }
-  /// Does what is part of a traversal. Returns what it returns.
+  /// Runs a step and attributes its operations to the traversal. Returns the step's result.
   template <class Step>
   auto traverse(const Step& step) {
     const Operations before = done();
@@ -57,7 +59,7 @@ class CountingMethod : public Counting {
   Counts counts_;
 };
 
-/// What they are compiled with to be fast.
+/// Counter type of methods that run at full speed.
 class UncountedMethod : public Uncounted {
  public:
   void point() const {}

@@ -1,3 +1,5 @@
+// Methods that combine a traversal with a coherence.
+// Used by the rows of traversals.
 #pragma once
 
 #include <array>
@@ -21,7 +23,7 @@
 
 namespace csgsim::software {
 
-/// The end of the events that are at the depth of the one at `begin`.
+/// Index after the last event at the same depth as event `begin`.
 template <class Count>
 std::size_t end_of_point(std::span<const Event> events, std::size_t begin, Count& count) {
   std::size_t end = begin + 1;
@@ -33,7 +35,7 @@ std::size_t end_of_point(std::span<const Event> events, std::size_t begin, Count
   return end;
 }
 
-/// A traversal and a coherence on a picture's rays.
+/// A method that applies a traversal and a coherence to a picture's rays.
 template <class Traversal, class Coherence, class Count>
 class Crossed : public Method {
  public:
@@ -80,7 +82,7 @@ class Crossed : public Method {
     return nothing();
   }
 
-  /// How far a pixel has come.
+  /// Progress of a pixel.
   struct Pixel {
     std::uint32_t ray;
     std::uint32_t element;
@@ -98,7 +100,7 @@ class Crossed : public Method {
     }
   }
 
-  /// Takes a pixel's next surfaces; true where it is set, or has no more.
+  /// Processes a pixel's next surfaces; returns whether the pixel is finished.
   bool is_done(Pixel& pixel, std::span<const Event> events, Seen& seen) {
     const std::size_t begin = pixel.begin;
     const std::size_t end = end_of_point(events, begin, count_);
@@ -124,7 +126,7 @@ class Crossed : public Method {
   Owners<Count> owners_;
 };
 
-/// A traversal with each coherence, in the order of coherences().
+/// Combines a traversal with each coherence, in the order of coherences().
 template <template <class> class Traversal, class Count>
 std::unique_ptr<Method> crossed_with(Coherent coherence, const Subject& subject) {
   using T = Traversal<Count>;

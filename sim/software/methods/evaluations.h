@@ -1,3 +1,5 @@
+// Evaluation of trees, whole or pruned, by a traversal.
+// Used by crossed.h and by sequences.h.
 #pragma once
 
 #include <algorithm>
@@ -20,13 +22,13 @@
 
 namespace csgsim::software {
 
-/// A tree and the traversal that works on it. A ray begins by taking back what the last one left.
+/// A tree and its traversal. Each ray starts by undoing the flips of the previous one.
 template <class Traversal, class Count>
 class Evaluator {
  public:
   explicit Evaluator(Tree tree) : tree_(std::make_unique<Tree>(std::move(tree))) {
     if (tree_->is_constant()) return;
-    refuse_deep(*tree_, Traversal::most_levels);
+    refuse_deep(*tree_, Traversal::max_levels);
     traversal_.emplace(*tree_);
   }
 
@@ -40,7 +42,7 @@ class Evaluator {
     in_.clear();
   }
 
-  /// Of a primitive that the tree does not have nothing is heard.
+  /// Ignores a primitive that the tree does not contain.
   void flip(std::uint32_t primitive, Count& count) {
     count(Operation::load_long);
     count(Operation::branch);
@@ -81,23 +83,24 @@ class Evaluator {
  private:
   std::unique_ptr<const Tree> tree_;
   std::optional<Traversal> traversal_;
-  std::vector<std::uint32_t> in_;  ///< primitives
+  std::vector<std::uint32_t> in_;  ///< primitives that contain the point
 };
 
-/// Each primitive has a tree of its own, each of which knows of every primitive.
-inline constexpr std::size_t most_inside = 4'096;
+/// Maximum number of primitives for Pruning::inside, where each has a separate tree over all primitives.
+inline constexpr std::size_t max_inside = 4'096;
 
-/// Of a picture whose trees are reduced inside primitives. Throws InputError for more than most_inside.
+/// Number of primitives of a picture with Pruning::inside. Throws InputError if it exceeds max_inside.
 inline std::size_t primitives_inside(const Subject& subject) {
   const std::size_t primitives = subject.model.primitives.size();
-  if (primitives > most_inside) {
-    throw InputError("the model has " + std::to_string(primitives) + " primitives, of " + std::to_string(most_inside) +
-                     " that trees are reduced inside of; take --reduced cells or none");
+  if (primitives > max_inside) {
+    throw InputError("the model has " + std::to_string(primitives) +
+                     " primitives, but --reduced inside supports at most " + std::to_string(max_inside) +
+                     "; use --reduced cells or none");
   }
   return primitives;
 }
 
-/// Evaluates the tree after the first events of a ray, by a traversal, on the tree as it is or pruned.
+/// Evaluates the tree, whole or pruned, after the first events of a ray.
 template <class Traversal, class Count>
 class Evaluations {
  public:
@@ -128,7 +131,8 @@ class Evaluations {
     entered_.clear();
   }
 
-  /// Whether the solid holds the points behind so many events of the ray, which are no fewer than before.
+  /// Whether the solid contains the points after the first `events` events of the ray; the number never decreases
+  /// within a ray.
   bool after(std::size_t events) {
     const std::span<const Event> added = events_.subspan(applied_, events - applied_);
     applied_ = events;
@@ -150,7 +154,7 @@ class Evaluations {
  private:
   using Slot = std::optional<Evaluator<Traversal, Count>>;
 
-  /// The primitive that was entered first, of those that the ray is in, says which tree.
+  /// Selects the tree of the primitive that was entered first among those that contain the point.
   bool after_inside(std::span<const Event> added) {
     for (const Event& event : added) {
       count_(Operation::load);
@@ -185,8 +189,8 @@ class Evaluations {
   std::size_t cell_ = 0;
   std::uint32_t width_ = 1;
   const Evaluator<Traversal, Count>* current_ = nullptr;
-  std::vector<std::uint32_t> entered_;  ///< primitives that the ray is in, the first one first
-  std::uint64_t words_ = 0;             ///< most of a band
+  std::vector<std::uint32_t> entered_;  ///< primitives that contain the point, in the order of entry
+  std::uint64_t words_ = 0;             ///< maximum over bands
 };
 
 }  // namespace csgsim::software

@@ -6,7 +6,7 @@
 namespace csgsim::software {
 
 extern const MethodRow interval_arithmetic_row{.name = "interval-arithmetic",
-                                               .help = "boxes are halved, with trees shortened to what matters in them",
+                                               .help = "boxes are halved recursively, with trees pruned for each box",
                                                .source = "Keeter 2020; fidget",
                                                .takes = Takes::planes,
                                                .make = whole<IntervalArithmetic>};

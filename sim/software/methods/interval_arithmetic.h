@@ -1,3 +1,5 @@
+// Classification by interval arithmetic.
+// One of the rows of methods().
 #pragma once
 
 #include <algorithm>
@@ -18,10 +20,10 @@
 
 namespace csgsim::software {
 
-/// Boxes of pixels and depths are halved from the front, and in each the solid is evaluated by interval arithmetic: a
-/// primitive that holds all or nothing of the box is pruned from the tree that its parts get, a plane that never bounds
-/// its primitive there from the primitive; so rays get short trees. As fidget draws a height map (Keeter 2020), whose
-/// tapes are minima and maxima of all planes. It meets no ray before the boxes are small.
+/// Recursively halves boxes of pixels and depths from front to back and evaluates the solid in each by interval
+/// arithmetic. Primitives that contain all or nothing of a box are pruned from the tree passed to its parts, and planes
+/// that never bound their primitive in the box are dropped, so that rays get short trees. This is how fidget draws a
+/// height map (Keeter 2020), with tapes of minima and maxima of all planes. No ray is cast before the boxes are small.
 template <class Count>
 class IntervalArithmetic : public Method {
  public:
@@ -52,14 +54,14 @@ class IntervalArithmetic : public Method {
 
   [[nodiscard]] Counts counts() const override {
     Counts counts = count_.counts_so_far();
-    counts.words = most_words_;
+    counts.words = max_words_;
     return counts;
   }
 
  private:
-  /// A box of so many pixels a side is drawn ray by ray; so is one in which so few primitives are open.
-  static constexpr std::int32_t least_side = 4;
-  static constexpr std::size_t least_open = 2;
+  /// Boxes with at most this number of pixels per side, or of open primitives, are drawn ray by ray.
+  static constexpr std::int32_t min_side = 4;
+  static constexpr std::size_t max_open = 2;
 
   using Open = std::vector<BoxPrimitive>;
 
@@ -83,7 +85,7 @@ class IntervalArithmetic : public Method {
     return true;
   }
 
-  /// `open`: primitives that hold some of the box around this one; `tree`: what is left of the tree there.
+  /// `open`: primitives that contain part of the enclosing box; `tree`: the tree pruned for that box.
   void halve(const Box& box, const Open& open, const Tree& tree) {
     if (is_set(box.pixels)) return;
     Open left;
@@ -96,14 +98,14 @@ class IntervalArithmetic : public Method {
     const Tree rest = pruned(tree, known_, count_);
     std::uint64_t words = words_of(rest);
     for (const BoxPrimitive& one : left) words += 1 + one.planes.fronts.size() + one.planes.backs.size();
-    most_words_ = std::max(most_words_, words);
+    max_words_ = std::max(max_words_, words);
     if (rest.is_constant()) {
-      // What is in everywhere in the box, and nearer is not, begins with it.
+      // The solid fills the box, and no nearer surface was found, so the surface is the box's front.
       if (rest.complemented) set_all(box);
       return;
     }
-    const bool is_small = box.pixels.x1 - box.pixels.x0 < least_side && box.pixels.y1 - box.pixels.y0 < least_side;
-    if (is_small || left.size() <= least_open) return draw(box, left, rest);
+    const bool is_small = box.pixels.x1 - box.pixels.x0 < min_side && box.pixels.y1 - box.pixels.y0 < min_side;
+    if (is_small || left.size() <= max_open) return draw(box, left, rest);
     for (const bool is_far : {false, true}) {
       for (const Box& part : quarters(box, is_far)) halve(part, left, rest);
     }
@@ -115,7 +117,7 @@ class IntervalArithmetic : public Method {
     }
   }
 
-  /// Whose surface it is, by all primitives of the picture there.
+  /// Finds the owner among all primitives of the picture at this pixel and sets the pixel.
   void set(std::int32_t x, std::int32_t y, std::uint32_t depth) {
     Seen& seen = seen_at(x, y);
     if (seen.owner != Seen::nothing_seen) return;
@@ -135,7 +137,7 @@ class IntervalArithmetic : public Method {
     }
   }
 
-  /// Ray by ray, by the tree that is left.
+  /// Draws ray by ray with the pruned tree.
   void draw(const Box& box, const Open& open, const Tree& tree) {
     EarlyOut<Count> traversal(tree);
     for (std::int32_t y = box.pixels.y0; y <= box.pixels.y1; ++y) {
@@ -147,7 +149,7 @@ class IntervalArithmetic : public Method {
     }
   }
 
-  /// The depths at which something changes, the box's front among them, from there on.
+  /// Collects the depths in the box at which a primitive begins or ends, including the box's front.
   void collect_depths(const Box& box) {
     depths_.assign(1, box.z0);
     for (const Interval& interval : intervals_) {
@@ -178,7 +180,7 @@ class IntervalArithmetic : public Method {
       const bool is_in = traversal.evaluate(count_) != tree.complemented;
       take_back(traversal, active_, count_);
       if (!is_in) continue;
-      // What changes behind the front of the box is open in it.
+      // Intervals that start or end inside the box belong to its open primitives.
       const std::uint32_t owner = depth > box.z0 ? owners_.only_one(intervals_, depth, count_) : Seen::nothing_seen;
       if (owner == Seen::nothing_seen) return set(x, y, depth);
       seen_at(x, y) = {depth, owner};
@@ -189,14 +191,14 @@ class IntervalArithmetic : public Method {
   Subject subject_;
   Count count_;
   Owners<Count> owners_;
-  std::vector<TilePlanes> planes_;  ///< of each primitive
-  std::vector<Known> known_;        ///< of each primitive, in the box that is looked at
+  std::vector<TilePlanes> planes_;  ///< one per primitive
+  std::vector<Known> known_;        ///< one per primitive, for the current box
   Band band_;
-  Open whole_;  ///< the primitives of a box of the picture's whole depth
+  Open whole_;  ///< primitives in a column of the picture over the full depth
   std::vector<Interval> intervals_;
   std::vector<std::uint32_t> active_;
   std::vector<std::uint32_t> depths_;
-  std::uint64_t most_words_ = 0;  ///< of a box
+  std::uint64_t max_words_ = 0;  ///< maximum over boxes
 };
 
 }  // namespace csgsim::software

@@ -1,3 +1,5 @@
+// Classification by merging interval lists.
+// One of the rows of methods().
 #pragma once
 
 #include <algorithm>
@@ -13,9 +15,9 @@
 
 namespace csgsim::software {
 
-/// A ray is combined with the solid as a whole: each node makes one list of intervals of those of its operands, in
-/// postorder (Roth 1982; thesis 4.1, first method). The right operand is left out where the left one has no interval
-/// and decides.
+/// Combines the whole ray with the solid: each node, in postorder, merges its operands' lists of intervals into one
+/// (Roth 1982; thesis 4.1, first method). The right operand is skipped if the left one has no interval and thereby
+/// decides.
 template <class Count>
 class IntervalLists : public Method {
  public:
@@ -28,12 +30,12 @@ class IntervalLists : public Method {
 
   [[nodiscard]] Counts counts() const override {
     Counts counts = count_.counts_so_far();
-    counts.words = words_of(subject_.tree) + interval_of_.size() + most_ends_;
+    counts.words = words_of(subject_.tree) + interval_of_.size() + max_ends_;
     return counts;
   }
 
  private:
-  /// Depths at which intervals begin and end, in turn.
+  /// Depths at which intervals begin and end, alternating.
   using List = std::span<const std::uint32_t>;
 
   Seen seen_along(std::span<const Interval> intervals) {
@@ -58,7 +60,7 @@ class IntervalLists : public Method {
     return {depth, owners_.seen(intervals, depth, active_, count_)};
   }
 
-  /// Puts a node's list behind all others.
+  /// Appends a node's list to the stack of lists.
   void visit(std::uint32_t at) {
     const Node& node = subject_.tree.nodes[at];
     count_node(node, count_);
@@ -83,10 +85,10 @@ class IntervalLists : public Method {
     count_right(count_);
     visit(node.right);
     count_(Operation::load_long);
-    most_ends_ = std::max<std::uint64_t>(most_ends_, 2 * ends_.size());
+    max_ends_ = std::max<std::uint64_t>(max_ends_, 2 * ends_.size());
     count_(Operation::compare_long);
     count_(Operation::branch);
-    // What the right one lacks leaves a union and a difference as they are, and nothing of an intersection.
+    // An empty right operand leaves a union or difference unchanged, and makes an intersection empty.
     if (ends_.size() == middle) {
       if (node.op == model::Operator::intersect) ends_.resize(begin);
       return;
@@ -109,7 +111,7 @@ class IntervalLists : public Method {
     return left && !right;
   }
 
-  /// Two lists side by side become one, in the place of the left one.
+  /// Merges two adjacent lists into one, in place of the left list.
   void merge(model::Operator op, std::size_t begin, std::size_t middle) {
     const List left = List(ends_).subspan(begin, middle - begin);
     const List right = List(ends_).subspan(middle);
@@ -145,11 +147,11 @@ class IntervalLists : public Method {
   Subject subject_;
   Count count_;
   Owners<Count> owners_;
-  std::vector<const Interval*> interval_of_;  ///< of each primitive along the ray
-  std::vector<std::uint32_t> ends_;           ///< lists that wait to be merged, one behind the other
+  std::vector<const Interval*> interval_of_;  ///< interval of each primitive along the ray
+  std::vector<std::uint32_t> ends_;           ///< stack of lists to be merged
   std::vector<std::uint32_t> merged_;
   std::vector<std::uint32_t> active_;
-  std::uint64_t most_ends_ = 0;  ///< words
+  std::uint64_t max_ends_ = 0;  ///< maximum size in words
 };
 
 }  // namespace csgsim::software

@@ -1,3 +1,5 @@
+// Prior knowledge about primitives, for pruning.
+// Used by evaluations.h and by interval arithmetic.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +11,14 @@
 
 namespace csgsim::software {
 
-/// Columns of a cell of the picture; it has the rows of a band.
+/// Columns of a cell of the picture; a cell has the rows of a band.
 inline constexpr std::uint32_t cell_columns = 16;
 
-/// Which primitives have no pixels in so many columns of a band.
+/// Marks primitives without pixels in `columns` columns of a band as outside.
 std::vector<Known> known_in(const view::View& view, const RayBand& band, std::uint32_t first_column,
                             std::uint32_t columns);
 
-/// Within a primitive it is in, and out are those that do not meet it: their pixels or their depths are apart.
+/// Marks the primitive itself as inside, and primitives that are separated from it in pixels or depth as outside.
 std::vector<Known> known_inside(const view::View& view, std::uint32_t primitive);
 
 }  // namespace csgsim::software

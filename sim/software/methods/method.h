@@ -1,3 +1,5 @@
+// Interface of classification methods.
+// Implemented by the methods and used by draw.h.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +15,26 @@
 
 namespace csgsim::software {
 
-/// What is known of a tree before it is evaluated.
+/// How trees are pruned in advance.
 enum class Pruning : std::uint8_t {
   none,
-  cells,   ///< a tree for each cell of 16 x 16 pixels, of the primitives that have pixels there (thesis 4.2, fig. 4.4)
-  inside,  ///< while a ray is in a primitive, the tree of those that meet it (thesis 4.2, fig. 4.3)
+  cells,   ///< one tree per cell of 16 x 16 pixels, with the primitives that have pixels in it (thesis 4.2, fig. 4.4)
+  inside,  ///< while a ray is inside a primitive, the tree of the primitives that intersect it (thesis 4.2, fig. 4.3)
 };
 
-/// What a method is given.
+/// Inputs of a method.
 struct Subject {
   const model::Tree& model;
   const facet::Geometry& geometry;
   const view::View& view;
-  const Tree& tree;  ///< of the model, in some shape
+  const Tree& tree;  ///< tree of the model, in some shape
   Pruning pruning = Pruning::none;
 
-  /// 2^n - 1, where nothing is seen.
+  /// 2^n - 1, the depth where nothing is visible.
   [[nodiscard]] std::uint32_t farthest() const { return (std::uint32_t{1} << view.sampling.z_bits) - 1; }
 };
 
-/// A method at work on a picture, whose bands come from the top.
+/// Classifies the rays of a picture, band by band from the top.
 class Method {
  public:
   Method() = default;
@@ -40,9 +42,9 @@ class Method {
   Method(const Method&) = delete;
   Method& operator=(const Method&) = delete;
 
-  /// What is seen at the pixels of a band, row by row.
+  /// Computes the visible surfaces of a band, row by row.
   virtual void classify(const RayBand& band, std::span<Seen> seen) = 0;
-  /// Nothing but words, unless it was made to count.
+  /// Only `words` is set unless the method was created to count.
   [[nodiscard]] virtual Counts counts() const = 0;
 };
 

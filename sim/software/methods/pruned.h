@@ -1,3 +1,5 @@
+// Pruning of trees with operation counts.
+// Used by evaluations.h and by interval arithmetic.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +10,7 @@
 
 namespace csgsim::software {
 
-/// The tree reduced by what is known of primitives, each node of it looked at.
+/// Reduces the tree by prior knowledge about primitives, visiting each node.
 template <class Count>
 Tree pruned(const Tree& tree, std::span<const Known> known, Count& count) {
   const std::size_t nodes = tree.nodes.size();

@@ -1,3 +1,5 @@
+// Tables of methods, coherences and prunings.
+// Used by the studies of software and by csgsim manual methods.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +14,7 @@
 
 namespace csgsim::software {
 
-/// What is kept from one point to the next.
+/// Data kept from one point to the next.
 enum class Coherent : std::uint8_t { all_points, first_point, one_list, list_structure, joined_lists, csg_buffer };
 
 /// A row of the table of coherences.
@@ -23,11 +25,11 @@ struct CoherenceRow {
   std::string_view source;
 };
 
-/// What a method works on.
+/// Input of a method.
 enum class Takes : std::uint8_t {
-  events,     ///< of rays, in order; crossed with a coherence
-  intervals,  ///< of rays, in any order
-  planes,     ///< it finds what rays meet by itself
+  events,     ///< sorted events of rays; combined with a coherence
+  intervals,  ///< unsorted intervals of rays
+  planes,     ///< intersects rays with primitives itself
 };
 
 /// A row of the table of methods.
@@ -36,19 +38,19 @@ struct MethodRow {
   std::string_view help;
   std::string_view source;
   Takes takes = Takes::events;
-  processors::Compiled compiled = processors::Compiled::general;  ///< whose compiler's factor its traversal has
-  /// `counts`: it tells what it does, and is slower. The coherence and the pruning are those of methods that take
-  /// events. Throws InputError for a tree that has too many levels for it.
+  processors::Compiled compiled = processors::Compiled::general;  ///< compiler whose factor applies to the traversal
+  /// Creates the method. With `counts`, it counts operations and is slower. Coherence and pruning apply to methods that
+  /// take events only. Throws InputError if the tree has too many levels.
   std::unique_ptr<Method> (*make)(Coherent coherence, const Subject& subject, bool counts) = nullptr;
 };
 
-/// In the order of the thesis.
+/// All methods in the order of the thesis.
 std::span<const MethodRow* const> methods();
 std::span<const CoherenceRow> coherences();
 
 /// The names of a table of rows, or of pointers to rows.
 template <class Rows>
-std::vector<std::string> names_in(const Rows& rows) {
+std::vector<std::string> row_names(const Rows& rows) {
   std::vector<std::string> names;
   names.reserve(rows.size());
   for (const auto& row : rows) {
@@ -64,14 +66,14 @@ std::vector<std::string> names_in(const Rows& rows) {
 /// A method and, if it takes one, its coherence.
 struct Choice {
   const MethodRow* method = nullptr;
-  const CoherenceRow* coherence = nullptr;  ///< nullptr where it takes none
+  const CoherenceRow* coherence = nullptr;  ///< nullptr if the method takes none
 };
 
-/// METHOD or METHOD/COHERENCE; all-points where a method takes one and none is said. Throws InputError that lists what
-/// there is.
+/// Parses METHOD or METHOD/COHERENCE; the default coherence is all-points. Throws InputError that lists the valid
+/// names.
 Choice choice_of(const std::string& text);
 
-/// As choice_of takes it.
+/// Name in the form that choice_of parses.
 std::string name_of(const Choice& choice);
 
 std::unique_ptr<Method> made(const Choice& choice, const Subject& subject, bool counts);
@@ -84,7 +86,7 @@ struct PruningRow {
 };
 std::span<const PruningRow> prunings();
 
-/// By name. Throws InputError that lists what there is.
+/// Finds a row by name. Throws InputError that lists the valid names.
 Pruning pruning_of(const std::string& name);
 Shape shape_of(const std::string& name);
 

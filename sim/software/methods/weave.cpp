@@ -7,7 +7,7 @@ namespace csgsim::software {
 
 extern const MethodRow weave_row{
     .name = "weave",
-    .help = "intervals are woven into partitions of the ray, which are evaluated from the front",
+    .help = "inserts intervals into partitions of the ray and evaluates these from the front",
     .source = "BRL-CAD, src/librt/bool.c",
     .takes = Takes::intervals,
     .make = whole<Weave>};

@@ -1,3 +1,5 @@
+// Classification by the boolean weave of BRL-CAD.
+// One of the rows of methods().
 #pragma once
 
 #include <algorithm>
@@ -15,10 +17,9 @@
 
 namespace csgsim::software {
 
-/// The boolean weave of BRL-CAD's ray tracer (src/librt/bool.c): the ray's intervals, in any order, are woven one by
-/// one into a list of partitions, each a stretch of the ray with the primitives that hold it; then the tree is
-/// evaluated for one partition after another from the front, with early outs, until one is in. No events have to be
-/// sorted.
+/// The boolean weave of BRL-CAD's ray tracer (src/librt/bool.c). The ray's unsorted intervals are inserted one by one
+/// into a list of partitions, each a section of the ray with the primitives that contain it. The tree is then evaluated
+/// with early outs for one partition after another from the front until one is inside. Events need not be sorted.
 template <class Count>
 class Weave : public Method {
  public:
@@ -32,19 +33,19 @@ class Weave : public Method {
 
   [[nodiscard]] Counts counts() const override {
     Counts counts = count_.counts_so_far();
-    counts.words = most_words_ + (traversal_ ? traversal_->words() : 0);
+    counts.words = max_words_ + (traversal_ ? traversal_->words() : 0);
     return counts;
   }
 
  private:
   static constexpr std::uint32_t none = 0xffffffffU;
 
-  /// A stretch of the ray, begin <= z < end.
+  /// A section of the ray, begin <= z < end.
   struct Partition {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
     std::uint32_t next = none;
-    std::vector<std::uint32_t> held_by;  ///< primitives
+    std::vector<std::uint32_t> held_by;  ///< primitives that contain the section
   };
 
   Seen seen_along(std::span<const Interval> intervals) {
@@ -53,7 +54,7 @@ class Weave : public Method {
     for (const Interval& interval : intervals) weave(interval);
     std::uint64_t words = 0;
     for (std::size_t i = 0; i < used_; ++i) words += 4 + pool_[i].held_by.size() / 2;
-    most_words_ = std::max(most_words_, words);
+    max_words_ = std::max(max_words_, words);
     for (std::uint32_t at = first_; at != none; at = pool_[at].next) {
       count_.point();
       count_(Operation::load_long);
@@ -85,7 +86,7 @@ class Weave : public Method {
     return static_cast<std::uint32_t>(used_++);
   }
 
-  /// `before` is the partition that points to it, if one does.
+  /// `before` is the partition that points to it, or none.
   void link(std::uint32_t before, std::uint32_t partition) {
     count_(Operation::store_long);
     (before == none ? first_ : pool_[before].next) = partition;
@@ -97,7 +98,7 @@ class Weave : public Method {
     pool_[partition].held_by.push_back(primitive);
   }
 
-  /// Splits a partition; what is behind that depth is the new one, with the same primitives.
+  /// Splits a partition at a depth; the new rear part has the same primitives.
   void split(std::uint32_t at, std::uint32_t depth) {
     const std::uint32_t behind = made(depth, pool_[at].end, pool_[at].next);
     pool_[behind].held_by = pool_[at].held_by;
@@ -123,12 +124,12 @@ class Weave : public Method {
     std::uint32_t at = first_;
     while (begin < interval.back) {
       count_step();
-      if (at != none && pool_[at].end <= begin) {  // it ends before
+      if (at != none && pool_[at].end <= begin) {  // the partition ends before the interval
         before = at;
         at = pool_[at].next;
         continue;
       }
-      if (at == none || pool_[at].begin > begin) {  // nothing holds the ray here yet
+      if (at == none || pool_[at].begin > begin) {  // no primitive contains the ray here yet
         const std::uint32_t end = at == none ? interval.back : std::min(interval.back, pool_[at].begin);
         const std::uint32_t fresh = made(begin, end, at);
         link(before, fresh);
@@ -156,7 +157,7 @@ class Weave : public Method {
   std::vector<Partition> pool_;
   std::size_t used_ = 0;
   std::uint32_t first_ = none;
-  std::uint64_t most_words_ = 0;
+  std::uint64_t max_words_ = 0;
 };
 
 }  // namespace csgsim::software

@@ -1,3 +1,5 @@
+// Creation of methods without coherence.
+// Used by the rows of weave, interval-lists and interval-arithmetic.
 #pragma once
 
 #include <memory>
@@ -7,10 +9,10 @@
 
 namespace csgsim::software {
 
-/// A method that takes no coherence, and goes down the tree by calls.
+/// Creates a method that takes no coherence and descends the tree recursively.
 template <template <class> class Whole>
 std::unique_ptr<Method> whole(Coherent /*coherence*/, const Subject& subject, bool counts) {
-  refuse_deep(subject.tree, most_calls);
+  refuse_deep(subject.tree, max_calls);
   if (counts) return std::make_unique<Whole<CountingMethod>>(subject);
   return std::make_unique<Whole<UncountedMethod>>(subject);
 }

@@ -29,7 +29,7 @@ Region Sheet::begin(std::uint32_t plane) {
     if (std::abs(normal[static_cast<std::size_t>(other)]) > std::abs(normal[static_cast<std::size_t>(axis)]))
       axis = other;
   }
-  // Seen along the axis, counter-clockwise where the normal points the same way.
+  // Counter-clockwise as seen along the axis, if the normal has the same direction.
   int across = (axis + 1) % 3;
   int up = (axis + 2) % 3;
   if (normal[static_cast<std::size_t>(axis)] < 0) std::swap(across, up);
@@ -99,7 +99,7 @@ std::optional<Chord> Sheet::chord(const Region& region, std::uint32_t plane) con
     const int here = side(region.corners[i], plane);
     const int next = side(region.corners[(i + 1) % count], plane);
     if (here != 0 && here * next >= 0) continue;
-    // The side after a corner on the plane leaves the plane, since corners are on both sides of it.
+    // The next side leaves the plane, because corners lie on both sides of it.
     chord.ends[ends] = here == 0 ? corner : planes_.meet(plane_, plane, region.planes[i]);
     chord.sides[ends] = region.planes[i];
     ++ends;
@@ -124,7 +124,7 @@ void Sheet::find_sides(const Region& region, facet::Halfspace halfspace) {
   }
 }
 
-/// Goes around the region, whose corners' sides are known, and hands on corners and the planes of the sides after them.
+/// Walks around a region whose corners are classified, and passes on corners with the planes of the following sides.
 template <class In, class Out>
 void Sheet::trace(const Region& region, std::uint32_t plane, const In& to_in, const Out& to_out) {
   const std::size_t count = region.corners.size();

@@ -1,3 +1,5 @@
+// Exact convex polygons in planes.
+// Used by mesh conversion and by list priority.
 #pragma once
 
 #include <array>
@@ -14,78 +16,78 @@
 
 namespace csgsim::software {
 
-/// Few numbers, in place: regions are made by the thousand.
+/// Small inline vector: regions are created by the thousand.
 using Numbers = boost::container::small_vector<std::uint32_t, 8>;
 
-/// A convex polygon of a sheet, counter-clockwise as seen from where the plane's normal points to. None if it has no
+/// A convex polygon of a sheet, counter-clockwise as seen from the tip of the plane's normal. Empty if it has no
 /// corners.
 struct Region {
-  Numbers corners;  ///< points of the sheet
-  Numbers planes;   ///< along the side from each corner to the next
+  Numbers corners;  ///< indices of points of the sheet
+  Numbers planes;   ///< plane along the side from each corner to the next
 
   [[nodiscard]] bool empty() const { return corners.empty(); }
 };
 
-/// What a cut leaves; one of them is empty where the plane does not pass through the region.
+/// Result of a cut; one part is empty if the plane does not intersect the region.
 struct Parts {
   Region in;
   Region out;
 };
 
-/// Where a plane passes through a region: a part of the line that it has in common with the region's sheet.
+/// Intersection of a plane and a region: a section of the line common to the plane and the region's sheet.
 struct Chord {
   std::array<Meeting, 2> ends{};
-  std::array<std::uint32_t, 2> sides{};  ///< planes along the region's sides that end it
+  std::array<std::uint32_t, 2> sides{};  ///< planes along the region's sides that end the chord
 };
 
 /// Whether two chords of one line have more than a point in common; exact.
 bool overlap(const WholePlanes& planes, const Chord& one, const Chord& other);
 
-/// A ball and a box that hold a region, in units.
+/// A bounding ball and a bounding box of a region, in units.
 struct Bounds {
   glm::dvec3 middle{0};
   double radius = 0;
   UnitBox box;
 };
 
-/// A plane of the model, in which regions are cut by others, exactly.
+/// A plane of the model, in which regions are cut exactly by other planes.
 class Sheet {
  public:
   /// Keeps a reference to the planes.
   explicit Sheet(const WholePlanes& planes) : planes_(planes) {}
 
-  /// Forgets all points. Returns all of the plane that is within the outermost walls.
+  /// Discards all points. Returns the part of the plane within the outermost walls.
   Region begin(std::uint32_t plane);
 
-  /// Forgets all points. Returns the polygon of the plane that has a side along each of these others, in order, as
-  /// Region::planes of a region of the plane were.
+  /// Discards all points. Returns the polygon of the plane with a side along each of these planes, in order, as in
+  /// Region::planes of a region of this plane.
   Region begin(std::uint32_t plane, std::span<const std::uint32_t> sides);
 
   [[nodiscard]] std::uint32_t plane() const { return plane_; }
   [[nodiscard]] const Meeting& point(std::uint32_t corner) const { return points_[corner]; }
   [[nodiscard]] const glm::dvec3& place(std::uint32_t corner) const { return places_[corner]; }
-  /// The same, off by at most `most_deviation` units, besides rounding.
-  [[nodiscard]] glm::dvec3 place(std::uint32_t corner, double most_deviation) const {
-    return deviation(corner) <= most_deviation ? places_[corner] : planes_.exact_place(points_[corner].planes);
+  /// Position of a corner with an error of at most `max_deviation` units, apart from rounding.
+  [[nodiscard]] glm::dvec3 place(std::uint32_t corner, double max_deviation) const {
+    return deviation(corner) <= max_deviation ? places_[corner] : planes_.exact_place(points_[corner].planes);
   }
-  /// How far the place may be from the point, in units.
+  /// Maximum distance of place() from the point, in units.
   [[nodiscard]] double deviation(std::uint32_t corner) const { return deviation_of(points_[corner]) + place_error; }
   [[nodiscard]] Bounds bounds(const Region& region) const;
 
-  /// Where the region's corners are to a half-space.
+  /// Sides of a half-space on which the region has corners.
   struct Sides {
     bool any_in = false;
     bool any_out = false;
   };
   [[nodiscard]] Sides sides(const Region& region, facet::Halfspace halfspace) const;
 
-  /// Nothing where no corners are on both sides of the plane.
+  /// Empty unless corners lie on both sides of the plane.
   [[nodiscard]] std::optional<Chord> chord(const Region& region, std::uint32_t plane) const;
 
-  /// Both sides of the half-space's plane.
+  /// Cuts the region into the parts on both sides of the half-space's plane.
   Parts cut(const Region& region, facet::Halfspace halfspace);
 
-  /// What is in the half-space alone.
+  /// The part of the region in the half-space.
   Region clip(const Region& region, facet::Halfspace halfspace);
 
  private:
@@ -101,9 +103,9 @@ class Sheet {
   const WholePlanes& planes_;
   std::uint32_t plane_ = 0;
   std::vector<Meeting> points_;
-  std::vector<glm::dvec3> places_;                                  ///< of the points, in units
-  mutable std::vector<std::optional<WholePlanes::Point>> exactly_;  ///< the exact points that were needed
-  std::vector<int> sides_;  ///< of a region's corners: -1 in the half-space, 0 on its plane, 1 out
+  std::vector<glm::dvec3> places_;                                  ///< positions of the points, in units
+  mutable std::vector<std::optional<WholePlanes::Point>> exactly_;  ///< exact points, computed on demand
+  std::vector<int> sides_;  ///< side of each corner of a region: -1 in the half-space, 0 on its plane, 1 outside
 };
 
 }  // namespace csgsim::software

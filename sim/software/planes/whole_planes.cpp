@@ -8,32 +8,32 @@ namespace csgsim::software {
 
 namespace {
 
-/// Steps of a normal's component to one, and of an offset to a unit, as powers of two.
+/// Numbers of fraction bits of a normal's component and of an offset in units.
 constexpr int normal_bits = 96;
 constexpr int offset_bits = 110;
 
-/// Greatest offset that is kept, in units. Planes farther away meet nothing of the model.
+/// Maximum stored offset, in units. Planes farther away do not intersect the model.
 constexpr double farthest_plane = 512;
 
-/// How far the outermost walls are from a model, as a part of its size.
+/// Distance of the outermost walls from the model, relative to its size.
 constexpr double wall_margin = 0.25;
 
-/// Bounds of rounding errors, relative to the sum of the absolute values of all products: of a determinant of three
+/// Bounds of rounding errors relative to the sum of the absolute values of all products: of a determinant of three
 /// rows, and of a sum of four products.
 constexpr double error_of_determinant = 0x1p-49;
 constexpr double error_of_sum = 0x1p-49;
 
-/// Points whose coordinates may be off by more, in units, are rounded from exact ones.
-constexpr double most_error = 0x1p-34;
+/// Points with a larger coordinate error, in units, are rounded from exact ones.
+constexpr double max_error = 0x1p-34;
 
-/// The least power of two that is no less.
+/// The smallest power of two that is at least `length`.
 double power_above(double length) {
   int exponent = 0;
   const double part = std::frexp(length, &exponent);
   return std::ldexp(1.0, part == 0.5 ? exponent - 1 : exponent);
 }
 
-/// The nearest multiple of 2^-bits, in these.
+/// The nearest multiple of 2^-bits, as an integer multiple.
 Long row_of(double number, int bits) {
   constexpr int mantissa_bits = 53;
   int exponent = 0;
@@ -50,7 +50,7 @@ double offset_of(Long row) { return std::ldexp(static_cast<double>(row), -offset
 
 facet::Box cube_of(double side) { return {glm::dvec3(-side / 2), glm::dvec3(side / 2)}; }
 
-/// The box with room for the outermost walls.
+/// The box with a margin for the outermost walls.
 facet::Box widened(const facet::Box& box) {
   const glm::dvec3 size = box.high - box.low;
   const double widest = std::max({size.x, size.y, size.z});
@@ -122,7 +122,7 @@ std::uint32_t WholePlanes::wall_near(int axis, double place) const {
 
 namespace {
 
-/// The determinant of three columns of three rows, and the sum of the sizes of its products.
+/// The determinant of three columns of three rows, and the sum of the absolute values of its products.
 struct Determinant {
   double value = 0;
   double size = 0;
@@ -145,7 +145,7 @@ Determinant determinant(const NearRow& p, const NearRow& q, const NearRow& r,
   return sum;
 }
 
-/// x, y, z and w are the determinants of these columns.
+/// Columns of the determinants that give x, y, z and w.
 constexpr std::array<std::array<std::size_t, 3>, 4> columns_of{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 }  // namespace
@@ -179,7 +179,7 @@ WholePlanes::Point WholePlanes::exact(const Triple& planes) const {
 }
 
 int WholePlanes::side(const Point& point, std::uint32_t plane) const {
-  Wide<7> height;  // a determinant of four rows, which takes 413 bits
+  Wide<7> height;  // a determinant of four rows, which needs 413 bits
   for (std::size_t i = 0; i < point.size(); ++i)
     if (rows_[plane][i] != 0) height += product<7>(point[i], rows_[plane][i]);
   return height.sign();
@@ -217,7 +217,7 @@ Meeting WholePlanes::meet(std::uint32_t one, std::uint32_t other, std::uint32_t 
     (k < 3 ? point.place_error : point.weight_error) += error_of_determinant * found.size;
   }
   const double weight = std::abs(point.near[3]);
-  if (!(point.place_error <= most_error * weight && point.weight_error <= most_error * weight))
+  if (!(point.place_error <= max_error * weight && point.weight_error <= max_error * weight))
     return exactly_rounded(point.planes);
   if (point.near[3] < 0)
     for (double& near : point.near) near = -near;

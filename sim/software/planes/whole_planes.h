@@ -1,3 +1,5 @@
+// Planes with exact arithmetic.
+// Used by mesh conversion and by list priority.
 #pragma once
 
 #include <array>
@@ -14,83 +16,84 @@
 
 namespace csgsim::software {
 
-/// Numbers of three planes that meet in one point, ascending.
+/// Indices of three planes that intersect in one point, ascending.
 using Triple = std::array<std::uint32_t, 3>;
 
-/// The point of three planes in homogeneous coordinates, rounded: (x, y, z, w) with w > 0. Predicates that these leave
-/// undecided are evaluated exactly from the planes.
+/// The intersection point of three planes in homogeneous coordinates (x, y, z, w), w > 0, rounded. Predicates that are
+/// undecided by these are evaluated exactly from the planes.
 struct Meeting {
   Triple planes{};
   std::array<double, 4> near{};
-  double place_error = 0;   ///< what x, y and z together are off by at most
-  double weight_error = 0;  ///< the same of w
+  double place_error = 0;   ///< maximum total error of x, y and z
+  double weight_error = 0;  ///< maximum error of w
 };
 
-/// The planes of a model as whole numbers, so that what is worked out of them is exact. Components of normals are
-/// multiples of 2^-96, offsets of 2^-110 units; a unit is a power of two that is no less than twice the farthest
-/// coordinate of the model, from the place that offsets are relative to. Doubles of a usual size are kept exactly, so
-/// that small parts near that place are as exact as if they were alone, however large others are.
+/// The planes of a model as integers, so that everything derived from them is exact. Components of normals are
+/// multiples of 2^-96, offsets of 2^-110 units. A unit is a power of two of at least twice the maximum coordinate of
+/// the model, relative to the origin of the offsets. Doubles of ordinary magnitude are represented exactly, so that
+/// small parts near that origin are as exact as if they were alone, regardless of the size of others.
 ///
-/// After the model's planes come walls, which are across the axes and divide the model where nothing else does.
+/// The model's planes are followed by walls, which are perpendicular to the axes and divide the model where nothing
+/// else does.
 class WholePlanes {
  public:
-  /// Walls across an axis, evenly from one side of the model to the other; the first and last are outside of it.
+  /// Number of walls per axis, evenly spaced across the model; the first and last are outside of it.
   static constexpr std::uint32_t walls = 1025;
 
-  /// Everything is no farther than half the table's diagonal from its centre.
+  /// All points must be within half the table's diagonal of its centre.
   explicit WholePlanes(const facet::PlaneTable& planes) : WholePlanes(planes, planes.diagonal()) {}
-  /// The same with another length than the diagonal.
+  /// The same with another length in place of the diagonal.
   WholePlanes(const facet::PlaneTable& planes, double diameter);
-  /// The box holds everything; it is relative to what the planes' offsets are relative to. Model units.
+  /// The box must contain everything; it has the same origin as the planes' offsets. In model units.
   WholePlanes(std::span<const facet::Plane> planes, const facet::Box& box);
 
   /// The unit of a box, in model units.
   static double unit_of(const facet::Box& box);
-  /// A plane as it is held with such a unit: what is finer is rounded.
+  /// A plane as represented with that unit: smaller differences are rounded.
   static facet::Plane held(const facet::Plane& plane, double unit);
 
-  /// How far apart units are, in model units.
+  /// Length of a unit in model units.
   [[nodiscard]] double unit() const { return unit_; }
   [[nodiscard]] std::uint32_t wall(int axis, std::uint32_t number) const {
     return first_wall_ + static_cast<std::uint32_t>(axis) * walls + number;
   }
-  /// The wall nearest to a place, but for the outermost ones.
+  /// The wall nearest to a position, excluding the outermost ones.
   [[nodiscard]] std::uint32_t wall_near(int axis, double place) const;
-  /// Its place, in units.
+  /// Position of a wall, in units.
   [[nodiscard]] double place_of(std::uint32_t wall) const { return -near_[wall][3]; }
 
-  /// The coefficients, exactly: normal and offset, in units.
+  /// The exact coefficients: normal and offset, in units.
   [[nodiscard]] const std::array<double, 4>& near(std::uint32_t plane) const { return near_[plane]; }
   /// Whether two planes have the same coefficients.
   [[nodiscard]] bool are_equal(std::uint32_t one, std::uint32_t other) const { return near_[one] == near_[other]; }
   [[nodiscard]] bool is_wall(std::uint32_t plane) const { return plane >= first_wall_; }
 
-  /// How far a place, in units, is out of a half-space, as rounded numbers tell it.
+  /// Height of a position, in units, outside a half-space, in rounded arithmetic.
   [[nodiscard]] double height(facet::Halfspace halfspace, const glm::dvec3& place) const {
     const std::array<double, 4>& near = near_[halfspace.plane];
     const double height = near[0] * place.x + near[1] * place.y + near[2] * place.z + near[3];
     return halfspace.positive ? height : -height;
   }
 
-  /// The planes have to have one point in common.
+  /// The planes must intersect in one point.
   [[nodiscard]] Meeting meet(std::uint32_t one, std::uint32_t other, std::uint32_t third) const;
 
-  /// Whether the point of three planes is on all of these; exact.
+  /// Whether the point of three planes lies on all of these planes; exact.
   [[nodiscard]] bool are_on(const Triple& point, std::span<const std::uint32_t> planes) const;
 
-  /// The place of the point of three planes, in units; each coordinate is off by a few units of its last place.
+  /// Position of the point of three planes, in units; the error of each coordinate is a few units in the last place.
   [[nodiscard]] glm::dvec3 exact_place(const Triple& planes) const;
 
-  /// The same point as a Meeting, exactly: determinants of three rows, which take 315 bits.
+  /// The exact point of a Meeting: determinants of three rows, which need 315 bits.
   using Point = std::array<Wide<5>, 4>;
 
-  /// -1 behind the plane, 0 on it, 1 before it; exact.
+  /// -1 behind the plane, 0 on it, 1 in front of it; exact.
   [[nodiscard]] int side(const Meeting& point, std::uint32_t plane) const;
-  /// The same. Keeps what it has to work out of the point alone for the next time.
+  /// The same; stores the exact point, if needed, for later calls.
   [[nodiscard]] int side(const Meeting& point, std::uint32_t plane, std::optional<Point>& exactly) const;
 
  private:
-  using Row = std::array<Long, 4>;  ///< a normal's components and an offset
+  using Row = std::array<Long, 4>;  ///< components of a normal, and an offset
 
   void add_all(std::span<const facet::Plane> planes, const facet::Box& walled);
   void add(const std::array<double, 4>& coefficients);
@@ -105,12 +108,12 @@ class WholePlanes {
   std::vector<std::array<double, 4>> near_;
 };
 
-/// Its place in units, rounded.
+/// Position in units, rounded.
 inline glm::dvec3 place_of(const Meeting& point) {
   return glm::dvec3(point.near[0], point.near[1], point.near[2]) / point.near[3];
 }
 
-/// How far that is off along the axes together, at most, but for the rounding of the division.
+/// Maximum total error of the position along the axes, apart from the rounding of the division.
 inline double deviation_of(const Meeting& point) {
   const double coordinates = std::abs(point.near[0]) + std::abs(point.near[1]) + std::abs(point.near[2]);
   return (point.place_error + coordinates / point.near[3] * point.weight_error) / (point.near[3] - point.weight_error);

@@ -1,3 +1,5 @@
+// Integers of several limbs.
+// Used by whole_planes.h.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +12,7 @@ namespace csgsim::software {
 __extension__ using Long = __int128;
 __extension__ using UnsignedLong = unsigned __int128;
 
-/// A whole number of `limb_count` limbs of 64 bits, two's complement. What is past the last limb is lost.
+/// An integer of `limb_count` 64-bit limbs in two's complement. Overflow beyond the last limb is discarded.
 template <std::size_t limb_count>
 class Wide {
  public:
@@ -49,7 +51,7 @@ class Wide {
     return std::ranges::any_of(limbs_, [](std::uint64_t limb) { return limb != 0; }) ? 1 : 0;
   }
 
-  /// Off by less than two units of the last place.
+  /// Rounded to double, with an error below two units in the last place.
   [[nodiscard]] double rounded() const {
     if (negative()) return -(-*this).rounded();
     double sum = 0;
@@ -66,7 +68,7 @@ class Wide {
 
   static constexpr unsigned limb_bits = 64;
 
-  /// Adds a limb times others, moved up by `up` limbs.
+  /// Adds limb * by, shifted left by `up` limbs.
   template <std::size_t others>
   void add_product(std::uint64_t limb, const std::array<std::uint64_t, others>& by, std::size_t up) {
     UnsignedLong carry = 0;
@@ -78,10 +80,10 @@ class Wide {
     if (others + up < limb_count) limbs_[others + up] = static_cast<std::uint64_t>(carry);
   }
 
-  /// Takes away the limbs, moved up, where `is_so`.
+  /// Subtracts the limbs, shifted left by `up` limbs, if `condition`.
   template <std::size_t others>
-  void subtract_if(bool is_so, const std::array<std::uint64_t, others>& by, std::size_t up) {
-    const std::uint64_t mask = is_so ? ~std::uint64_t{0} : 0;
+  void subtract_if(bool condition, const std::array<std::uint64_t, others>& by, std::size_t up) {
+    const std::uint64_t mask = condition ? ~std::uint64_t{0} : 0;
     UnsignedLong carry = 1;
     for (std::size_t i = up; i < limb_count; ++i) {
       carry += static_cast<UnsignedLong>(limbs_[i]) + ~(i - up < others ? by[i - up] & mask : 0);
@@ -90,7 +92,7 @@ class Wide {
     }
   }
 
-  std::array<std::uint64_t, limb_count> limbs_{};  ///< the lowest first
+  std::array<std::uint64_t, limb_count> limbs_{};  ///< least significant first
 };
 
 inline std::array<std::uint64_t, 2> limbs_of(Long number) {
@@ -98,7 +100,7 @@ inline std::array<std::uint64_t, 2> limbs_of(Long number) {
   return {static_cast<std::uint64_t>(bits), static_cast<std::uint64_t>(bits >> 64U)};
 }
 
-/// Limbs without a sign are multiplied; a sign bit counts as much less as twice its worth, which is taken away after.
+/// Multiplies limbs as unsigned numbers; a sign bit then counts too much by twice its weight, which is subtracted.
 template <std::size_t result, std::size_t one>
 Wide<result> product(const Wide<one>& a, Long b) {
   const std::array<std::uint64_t, 2> limbs = limbs_of(b);

@@ -19,9 +19,10 @@ namespace {
 using view::FixedLinear;
 using view::PixelRect;
 
+/// Width of a tile in pixels. A tile omits the half-spaces that bound no primitive in it.
 constexpr std::int32_t tile_columns = 64;
 
-/// The depths of a row of a tile before they are shifted: the greatest of the fronts, the least of the backs.
+/// Unshifted depths of a row of a tile: the maximum of the front planes and the minimum of the back planes.
 struct RowDepths {
   std::array<std::int64_t, tile_columns> fronts;
   std::array<std::int64_t, tile_columns> backs;
@@ -44,12 +45,13 @@ void sweep(std::span<const FixedLinear> planes, const Span& span, std::int64_t y
   }
 }
 
-/// What the planes of a primitive take of a row, as a processor does it. A plane's value has so many longs.
+/// Counts the operations that a processor needs for the planes of a primitive in a row. A plane's value occupies
+/// `longs` longs.
 template <class Count>
 void count_row(Count& count, std::size_t planes, std::size_t edges, const Span& span, std::uint64_t longs) {
   if constexpr (!Count::counts) return;
   const auto columns = static_cast<std::uint64_t>(std::max(0, span.columns()));
-  // An edge test: its row's value a row further, the quotient, digit by digit of a word, a limit that moves or stays.
+  // An edge test: step to the next row, divide digit by digit (in words), and update the limit if necessary.
   constexpr std::uint64_t digits = 2;
   count(Operation::load_long, 3 * longs * edges);
   count(Operation::add_long, longs * edges);
@@ -58,8 +60,8 @@ void count_row(Count& count, std::size_t planes, std::size_t edges, const Span& 
   count(Operation::add_long, digits * edges);
   count(Operation::compare, edges);
   count(Operation::branch, edges);
-  // A plane: its row's value a row further, then at each pixel the next value, held against the extreme in memory,
-  // which it may replace.
+  // A plane: step to the next row, then at each pixel compute the next value and compare it with the extreme in memory,
+  // replacing it if necessary.
   count(Operation::load_long, 2 * longs * planes);
   count(Operation::add_long, longs * planes);
   count(Operation::store_long, longs * planes);
@@ -71,13 +73,13 @@ void count_row(Count& count, std::size_t planes, std::size_t edges, const Span& 
   count(Operation::branch_taken, tests);
 }
 
-/// What is found along a row, in the order of primitives.
+/// An intersection in a row, in the order of primitives.
 struct Found {
   std::uint32_t column = 0;
   Interval interval;
 };
 
-/// Finds what one band's rays meet, primitive after primitive.
+/// Intersects the rays of one band with one primitive after another.
 template <class Count>
 class BandCaster {
  public:
@@ -97,7 +99,7 @@ class BandCaster {
     }
   }
 
-  /// The intervals of the band, ray by ray.
+  /// Collects the intervals of the band ray by ray.
   void gather(RayBand& band) const {
     const std::size_t rays = band.rays();
     band.interval_begins.assign(rays + 1, 0);
@@ -112,13 +114,13 @@ class BandCaster {
     }
   }
 
-  void tell(RayCounts& counts) const {
+  void add_counts(RayCounts& counts) const {
     counts.halfspace_tests += halfspace_tests_;
     counts.intersecting += count_.done();
   }
 
  private:
-  /// An interval is put where its ray has its own: counted, then copied to a place that was found by adding up.
+  /// Counts moving an interval to its ray's range: counting per ray, prefix sums, and a copy.
   void count_gathered() {
     count_(Operation::load, 3);
     count_(Operation::load_long, 4);
@@ -128,7 +130,8 @@ class BandCaster {
     count_(Operation::branch_taken, 2);
   }
 
-  /// Four values of a plane, three by additions, and each held against the greatest so far and the leaders.
+  /// Counts evaluating a plane at four corners (three by additions) and comparing each value with the current maximum
+  /// and the leaders.
   void count_tile(std::uint64_t tested) {
     constexpr std::uint64_t corners = 4;
     const std::uint64_t values = longs_ * tested;
@@ -185,7 +188,7 @@ class BandCaster {
   const view::View& view_;
   const RayBand& band_;
   std::vector<std::vector<Found>> rows_;
-  std::uint64_t longs_;  ///< of a plane's value
+  std::uint64_t longs_;  ///< longs per plane value
   TilePlanes left_;
   RowDepths depths_{};
   Count count_;
@@ -201,7 +204,7 @@ void cast_with(const facet::Geometry& geometry, const view::View& view, std::spa
   Count sorting;
   sort_events(band, (std::uint32_t{1} << view.sampling.z_bits) - 1, sorting);
   if (counts == nullptr) return;
-  caster.tell(*counts);
+  caster.add_counts(*counts);
   counts->intervals += band.intervals.size();
   counts->events += band.events.size();
   counts->sorting += sorting.done();

@@ -1,3 +1,5 @@
+// Intersection of the rays of a picture with primitives.
+// Used by the classification methods and by the studies of software.
 #pragma once
 
 #include <cstdint>
@@ -12,38 +14,39 @@
 
 namespace csgsim::software {
 
-/// Rows of a band; a tile, over which half-spaces that never bound a primitive are left out, has as many columns.
+/// Number of rows in a band.
 inline constexpr std::uint32_t band_rows = 16;
 
-/// What is counted of rays as such.
+/// Counts of ray casting.
 struct RayCounts {
-  std::uint64_t halfspace_tests = 0;  ///< of a half-space at a pixel
+  std::uint64_t halfspace_tests = 0;  ///< evaluations of a half-space at a pixel
   std::uint64_t intervals = 0;
   std::uint64_t events = 0;
-  Operations intersecting;  ///< of intervals
-  Operations sorting;       ///< of events
+  Operations intersecting;  ///< to compute intervals
+  Operations sorting;       ///< to sort events
 };
 
-/// Rays through the pixels of a view, from the integers that machines draw by (docs/numbers.md).
+/// Casts rays through the pixels of a view, using the integers of the machines (docs/numbers.md).
 class RayCaster {
  public:
-  /// Keeps references to the geometry and the view. Throws InputError for a face that does not fit the numbers of
+  /// Keeps references to the geometry and the view. Throws InputError if a face exceeds the number range of the
   /// machines.
   RayCaster(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view);
 
   [[nodiscard]] std::uint32_t width() const { return view_.sampling.width; }
   [[nodiscard]] std::uint32_t height() const { return view_.sampling.height; }
-  /// 2^n - 1, where nothing is seen.
+  /// 2^n - 1, the depth where nothing is visible.
   [[nodiscard]] std::uint32_t farthest() const { return (std::uint32_t{1} << view_.sampling.z_bits) - 1; }
 
-  /// Up to band_rows rows from that one, which is a multiple of it. With `counts`, what is done is added to them.
+  /// Casts up to band_rows rows starting at `first_row`, a multiple of band_rows. If `counts` is given, the work is
+  /// added to it.
   void cast(std::uint32_t first_row, RayBand& band, RayCounts* counts = nullptr) const;
 
  private:
   const facet::Geometry& geometry_;
   const view::View& view_;
-  std::vector<TilePlanes> planes_;                    ///< one a primitive
-  std::vector<std::vector<std::uint32_t>> touching_;  ///< for each band of rows the primitives with pixels there
+  std::vector<TilePlanes> planes_;                    ///< one per primitive
+  std::vector<std::vector<std::uint32_t>> touching_;  ///< per band of rows, the primitives with pixels in it
 };
 
 }  // namespace csgsim::software

@@ -1,3 +1,5 @@
+// Width of plane values in longs.
+// Used to count operations of software.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +8,7 @@
 
 namespace csgsim::software {
 
-/// Longs that a plane's value needs: depth and fraction, a sign, and a bit for sums.
+/// Number of 32-bit longs of a plane's value: depth, fraction, a sign, and a bit for sums.
 constexpr std::uint64_t longs_of(const view::Sampling& sampling) {
   constexpr unsigned long_bits = 32;
   return (sampling.z_bits + sampling.fraction_bits + 2 + long_bits - 1) / long_bits;

@@ -6,7 +6,7 @@ namespace csgsim::software {
 
 namespace {
 
-/// The depths that a ray is in the quadric itself, whose discriminant there has that value, not negative.
+/// The interval of depths inside the quadric itself, given the non-negative value of its discriminant at the pixel.
 Depths roots_of(const view::ScreenQuadric& quadric, unsigned fraction_bits, std::int64_t value, std::int32_t x,
                 std::int32_t y) {
   const view::FixedLinear& m = quadric.middle;

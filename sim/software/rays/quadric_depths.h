@@ -1,3 +1,5 @@
+// Depths of quadrics along rays.
+// Used by the ray caster and by interval arithmetic.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +10,17 @@
 
 namespace csgsim::software {
 
-/// Depths along a ray, front <= z < back; none unless front < back.
+/// Depth interval front <= z < back; empty unless front < back.
 struct Depths {
   std::int64_t front = 0;
   std::int64_t back = 0;
 };
 
-/// What is left of them within a quadric, at a pixel.
+/// Intersects a depth interval with a quadric at a pixel.
 Depths within(Depths depths, const view::View& view, facet::QuadricSide side, std::int32_t x, std::int32_t y);
 
-/// What a quadric takes at a pixel, whose values are of two longs: the discriminant and the middle by differences;
-/// where there is one, a root of 31 bits, each of which is tried.
+/// Counts the operations of a quadric at a pixel, with values of two longs: discriminant and middle by forward
+/// differences, then a 31-bit root, bit by bit, if it exists.
 template <class Count>
 void count_quadric(const view::ScreenQuadric& quadric, Count& count) {
   count(Operation::load_long, 8);

@@ -1,3 +1,5 @@
+// Intersections of the rays of a band.
+// Used by the ray caster and by all classification methods.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +9,7 @@
 
 namespace csgsim::software {
 
-/// A primitive along a ray: it holds the depths front <= z < back, in depth steps.
+/// The interval front <= z < back, in depth steps, in which a ray is inside a primitive.
 struct Interval {
   std::uint32_t primitive = 0;
   std::uint32_t front = 0;
@@ -16,10 +18,10 @@ struct Interval {
   bool operator==(const Interval&) const = default;
 };
 
-/// A ray enters a primitive or leaves it. Events are ordered by depth, at one depth by primitive.
+/// A ray enters or leaves a primitive. Events are ordered by depth, then by primitive.
 struct Event {
-  std::uint32_t depth = 0;     ///< depth steps, the first behind the surface
-  std::uint32_t crossing = 0;  ///< twice the primitive; 1 more where it is left
+  std::uint32_t depth = 0;     ///< in depth steps; the first depth behind the surface
+  std::uint32_t crossing = 0;  ///< twice the primitive, plus 1 if the ray leaves it
 
   [[nodiscard]] std::uint32_t primitive() const { return crossing / 2; }
   [[nodiscard]] bool leaves() const { return crossing % 2 != 0; }
@@ -29,16 +31,16 @@ struct Event {
   }
 };
 
-/// The rays of some rows of a picture, row by row from the top: what each meets between the near plane and depth
-/// 2^n - 1, which is nothing.
+/// The rays of some rows of a picture, row by row from the top, with their intersections between the near plane and
+/// depth 2^n - 1, which means nothing.
 struct RayBand {
   std::uint32_t width = 0;
   std::uint32_t first_row = 0;
   std::uint32_t rows = 0;
-  std::vector<std::size_t> interval_begins;  ///< of each ray, and of the one after the last
-  std::vector<Interval> intervals;           ///< of a ray in the order of primitives, none empty
-  std::vector<std::size_t> event_begins;     ///< as of intervals
-  std::vector<Event> events;                 ///< of a ray in order
+  std::vector<std::size_t> interval_begins;  ///< start index of each ray, and the end of the last ray
+  std::vector<Interval> intervals;           ///< per ray in the order of primitives, none empty
+  std::vector<std::size_t> event_begins;     ///< indexed like interval_begins
+  std::vector<Event> events;                 ///< sorted per ray
 
   [[nodiscard]] std::size_t rays() const { return std::size_t{width} * rows; }
   [[nodiscard]] std::span<const Interval> intervals_of(std::size_t ray) const {
@@ -49,9 +51,9 @@ struct RayBand {
   }
 };
 
-/// What is seen at a pixel.
+/// The visible surface at a pixel.
 struct Seen {
-  std::uint32_t depth = 0;  ///< depth steps; 2^n - 1 where nothing is seen
+  std::uint32_t depth = 0;  ///< in depth steps; 2^n - 1 if nothing is visible
   std::uint32_t owner = nothing_seen;
 
   static constexpr std::uint32_t nothing_seen = 0xffffffffU;

@@ -1,3 +1,5 @@
+// Sorting of events along rays.
+// Used by the ray caster.
 #pragma once
 
 #include <algorithm>
@@ -10,10 +12,10 @@
 
 namespace csgsim::software {
 
-/// Rays with more events are sorted by halving.
-inline constexpr std::size_t most_inserted = 32;
+/// Rays with more events are sorted with std::sort.
+inline constexpr std::size_t max_inserted = 32;
 
-/// Sorts by insertion: along a ray there are few events, and primitives that are near in the tree are near in depth.
+/// Insertion sort: rays have few events, and primitives that are close in the tree are close in depth.
 template <class Count>
 void insert_in_order(std::span<Event> events, Count& count) {
   for (std::size_t i = 1; i < events.size(); ++i) {
@@ -47,7 +49,7 @@ void sort_by_halves(std::span<Event> events, Count& count) {
   });
 }
 
-/// The events of a band's intervals, in order. What is left at `farthest` is left where nothing is, and is no event.
+/// Computes the sorted events of a band's intervals. Leaving a primitive at `farthest` is not an event.
 template <class Count>
 void sort_events(RayBand& band, std::uint32_t farthest, Count& count) {
   band.events.clear();
@@ -63,7 +65,7 @@ void sort_events(RayBand& band, std::uint32_t farthest, Count& count) {
       count(Operation::store, 2);
     }
     const std::span<Event> events = std::span(band.events).subspan(begin);
-    if (events.size() <= most_inserted) {
+    if (events.size() <= max_inserted) {
       insert_in_order(events, count);
     } else {
       sort_by_halves(events, count);

@@ -12,7 +12,7 @@ namespace {
 
 using Linear = view::FixedLinear;
 
-/// The planes of which `ranks`, greater where they are nearer to bounding, lead somewhere in the tile.
+/// The planes whose `ranks` (greater means more binding) are maximal somewhere in the tile.
 std::vector<Linear> bounding(std::span<const Linear> planes, std::span<const Linear> ranks,
                              const view::PixelRect& tile) {
   const std::vector<bool> leads = view::leading(ranks, tile, 0);
@@ -26,8 +26,8 @@ std::vector<Linear> bounding(std::span<const Linear> planes, std::span<const Lin
 [[noreturn]] void refuse(const model::Tree& tree, std::uint32_t primitive) {
   throw InputError(
       model::place_of(tree, primitive) +
-      ": a face of this primitive is too large for the picture: its coefficients do not fit the numbers of "
-      "machines; move the camera back or the picture's centre onto it, give up --z-bits or "
+      ": a face of this primitive is too large for the picture: its coefficients exceed the number range of the "
+      "machines; move the camera back, centre the picture on the face, reduce --z-bits or "
       "--fraction-bits, or split the primitive");
 }
 
@@ -57,7 +57,7 @@ TilePlanes planes_of(const model::Tree& tree, const facet::Geometry& geometry, c
 }
 
 std::uint64_t leave_out_hidden(const TilePlanes& all, const view::PixelRect& tile, TilePlanes& left) {
-  std::vector<Linear> nearness;  // of backs
+  std::vector<Linear> nearness;  // negated back planes
   nearness.reserve(all.backs.size());
   for (const Linear& back : all.backs) nearness.push_back({-back.a, -back.b, -back.c});
   left.fronts = bounding(all.fronts, all.fronts, tile);

@@ -1,3 +1,5 @@
+// Planes of a primitive over a tile of pixels.
+// Used by the ray caster and by interval arithmetic.
 #pragma once
 
 #include <cstdint>
@@ -10,28 +12,28 @@
 
 namespace csgsim::software {
 
-/// The planes that bound a primitive over a tile of pixels: of those at the front the greatest depth is the front, of
-/// those at the back the least is the back.
+/// The planes that bound a primitive over a tile. The front is the maximum depth of the front planes, the back the
+/// minimum depth of the back planes.
 struct TilePlanes {
   std::vector<view::FixedLinear> fronts;
   std::vector<view::FixedLinear> backs;
-  /// Edge tests: in is where the value is at least 0, or below it.
+  /// An edge test: a pixel is inside where the value is >= 0 if `positive`, or < 0 otherwise.
   struct Edge {
     view::FixedLinear linear;
     bool positive = true;
   };
   std::vector<Edge> edges;
-  bool nowhere = false;  ///< a plane leaves nothing
+  bool nowhere = false;  ///< a plane excludes the whole primitive
 };
 
-/// The half-spaces of a primitive by what they are in the picture. Throws InputError, naming its place in the file,
-/// where one that decides something does not fit the numbers of machines.
+/// Classifies the half-spaces of a primitive by their role in the picture. Throws InputError with the primitive's place
+/// in the file if a relevant half-space exceeds the number range of the machines.
 TilePlanes planes_of(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                      std::uint32_t primitive);
 
-/// Leaves out of `all` fronts that are nowhere in the tile farther than another front, and backs that are nowhere
-/// nearer than another back: a linear function that is nowhere greater at four corners is nowhere greater between them.
-/// `left` has no edge tests. Returns how many planes were looked at.
+/// Copies into `left` the front planes that are farther than every other front plane somewhere in the tile, and
+/// correspondingly the back planes that are nearest: a linear function that is nowhere greater at the four corners is
+/// nowhere greater between them. `left` has no edge tests. Returns the number of tested planes.
 std::uint64_t leave_out_hidden(const TilePlanes& all, const view::PixelRect& tile, TilePlanes& left);
 
 }  // namespace csgsim::software

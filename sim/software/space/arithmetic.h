@@ -1,3 +1,5 @@
+// Operation counts of fixed-point arithmetic.
+// Used by directories, ray tracing and the counts of meshes.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +8,9 @@
 
 namespace csgsim::software {
 
-/// What real arithmetic takes of a processor without floating point: coordinates are longs in fixed point (assumed; the
-/// thesis does not tell its numbers). Of a product of two longs the middle is kept: four products of words, added up.
+/// Counts of real arithmetic on a processor without floating point. Coordinates are fixed-point longs (an assumption;
+/// the thesis does not specify its numbers). A product keeps the middle of two longs' product: four word products,
+/// added up.
 template <class Count>
 void count_products(Count& count, std::uint64_t times) {
   count(Operation::multiply, 4 * times);
@@ -15,7 +18,7 @@ void count_products(Count& count, std::uint64_t times) {
   count(Operation::move, 2 * times);
 }
 
-/// A quotient of longs, two digits of a word each.
+/// Counts quotients of longs with two word digits each.
 template <class Count>
 void count_quotients(Count& count, std::uint64_t times) {
   count(Operation::divide, 2 * times);
@@ -23,7 +26,7 @@ void count_quotients(Count& count, std::uint64_t times) {
   count(Operation::add_long, 2 * times);
 }
 
-/// Values that are read, and held against others.
+/// Counts loading values and comparing them with others.
 template <class Count>
 void count_comparisons(Count& count, std::uint64_t times) {
   count(Operation::load_long, times);

@@ -1,3 +1,5 @@
+// Trees of bounding boxes.
+// Used by boxes.cpp and bvh.cpp.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +18,9 @@ namespace csgsim::software {
 /// A node of a tree of boxes.
 struct BoxNode {
   facet::Box box;
-  std::uint32_t low = 0;  ///< two nodes, this one and the one behind it; 0 for a leaf
+  std::uint32_t low = 0;  ///< index of the first of two adjacent child nodes; 0 for a leaf
   std::uint32_t begin = 0;
-  std::uint32_t end = 0;  ///< of a leaf's facets
+  std::uint32_t end = 0;  ///< range of a leaf's facets
 };
 
 inline std::vector<SpaceBox> boxes_of(const std::vector<BoxNode>& nodes, const std::vector<std::uint32_t>& facets) {
@@ -31,7 +33,7 @@ inline std::vector<SpaceBox> boxes_of(const std::vector<BoxNode>& nodes, const s
   return boxes;
 }
 
-/// Counts a tree of boxes over so many facets.
+/// Counts a tree of boxes over `facets` facets.
 inline void count_boxes(const std::vector<BoxNode>& nodes, std::size_t facets, SpaceBuilt& built) {
   built.entries = nodes.size();
   built.references = built.bucket_words = facets;
@@ -43,8 +45,8 @@ inline void count_boxes(const std::vector<BoxNode>& nodes, std::size_t facets, S
   }
 }
 
-/// Gives the leaves of a tree of boxes in the order in which a ray comes to their boxes: of all nodes whose box is met,
-/// the nearest is looked at first (Kay and Kajiya 1986). `ready(node, count)` may expand a node before that.
+/// Visits the leaves of a tree of boxes in the order in which a ray enters their boxes: the node whose box is entered
+/// first is processed next (Kay and Kajiya 1986). `ready(node, count)` may expand a node before it is processed.
 template <class Count, class Ready>
 void walk_boxes(const std::vector<BoxNode>& nodes, const std::vector<std::uint32_t>& facets, const SpaceRay& ray,
                 const Ready& ready, CellVisitor& visitor, Count& count) {

@@ -9,8 +9,8 @@ namespace csgsim::software {
 
 namespace {
 
-/// A tree of boxes around primitives, halved at the middle one along the longest axis; a primitive's box is expanded
-/// the same way, down to single facets, when a ray first meets it (Rubin and Whitted 1980; thesis 5.1.1).
+/// A tree of boxes around primitives, divided at the median along the longest axis. A primitive's box is expanded in
+/// the same way, down to single facets, when a ray first enters it (Rubin and Whitted 1980; thesis 5.1.1).
 class Boxes final : public DirectoryOf<Boxes> {
  public:
   Boxes(const FacetShapes& shapes, const SpaceOptions& /*options*/) : shapes_(shapes), nodes_(1), is_open_(1) {
@@ -46,7 +46,7 @@ class Boxes final : public DirectoryOf<Boxes> {
   }
 
  private:
-  /// What a box is around: a primitive's facets, or one of them.
+  /// The content of a box: a primitive's facets, or one facet.
   struct Group {
     facet::Box box;
     std::uint32_t begin = 0;
@@ -102,17 +102,17 @@ class Boxes final : public DirectoryOf<Boxes> {
   }
 
   const FacetShapes& shapes_;
-  // A tree grows as rays come.
+  // The tree grows while rays are traced.
   mutable std::vector<std::uint32_t> facets_;
   mutable std::vector<BoxNode> nodes_;
-  mutable std::vector<char> is_open_;  ///< whether a node is as far down as it goes
+  mutable std::vector<char> is_open_;  ///< whether a node is fully expanded
   mutable SpaceBuilt built_;
   mutable Counting count_;
 };
 
 }  // namespace
 
-extern const DirectoryRow boxes_row{"boxes", "boxes around primitives, expanded to facets where rays come",
+extern const DirectoryRow boxes_row{"boxes", "boxes around primitives, expanded to facets when a ray enters them",
                                     "Rubin and Whitted 1980; Jansen 1987, 5.1.1", made_directory<Boxes>};
 
 }  // namespace csgsim::software

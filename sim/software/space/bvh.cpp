@@ -9,7 +9,7 @@ namespace csgsim::software {
 
 namespace {
 
-/// Boxes around facets, divided where the surface heuristic finds it cheapest, by 16 bins of their middles (Wald 2007).
+/// Boxes around facets, divided by the surface area heuristic with 16 bins of box centres per axis (Wald 2007).
 class Bvh final : public DirectoryOf<Bvh> {
  public:
   Bvh(const FacetShapes& shapes, const SpaceOptions& options)
@@ -46,7 +46,7 @@ class Bvh final : public DirectoryOf<Bvh> {
   };
   struct Choice {
     int axis = -1;
-    std::size_t bin = 0;  ///< the first on the upper side
+    std::size_t bin = 0;  ///< first bin on the upper side
     double cost = 0;
   };
 
@@ -127,7 +127,7 @@ class Bvh final : public DirectoryOf<Bvh> {
 
 }  // namespace
 
-extern const DirectoryRow bvh_row{"bvh", "boxes around facets, divided where the surface heuristic says", "Wald 2007",
+extern const DirectoryRow bvh_row{"bvh", "boxes around facets, divided by the surface area heuristic", "Wald 2007",
                                   made_directory<Bvh>};
 
 }  // namespace csgsim::software

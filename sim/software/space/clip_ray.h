@@ -1,3 +1,5 @@
+// Clipping of rays against boxes.
+// Used by all directories.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +12,7 @@
 
 namespace csgsim::software {
 
-/// A part of a ray, from begin to end; nothing if begin is behind end.
+/// A section of a ray from `begin` to `end`; empty if begin > end.
 struct RayPart {
   double begin = 0;
   double end = 0;
@@ -18,7 +20,7 @@ struct RayPart {
   [[nodiscard]] bool empty() const { return begin > end; }
 };
 
-/// The part of a ray in a closed box, by its walls (Kay and Kajiya 1986).
+/// The section of a ray in a closed box (Kay and Kajiya 1986).
 template <class Count>
 RayPart clipped(const SpaceRay& ray, const glm::dvec3& inverse, const facet::Box& box, Count& count) {
   RayPart part{ray.begin, ray.end};
@@ -41,7 +43,7 @@ RayPart clipped(const SpaceRay& ray, const glm::dvec3& inverse, const facet::Box
   return part;
 }
 
-/// One by each component of the direction.
+/// Reciprocals of the direction's components.
 template <class Count>
 glm::dvec3 inverse_direction(const SpaceRay& ray, Count& count) {
   count_quotients(count, 3);

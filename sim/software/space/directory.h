@@ -1,3 +1,5 @@
+// Interface of spatial directories.
+// Implemented by all directories and used by ray tracing and list priority.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +16,8 @@
 
 namespace csgsim::software {
 
-/// origin + t direction, for t from begin to end. Model space, relative to PlaneTable::centre(); end may be infinite.
+/// A ray: origin + t direction, for t from begin to end. In model space relative to PlaneTable::centre(); `end` may be
+/// infinite.
 struct SpaceRay {
   glm::dvec3 origin{0};
   glm::dvec3 direction{0};
@@ -24,13 +27,14 @@ struct SpaceRay {
   [[nodiscard]] glm::dvec3 at(double t) const { return origin + direction * t; }
 };
 
-/// What a ray comes to: a cell, or a box with facets.
+/// A part of space that a ray visits: a cell, or a box with facets.
 struct Cell {
   double t_in = 0;
   double t_out = 0;
-  /// Every facet that the ray meets before this has been told of, in this cell or before. No less than in cells before.
+  /// Every facet that the ray hits before this t is in this cell or an earlier one. Does not decrease from cell to
+  /// cell.
   double settled = 0;
-  std::span<const std::uint32_t> facets;  ///< indices into Facets::facets, in no order
+  std::span<const std::uint32_t> facets;  ///< unordered indices into Facets::facets
 };
 
 class CellVisitor {
@@ -40,20 +44,20 @@ class CellVisitor {
   CellVisitor(const CellVisitor&) = delete;
   CellVisitor& operator=(const CellVisitor&) = delete;
 
-  /// Returns whether to go on.
+  /// Returns whether to continue.
   virtual bool visit(const Cell& cell) = 0;
 };
 
-/// A part of space: halved by a wall across an axis, or a cell.
+/// A part of space: divided by a wall perpendicular to an axis, or a cell.
 struct SpacePart {
   static constexpr std::uint32_t none = 0xffffffffU;
 
   facet::Box box;
   int axis = 0;
   double wall = 0;
-  std::uint32_t low = none;  ///< parts on the sides of the wall; none of a cell
+  std::uint32_t low = none;  ///< parts on the two sides of the wall; none for a cell
   std::uint32_t high = none;
-  std::span<const std::uint32_t> facets{};  ///< of a cell
+  std::span<const std::uint32_t> facets{};  ///< facets of a cell
 
   [[nodiscard]] bool is_cell() const { return low == none; }
 };
@@ -61,25 +65,25 @@ struct SpacePart {
 /// A node of a tree of boxes.
 struct SpaceBox {
   facet::Box box;
-  std::uint32_t low = 0;                    ///< two nodes, this one and the one behind it; 0 for a leaf
-  std::span<const std::uint32_t> facets{};  ///< of a leaf
+  std::uint32_t low = 0;                    ///< index of the first of two adjacent child nodes; 0 for a leaf
+  std::span<const std::uint32_t> facets{};  ///< facets of a leaf
 };
 
-/// What was built, and what that took.
+/// Statistics of a directory and of its construction.
 struct SpaceBuilt {
-  std::uint64_t cells = 0;          ///< with or without facets; of a tree of boxes its leaves
-  std::uint64_t entries = 0;        ///< of directories; nodes of trees
-  std::uint64_t references = 0;     ///< facets in cells
-  std::uint64_t most_facets = 0;    ///< of a cell
-  std::uint64_t overflows = 0;      ///< cells that are not divided further though they are too full
+  std::uint64_t cells = 0;          ///< including empty ones; for a tree of boxes, its leaves
+  std::uint64_t entries = 0;        ///< entries of directories, or nodes of trees
+  std::uint64_t references = 0;     ///< total number of facets in cells
+  std::uint64_t most_facets = 0;    ///< maximum per cell
+  std::uint64_t overflows = 0;      ///< overfull cells that are not divided further
   std::uint64_t splits = 0;         ///< of cells or boxes
-  std::uint64_t overlap_tests = 0;  ///< of a facet and a cell
+  std::uint64_t overlap_tests = 0;  ///< tests of a facet against a cell
   std::uint64_t directory_words = 0;
   std::uint64_t bucket_words = 0;
   Operations operations;
 };
 
-/// Counts the cells of a tree, each with a bucket of facets; its other nodes have none. `is_cell(node)` tells which.
+/// Counts the cells of a tree, each with a bucket of facets; other nodes have none. `is_cell(node)` distinguishes them.
 template <class Nodes, class IsCell>
 void count_buckets(const Nodes& nodes, std::uint32_t bucket_size, const IsCell& is_cell, SpaceBuilt& built) {
   built.entries = nodes.size();
@@ -93,7 +97,7 @@ void count_buckets(const Nodes& nodes, std::uint32_t bucket_size, const IsCell& 
   built.bucket_words = built.references + built.cells;
 }
 
-/// Where facets are in space.
+/// A spatial index of facets.
 class Directory {
  public:
   Directory() = default;
@@ -101,18 +105,20 @@ class Directory {
   Directory(const Directory&) = delete;
   Directory& operator=(const Directory&) = delete;
 
-  /// The cells along a ray from the front, until the visitor has enough. Facets without corners are in none.
+  /// Visits the cells along a ray from the front until the visitor returns false. Facets without corners are in no
+  /// cell.
   virtual void walk(const SpaceRay& ray, CellVisitor& visitor, Counting& count) const = 0;
   virtual void walk(const SpaceRay& ray, CellVisitor& visitor, Uncounted& count) const = 0;
-  /// So far: some are built as rays come.
+  /// Statistics of the current state; some directories are built incrementally while rays are traced.
   [[nodiscard]] virtual SpaceBuilt built() const = 0;
-  /// Of a directory whose walls halve space, all of space first; nothing of others. Keeps references to it.
+  /// The parts of a directory whose walls halve space, the whole space first; empty for others. Refers to the
+  /// directory's data.
   [[nodiscard]] virtual std::vector<SpacePart> parts() const { return {}; }
-  /// The nodes of a tree of boxes as far as it is built, the root first; empty for others. Keeps references to it.
+  /// The current nodes of a tree of boxes, the root first; empty for others. Refers to the directory's data.
   [[nodiscard]] virtual std::vector<SpaceBox> boxes() const { return {}; }
 };
 
-/// A directory that has a template `go` for both.
+/// Implements both overloads of walk() by a member template `go`.
 template <class Own>
 class DirectoryOf : public Directory {
  public:
@@ -124,9 +130,9 @@ class DirectoryOf : public Directory {
   }
 };
 
-/// How directories are built.
+/// Options of directories.
 struct SpaceOptions {
-  std::uint32_t bucket_size = 8;  ///< facets of a cell, from 1: cells with more are divided as long as there are levels
+  std::uint32_t bucket_size = 8;  ///< maximum facets per cell, at least 1; fuller cells are divided while levels remain
 };
 
 /// A row of the table of directories.
@@ -134,15 +140,15 @@ struct DirectoryRow {
   std::string_view name;
   std::string_view help;
   std::string_view source;
-  /// Keeps a reference.
+  /// Creates the directory, which keeps a reference to `shapes`.
   std::unique_ptr<Directory> (*make)(const FacetShapes& shapes, const SpaceOptions& options) = nullptr;
-  bool halves_space = false;  ///< has parts(); of rows with the same cells the first
+  bool halves_space = false;  ///< whether it has parts(); set for the first of rows with the same cells
 };
 
 std::span<const DirectoryRow* const> directories();
-/// Names of those that halve space.
+/// Names of the directories that halve space.
 std::vector<std::string> halving_directories();
-/// By name. Throws InputError that lists what there is.
+/// Finds a directory by name. Throws InputError that lists the valid names.
 const DirectoryRow& directory_of(const std::string& name);
 
 template <class Own>

@@ -35,7 +35,7 @@ facet::Box ExcellCells::box_of(std::uint32_t prefix, unsigned level) const {
 }
 
 double ExcellCells::wall_of(const Range& range) const {
-  // The bits of its axis are every third of the prefix, from the last but two upwards.
+  // The bits of the range's axis are every third bit of the prefix, starting with the third-last.
   const int axis = axis_of(range.level);
   std::uint32_t cells = 1;
   unsigned place = 1;
@@ -60,7 +60,7 @@ void ExcellCells::insert(Range range, std::uint32_t facet) {
 void ExcellCells::put(const Range& range, std::uint32_t facet) {
   const Part& part = parts_[range.directory];
   const std::uint32_t number = part.entries[index_in(part, range.prefix, range.level)].number;
-  const unsigned last = part.base + part.most;
+  const unsigned last = part.base + part.max_level;
   Bucket& bucket = buckets_[number];
   count_(Operation::load, 2);
   count_(Operation::compare, 2);
@@ -86,7 +86,7 @@ std::uint32_t ExcellCells::add_part(const Range& range, std::uint32_t bucket) {
   return added;
 }
 
-/// Splits the bucket of a cell, at the directory's level after this has been doubled.
+/// Splits the bucket of a cell, after doubling the directory if necessary.
 void ExcellCells::halve(const Range& range) {
   Part& part = parts_[range.directory];
   if (range.level == part.base + part.level) {
@@ -213,11 +213,11 @@ class RecursiveExcell final : public DirectoryOf<RecursiveExcell> {
 
 }  // namespace
 
-extern const DirectoryRow excell_row{"excell",
-                                     "halved cells behind an array that is addressed, from query point to query point",
-                                     "Tamminen 1981; Jansen 1987, 5.1.3, algorithm 5.3", made_directory<Excell>, true};
+extern const DirectoryRow excell_row{
+    "excell", "halved cells found by address computation, visited from query point to query point",
+    "Tamminen 1981; Jansen 1987, 5.1.3, algorithm 5.3", made_directory<Excell>, true};
 extern const DirectoryRow recursive_excell_row{"excell-recursive",
-                                               "the same cells, the ray clipped to halves of the array",
+                                               "the same cells, visited by clipping the ray to halves of the array",
                                                "Jansen 1987, algorithm 5.4", made_directory<RecursiveExcell>};
 
 }  // namespace csgsim::software

@@ -1,3 +1,5 @@
+// The spatial directory of the thesis.
+// Used by excell.cpp and its tests.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +12,17 @@
 
 namespace csgsim::software {
 
-/// Levels of halving, x, y and z by turns: assumed, the thesis does not tell them.
-inline constexpr unsigned excell_levels = 15;            ///< of a directory that is alone
-inline constexpr unsigned excell_first_levels = 12;      ///< of the first of two
-inline constexpr unsigned excell_second_levels = 9;      ///< of those behind it
-inline constexpr std::size_t excell_large_model = 4096;  ///< facets from which there are two
+/// Numbers of halving levels, alternating between x, y and z. They are assumptions; the thesis does not specify them.
+inline constexpr unsigned excell_levels = 15;            ///< single directory
+inline constexpr unsigned excell_first_levels = 12;      ///< first of two levels of directories
+inline constexpr unsigned excell_second_levels = 9;      ///< directories of the second level
+inline constexpr std::size_t excell_large_model = 4096;  ///< minimum number of facets for two levels of directories
 
-/// The cells of EXCELL (Tamminen 1981; thesis 5.1.3, algorithm 5.1). A facet is in every cell that it is within reach
-/// of.
+/// The cells of EXCELL (Tamminen 1981; thesis 5.1.3, algorithm 5.1). A facet is in every cell within reach of it.
 ///
-/// A directory is an array of cells at the level of the smallest of them, so that a place is found by an address that
-/// is worked out; a larger cell has several entries. A bucket that is full is split, at the directory's level after
-/// this has been doubled; at the last level the cell gets a directory of its own, or else an overflow.
+/// A directory is an array of cells at the level of the smallest cell, so that a position is found by a computed
+/// address; larger cells have several entries. A full bucket is split, after doubling the directory if its level
+/// requires that. At the last level, the cell gets a separate directory or else an overflow.
 class ExcellCells {
  public:
   ExcellCells(const FacetShapes& shapes, const SpaceOptions& options);
@@ -29,18 +30,18 @@ class ExcellCells {
   [[nodiscard]] const Lattice& lattice() const { return lattice_; }
   [[nodiscard]] SpaceBuilt built() const;
 
-  /// A range of a directory: all places whose address begins so.
+  /// A range of a directory: all positions whose address starts with `prefix`.
   struct Range {
     std::uint32_t directory = 0;
     std::uint32_t prefix = 0;
-    unsigned level = 0;  ///< bits of the prefix
+    unsigned level = 0;  ///< number of bits of the prefix
   };
 
-  /// The cell that holds a place.
+  /// The cell that contains a position.
   template <class Count>
   Located locate(const glm::uvec3& at, Count& count) const {
     const std::uint32_t address = address_of(at);
-    // Three tables tell how a coordinate's bits are spread.
+    // Three tables spread the bits of the coordinates.
     count(Operation::load_long, 3);
     count(Operation::logic_long, 2);
     std::uint32_t directory = 0;
@@ -62,11 +63,11 @@ class ExcellCells {
     }
   }
 
-  /// The facets of a range, if it is one cell.
+  /// Result of looking up a range: its facets if it is one cell.
   struct Looked {
     bool is_cell = false;
     std::span<const std::uint32_t> facets;
-    Range range;  ///< the same places; in the directory of the cell where it has one
+    Range range;  ///< the same positions; in the cell's own directory if it has one
   };
   template <class Count>
   Looked look(Range range, Count& count) const {
@@ -98,26 +99,26 @@ class ExcellCells {
 
  private:
   struct Entry {
-    std::uint32_t number = 0;  ///< of a bucket or a directory
+    std::uint32_t number = 0;  ///< index of a bucket or a directory
     bool is_directory = false;
   };
   struct Part {
-    std::uint32_t prefix = 0;  ///< of the cell that it divides
-    unsigned base = 0;         ///< that cell's level
-    unsigned level = 0;        ///< its own, below that
-    unsigned most = 0;
+    std::uint32_t prefix = 0;  ///< prefix of the cell that it divides
+    unsigned base = 0;         ///< level of that cell
+    unsigned level = 0;        ///< levels below `base`
+    unsigned max_level = 0;
     std::vector<Entry> entries;
   };
   struct Bucket {
-    unsigned level = 0;  ///< of its cell, from the top
+    unsigned level = 0;  ///< level of its cell, from the top
     std::vector<std::uint32_t> facets;
   };
 
   [[nodiscard]] unsigned lattice_levels() const { return 3 * lattice_.bits; }
-  /// Bits of the coordinates by turns, those of x first.
+  /// Interleaved bits of the coordinates, x first.
   [[nodiscard]] std::uint32_t address_of(const glm::uvec3& at) const;
   static glm::uvec3 depths_of(unsigned level) { return {(level + 2) / 3, (level + 1) / 3, level / 3}; }
-  /// Of the first entry with that address, of which `level` bits are given.
+  /// Index of the first entry with that address; `level` bits of the address are given.
   static std::size_t index_in(const Part& part, std::uint32_t address, unsigned level) {
     const unsigned deepest = part.base + part.level;
     const std::uint32_t at = level >= deepest ? address >> (level - deepest) : address << (deepest - level);

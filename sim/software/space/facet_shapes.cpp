@@ -23,13 +23,13 @@ glm::dvec3 normal_of(std::span<const glm::dvec3> corners) {
   return length > 0 ? sum / length : glm::dvec3{0};
 }
 
-double usual_reach_of(const Facets& facets) { return usual_reach * facet::box_of(facets.corners).diagonal(); }
+double compute_default_reach(const Facets& facets) { return default_reach * facet::box_of(facets.corners).diagonal(); }
 
-/// A box by its middle, half of it along each axis, and what a direction across an axis has to have to be one.
+/// A box as centre and half extents, and the minimum length of an edge whose direction is used.
 struct Block {
   glm::dvec3 middle;
   glm::dvec3 half;
-  double least_edge;
+  double min_edge;
 };
 
 bool is_apart_along(const glm::dvec3& axis, std::span<const glm::dvec3> corners, const Block& block) {
@@ -44,14 +44,14 @@ bool is_apart_along(const glm::dvec3& axis, std::span<const glm::dvec3> corners,
   return low > reach || high < -reach;
 }
 
-/// Whether a line along that axis, through an edge, has the polygon on one side and the block on the other. A polygon
-/// that is seen edge-on along the axis has no sides.
+/// Whether a line along the axis through an edge separates the polygon from the block. A polygon seen edge-on along the
+/// axis has no sides.
 bool is_apart_across(int axis, const glm::dvec3& from, const glm::dvec3& to, double normal, const Block& block) {
   constexpr double edge_on = 1e-6;
   if (std::abs(normal) < edge_on) return false;
   const int u = (axis + 1) % 3;
   const int v = (axis + 2) % 3;
-  // Outwards, for corners that are counter-clockwise where the normal points along the axis.
+  // Outward direction, for corners that are counter-clockwise if the normal points along the axis.
   double out_u = to[v] - from[v];
   double out_v = from[u] - to[u];
   if (normal < 0) {
@@ -59,7 +59,7 @@ bool is_apart_across(int axis, const glm::dvec3& from, const glm::dvec3& to, dou
     out_v = -out_v;
   }
   const double length = std::abs(out_u) + std::abs(out_v);
-  if (length < block.least_edge) return false;
+  if (length < block.min_edge) return false;
   const double nearest = out_u * (block.middle[u] - from[u]) + out_v * (block.middle[v] - from[v]) -
                          std::abs(out_u) * block.half[u] - std::abs(out_v) * block.half[v];
   return nearest > 0;
@@ -67,7 +67,7 @@ bool is_apart_across(int axis, const glm::dvec3& from, const glm::dvec3& to, dou
 
 }  // namespace
 
-FacetShapes::FacetShapes(const Facets& facets) : FacetShapes(facets, usual_reach_of(facets)) {}
+FacetShapes::FacetShapes(const Facets& facets) : FacetShapes(facets, compute_default_reach(facets)) {}
 
 FacetShapes::FacetShapes(const Facets& facets, double reach)
     : facets_(facets), reach_(reach), boxes_(facets.facets.size()), normals_(facets.facets.size()) {

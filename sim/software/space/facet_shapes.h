@@ -1,3 +1,5 @@
+// Facets with their bounding boxes and overlap tests.
+// Used by all directories.
 #pragma once
 
 #include <cstdint>
@@ -11,33 +13,32 @@
 
 namespace csgsim::software {
 
-/// What directories reach beyond a facet if nobody says, of the model's diagonal: a fortieth of a pixel where the model
-/// fills a picture of 512 pixels. More than rounding moves most facets of a picture (TraceScene).
-inline constexpr double usual_reach = 0x1p-14;
+/// Default reach of directories around a facet, relative to the model's diagonal: 1/40 pixel if the model fills a
+/// picture of 512 pixels. It exceeds the displacement of most facets of a picture by rounding (TraceScene).
+inline constexpr double default_reach = 0x1p-14;
 
-/// Facets as directories take them, in space: polygons, and the edges and corners that are left of half-spaces without
-/// an area.
+/// Facets in the form that directories use: polygons, and edges and corners that remain of half-spaces without area.
 class FacetShapes {
  public:
-  /// Keeps a reference. A cell has the facets that are no farther from it than the reach along any axis.
+  /// Keeps a reference. A cell contains the facets whose distance along every axis is at most the reach.
   FacetShapes(const Facets& facets, double reach);
-  /// With the usual reach.
+  /// Uses the default reach.
   explicit FacetShapes(const Facets& facets);
 
   [[nodiscard]] const Facets& facets() const { return facets_; }
   [[nodiscard]] double reach() const { return reach_; }
-  /// Holds all facets, and twice the reach around them.
+  /// Contains all facets and a margin of twice the reach.
   [[nodiscard]] const facet::Box& box() const { return box_; }
-  /// Of a facet with corners, and the reach around it.
+  /// Bounding box of a facet with corners, including the reach.
   [[nodiscard]] const facet::Box& box_of(std::uint32_t facet) const { return boxes_[facet]; }
-  /// Those with corners, in order.
+  /// Facets with corners, in order.
   [[nodiscard]] std::span<const std::uint32_t> placed() const { return placed_; }
-  /// Those without, which no directory has a place for.
+  /// Facets without corners, which are in no directory.
   [[nodiscard]] std::span<const std::uint32_t> unplaced() const { return unplaced_; }
 
-  /// Whether a facet with corners is within reach of a closed box: no axis separates the box, grown by the reach, from
-  /// its corners (of the box's axes, the facet's normal, and those across an axis of the box and an edge). Rounding,
-  /// and edges too short to tell a direction, only make it true more often.
+  /// Whether a facet with corners is within reach of a closed box: no separating axis exists between the box, grown by
+  /// the reach, and its corners (axes of the box, the facet's normal, and cross products of box axes and edges).
+  /// Rounding and very short edges can only add false positives.
   bool touches(std::uint32_t facet, const facet::Box& box, Counting& count) const;
 
  private:
@@ -45,7 +46,7 @@ class FacetShapes {
   double reach_ = 0;
   facet::Box box_;
   std::vector<facet::Box> boxes_;
-  std::vector<glm::dvec3> normals_;  ///< outward, of length 1; 0 for what has no area
+  std::vector<glm::dvec3> normals_;  ///< outward unit normals; 0 for facets without area
   std::vector<std::uint32_t> placed_;
   std::vector<std::uint32_t> unplaced_;
 };

@@ -12,10 +12,11 @@ namespace csgsim::software {
 
 namespace {
 
-constexpr double most_cells = 128;  ///< along an axis
+constexpr double max_cells = 128;  ///< per axis
 
-/// Cells of one size, as near to cubes as their numbers allow; about as many as facets divided by the bucket's size,
-/// times four. From cell to cell by additions (Fujimoto and others 1986, as Amanatides and Woo 1987 do it).
+/// Cells of equal size, as cubic as integer numbers of cells allow; about four times the number of facets divided by
+/// the bucket size. Rays step from cell to cell by additions (Fujimoto and others 1986, in the form of Amanatides and
+/// Woo 1987).
 class Grid final : public DirectoryOf<Grid> {
  public:
   Grid(const FacetShapes& shapes, const SpaceOptions& options) : shapes_(shapes), box_(shapes.box()) {
@@ -26,7 +27,7 @@ class Grid final : public DirectoryOf<Grid> {
         std::max(1.0, density * static_cast<double>(shapes.placed().size()) / static_cast<double>(options.bucket_size));
     const double edge = std::cbrt(size.x * size.y * size.z / cells);
     for (int axis = 0; axis < 3; ++axis)
-      cells_[axis] = static_cast<std::int32_t>(std::clamp(std::round(size[axis] / edge), 1.0, most_cells));
+      cells_[axis] = static_cast<std::int32_t>(std::clamp(std::round(size[axis] / edge), 1.0, max_cells));
     facets_.resize(static_cast<std::size_t>(cells_.x) * static_cast<std::size_t>(cells_.y) *
                    static_cast<std::size_t>(cells_.z));
     for (const std::uint32_t facet : shapes.placed()) insert(facet);
@@ -69,7 +70,7 @@ class Grid final : public DirectoryOf<Grid> {
   struct Steps {
     glm::ivec3 at{0};
     glm::ivec3 by{0};
-    glm::dvec3 next{0};  ///< where the ray comes to the next wall across each axis
+    glm::dvec3 next{0};  ///< t at the next wall of each axis
     glm::dvec3 add{0};
   };
 
@@ -114,7 +115,7 @@ class Grid final : public DirectoryOf<Grid> {
     count_(Operation::store_long, 2);
   }
 
-  /// The first cell, and how far it is to the next across each axis.
+  /// The first cell, and t at the next wall of each axis.
   template <class Count>
   Steps begun(const SpaceRay& ray, const glm::dvec3& inverse, const RayPart& part, Count& count) const {
     Steps steps;
@@ -134,7 +135,7 @@ class Grid final : public DirectoryOf<Grid> {
     return steps;
   }
 
-  /// The least of three, the cell's facets, and what changes along one axis.
+  /// Counts a step: the minimum of three values, the cell's facets, and the update along one axis.
   template <class Count>
   static void count_step(Count& count) {
     count_comparisons(count, 3);
@@ -156,7 +157,7 @@ class Grid final : public DirectoryOf<Grid> {
 
 }  // namespace
 
-extern const DirectoryRow grid_row{"grid", "cells of one size, from cell to cell by additions",
+extern const DirectoryRow grid_row{"grid", "cells of equal size, with steps from cell to cell by additions",
                                    "Fujimoto and others 1986; Amanatides and Woo 1987", made_directory<Grid>};
 
 }  // namespace csgsim::software

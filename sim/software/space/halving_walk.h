@@ -1,3 +1,5 @@
+// Traversal of directories that halve space.
+// Used by excell.cpp and kd_tree.cpp.
 #pragma once
 
 #include <algorithm>
@@ -10,19 +12,19 @@
 
 namespace csgsim::software {
 
-/// A part of space: the wall that halves it, or what is in it.
+/// A part of space: its wall and halves, or its facets.
 template <class Part>
 struct Halved {
   bool is_cell = false;
-  std::span<const std::uint32_t> facets;  ///< of a cell
+  std::span<const std::uint32_t> facets;  ///< facets of a cell
   int axis = 0;
   double wall = 0;
   Part low{};
   Part high{};
 };
 
-/// Clips a ray to the halves of parts of space, the first one first, down to cells (thesis algorithm 5.4).
-/// `look(part, count)` tells a part. The halves that are still to come are on a stack.
+/// Clips a ray to the halves of parts of space recursively, nearer half first, down to cells (thesis algorithm 5.4).
+/// `look(part, count)` returns the content of a part. Pending halves are on a stack.
 template <class Part, class Count, class Look>
 void walk_by_halves(const facet::Box& box, const Part& whole, const SpaceRay& ray, const Look& look,
                     CellVisitor& visitor, Count& count) {

@@ -11,14 +11,14 @@ namespace csgsim::software {
 
 namespace {
 
-/// Cells halved where the surface heuristic finds it cheapest (MacDonald and Booth 1990), at one of 32 places along
-/// each axis; a facet's box says on which sides it may be.
+/// Cells divided by the surface area heuristic (MacDonald and Booth 1990) at one of 32 positions per axis; a facet's
+/// bounding box determines its possible sides.
 class KdTree final : public DirectoryOf<KdTree> {
  public:
   KdTree(const FacetShapes& shapes, const SpaceOptions& options)
       : shapes_(shapes), bucket_size_(options.bucket_size), nodes_(1) {
     nodes_[0].facets.assign(shapes.placed().begin(), shapes.placed().end());
-    // As many levels as Havran 2000 takes.
+    // Maximum depth as in Havran 2000.
     const auto levels = static_cast<unsigned>(8 + 1.3 * static_cast<double>(std::bit_width(shapes.placed().size())));
     divide(0, shapes.box(), levels);
   }
@@ -41,7 +41,7 @@ class KdTree final : public DirectoryOf<KdTree> {
         parts.push_back({{}, node.axis, node.wall, node.low, node.low + 1});
       }
     }
-    // A node comes before the two that it is divided into.
+    // Parents precede their children.
     parts.front().box = shapes_.box();
     for (const Node& node : nodes_) {
       if (node.low == 0) continue;
@@ -68,13 +68,13 @@ class KdTree final : public DirectoryOf<KdTree> {
   static constexpr int places = 32;
 
   struct Node {
-    std::uint32_t low = 0;  ///< the node on the lower side, the other one behind it; 0 for a cell
+    std::uint32_t low = 0;  ///< the lower child, followed by the upper one; 0 for a cell
     int axis = 0;
     double wall = 0;
     std::vector<std::uint32_t> facets;
   };
   struct Choice {
-    int axis = -1;  ///< nothing is cheaper than the cell as it is
+    int axis = -1;  ///< -1: no division is cheaper than the undivided cell
     double wall = 0;
     double cost = 0;
   };
@@ -91,7 +91,7 @@ class KdTree final : public DirectoryOf<KdTree> {
     return both;
   }
 
-  /// The cheapest wall of an axis, where a step takes as long as the test of a facet.
+  /// The cheapest wall of an axis, where a traversal step costs as much as a facet test.
   void choose(const std::vector<std::uint32_t>& facets, const facet::Box& box, int axis, Choice& best) {
     std::array<std::uint64_t, places> begin{};
     std::array<std::uint64_t, places> end{};
@@ -155,8 +155,8 @@ class KdTree final : public DirectoryOf<KdTree> {
 
 }  // namespace
 
-extern const DirectoryRow kd_tree_row{"kd-tree",
-                                      "cells halved where the surface heuristic says, the ray clipped to halves",
-                                      "MacDonald and Booth 1990; Havran 2000", made_directory<KdTree>, true};
+extern const DirectoryRow kd_tree_row{
+    "kd-tree", "cells divided by the surface area heuristic, visited by clipping the ray to halves",
+    "MacDonald and Booth 1990; Havran 2000", made_directory<KdTree>, true};
 
 }  // namespace csgsim::software

@@ -1,3 +1,5 @@
+// Regular lattices of cells, and traversal from query point to query point.
+// Used by excell.h and octree.cpp.
 #pragma once
 
 #include <algorithm>
@@ -12,23 +14,23 @@
 
 namespace csgsim::software {
 
-/// A box that is cut into 2^bits cells along each axis.
+/// A box divided into 2^bits cells along each axis.
 struct Lattice {
   facet::Box box;
   unsigned bits = 0;
 
   [[nodiscard]] std::uint32_t size() const { return std::uint32_t{1} << bits; }
-  /// The wall before so many cells.
+  /// Coordinate of the wall after `cells` cells.
   [[nodiscard]] double wall(int axis, std::uint32_t cells) const {
     if (cells == size()) return box.high[axis];
     return box.low[axis] + (box.high[axis] - box.low[axis]) * std::ldexp(cells, -static_cast<int>(bits));
   }
-  /// The cell with that coordinate; the first or the last for one outside.
+  /// The cell that contains a coordinate; coordinates outside are clamped.
   [[nodiscard]] std::uint32_t cell(int axis, double at) const {
     const double cells = (at - box.low[axis]) / (box.high[axis] - box.low[axis]) * size();
     return static_cast<std::uint32_t>(std::clamp(std::floor(cells), 0.0, static_cast<double>(size() - 1)));
   }
-  /// The block of 2^(bits - n) cells along each axis, with n of `depths`, that holds a cell.
+  /// The block of 2^(bits - n) cells along each axis, n = `depths`, that contains a cell.
   [[nodiscard]] facet::Box block(const glm::uvec3& cell, const glm::uvec3& depths) const {
     facet::Box box_of_it;
     for (int axis = 0; axis < 3; ++axis) {
@@ -41,15 +43,15 @@ struct Lattice {
   }
 };
 
-/// What is found at a place of a lattice: the facets of the block that holds it.
+/// Result of a query: the facets of the block that contains a cell.
 struct Located {
   std::span<const std::uint32_t> facets;
-  glm::uvec3 depths{0};  ///< halvings along each axis
+  glm::uvec3 depths{0};  ///< number of halvings along each axis
 };
 
-/// Goes through blocks from query point to query point (thesis algorithm 5.3): `locate(cell, count)` tells the block of
-/// a cell; the ray leaves it through the nearest wall, and the next query is behind that. The cell next to the wall is
-/// found by its number, so that rounding makes no ray stay or leave anything out.
+/// Visits blocks from query point to query point (thesis algorithm 5.3): `locate(cell, count)` returns the block of a
+/// cell; the ray leaves it through the nearest wall, and the next query point is behind that wall. The cell next to the
+/// wall is determined by its number, so that rounding can neither stop the ray nor skip cells.
 template <class Count, class Locate>
 class PointWalk {
  public:
@@ -83,7 +85,7 @@ class PointWalk {
     return first_of(axis, depths) + (std::uint32_t{1} << (lattice_.bits - depths[axis]));
   }
 
-  /// The axis whose wall is met first; -1 if the ray ends before.
+  /// The axis of the wall through which the ray leaves; -1 if the ray ends before.
   int find_exit(const glm::uvec3& depths) {
     int exit_axis = -1;
     exit_ = end_;
@@ -106,7 +108,7 @@ class PointWalk {
     return exit_axis;
   }
 
-  /// To the block behind the wall; false if there is none.
+  /// Steps to the block behind the wall; false if there is none.
   bool step(int exit_axis, const glm::uvec3& depths) {
     const glm::dvec3 point = ray_.at(exit_);
     const std::uint32_t end = end_of(exit_axis, depths);

@@ -6,7 +6,7 @@ namespace csgsim::software {
 
 namespace {
 
-/// All facets in one cell.
+/// A single cell with all facets.
 class None final : public DirectoryOf<None> {
  public:
   None(const FacetShapes& shapes, const SpaceOptions& /*options*/) : shapes_(shapes) {}
@@ -29,6 +29,6 @@ class None final : public DirectoryOf<None> {
 
 }  // namespace
 
-extern const DirectoryRow none_row{"none", "every ray is held against all facets", "brute force", made_directory<None>};
+extern const DirectoryRow none_row{"none", "tests every ray against all facets", "brute force", made_directory<None>};
 
 }  // namespace csgsim::software

@@ -11,7 +11,7 @@ namespace {
 
 constexpr unsigned octree_levels = 7;
 
-/// Cells are cut into eight where they have too many facets; a query point goes down from the top (Glassner 1984).
+/// Overfull cells are divided into eight; query points are located from the root (Glassner 1984).
 class Octree final : public DirectoryOf<Octree> {
  public:
   Octree(const FacetShapes& shapes, const SpaceOptions& options)
@@ -54,7 +54,7 @@ class Octree final : public DirectoryOf<Octree> {
 
  private:
   struct Node {
-    std::uint32_t first = 0;  ///< of eight nodes; 0 for a cell
+    std::uint32_t first = 0;  ///< index of the first of eight children; 0 for a cell
     std::vector<std::uint32_t> facets;
   };
 
@@ -71,8 +71,8 @@ class Octree final : public DirectoryOf<Octree> {
     add_half_of(node.first, 2, at, glm::uvec3{level}, parts);
   }
 
-  /// Of nodes from `first` that differ in the bits of octants up to that axis's, z being the highest. They take the
-  /// block of the cell `at` with those depths.
+  /// Adds the parts of the children from `first` that differ in the octant bits up to the axis, z being the highest
+  /// bit. They fill the block of the cell `at` with those depths.
   void add_half_of(std::uint32_t first, int axis, const glm::uvec3& at, const glm::uvec3& depths,
                    std::vector<SpacePart>& parts) const {
     if (axis < 0) {
@@ -124,7 +124,7 @@ class Octree final : public DirectoryOf<Octree> {
 
 }  // namespace
 
-extern const DirectoryRow octree_row{"octree", "cells cut into eight, found from the top for each query point",
+extern const DirectoryRow octree_row{"octree", "cells divided into eight, located from the root for each query point",
                                      "Glassner 1984", made_directory<Octree>, true};
 
 }  // namespace csgsim::software

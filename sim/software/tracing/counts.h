@@ -1,3 +1,5 @@
+// Counts of ray tracing.
+// Used by trace.h and by csgsim trace.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +11,16 @@
 
 namespace csgsim::software {
 
-/// What rays of one kind met.
+/// Counts of one kind of rays.
 struct RaysMet {
   std::uint64_t rays = 0;
-  std::uint64_t cells = 0;    ///< that were looked into
-  std::uint64_t tested = 0;   ///< facets held against a ray
-  std::uint64_t loose = 0;    ///< of these, outside the directory
-  std::uint64_t met = 0;      ///< facets that a ray meets
-  std::uint64_t repeats = 0;  ///< facets of cells that were left out, since the ray had been held against them
-  std::uint64_t hits = 0;     ///< rays that get into the solid, or into shadow
-  std::vector<std::uint64_t> rays_by_cells;  ///< rays that looked into so many cells
+  std::uint64_t cells = 0;                   ///< visited cells
+  std::uint64_t tested = 0;                  ///< facets tested against a ray
+  std::uint64_t loose = 0;                   ///< tested facets that are outside the directory
+  std::uint64_t met = 0;                     ///< facets hit by a ray
+  std::uint64_t repeats = 0;                 ///< facets skipped because the ray had already been tested against them
+  std::uint64_t hits = 0;                    ///< rays that enter the solid, or are shadowed
+  std::vector<std::uint64_t> rays_by_cells;  ///< number of rays by number of visited cells
 
   void add_cells(std::uint64_t cells_of_ray) {
     if (rays_by_cells.size() <= cells_of_ray) rays_by_cells.resize(cells_of_ray + 1);
@@ -27,21 +29,21 @@ struct RaysMet {
   }
 };
 
-/// What ray tracing a picture did.
+/// Counts of a traced picture.
 struct TraceCounts {
   RaysMet primary;
   RaysMet shadow;
   RaysMet mirror;
-  std::uint64_t items = 0;  ///< events of the projective pass that makes an item buffer
+  std::uint64_t items = 0;  ///< events of the projective pass that fills an item buffer
   Counts classification;
-  std::uint64_t words = 0;  ///< of 32 bits, without the directory
-  Operations projection;    ///< of facets into the picture, and of the pass that makes an item buffer
+  std::uint64_t words = 0;  ///< in 32-bit words, without the directory
+  Operations projection;    ///< projection of facets, and the pass that fills an item buffer
   Operations traversal;
   Operations intersection;
   Operations shading;
 };
 
-/// Where the parts of a ray tracer count.
+/// Operation counters of the parts of a ray tracer.
 template <class Count>
 struct TraceMeters {
   Count projection;

@@ -1,3 +1,5 @@
+// Item buffer of a picture.
+// Used by trace.cpp in place of primary rays.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +13,9 @@
 
 namespace csgsim::software {
 
-/// The facet that is visible at each pixel (Weghorst and others 1984; thesis 5.3.1), by scan-conversion of all facets:
-/// a row's events, pixel by pixel in order, are classified by the list structure, whose pointer is kept too.
+/// The visible facet at each pixel (Weghorst and others 1984; thesis 5.3.1), found by scan conversion of all facets:
+/// the sorted events of each pixel of a row are classified by the list structure, and the pointer into it is stored
+/// too.
 template <class Count>
 class ItemBuffer {
  public:
@@ -31,7 +34,7 @@ class ItemBuffer {
     }
   }
 
-  /// What is visible in a row.
+  /// Computes the visible facets of a row.
   void fill(std::uint32_t row, std::vector<Hit>& hits) {
     for (std::vector<Met>& one : met_) one.clear();
     for (const std::uint32_t facet : rows_[row]) convert(facet, static_cast<std::int32_t>(row));
@@ -43,7 +46,7 @@ class ItemBuffer {
     }
   }
 
-  /// A pointer to a facet and one into the list structure, a pixel.
+  /// Per pixel, a pointer to a facet and one into the list structure.
   [[nodiscard]] std::uint64_t words() const { return 2 * std::uint64_t{scene_.width()} * scene_.height(); }
 
  private:
@@ -55,7 +58,7 @@ class ItemBuffer {
     }));
   }
 
-  /// As the rays room counts edge tests and the values of a plane along a row.
+  /// Counts edge tests and plane values along a row in the same way as sim/software/rays.
   void count_span(const ScreenFacet& facet, const Span& span) {
     if constexpr (!Count::counts) return;
     const std::uint64_t bounds = scene_.screen().bounds_of(facet).size();
@@ -101,8 +104,8 @@ class ItemBuffer {
   Count& count_;
   std::uint64_t& items_;
   PointsOfRay<Count> points_;
-  std::vector<std::vector<std::uint32_t>> rows_;  ///< of each row the facets that are in it
-  std::vector<std::vector<Met>> met_;             ///< of each column of a row
+  std::vector<std::vector<std::uint32_t>> rows_;  ///< per row, its facets
+  std::vector<std::vector<Met>> met_;             ///< per column of a row
 };
 
 }  // namespace csgsim::software

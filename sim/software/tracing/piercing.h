@@ -1,3 +1,5 @@
+// Intersection test of rays and convex polygons.
+// Used by primary and secondary rays.
 #pragma once
 
 #include <glm/common.hpp>
@@ -11,9 +13,9 @@
 
 namespace csgsim::software {
 
-/// Whether a ray goes through a convex polygon, and to which side: a ray through an edge meets one of the two facets
-/// that share it, as though it went by an infinitely small distance beside it (Woop and others 2013 shear the ray into
-/// an axis, as here).
+/// Decides whether a ray passes through a convex polygon, and in which direction. A ray through an edge hits exactly
+/// one of the two facets that share it, as if displaced by an infinitesimal distance. The ray is sheared onto an axis
+/// as in Woop and others 2013.
 class Piercing {
  public:
   explicit Piercing(const SpaceRay& ray) : origin_(ray.origin) {
@@ -26,7 +28,7 @@ class Piercing {
     shear_v_ = ray.direction[v_] / ray.direction[along_];
   }
 
-  /// 1 where the ray goes out through it, -1 where it goes in, 0 where it misses. Corners are counter-clockwise as seen
+  /// 1 if the ray leaves through the polygon, -1 if it enters, 0 if it misses. Corners are counter-clockwise as seen
   /// from outside.
   template <class Count>
   int through(std::span<const glm::dvec3> corners, Count& count) const {
@@ -58,7 +60,7 @@ class Piercing {
     return {to[u_] - shear_u_ * to[along_], to[v_] - shear_v_ * to[along_]};
   }
 
-  /// On which side of an edge the ray is. An edge the other way round has the other side, in doubles too.
+  /// Side of an edge on which the ray passes. Reversing the edge reverses the side exactly, even with rounding.
   static int side_of(const Sheared& from, const Sheared& to) {
     const double area = from.u * to.v - from.v * to.u;
     const double first = area != 0 ? area : from.v - to.v;
@@ -74,8 +76,8 @@ class Piercing {
   double shear_v_ = 0;
 };
 
-/// How far along a ray the plane of a polygon is that it goes through, held against the ends of the ray: two scalar
-/// products and a quotient.
+/// Counts computing the distance along a ray to a polygon's plane and comparing it with the ends of the ray: two scalar
+/// products and a division.
 template <class Count>
 void count_distance(Count& count) {
   count_products(count, 6);

@@ -1,3 +1,5 @@
+// Tracing of primary rays through a directory.
+// Used by trace.cpp.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +18,7 @@
 
 namespace csgsim::software {
 
-/// An event, and the facet of the picture that it is of.
+/// An event and the facet that causes it.
 struct Met {
   Event event;
   std::uint32_t facet = 0;  ///< index into ScreenFacets::facets
@@ -24,14 +26,15 @@ struct Met {
   bool operator<(const Met& other) const { return event < other.event; }
 };
 
-/// Where a ray of a pixel gets into the solid.
+/// The point at which a primary ray enters the solid.
 struct Hit {
   Seen seen;
-  std::uint32_t facet = TraceScene::none;   ///< index into ScreenFacets::facets
-  std::uint32_t before = TraceScene::none;  ///< element of the surfaces before, which tells what a secondary ray is in
+  std::uint32_t facet = TraceScene::none;  ///< index into ScreenFacets::facets
+  std::uint32_t before =
+      TraceScene::none;  ///< list element of the preceding surfaces, which identifies the medium of a secondary ray
 };
 
-/// Classifies the events of a ray, point by point, by the list structure.
+/// Classifies the events of a ray point by point with the list structure.
 template <class Count>
 class PointsOfRay {
  public:
@@ -44,7 +47,7 @@ class PointsOfRay {
     element_ = Sequences<Count>::none;
   }
 
-  /// Takes all events at the next depth, in order; true where the ray gets into the solid there.
+  /// Adds all events at the next depth, in order; returns whether the ray enters the solid there.
   bool take(std::span<const Met> point) {
     const std::uint32_t before = element_;
     const std::size_t begin = events_.size();
@@ -77,8 +80,8 @@ class PointsOfRay {
   std::uint32_t element_ = 0;
 };
 
-/// Of a facet in the picture at a pixel: the rectangle, then bound after bound until one says no, and the depth. A
-/// coefficient times a column takes two products of words for each of its longs.
+/// Counts the test of a projected facet at a pixel: the rectangle, then its bounds until one fails, and the depth.
+/// Multiplying a coefficient by a column takes two word multiplications per long.
 template <class Count>
 void count_projected_test(const ScreenFacets& facets, const ScreenFacet& facet, std::int32_t column, std::int32_t row,
                           std::uint64_t longs, Count& count) {
@@ -103,8 +106,8 @@ void count_projected_test(const ScreenFacets& facets, const ScreenFacet& facet, 
   count.shift(facets.fraction_bits);
 }
 
-/// Traces the rays of pixels through a directory. Which facets are asked is the cells' matter; what they answer is the
-/// integers' that machines draw by, so that the picture is the machines'.
+/// Traces the rays of pixels through a directory. The cells determine which facets are tested; the tests use the
+/// integers of the machines, so that the picture is identical to that of the machines.
 template <class Count>
 class PrimaryRays final : public CellVisitor {
  public:
@@ -136,7 +139,7 @@ class PrimaryRays final : public CellVisitor {
       piercing_.emplace(ray);
       count_quotients(meters_.traversal, 2);
     }
-    ask_loose();
+    test_loose_facets();
     directory_.walk(ray, *this, meters_.traversal);
     if (!is_done_) settle(pending_.size());
     met_.hits += points_.hit().seen.owner != Seen::nothing_seen ? 1U : 0U;
@@ -147,12 +150,12 @@ class PrimaryRays final : public CellVisitor {
   bool visit(const Cell& cell) override {
     ++cells_;
     for (const std::uint32_t facet : cell.facets) {
-      if (has_mailboxes_ && has_been_asked(facet)) continue;
+      if (has_mailboxes_ && was_tested(facet)) continue;
       const std::uint32_t screen = scene_.screen_of(facet);
       ++met_.tested;
       meters_.intersection(Operation::load_long, 2);
       meters_.intersection(Operation::branch, 2);
-      if (screen != TraceScene::none) ask(screen);
+      if (screen != TraceScene::none) test_facet(screen);
     }
     const double known = scene_.depth_at(cell.settled);
     std::size_t due = 0;
@@ -164,7 +167,7 @@ class PrimaryRays final : public CellVisitor {
   }
 
  private:
-  void ask_loose() {
+  void test_loose_facets() {
     const std::span<const std::uint32_t> loose = scene_.loose_in(static_cast<std::uint32_t>(row_));
     meters_.intersection(Operation::load_long, loose.size());
     for (const std::uint32_t screen : loose) {
@@ -174,11 +177,11 @@ class PrimaryRays final : public CellVisitor {
       if (column_ < pixels.x0 || column_ > pixels.x1) continue;
       ++met_.tested;
       ++met_.loose;
-      ask(screen);
+      test_facet(screen);
     }
   }
 
-  bool has_been_asked(std::uint32_t facet) {
+  bool was_tested(std::uint32_t facet) {
     meters_.intersection(Operation::load_long, 2);
     meters_.intersection(Operation::compare_long);
     meters_.intersection(Operation::branch);
@@ -191,14 +194,14 @@ class PrimaryRays final : public CellVisitor {
     return false;
   }
 
-  void ask(std::uint32_t screen) {
+  void test_facet(std::uint32_t screen) {
     const ScreenFacets& facets = scene_.screen();
     const ScreenFacet& facet = facets.facets[screen];
     meters_.intersection(Operation::call);
     meters_.intersection(Operation::come_back);
     count_test(facet);
     const std::optional<Event> event = facets.event_at(facet, column_, row_);
-    // Without mailboxes a facet may be asked again when its event has been taken.
+    // A facet without a mailbox may be tested again after its event has been processed.
     if (!event || static_cast<std::int64_t>(event->depth) <= settled_depth_) return;
     const Met met{*event, screen};
     const auto place = std::lower_bound(pending_.begin(), pending_.end(), met);
@@ -216,14 +219,14 @@ class PrimaryRays final : public CellVisitor {
     if constexpr (!Count::counts) return;
     if (test_ == FacetTest::projected)
       return count_projected_test(scene_.screen(), facet, column_, row_, longs_, meters_.intersection);
-    // A ray that begins in a primitive meets no polygon there.
+    // The near cap, where a ray starts inside a primitive, is not a polygon.
     if (facet.facet == ScreenFacet::near_cap) return;
     const std::span<const glm::dvec3> corners = scene_.facets().corners_of(facet.facet);
     if (corners.size() < 3 || piercing_->through(corners, meters_.intersection) == 0) return;
     count_distance(meters_.intersection);
   }
 
-  /// Takes so many of the events that wait.
+  /// Processes the first `due` pending events.
   void settle(std::size_t due) {
     std::size_t begin = 0;
     while (begin < due && !is_done_) {
@@ -241,17 +244,17 @@ class PrimaryRays final : public CellVisitor {
   FacetTest test_;
   bool has_mailboxes_;
   std::uint64_t longs_;
-  std::optional<Piercing> piercing_;  ///< of the ray, where facets are tested in space
+  std::optional<Piercing> piercing_;  ///< for facet tests in space
   TraceMeters<Count>& meters_;
   RaysMet& met_;
   PointsOfRay<Count> points_;
-  std::vector<std::uint32_t> last_ray_;  ///< of each facet, the last ray that was held against it
+  std::vector<std::uint32_t> last_ray_;  ///< per facet, the last ray tested against it
   std::uint32_t ray_ = 0;
   std::uint64_t cells_ = 0;
   std::int32_t column_ = 0;
   std::int32_t row_ = 0;
-  std::vector<Met> pending_;         ///< events that are known and not yet taken, in order
-  std::int64_t settled_depth_ = -1;  ///< of the last that were taken
+  std::vector<Met> pending_;         ///< known but unprocessed events, sorted
+  std::int64_t settled_depth_ = -1;  ///< depth of the last processed events
   bool is_done_ = false;
 };
 

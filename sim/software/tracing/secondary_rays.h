@@ -1,3 +1,5 @@
+// Tracing of shadow and mirror rays.
+// Used by trace.cpp.
 #pragma once
 
 #include <algorithm>
@@ -19,25 +21,25 @@
 
 namespace csgsim::software {
 
-/// Where a secondary ray begins: on a facet, on the side that it is seen from.
+/// Start of a secondary ray: a point on a facet, on the side from which it is seen.
 struct Start {
   glm::dvec3 place{0};                      ///< relative to PlaneTable::centre()
-  std::uint32_t facet = TraceScene::none;   ///< index into Facets::facets; facets in its plane are behind the ray
-  std::uint32_t before = TraceScene::none;  ///< element of the list structure: what the place is in
+  std::uint32_t facet = TraceScene::none;   ///< index into Facets::facets; facets in its plane are ignored
+  std::uint32_t before = TraceScene::none;  ///< list element that identifies the primitives containing the start
 };
 
-/// Where a secondary ray gets into the solid.
+/// The point at which a secondary ray enters the solid.
 struct RealHit {
   double t = std::numeric_limits<double>::infinity();
   std::uint32_t owner = Seen::nothing_seen;
   std::uint32_t facet = TraceScene::none;   ///< index into Facets::facets
-  std::uint32_t before = TraceScene::none;  ///< as of Start
+  std::uint32_t before = TraceScene::none;  ///< as in Start
 
   [[nodiscard]] bool is_in_solid() const { return t < std::numeric_limits<double>::infinity(); }
 };
 
-/// Rays in real arithmetic that begin at a surface. What is met at one place, within the slack of the scene, is taken
-/// together.
+/// Rays in floating-point arithmetic that start at a surface. Events at the same place, within the slack of the scene,
+/// are processed together.
 template <class Count>
 class SecondaryRays final : public CellVisitor {
  public:
@@ -51,8 +53,7 @@ class SecondaryRays final : public CellVisitor {
         last_ray_(scene.facets().facets.size()),
         holds_(scene.tree().leaf_of.size()) {}
 
-  /// The first place up to t = end where the ray gets into the solid. With `is_any` any such place does, and whose it
-  /// is is not told.
+  /// The first point up to t = end at which the ray enters the solid. If `is_any`, any such point, without its owner.
   RealHit trace(const Start& start, const glm::dvec3& direction, double end, bool is_any, RaysMet& met) {
     begin(start, direction, end, met);
     is_any_ = is_any;
@@ -71,8 +72,8 @@ class SecondaryRays final : public CellVisitor {
   bool visit(const Cell& cell) override {
     ++cells_;
     for (const std::uint32_t facet : cell.facets) {
-      if (has_mailboxes_ && has_been_asked(facet)) continue;
-      ask(facet);
+      if (has_mailboxes_ && was_tested(facet)) continue;
+      test_facet(facet);
     }
     settle(cell.settled);
     return !is_done_;
@@ -106,7 +107,7 @@ class SecondaryRays final : public CellVisitor {
     count_quotients(meters_.traversal, 2);
   }
 
-  bool has_been_asked(std::uint32_t facet) {
+  bool was_tested(std::uint32_t facet) {
     meters_.intersection(Operation::load_long, 2);
     meters_.intersection(Operation::compare_long);
     meters_.intersection(Operation::branch);
@@ -119,7 +120,7 @@ class SecondaryRays final : public CellVisitor {
     return false;
   }
 
-  void ask(std::uint32_t number) {
+  void test_facet(std::uint32_t number) {
     ++met_->tested;
     const Facet& facet = scene_.facets().facets[number];
     const std::span<const glm::dvec3> corners = scene_.facets().corners_of(number);
@@ -143,7 +144,7 @@ class SecondaryRays final : public CellVisitor {
     pending_.insert(place, event);
   }
 
-  /// Takes the places that are surely known where the ray is settled that far.
+  /// Processes the places that are certain, given that the ray is settled up to `settled`.
   void settle(double settled) {
     std::size_t begin = 0;
     while (begin < pending_.size() && !is_done_ && pending_[begin].t + 2 * slack_ <= settled) {
@@ -155,8 +156,7 @@ class SecondaryRays final : public CellVisitor {
     pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(begin));
   }
 
-  /// A primitive that is left without having been entered, at a place that rounding has on the other side of a face, is
-  /// not heard of.
+  /// Ignores leaving a primitive that was not entered, which happens if rounding moves a place across a face.
   void take(std::span<const RealEvent> place) {
     const std::uint32_t before = element_;
     const std::size_t begin = events_.size();
@@ -190,7 +190,7 @@ class SecondaryRays final : public CellVisitor {
   Sequences<Count>& sequences_;
   TraceMeters<Count>& meters_;
   std::vector<std::uint32_t> last_ray_;
-  std::vector<std::uint8_t> holds_;  ///< of each primitive whether the ray is in it
+  std::vector<std::uint8_t> holds_;  ///< per primitive, whether the ray is inside
   std::uint32_t number_ = 0;
   SpaceRay ray_;
   std::optional<Piercing> piercing_;
@@ -199,8 +199,8 @@ class SecondaryRays final : public CellVisitor {
   RaysMet* met_ = nullptr;
   std::uint32_t element_ = 0;
   std::vector<RealEvent> pending_;
-  std::vector<std::uint32_t> taken_;  ///< facets whose events have been taken, which without mailboxes come again
-  std::vector<Event> events_;         ///< enterings of what holds the start, then what was met
+  std::vector<std::uint32_t> taken_;  ///< facets with processed events, which can reappear without mailboxes
+  std::vector<Event> events_;         ///< entries into the primitives containing the start, then the ray's events
   RealHit hit_;
   std::uint64_t cells_ = 0;
   bool is_any_ = false;

@@ -20,9 +20,9 @@ namespace csgsim::software {
 
 namespace {
 
-constexpr std::size_t most_lights = 32;
+constexpr std::size_t max_lights = 32;
 
-/// Traces a picture, pixel after pixel.
+/// Traces a picture pixel by pixel.
 template <class Count>
 class Tracer {
  public:
@@ -38,7 +38,7 @@ class Tracer {
     }
     const bool is_of_lists = options.item_pass == ItemPass::depth_lists;
     if (options.item_pass != ItemPass::none)
-      items_.emplace(scene, sequences_, is_of_lists ? meters_ : unbilled_, counts_.items);
+      items_.emplace(scene, sequences_, is_of_lists ? meters_ : uncharged_, counts_.items);
   }
 
   void trace(std::vector<TracedPixel>& pixels) {
@@ -69,7 +69,7 @@ class Tracer {
   }
 
  private:
-  /// The pass draws the items that the buffer has, and puts a pointer to the polygon into each pixel that it sets.
+  /// Charges the list priority pass, plus a pointer to the polygon for each pixel that it sets.
   void count_list_priority(TraceCounts& counts) const {
     Count pointers;
     pointers(Operation::store_long, counts.primary.hits);
@@ -79,7 +79,7 @@ class Tracer {
     counts.words = options_.list_priority.words;
   }
 
-  /// The facet in the buffer is all that is held against the ray.
+  /// Tests the ray against the facet in the item buffer only.
   Hit looked_up(const Hit& hit) {
     RaysMet& met = counts_.primary;
     ++met.rays;
@@ -106,7 +106,7 @@ class Tracer {
     pixel.seen = hit.seen;
     pixel.mirrored.clear();
     pixel.surface = {};
-    // A colour that is known of each facet is read and written.
+    // A precomputed colour per facet is read and written.
     meters_.shading(Operation::load_long, 2);
     meters_.shading(Operation::store_long);
     meters_.shading(Operation::branch_taken);
@@ -126,7 +126,7 @@ class Tracer {
 
   [[nodiscard]] bool has_secondary() const { return options_.has_shadows || options_.mirror_depth > 0; }
 
-  /// Where a ray meets the plane of a facet.
+  /// The point at which a ray intersects the plane of a facet.
   glm::dvec3 at_plane(const SpaceRay& ray, std::uint32_t facet) {
     const facet::Plane& plane = plane_of(facet);
     count_products(meters_.shading, 9);
@@ -138,7 +138,7 @@ class Tracer {
     return scene_.geometry().planes.planes()[scene_.facets().facets[facet].halfspace.plane];
   }
 
-  /// Light on a surface that a ray has come to, and what it mirrors.
+  /// Computes the lights at the surface that a ray hit, and its reflections.
   void follow(SpaceRay ray, Start start, TracedPixel& pixel) {
     pixel.surface.lit = light_at(start, ray.direction);
     for (unsigned depth = 0; depth < options_.mirror_depth; ++depth) {
@@ -159,7 +159,7 @@ class Tracer {
     }
   }
 
-  /// Which lights fall on a surface, from the side that is seen along that direction.
+  /// Bit mask of the lights that reach a surface on the side that is seen in the given direction.
   std::uint32_t light_at(const Start& start, const glm::dvec3& seen_along) {
     if (!options_.has_shadows) return 0;
     std::uint32_t lit = 0;
@@ -178,7 +178,7 @@ class Tracer {
     return lit;
   }
 
-  /// A colour of three channels is mixed with another.
+  /// Blends a colour of three channels with another.
   void mix() {
     meters_.shading(Operation::load, 6);
     meters_.shading(Operation::multiply, 3);
@@ -189,7 +189,7 @@ class Tracer {
   const TraceScene& scene_;
   const TraceOptions& options_;
   TraceMeters<Count> meters_;
-  TraceMeters<Count> unbilled_;  ///< of an item buffer that is made at another pass's price
+  TraceMeters<Count> uncharged_;  ///< counters of an item buffer that is charged at another pass's price
   TraceCounts counts_;
   Sequences<Count> sequences_;
   PrimaryRays<Count> primary_;
@@ -212,8 +212,9 @@ std::vector<TracedPixel> blank(const TraceScene& scene) {
 }
 
 void refuse(const TraceOptions& options) {
-  if (options.lights.size() > most_lights)
-    throw InputError("the scene has " + std::to_string(options.lights.size()) + " lights, of 32 that rays go to");
+  if (options.lights.size() > max_lights)
+    throw InputError("the scene has " + std::to_string(options.lights.size()) +
+                     " lights, but at most 32 are supported; remove some lights");
 }
 
 }  // namespace
@@ -229,20 +230,20 @@ Traced trace(const TraceScene& scene, const Directory& directory, const TraceOpt
 
 double traced_seconds(const TraceScene& scene, const Directory& directory, const TraceOptions& options) {
   refuse(options);
-  constexpr unsigned most_times = 3;
+  constexpr unsigned max_runs = 3;
   constexpr double enough = 0.2;
   std::vector<TracedPixel> pixels = blank(scene);
-  double least = std::numeric_limits<double>::infinity();
+  double min_seconds = std::numeric_limits<double>::infinity();
   double spent = 0;
   if (scene.tree().is_constant()) return 0;
-  for (unsigned i = 0; i < most_times && spent < enough; ++i) {
+  for (unsigned i = 0; i < max_runs && spent < enough; ++i) {
     const auto begin = std::chrono::steady_clock::now();
     trace_with<UncountedMethod>(scene, directory, options, pixels);
     const double seconds = seconds_since(begin);
-    least = std::min(least, seconds);
+    min_seconds = std::min(min_seconds, seconds);
     spent += seconds;
   }
-  return least;
+  return min_seconds;
 }
 
 Picture picture_of(const Traced& traced) {

@@ -1,3 +1,5 @@
+// Ray tracing of a model through a directory of its facets.
+// Used by csgsim trace.
 #pragma once
 
 #include <cstdint>
@@ -11,52 +13,53 @@
 
 namespace csgsim::software {
 
-/// A light as rays have it: a place, or a direction to it; model space, relative to PlaneTable::centre().
+/// A light for shadow rays: a position, or a direction towards the light; in model space relative to
+/// PlaneTable::centre().
 struct TraceLight {
   bool is_point = false;
   glm::dvec3 where{0};
 };
 
-/// How primary rays are held against a facet. Either way the picture is that of the integers.
+/// How the test of primary rays against a facet is counted. The picture always results from the integers.
 enum class FacetTest : std::uint8_t {
-  space,      ///< counted as a polygon in space is tested, which is how secondary rays are
-  projected,  ///< counted in the picture, into which all facets are transformed: a rectangle first, then its edges
+  space,      ///< as a test against a polygon in space, as for secondary rays
+  projected,  ///< as a test in the picture after transforming all facets: rectangle first, then edges
 };
 
-/// What takes the place of primary rays.
+/// Replacement of primary rays.
 enum class ItemPass : std::uint8_t {
   none,
-  depth_lists,    ///< all facets are scan-converted, the events of a row sorted and classified
-  list_priority,  ///< the same items, at the price of TraceOptions::list_priority
+  depth_lists,    ///< scan-converts all facets and classifies the sorted events of each row
+  list_priority,  ///< the same items, at the cost given by TraceOptions::list_priority
 };
 
-/// A pass of the list priority algorithm over the same picture.
+/// Cost of drawing the same picture by list priority.
 struct PriorityPass {
   Operations operations;
-  std::uint64_t events = 0;  ///< drawn at pixels
-  std::uint64_t words = 0;   ///< of 32 bits, without the items
+  std::uint64_t events = 0;  ///< events drawn at pixels
+  std::uint64_t words = 0;   ///< 32-bit words, without the items
 };
 
-/// Which rays are cast.
+/// Selects the rays to cast.
 struct TraceOptions {
   ItemPass item_pass = ItemPass::none;
   PriorityPass list_priority{};
   FacetTest facet_test = FacetTest::space;
   bool has_mailboxes = true;
   bool has_shadows = false;
-  unsigned mirror_depth = 0;            ///< mirrors that are seen in one another
+  unsigned mirror_depth = 0;            ///< maximum number of successive reflections
   std::vector<TraceLight> lights{};     ///< at most 32
-  std::vector<std::uint8_t> mirrors{};  ///< of each facet whether it mirrors, index into Facets::facets
+  std::vector<std::uint8_t> mirrors{};  ///< per facet, whether it is a mirror; indexed like Facets::facets
 };
 
-/// What is seen at a place of a surface.
+/// The visible surface at a point.
 struct TracedSurface {
   std::uint32_t owner = Seen::nothing_seen;
-  std::uint32_t facet = TraceScene::none;  ///< index into Facets::facets; none of a near cap, and where nothing is seen
-  std::uint32_t lit = 0;                   ///< bits of lights in front of the facet that nothing hides
+  std::uint32_t facet = TraceScene::none;  ///< index into Facets::facets; none for a near cap or if nothing is visible
+  std::uint32_t lit = 0;                   ///< bit mask of unobstructed lights in front of the facet
 };
 
-/// A pixel, and what it mirrors: the surfaces in mirrors, one in another.
+/// A pixel and its reflections, one per successive mirror.
 struct TracedPixel {
   Seen seen;
   TracedSurface surface;
@@ -65,16 +68,16 @@ struct TracedPixel {
 
 struct Traced {
   std::vector<TracedPixel> pixels;  ///< row by row
-  TraceCounts counts;               ///< words alone, unless it was to count
+  TraceCounts counts;               ///< without counting, only `words` is set
 };
 
-/// Traces a picture. Keeps nothing. Throws InputError for more than 32 lights, and for a tree that holds all of space.
+/// Traces a picture. Throws InputError for more than 32 lights, and if the tree fills all of space.
 Traced trace(const TraceScene& scene, const Directory& directory, const TraceOptions& options, bool counts);
 
-/// Wall time of that on this computer, seconds: the least of some times, without counting.
+/// Minimum wall time of tracing the picture on this computer in seconds, over several runs without counting.
 double traced_seconds(const TraceScene& scene, const Directory& directory, const TraceOptions& options);
 
-/// Owners and depths of it.
+/// Owners and depths of a traced picture.
 Picture picture_of(const Traced& traced);
 
 }  // namespace csgsim::software

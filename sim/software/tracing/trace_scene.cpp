@@ -22,21 +22,21 @@ double distance_to_edge(const glm::dvec3& point, const glm::dvec3& from, const g
   return glm::length(point - from - along * part);
 }
 
-/// Of a convex polygon, an edge or a corner.
+/// Distance of a point to a convex polygon, which may be degenerate (an edge or a corner).
 double distance_to(const glm::dvec3& point, std::span<const glm::dvec3> corners) {
   glm::dvec3 normal{0};
   for (std::size_t i = 2; i < corners.size(); ++i)
     normal += glm::cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
   const double area = glm::length(normal);
   bool is_within = area > 0;
-  double least = endless;
+  double min_distance = endless;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::dvec3& from = corners[i];
     const glm::dvec3& to = corners[(i + 1) % corners.size()];
-    least = std::min(least, distance_to_edge(point, from, to));
+    min_distance = std::min(min_distance, distance_to_edge(point, from, to));
     is_within = is_within && glm::dot(glm::cross(normal, to - from), point - from) >= 0;
   }
-  return is_within ? std::abs(glm::dot(normal, point - corners[0])) / area : least;
+  return is_within ? std::abs(glm::dot(normal, point - corners[0])) / area : min_distance;
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ TraceScene::TraceScene(const model::Tree& model, const facet::Geometry& geometry
   slack_ = rounding * (shapes_.box().empty() ? 1.0 : shapes_.box().diagonal());
   begin_ = isa::distance_at(view.depth, view.sampling.z_bits, 0) - slack_;
   end_ = isa::distance_at(view.depth, view.sampling.z_bits, screen_.farthest) + slack_;
-  if (!(end_ > begin_)) end_ = endless;  // depth reaches beyond what is infinitely far
+  if (!(end_ > begin_)) end_ = endless;  // depth extends to infinity
   for (std::uint32_t i = 0; i < screen_.facets.size(); ++i) {
     const ScreenFacet& facet = screen_.facets[i];
     if (!is_loose(facet)) {
@@ -69,7 +69,7 @@ TraceScene::TraceScene(const model::Tree& model, const facet::Geometry& geometry
   }
 }
 
-/// Looked at where a row of its pixels begins and ends, between which nothing is farther off.
+/// Tests only the ends of each row of pixels, because the distance is maximal there.
 bool TraceScene::is_loose(const ScreenFacet& facet) const {
   if (facet.facet == ScreenFacet::near_cap) return true;
   const std::span<const glm::dvec3> corners = facets_.corners_of(facet.facet);

@@ -1,3 +1,5 @@
+// Facets and rays of a picture to be traced.
+// Used by trace.h.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +20,10 @@ namespace csgsim::software {
 
 /// A model's facets, in space and in a picture, and the rays of its pixels.
 ///
-/// Events at a pixel are those of ScreenFacets, by integers. A facet is *loose* if these are not where it is in space:
-/// farther off than half the reach of directories, before the near plane, or of no corners. Every ray of a pixel in its
-/// rectangle is held against it, since no cell can be told to have it. Of all others the events are in cells that have
-/// the facet.
+/// Events at a pixel are those of ScreenFacets, in integers. A facet is *loose* if these events do not match its
+/// position in space: they are farther away than half the reach of directories, before the near plane, or the facet has
+/// no corners. Loose facets are in no cell; every ray of a pixel in their rectangle is tested against them. The events
+/// of all other facets are in cells that contain the facet.
 class TraceScene {
  public:
   /// Keeps references. Throws InputError as facets_of() and screen_facets() do.
@@ -41,26 +43,26 @@ class TraceScene {
   [[nodiscard]] std::uint32_t width() const { return view_.sampling.width; }
   [[nodiscard]] std::uint32_t height() const { return view_.sampling.height; }
 
-  /// The facet of the picture that a facet is; none where it is none, or loose.
+  /// Index of the facet in the picture; none if it is not visible or is loose.
   [[nodiscard]] std::uint32_t screen_of(std::uint32_t facet) const { return screen_of_[facet]; }
-  /// The loose facets of a row, indices into ScreenFacets::facets.
+  /// The loose facets of a row, as indices into ScreenFacets::facets.
   [[nodiscard]] std::span<const std::uint32_t> loose_in(std::uint32_t row) const { return loose_[row]; }
   [[nodiscard]] std::uint64_t loose() const { return loose_facets_; }
 
-  /// The ray of a pixel; t is the distance along the view axis, in model units.
+  /// The ray of a pixel; t is the distance along the view axis in model units.
   [[nodiscard]] SpaceRay ray_of(std::int32_t column, std::int32_t row) const;
-  /// The depth up to which events are known where the ray is settled that far, rounding allowed for.
+  /// The depth up to which all events are known if the ray is settled up to t, allowing for rounding.
   [[nodiscard]] double depth_at(double t) const;
-  /// More than rounding moves a place along a ray, model units.
+  /// Upper bound of the displacement by rounding of a point along a ray, model units.
   [[nodiscard]] double slack() const { return slack_; }
-  /// A direction of the camera's axes (right, up, forward) in model space.
+  /// Converts a direction from camera axes (right, up, forward) to model space.
   [[nodiscard]] glm::dvec3 direction_of(const glm::dvec3& in_camera) const;
-  /// A place of the camera's axes in model space, relative to PlaneTable::centre().
+  /// Converts a point from camera axes to model space, relative to PlaneTable::centre().
   [[nodiscard]] glm::dvec3 place_of(const glm::dvec3& in_camera) const;
 
  private:
   [[nodiscard]] bool is_loose(const ScreenFacet& facet) const;
-  /// Whether its integers at a pixel are away from those corners.
+  /// Whether the integer depth at a pixel is too far from the polygon with these corners.
   [[nodiscard]] bool is_far(const ScreenFacet& facet, std::span<const glm::dvec3> corners, std::int32_t column,
                             std::int32_t row) const;
 
@@ -75,7 +77,7 @@ class TraceScene {
   double begin_ = 0;
   double end_ = 0;
   std::vector<std::uint32_t> screen_of_;
-  std::vector<std::vector<std::uint32_t>> loose_;  ///< by row
+  std::vector<std::vector<std::uint32_t>> loose_;  ///< indexed by row
   std::uint64_t loose_facets_ = 0;
 };
 

@@ -1,3 +1,5 @@
+// Bit-parallel traversal.
+// One of the rows of methods().
 #pragma once
 
 #include <cstddef>
@@ -10,12 +12,12 @@
 
 namespace csgsim::software {
 
-/// All nodes of a level at once, by three operations on the string of states (thesis 4.4.2, figure 4.13); a string that
-/// is longer than a word is worked out word by word, and these are put together at the top.
+/// Evaluates all nodes of a level at once by three operations on the string of states (thesis 4.4.2, figure 4.13). A
+/// string longer than a word is evaluated word by word, and the results are combined at the upper levels.
 template <class Count>
 class BitParallel {
  public:
-  static constexpr std::uint32_t most_levels = most_developed_levels;
+  static constexpr std::uint32_t max_levels = max_developed_levels;
 
   explicit BitParallel(const Tree& tree)
       : tree_(tree), states_(std::size_t{1} << tree.depth(), Kept::in_memory), work_(tree_.words()) {}

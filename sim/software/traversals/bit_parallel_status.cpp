@@ -4,10 +4,11 @@
 
 namespace csgsim::software {
 
-extern const MethodRow bit_parallel_status_row{.name = "bit-parallel-status",
-                                               .help = "as bit-parallel, but only words above a bit that changed",
-                                               .source = "Jansen 1987, named in table 4.10",
-                                               .compiled = processors::Compiled::bit_parallel,
-                                               .make = crossed<BitParallelStatus>};
+extern const MethodRow bit_parallel_status_row{
+    .name = "bit-parallel-status",
+    .help = "like bit-parallel, but evaluates only the words above a changed bit",
+    .source = "Jansen 1987, named in table 4.10",
+    .compiled = processors::Compiled::bit_parallel,
+    .make = crossed<BitParallelStatus>};
 
 }  // namespace csgsim::software

@@ -1,3 +1,5 @@
+// Bit-parallel traversal with stored status.
+// One of the rows of methods().
 #pragma once
 
 #include <cstddef>
@@ -10,12 +12,12 @@
 
 namespace csgsim::software {
 
-/// As bit-parallel, but what each word holds is kept, and only the word of a bit that changed is worked out anew, then
-/// those above it until one stays as it is. The thesis names the method in table 4.10 and does not describe it.
+/// Like bit-parallel, but the result of each word is stored. Only the word of a changed bit is recomputed, then the
+/// words above it until one is unchanged. The thesis names the method in table 4.10 without describing it.
 template <class Count>
 class BitParallelStatus {
  public:
-  static constexpr std::uint32_t most_levels = most_developed_levels;
+  static constexpr std::uint32_t max_levels = max_developed_levels;
 
   explicit BitParallelStatus(const Tree& tree)
       : tree_(tree),
@@ -49,7 +51,7 @@ class BitParallelStatus {
     return held_[levels_above() * tree_.words()] != 0;
   }
 
-  /// Of what is held, halves from level to level.
+  /// The number of stored words halves from level to level.
   [[nodiscard]] std::uint64_t words() const {
     return tree_.words_of_memory() + states_.words() + 2 * std::uint64_t{tree_.words()};
   }
@@ -59,7 +61,7 @@ class BitParallelStatus {
     return tree_.levels() > levels_in_word ? tree_.levels() - levels_in_word : 0;
   }
 
-  /// What the words from that one on hold at a level above those within a word.
+  /// Result of the words starting at `word`, at a level above those within a word.
   std::uint32_t& held(std::uint32_t above, std::size_t word) { return held_[above * tree_.words() + word]; }
 
   std::uint32_t together(std::uint32_t above, std::size_t word, Count& count) {

@@ -1,3 +1,5 @@
+// Bit-sequential traversal.
+// One of the rows of methods().
 #pragma once
 
 #include <cstddef>
@@ -11,16 +13,16 @@
 
 namespace csgsim::software {
 
-/// The tree in postorder as a list of steps over a string of bits and a stack of bits (thesis 4.4.1, table 4.6): no
-/// calls and no branches on what points are in, so that all pixels can go through it in step.
+/// The tree in postorder as a list of steps over a bit string with a stack of bits (thesis 4.4.1, table 4.6). There are
+/// no calls and no branches on the states of points, so that all pixels can execute the steps in lockstep.
 template <class Count>
 class BitSequential {
  public:
-  static constexpr std::uint32_t most_levels = any_levels;
+  static constexpr std::uint32_t max_levels = any_levels;
 
   explicit BitSequential(const Tree& tree)
       : states_(tree.leaf_of.size(), Kept::in_memory), stack_(tree.depth() + std::size_t{1}, Kept::in_register) {
-    // Operands before their operator, left before right, whatever the order of nodes.
+    // Operands precede their operator, left before right, independent of the order of nodes.
     struct Entry {
       std::uint32_t node;
       bool is_open;

@@ -1,3 +1,5 @@
+// Bit strings with operation counts.
+// Used by the bit-sequential and bit-parallel traversals.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +11,16 @@
 
 namespace csgsim::software {
 
-/// Bits of a word of a string.
+/// Number of bits in a word of a string.
 inline constexpr std::size_t word_bits = 32;
 
-/// Where a string of bits is between two steps.
+/// Location of a bit string between two steps.
 enum class Kept : std::uint8_t {
   in_memory,
-  in_register,  ///< if it is of one word
+  in_register,  ///< only if it fits in one word
 };
 
-/// A string of bits, all 0 at first.
+/// A string of bits, initially 0.
 template <class Count>
 class BitString {
  public:

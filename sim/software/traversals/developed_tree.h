@@ -1,3 +1,5 @@
+// Complete binary trees for bit-parallel evaluation.
+// Used by the bit-parallel traversals.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +12,22 @@
 
 namespace csgsim::software {
 
-/// Levels of a tree that are worked out within a word.
+/// Number of tree levels that are evaluated within a word.
 inline constexpr std::uint32_t levels_in_word = 5;
 
-/// A tree with more levels is not developed: 2^20 bits are 32,768 words to go through for a point.
-inline constexpr std::uint32_t most_developed_levels = 20;
+/// Maximum depth of a developed tree: 2^20 bits are 32,768 words to process per point.
+inline constexpr std::uint32_t max_developed_levels = 20;
 
-/// A tree as fully developed: 2^n places for n levels, a leaf in the leftmost place below it; bit 0 is the leftmost. An
-/// operator becomes an AND by inverting bits before and after it (thesis 4.4.2, table 4.7): both of a union, and of a
-/// place where there is no operator; the right one of a difference; none of an intersection.
+/// A complete binary tree with 2^n places for n levels. A leaf is at the leftmost place of its subtree; bit 0 is the
+/// leftmost. Every operator becomes an AND by inverting bits before and after it (thesis 4.4.2, table 4.7): both
+/// operands of a union, and of a place without operator; the right operand of a difference; none of an intersection.
 class DevelopedTree {
  public:
   explicit DevelopedTree(const Tree& tree)
       : levels_(tree.depth()),
         words_(tree.depth() > levels_in_word ? std::size_t{1} << (levels_ - levels_in_word) : 1) {
     place_of_.assign(tree.leaf_of.size(), model::no_index);
-    // Where there is no operator, an empty right operand is united.
+    // A place without operator is a union with an empty right operand.
     patterns_.assign(levels_ * words_, ~std::uint32_t{0});
     struct Entry {
       std::uint32_t node;
@@ -52,11 +54,11 @@ class DevelopedTree {
   [[nodiscard]] std::uint32_t levels() const { return levels_; }
   [[nodiscard]] std::size_t words() const { return words_; }
   [[nodiscard]] std::uint32_t place_of(std::uint32_t primitive) const { return place_of_[primitive]; }
-  /// Of a level, from 1 at the leaves, the bits of a word that are inverted.
+  /// Bits of a word that are inverted at a level; the leaves are level 1.
   [[nodiscard]] std::uint32_t pattern(std::uint32_t level, std::size_t word) const {
     return patterns_[(level - 1) * words_ + word];
   }
-  /// Patterns, a word each, of which above a word's levels only every second, fourth and so on is kept; and places.
+  /// Words of patterns and places. Above the levels within a word, only every second, fourth, ... pattern is stored.
   [[nodiscard]] std::uint64_t words_of_memory() const {
     std::uint64_t all = place_of_.size() / 2;
     for (std::uint32_t level = 1; level <= levels_; ++level)
@@ -64,7 +66,7 @@ class DevelopedTree {
     return all;
   }
 
-  /// The levels within a word: bit 0 of the result is theirs. Each takes three operations and a shift.
+  /// Evaluates the levels within a word; bit 0 is the result. Each level takes three operations and a shift.
   template <class Count>
   std::uint32_t within_word(std::uint32_t bits, std::size_t word, Count& count) const {
     const std::uint32_t levels = levels_ < levels_in_word ? levels_ : levels_in_word;
@@ -84,7 +86,7 @@ class DevelopedTree {
     return bits;
   }
 
-  /// What two words hold together, in bit 0; `word` is the left one at a level above those within a word.
+  /// Combines the results of two words into bit 0; `word` is the left one, `level` is above those within a word.
   template <class Count>
   std::uint32_t above_words(std::uint32_t level, std::size_t word, std::uint32_t left, std::uint32_t right,
                             Count& count) const {
@@ -98,7 +100,7 @@ class DevelopedTree {
     return ((left ^ inverted) & (right ^ pattern(level, other))) ^ inverted;
   }
 
-  /// Words between the two that a level puts together.
+  /// Distance of the two words that a level combines.
   static constexpr std::size_t distance(std::uint32_t level) { return std::size_t{1} << (level - levels_in_word - 1); }
 
  private:
@@ -111,7 +113,7 @@ class DevelopedTree {
   std::uint32_t levels_;
   std::size_t words_;
   std::vector<std::uint32_t> place_of_;
-  std::vector<std::uint32_t> patterns_;  ///< level by level, a word each
+  std::vector<std::uint32_t> patterns_;  ///< one word each, level by level
 };
 
 }  // namespace csgsim::software

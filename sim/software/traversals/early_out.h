@@ -1,3 +1,5 @@
+// Early-out traversal.
+// One of the rows of methods(), also used by weave and interval arithmetic.
 #pragma once
 
 #include <cstdint>
@@ -7,19 +9,19 @@
 
 namespace csgsim::software {
 
-/// Whether the left operand decides alone: in of a union, out of the others.
+/// Whether the left operand decides alone: inside for a union, outside for other operators.
 constexpr bool is_decided(model::Operator op, std::uint8_t left) {
   return (op == model::Operator::unite) == (left != 0);
 }
 
-/// As the standard traversal, but the right operand is left out where the left one decides (thesis 4.3.2, table 4.3).
+/// Like the standard traversal, but skips the right operand if the left one decides (thesis 4.3.2, table 4.3).
 template <class Count>
 class EarlyOut : public States<Count> {
  public:
-  /// Visits are calls.
-  static constexpr std::uint32_t most_levels = most_calls;
+  /// Visits are recursive calls.
+  static constexpr std::uint32_t max_levels = max_calls;
 
-  /// Keeps a reference to the tree, which is not constant.
+  /// Keeps a reference to the tree, which must not be constant.
   explicit EarlyOut(const Tree& tree) : States<Count>(tree), tree_(tree) {}
 
   bool evaluate(Count& count) { return visit(tree_.root, count) != 0; }
@@ -43,7 +45,7 @@ class EarlyOut : public States<Count> {
     }
     count(Operation::branch_taken);
     count(Operation::branch);
-    // The right operand decides: a union is it, an intersection too, a difference its complement.
+    // The right operand decides: it is the result of a union or intersection, and its complement that of a difference.
     count_right(count);
     const std::uint8_t right = visit(node.right, count);
     if (node.op != model::Operator::subtract) return right;

@@ -1,3 +1,5 @@
+// Limits on the depth of trees.
+// Used by the traversals.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +10,15 @@
 
 namespace csgsim::software {
 
-/// Levels of a tree that calls go down, which have the stack of a thread.
-inline constexpr std::uint32_t most_calls = 20'000;
+/// Maximum number of tree levels for recursion on a thread's stack.
+inline constexpr std::uint32_t max_calls = 20'000;
 inline constexpr std::uint32_t any_levels = 0xffffffffU;
 
-/// Throws InputError for a tree of more levels than that.
-inline void refuse_deep(const Tree& tree, std::uint32_t most_levels) {
-  if (tree.depth() <= most_levels) return;
-  throw InputError("the tree has " + std::to_string(tree.depth()) + " levels, of " + std::to_string(most_levels) +
-                   " that this method goes down; take --shapes balanced, or another method");
+/// Throws InputError if the tree has more levels.
+inline void refuse_deep(const Tree& tree, std::uint32_t max_levels) {
+  if (tree.depth() <= max_levels) return;
+  throw InputError("the tree has " + std::to_string(tree.depth()) + " levels, but this method supports at most " +
+                   std::to_string(max_levels) + "; use --shapes balanced or another method");
 }
 
 }  // namespace csgsim::software

@@ -4,10 +4,11 @@
 
 namespace csgsim::software {
 
-extern const MethodRow positional_row{.name = "positional",
-                                      .help = "only operands with a primitive that the point is in, found by codes",
-                                      .source = "Jansen 1987, 4.3.3, table 4.4",
-                                      .compiled = processors::Compiled::positional,
-                                      .make = crossed<Positional>};
+extern const MethodRow positional_row{
+    .name = "positional",
+    .help = "visits only operands with a primitive that contains the point, found by codes",
+    .source = "Jansen 1987, 4.3.3, table 4.4",
+    .compiled = processors::Compiled::positional,
+    .make = crossed<Positional>};
 
 }  // namespace csgsim::software

@@ -1,3 +1,5 @@
+// Positional traversal.
+// One of the rows of methods().
 #pragma once
 
 #include <algorithm>
@@ -11,22 +13,22 @@
 
 namespace csgsim::software {
 
-/// Only operands that a primitive which is in belongs to are visited: nodes have codes by their position, and the
-/// primitives that are in are sorted by the codes of their leaves (thesis 4.3.3, table 4.4).
+/// Visits only operands with a primitive that contains the point. Nodes have codes by position, and the primitives that
+/// contain the point are sorted by the codes of their leaves (thesis 4.3.3, table 4.4).
 ///
-/// A code is a leaf's number from the left here, where the thesis halves a range of 2^n codes down the tree: the order
-/// is the same, and no tree is too deep. A node has the first code of its right operand (value 1) and the first one
-/// behind it (value 2), so that a code equal to value 2 leaves it too.
+/// The code of a leaf is its number from the left; the thesis instead halves a range of 2^n codes down the tree. The
+/// order is the same, and there is no limit on depth. A node stores the first code of its right operand (value 1) and
+/// the first code after it (value 2), so that a code equal to value 2 is outside the node.
 template <class Count>
 class Positional {
  public:
-  /// Visits are calls.
-  static constexpr std::uint32_t most_levels = most_calls;
+  /// Visits are recursive calls.
+  static constexpr std::uint32_t max_levels = max_calls;
 
-  /// Keeps a reference to the tree, which is not constant.
+  /// Keeps a reference to the tree, which must not be constant.
   explicit Positional(const Tree& tree) : tree_(tree), middle_(tree.nodes.size()), end_(tree.nodes.size()) {
     code_of_.assign(tree.leaf_of.size(), model::no_index);
-    // Fathers are behind their children, so that ranges come down from the back.
+    // Parents follow their children, so ranges are computed from the end.
     std::vector<std::uint32_t> leaves(tree.nodes.size(), 1);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
       const Node& node = tree.nodes[i];
@@ -88,7 +90,7 @@ class Positional {
     return visit(tree_.root, count) != 0;
   }
 
-  /// Nodes have two codes besides.
+  /// Each node additionally stores two codes.
   [[nodiscard]] std::uint64_t words() const {
     return words_of(tree_) + middle_.size() + code_of_.size() / 2 + codes_.capacity() / 2;
   }
@@ -96,7 +98,7 @@ class Positional {
  private:
   static constexpr std::uint32_t sentinel = 0xffffffffU;
 
-  /// A node that the next code is in.
+  /// Visits a node that contains the next code.
   std::uint8_t visit(std::uint32_t at, Count& count) {
     const Node& node = tree_.nodes[at];
     count_node(node, count);
@@ -139,7 +141,7 @@ class Positional {
     return is_below;
   }
 
-  /// The codes of an operand that is not visited.
+  /// Skips the codes of an operand that is not visited.
   void leave_out(std::uint32_t end, Count& count) {
     if (codes_[next_] < end) count.early_out();
     while (is_next_below(end, count)) {
@@ -152,8 +154,8 @@ class Positional {
   const Tree& tree_;
   std::vector<std::uint32_t> middle_;
   std::vector<std::uint32_t> end_;
-  std::vector<std::uint32_t> code_of_;  ///< of each primitive
-  std::vector<std::uint32_t> codes_;    ///< of those that are in, and one above all
+  std::vector<std::uint32_t> code_of_;  ///< per primitive
+  std::vector<std::uint32_t> codes_;    ///< codes of primitives that contain the point, sorted, and a sentinel
   std::size_t next_ = 0;
 };
 

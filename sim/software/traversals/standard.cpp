@@ -5,7 +5,7 @@
 namespace csgsim::software {
 
 extern const MethodRow standard_row{.name = "standard",
-                                    .help = "the whole tree in postorder",
+                                    .help = "evaluates the whole tree in postorder",
                                     .source = "Jansen 1987, 4.3.1, table 4.2",
                                     .compiled = processors::Compiled::standard,
                                     .make = crossed<Standard>};

@@ -1,3 +1,5 @@
+// Standard traversal.
+// One of the rows of methods().
 #pragma once
 
 #include <cstdint>
@@ -8,17 +10,17 @@
 
 namespace csgsim::software {
 
-/// The whole tree in postorder for each point (thesis 4.3.1, table 4.2).
+/// Evaluates the whole tree in postorder for each point (thesis 4.3.1, table 4.2).
 template <class Count>
 class Standard : public States<Count> {
  public:
-  /// Visits are calls.
-  static constexpr std::uint32_t most_levels = most_calls;
+  /// Visits are recursive calls.
+  static constexpr std::uint32_t max_levels = max_calls;
 
-  /// Keeps a reference to the tree, which is not constant.
+  /// Keeps a reference to the tree, which must not be constant.
   explicit Standard(const Tree& tree) : States<Count>(tree), tree_(tree) {}
 
-  /// Whether the root holds the point.
+  /// Whether the solid contains the point.
   bool evaluate(Count& count) { return visit(tree_.root, count) != 0; }
 
   [[nodiscard]] std::uint64_t words() const { return words_of(tree_) + States<Count>::words(); }

@@ -1,3 +1,5 @@
+// States of primitives and costs of visiting nodes.
+// Used by the recursive traversals.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +12,7 @@
 
 namespace csgsim::software {
 
-/// Of each primitive whether a point is in it, a word each.
+/// One word per primitive: whether it contains the point.
 template <class Count>
 class States {
  public:
@@ -25,7 +27,7 @@ class States {
     is_in_[primitive] ^= 1U;
   }
 
-  /// That of a leaf's primitive.
+  /// State of a leaf's primitive.
   std::uint8_t at(const Node& leaf, Count& count) const {
     count(Operation::load, 2);
     count(Operation::add);
@@ -38,10 +40,10 @@ class States {
   std::vector<std::uint8_t> is_in_;
 };
 
-/// Words of 32 bits of a tree without pointers to fathers: kind and primitive, left and right.
+/// Size in 32-bit words of a tree without parent pointers: kind and primitive, left, right.
 constexpr std::uint64_t words_of(const Tree& tree) { return 3 * std::uint64_t{tree.nodes.size()}; }
 
-/// What a node takes before its operands are looked at: its kind is read and told from a leaf's.
+/// Counts the visit of a node before its operands: its kind is read and compared with a leaf's.
 template <class Count>
 void count_node(const Node& node, Count& count) {
   count.visit();
@@ -50,7 +52,7 @@ void count_node(const Node& node, Count& count) {
   count(node.is_leaf ? Operation::branch_taken : Operation::branch);
 }
 
-/// The left operand is visited by a call, over which the node is kept on the stack.
+/// Counts the call for the left operand, with the node saved on the stack.
 template <class Count>
 void count_left(Count& count) {
   count(Operation::store_long);
@@ -59,14 +61,14 @@ void count_left(Count& count) {
   count(Operation::load_long);
 }
 
-/// So is the right one; the node is on the stack already, or not needed any more.
+/// Counts the call for the right operand; the node is already on the stack, or no longer needed.
 template <class Count>
 void count_right(Count& count) {
   count(Operation::load_long);
   count(Operation::call);
 }
 
-/// What an operator does with what its operands hold.
+/// Combines the results of two operands.
 template <class Count>
 std::uint8_t combined(model::Operator op, std::uint8_t left, std::uint8_t right, Count& count) {
   count(Operation::load);

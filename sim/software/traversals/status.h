@@ -1,3 +1,5 @@
+// Status tree traversal.
+// One of the rows of methods(), also used to find owners.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +11,14 @@
 
 namespace csgsim::software {
 
-/// Each node keeps what it holds; a primitive that changes is followed from its leaf upwards until a node stays as it
-/// is (Sato and others 1985; thesis 4.3.4, table 4.5).
+/// Each node stores whether it contains the point. A change of a primitive is propagated from its leaf upwards until a
+/// node is unchanged (Sato and others 1985; thesis 4.3.4, table 4.5).
 template <class Count>
 class StatusTree {
  public:
-  static constexpr std::uint32_t most_levels = any_levels;
+  static constexpr std::uint32_t max_levels = any_levels;
 
-  /// Keeps a reference to the tree, which is not constant.
+  /// Keeps a reference to the tree, which must not be constant.
   explicit StatusTree(const Tree& tree) : tree_(tree), status_(tree.nodes.size()) {}
 
   void flip(std::uint32_t primitive, Count& count) {
@@ -57,10 +59,10 @@ class StatusTree {
     return status_[tree_.root] != 0;
   }
 
-  /// Whether a node holds the point.
+  /// Whether a node contains the point.
   [[nodiscard]] bool holds(std::uint32_t node) const { return status_[node] != 0; }
 
-  /// A node has a pointer to its father and its status besides.
+  /// Each node additionally stores a parent pointer and its status.
   [[nodiscard]] std::uint64_t words() const { return words_of(tree_) + 2 * tree_.nodes.size() + tree_.leaf_of.size(); }
 
  private:

@@ -1,3 +1,5 @@
+// Undoing of flips of a traversal.
+// Used by evaluations.h and by methods that evaluate single points.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +9,15 @@
 
 namespace csgsim::software {
 
-/// Flips each of these primitives, by a call each.
+/// Flips each of these primitives by one call.
 template <class Traversal, class Count>
 void flip_all(Traversal& traversal, std::span<const std::uint32_t> primitives, Count& count) {
   count(Operation::call, primitives.size());
   for (const std::uint32_t primitive : primitives) traversal.flip(primitive, count);
 }
 
-/// A traversal is outside all primitives again; `in` are those that it was in. By a step of its own (`clear`), if it
-/// has one, else by leaving each.
+/// Resets a traversal to a point outside all primitives; `in` are the primitives that contain the current point. Uses
+/// the traversal's own `clear` if it has one, and otherwise leaves each primitive.
 template <class Traversal, class Count>
 void take_back(Traversal& traversal, std::span<const std::uint32_t> in, Count& count) {
   if constexpr (requires { traversal.clear(count); }) {

@@ -1,3 +1,5 @@
+// Construction of binary CSG trees.
+// Used by tree.cpp and reduced.cpp.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +11,7 @@
 
 namespace csgsim::software {
 
-/// Makes a tree of nodes that come in order.
+/// Builds a tree from nodes added in order.
 class Builder {
  public:
   explicit Builder(std::size_t primitives) { tree_.leaf_of.assign(primitives, model::no_index); }

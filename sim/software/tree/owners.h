@@ -1,3 +1,5 @@
+// Owner of the visible surface.
+// Used by all classification methods.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +16,9 @@
 
 namespace csgsim::software {
 
-/// Whose surface is seen where a ray gets into the solid: of a primitive that is added the front can be, of one that is
-/// taken away the back; where several surfaces are at that depth, the first in tree order that no operator takes away.
+/// Determines whose surface is visible where a ray enters the solid. The front of an added primitive can be visible,
+/// and the back of a subtracted one. If several surfaces are at that depth, the owner is the first in tree order that
+/// no operator removes.
 template <class Count>
 class Owners {
  public:
@@ -29,7 +32,7 @@ class Owners {
     }
   }
 
-  /// `before`: the ray's events that are nearer; `at`: those where it gets in.
+  /// `before`: the ray's nearer events; `at`: the events at which it enters the solid.
   std::uint32_t seen(std::span<const Event> before, std::span<const Event> at, Count& count) {
     candidates_.clear();
     for (const Event& event : at) {
@@ -42,19 +45,20 @@ class Owners {
     active_.clear();
     for (const Event& event : before) enter_or_leave(event);
     for (const Event& event : at) enter_or_leave(event);
-    return first_that_shows(count);
+    return first_visible(count);
   }
 
-  /// The same of a ray's intervals, where it gets in at that depth; `active` are the primitives that hold it.
+  /// The same for a ray's intervals and the depth at which it enters; `active` are the primitives that contain that
+  /// point.
   std::uint32_t seen(std::span<const Interval> intervals, std::uint32_t depth, std::span<const std::uint32_t> active,
                      Count& count) {
     collect(intervals, depth, count);
     if (candidates_.size() == 1) return candidates_.front();
     active_.assign(active.begin(), active.end());
-    return first_that_shows(count);
+    return first_visible(count);
   }
 
-  /// The only primitive whose surface can be seen there; nothing_seen where there are several, or none.
+  /// The only primitive whose surface can be visible at that depth; nothing_seen if there are several or none.
   std::uint32_t only_one(std::span<const Interval> intervals, std::uint32_t depth, Count& count) {
     collect(intervals, depth, count);
     return candidates_.size() == 1 ? candidates_.front() : Seen::nothing_seen;
@@ -82,7 +86,7 @@ class Owners {
     }
   }
 
-  std::uint32_t first_that_shows(Count& count) {
+  std::uint32_t first_visible(Count& count) {
     count.tie();
     flip_all(status_, active_, count);
     const auto owner =
@@ -91,7 +95,7 @@ class Owners {
     return owner == candidates_.end() ? Seen::nothing_seen : *owner;
   }
 
-  /// Whether the other operands of what narrows leave it, up to the root.
+  /// Whether the other operands of narrowing operators keep the surface, up to the root.
   bool shows(std::uint32_t primitive, Count& count) const {
     std::uint32_t below = tree_.leaf_of[primitive];
     while (below != tree_.root) {
@@ -112,8 +116,9 @@ class Owners {
 
   const Tree& tree_;
   StatusTree<Count> status_;
-  std::vector<bool> taken_away_;           ///< of each node
-  std::vector<std::uint32_t> candidates_;  ///< primitives whose surface that can be seen is there, in tree order
+  std::vector<bool> taken_away_;  ///< per node
+  std::vector<std::uint32_t>
+      candidates_;  ///< primitives with a surface that can be visible at this depth, in tree order
   std::vector<std::uint32_t> active_;
 };
 

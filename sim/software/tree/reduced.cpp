@@ -11,7 +11,7 @@ namespace csgsim::software {
 
 namespace {
 
-/// What a node is reduced to: what is known, or a node of the new tree or its complement.
+/// Result of reducing a node: a constant, or a node of the new tree or its complement.
 struct Rest {
   Known known = Known::nothing;
   std::uint32_t node = model::no_index;
@@ -27,7 +27,7 @@ Rest complement(const Rest& rest) {
   return {Known::nothing, rest.node, !rest.complemented};
 }
 
-/// Both, by de Morgan's laws, where neither is known.
+/// Intersection of two non-constant operands by de Morgan's laws.
 Rest intersected(Builder& builder, const Rest& a, const Rest& b) {
   using model::Operator;
   if (a.complemented && b.complemented) return {Known::nothing, builder.join(Operator::unite, a.node, b.node), true};
@@ -58,7 +58,7 @@ Rest combined(Builder& builder, model::Operator op, const Rest& a, const Rest& b
   return both(builder, a, complement(b));
 }
 
-/// What is below the root, without what was decided after it had been made.
+/// Copies the nodes below the root, dropping those that became unused.
 Tree gathered(const Tree& made, std::uint32_t root) {
   std::vector<bool> is_used(made.nodes.size());
   is_used[root] = true;

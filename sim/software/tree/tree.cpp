@@ -11,10 +11,10 @@ namespace csgsim::software {
 namespace {
 
 constexpr std::array shape_rows{
-    ShapeRow{Shape::written, "written", "as the file has its nodes, each from the left"},
-    ShapeRow{Shape::left_deep, "left-deep", "nodes of one operator joined, then from the left"},
-    ShapeRow{Shape::balanced, "balanced", "nodes of one operator joined, then by halves"},
-    ShapeRow{Shape::reversed, "reversed", "as balanced, the operands of unions from the last to the first"}};
+    ShapeRow{Shape::written, "written", "nodes as in the file, each from left to right"},
+    ShapeRow{Shape::left_deep, "left-deep", "nodes with the same operator merged, then from left to right"},
+    ShapeRow{Shape::balanced, "balanced", "nodes with the same operator merged, then halved recursively"},
+    ShapeRow{Shape::reversed, "reversed", "like balanced, operands of unions in reverse order"}};
 
 std::uint32_t from_the_left(Builder& builder, model::Operator op, std::span<const std::uint32_t> parts) {
   std::uint32_t node = parts.front();
@@ -22,18 +22,19 @@ std::uint32_t from_the_left(Builder& builder, model::Operator op, std::span<cons
   return node;
 }
 
-/// Where to cut so that neither side is higher than it has to be: a part of height h weighs as 2^h leaves do.
+/// Index at which to split so that neither side is deeper than necessary: a part of height h has the weight of 2^h
+/// leaves.
 std::size_t middle_of(const Builder& builder, std::span<const std::uint32_t> parts) {
   std::vector<double> weights;
   double all = 0;
   for (const std::uint32_t part : parts) {
-    constexpr std::uint32_t most_exponent = 500;  // of what a double holds the sum of
-    all += std::ldexp(1.0, static_cast<int>(std::min(builder.height(part), most_exponent)));
+    constexpr std::uint32_t max_exponent = 500;  // so that the sum fits in a double
+    all += std::ldexp(1.0, static_cast<int>(std::min(builder.height(part), max_exponent)));
     weights.push_back(all);
   }
   const auto half = std::ranges::lower_bound(weights, all / 2);
   const auto before = static_cast<std::size_t>(half - weights.begin());
-  // The part that the half falls into goes to the side that it is more in.
+  // The part that contains the midpoint goes to the side with the larger share of it.
   const double over = weights[before] - all / 2;
   const double under = all / 2 - (before == 0 ? 0 : weights[before - 1]);
   return std::clamp<std::size_t>(over <= under ? before + 1 : before, 1, parts.size() - 1);
@@ -46,7 +47,7 @@ std::uint32_t by_halves(Builder& builder, model::Operator op, std::span<const st
   return builder.join(op, left, by_halves(builder, op, parts.subspan(middle)));
 }
 
-/// Nodes of the model, each of which is a node of the binary tree, or operands of its parent.
+/// Converts nodes of the model to binary nodes, or to operands of their parents.
 class Shaper {
  public:
   Shaper(const model::Tree& tree, Shape shape) : tree_(tree), shape_(shape), builder_(tree.primitives.size()) {}
@@ -66,7 +67,7 @@ class Shaper {
     Operands all;
     for (std::size_t c = 0; c < node.children.size(); ++c) {
       const model::Node& child = tree_.nodes[node.children[c]];
-      // What is taken away is a union, whose parts a difference takes one by one.
+      // The subtracted operands form a union; a difference subtracts its parts one by one.
       const model::Operator joins = node.op == model::Operator::subtract && c > 0 ? model::Operator::unite : node.op;
       Operands& parts = operands[node.children[c]];
       const bool is_joined = shape_ != Shape::written && !child.is_leaf && child.op == joins;
@@ -83,7 +84,7 @@ class Shaper {
   std::uint32_t joined(model::Operator op, Operands parts) {
     if (parts.size() == 1) return parts.front();
     if (shape_ == Shape::written || shape_ == Shape::left_deep) return from_the_left(builder_, op, parts);
-    // What a difference takes away is a union.
+    // The subtracted operands form a union.
     const std::span<std::uint32_t> united = op == model::Operator::subtract ? std::span(parts).subspan(1) : parts;
     if (shape_ == Shape::reversed && op != model::Operator::intersect) std::ranges::reverse(united);
     if (op != model::Operator::subtract) return by_halves(builder_, op, parts);

@@ -1,3 +1,5 @@
+// Binary CSG trees.
+// Used by all classification methods.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +11,7 @@
 
 namespace csgsim::software {
 
-/// A node of a binary tree: a leaf that names a primitive, or an operator over two nodes before it.
+/// A node of a binary tree: a leaf with a primitive, or an operator with two earlier nodes.
 struct Node {
   bool is_leaf = false;
   model::Operator op = model::Operator::unite;
@@ -17,28 +19,28 @@ struct Node {
   std::uint32_t left = model::no_index;
   std::uint32_t right = model::no_index;
   std::uint32_t parent = model::no_index;
-  std::uint32_t height = 0;  ///< levels below it
+  std::uint32_t height = 0;  ///< number of levels below it
 };
 
-/// A CSG tree of binary operators, as chapter 4 of the thesis has them; children precede their parents. A tree without
-/// nodes holds nothing, or everything if it is complemented.
+/// A CSG tree of binary operators, as in chapter 4 of the thesis; children precede their parents. A tree without nodes
+/// is empty, or all of space if it is complemented.
 struct Tree {
   std::vector<Node> nodes;
   std::uint32_t root = model::no_index;
-  std::vector<std::uint32_t> leaf_of;  ///< of each primitive of the model; no_index where it has none
-  bool complemented = false;           ///< the solid is what the root does not hold
+  std::vector<std::uint32_t> leaf_of;  ///< per primitive of the model; no_index if it has no leaf
+  bool complemented = false;           ///< the solid is the complement of the root
 
   [[nodiscard]] bool is_constant() const { return root == model::no_index; }
-  /// Levels of operators.
+  /// Number of levels of operators.
   [[nodiscard]] std::uint32_t depth() const { return is_constant() ? 0 : nodes[root].height; }
 };
 
-/// How an operator over many children becomes binary ones.
+/// How an operator with many children is converted to binary operators.
 enum class Shape : std::uint8_t {
-  written,    ///< from the left, each node of the file by itself
-  left_deep,  ///< from the left, when nodes of one operator have been joined: as deep as it gets
-  balanced,   ///< by halves, when they have been joined, so that a tree is as low as its operators allow
-  reversed,   ///< the same, the operands of unions from the last to the first
+  written,    ///< left to right, each node of the file separately
+  left_deep,  ///< left to right after merging nodes with the same operator: maximum depth
+  balanced,   ///< halved recursively after merging: minimum depth
+  reversed,   ///< like balanced, with the operands of unions in reverse order
 };
 
 /// A row of the table of shapes.
@@ -50,14 +52,14 @@ struct ShapeRow {
 
 std::span<const ShapeRow> shapes();
 
-/// The same solid, whatever the shape.
+/// Converts the model's tree; the solid is the same for every shape.
 Tree make_tree(const model::Tree& tree, Shape shape);
 
-/// What is known of a primitive beforehand, wherever a tree is to be used.
+/// Prior knowledge about a primitive in the region where a tree is used.
 enum class Known : std::uint8_t { nothing, out, in };
 
-/// The tree pruned by the rules of table 4.1 of the thesis. The NOT TREE that IN - TREE leaves is carried up by de
-/// Morgan's laws, to the tree as a whole in the end, so that operands may change sides. `known`: one a primitive.
+/// Prunes the tree by the rules of table 4.1 of the thesis. Complements, which arise from IN - TREE, are moved up to
+/// the root by de Morgan's laws, so that operands may change sides. `known` has one entry per primitive.
 Tree reduced(const Tree& tree, std::span<const Known> known);
 
 }  // namespace csgsim::software

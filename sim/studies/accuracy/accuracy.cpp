@@ -34,14 +34,15 @@ struct Options {
   std::string tolerances;
 };
 
-/// Whether the knob was asked for by its name.
+/// Whether --knobs lists the knob explicitly.
 bool names_knob(const Options& options, const std::string& knob) {
   if (options.knobs.empty()) return false;
   const std::vector<std::string> named = session::parse_words(options.knobs);
   return std::ranges::find(named, knob) != named.end();
 }
 
-/// Those that can be drawn; none if that is facets alone, unless they are asked for. Says what is left out, and why.
+/// The ways to draw curved surfaces that are possible here. If only facets are possible: none, or InputError if --knobs
+/// lists curves explicitly. Reports the impossible ways with their reasons.
 std::vector<CurvesChoice> curves_of(const Options& options, const machines::Machine& machine, const model::Tree& tree,
                                     const view::Camera& camera) {
   const emit::Options emit = session::emit_options_of(options.model);
@@ -55,11 +56,11 @@ std::vector<CurvesChoice> curves_of(const Options& options, const machines::Mach
       possible.push_back(choice);
   }
   if (possible.size() > 1) {
-    for (const std::string& reason : left_out) tell_line("--knobs curves, " + reason);
+    for (const std::string& reason : left_out) report_line("--knobs curves, " + reason);
     return possible;
   }
   if (names_knob(options, "curves"))
-    throw InputError(fmt::format("--knobs curves, facets alone; {}", fmt::join(left_out, "; ")));
+    throw InputError(fmt::format("--knobs curves: only facets are possible; {}", fmt::join(left_out, "; ")));
   return {};
 }
 
@@ -68,7 +69,7 @@ Knobs knobs_of(const Options& options, const machines::Machine& machine, const m
   Knobs knobs;
   if (!options.knobs.empty()) knobs.names = session::parse_words(options.knobs);
   knobs.tolerances =
-      options.tolerances.empty() ? usual_tolerances(scene.box.diagonal()) : tolerances_in(options.tolerances);
+      options.tolerances.empty() ? default_tolerances(scene.box.diagonal()) : parse_tolerances(options.tolerances);
   if (std::ranges::find(knobs.names, "curves") != knobs.names.end())
     knobs.curves = curves_of(options, machine, tree, camera);
   return knobs;
@@ -78,22 +79,22 @@ class Accuracy : public StudyOf<Measurement> {
  public:
   void add_options(session::OptionList& command) override {
     options_.model.add_to(command);
-    command.remove("--memory-bits");  // what is needed is one of the results
-    command.option("--views", options_.views, "Views that a point is measured in: the camera turned about the vertical")
+    command.remove("--memory-bits");  // the required number is a result
+    command.option("--views", options_.views, "Number of views per point: the camera rotated about the vertical axis")
         .between(1, 64);
-    command.option("--knobs", options_.knobs, "Which knobs are turned; all if not given").list_of(knob_names(), "knob");
+    command.option("--knobs", options_.knobs, "Knobs to vary; default: all").list_of(knob_names(), "knob");
     command
         .option("--tolerances", options_.tolerances,
-                "List of faceting tolerances, model units, in place of the usual ones, which are parts of the model's "
+                "Faceting tolerances in model units, separated by commas; default: fractions of the model's "
                 "diagonal")
-        .check(session::is_read_by(tolerances_in));
+        .check(session::is_read_by(parse_tolerances));
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return options_.model.inputs(); }
   [[nodiscard]] std::string table_model() const override { return options_.model.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     machine_ = session::machine_of(options_.model);
     session::ModelFile file = session::read_model_file(options_.model);
     const Inputs inputs{file.hash, machines::hash_of(machine_), session::version_and_build()};
@@ -101,20 +102,20 @@ class Accuracy : public StudyOf<Measurement> {
     tree_ = std::move(file.tree);
     const facet::Faceting faceting = session::faceting_of(options_.model, machine_, tree_);
     const facet::Geometry scene = facet::make_geometry(tree_, faceting);
-    if (scene.box.empty()) throw InputError(options_.model.model + ": nothing in it to measure; every solid is empty");
+    if (scene.box.empty()) throw InputError(options_.model.model + ": nothing to measure; every solid is empty");
     const view::Camera camera = session::camera_of(options_.model, machine_, tree_, scene);
     session::refuse_see_through(options_.model, tree_, camera);
     points_ = points(session::sampling_of(options_.model, machine_), faceting,
                      knobs_of(options_, machine_, tree_, scene, camera));
-    // Small pictures cannot be divided as often: some sizes are the same.
+    // Small pictures cannot be divided as often, so some sizes coincide.
     std::set<std::string> known;
     std::erase_if(points_, [&](const Settings& point) { return !known.insert(cells_of(point)).second; });
     meter_ = std::make_unique<Meter>(tree_, turned_views(camera, options_.views), machine_,
                                      session::emit_options_of(options_.model));
-    std::vector<Asked> asked;
-    for (const Settings& point : points_) asked.push_back({cells_of(point), inputs});
+    std::vector<PointRequest> requested;
+    for (const Settings& point : points_) requested.push_back({cells_of(point), inputs});
     inputs_ = inputs;
-    return asked;
+    return requested;
   }
 
   void print() const override { print_accuracy(rows(), options_.views); }
@@ -123,13 +124,13 @@ class Accuracy : public StudyOf<Measurement> {
     return plots_of_accuracy(rows(), {plot_stem(options_.model.model), options_.views});
   }
 
-  [[nodiscard]] std::string page_title() const override { return "What accuracy costs"; }
+  [[nodiscard]] std::string page_title() const override { return "Cost of accuracy"; }
   [[nodiscard]] PageSubject page_subject() const override {
     return {options_.model, {session::machine_of(options_.model)}};
   }
 
  protected:
-  [[nodiscard]] Measurement measured(std::size_t point) override {
+  [[nodiscard]] Measurement measure_point(std::size_t point) override {
     const view::Sampling& sampling = points_[point].sampling;
     Measurement row = session::with_memory_for_picture({sampling.width, sampling.height, machine_.array.memory_bits},
                                                        [&] { return meter_->measure(points_[point]); });
@@ -145,18 +146,18 @@ class Accuracy : public StudyOf<Measurement> {
   machines::Machine machine_;
   Inputs inputs_;
   std::vector<Settings> points_;
-  std::unique_ptr<Meter> meter_;  ///< keeps pictures from point to point
+  std::unique_ptr<Meter> meter_;  ///< caches pictures between points
 };
 
 }  // namespace
 
 extern const StudyRow accuracy_row{
     .name = "accuracy",
-    .does = "Show what accuracy costs in clocks: turn every knob and measure the errors",
+    .does = "Measure the cost of accuracy in clocks: vary every knob and count the errors",
     .example =
         "  csgsim accuracy carburettor.csg --camera 220,-255,135,2,0,5 -o carburettor-accuracy\n"
-        "What has been measured is in accuracy.csv at once; the same command goes on after an interruption.",
-    .plots = "plots (.png, .svg) a knob and of the front",
+        "Each result is written to accuracy.csv immediately; after an interruption, the same command resumes.",
+    .plots = "plots (.png, .svg) per knob and of the front",
     .is_parallel = false,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Accuracy>()); }};
 

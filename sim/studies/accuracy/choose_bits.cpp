@@ -18,7 +18,7 @@ void choose_bits(session::RenderRequest& request, const machines::Machine& machi
       cheapest(meter, grid(session::sampling_of(request.model, machine), faceting), *request.max_wrong_pixels);
   if (!chosen) {
     throw InputError(
-        fmt::format("no choice of --z-bits and --fraction-bits that fits the machine has at most {} wrong pixels; "
+        fmt::format("every choice of --z-bits and --fraction-bits that fits the machine has more than {} wrong pixels; "
                     "allow more, or see csgsim accuracy",
                     *request.max_wrong_pixels));
   }

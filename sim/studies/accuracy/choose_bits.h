@@ -1,3 +1,5 @@
+// Automatic choice of depth and fraction bits.
+// Used by csgsim render with --max-wrong-pixels.
 #pragma once
 
 #include "host/model/tree.h"
@@ -6,8 +8,8 @@
 
 namespace csgsim::studies {
 
-/// Puts the cheapest z bits and fraction bits whose picture has at most request.max_wrong_pixels wrong pixels into the
-/// request, and prints which. Throws InputError if there are none.
+/// Sets the request's z bits and fraction bits to the cheapest pair whose picture has at most request.max_wrong_pixels
+/// wrong pixels, and prints them. Throws InputError if there is no such pair.
 void choose_bits(session::RenderRequest& request, const machines::Machine& machine, const model::Tree& tree);
 
 }  // namespace csgsim::studies

@@ -29,11 +29,11 @@ namespace csgsim::studies {
 
 namespace {
 
-/// The arithmetic that stands for "as fine as can be" when pictures are compared.
+/// The finest arithmetic, the reference for comparing pictures.
 constexpr unsigned finest_z_bits = 24;
 constexpr unsigned finest_fraction_bits = 16;
 
-/// Solids are named by 0 and 1: whether they are faceted in spite of what the others are.
+/// Unique text of a faceting. Per solid, a 1 marks one that is faceted although the others are not.
 std::string name_of(const facet::Faceting& faceting) {
   std::string name = faceting.exact_curves ? faceting.fast_spheres ? "fast, " : "exact, " : "";
   if (faceting.tolerance) {
@@ -49,7 +49,7 @@ isa::Program compile(const model::Tree& tree, const facet::Geometry& scene, cons
                      const view::Sampling& sampling, const machines::Machine& machine, const emit::Options& options) {
   const view::View view = view::make_view(scene, tree, camera, sampling);
   return emit::compile(tree, scene, view, machine, options,
-                       [&](const isa::Program& program) { return functional::clocks_of_run(program, machine); });
+                       [&](const isa::Program& program) { return functional::measure_clocks(program, machine); });
 }
 
 machines::Machine sized(machines::Machine machine, const view::Sampling& sampling) {
@@ -57,7 +57,7 @@ machines::Machine sized(machines::Machine machine, const view::Sampling& samplin
   return machine;
 }
 
-/// Sum over pixels and channels of the difference of the colours, which have so many bits.
+/// Sum of the absolute differences of all colour channels over all pixels; colours have `bits` bits.
 double colour_difference(const observe::Frame& a, const observe::Frame& b, unsigned bits) {
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < a.colour.size(); ++i) {
@@ -74,9 +74,9 @@ double colour_difference(const observe::Frame& a, const observe::Frame& b, unsig
 
 struct Meter::Subject {
   facet::Geometry scene;
-  std::unique_ptr<const judges::Sight> sight;  ///< of the scene
-  judges::Truth exact;                         ///< of the half-spaces
-  judges::Truth analytic;                      ///< of the curved surfaces
+  std::unique_ptr<const judges::Sight> sight;  ///< visibility of the scene
+  judges::Truth exact;                         ///< truth for the half-spaces
+  judges::Truth analytic;                      ///< truth for the curved surfaces
   observe::Frame finest;
 };
 
@@ -88,16 +88,16 @@ Meter::~Meter() = default;
 
 namespace {
 
-/// The finest arithmetic in place of that which the settings ask for.
+/// Replaces the settings' arithmetic by the finest.
 view::Sampling finest(view::Sampling sampling) {
   sampling.z_bits = finest_z_bits;
   sampling.fraction_bits = finest_fraction_bits;
   return sampling;
 }
 
-/// Curved solids whose quadrics, as the camera sees them, do not fit the machine's numbers with the settings or with
-/// the finest arithmetic are faceted.
-facet::Faceting faceting_that_fits(const model::Tree& tree, const Settings& settings, const view::Camera& camera) {
+/// Facets those curved solids whose quadrics, in camera space, exceed the machine's number range with the settings or
+/// with the finest arithmetic.
+facet::Faceting fitting_faceting(const model::Tree& tree, const Settings& settings, const view::Camera& camera) {
   facet::Faceting faceting = settings.faceting;
   if (!faceting.exact_curves) return faceting;
   const facet::Geometry scene = facet::make_geometry(tree, faceting);
@@ -117,7 +117,7 @@ facet::Faceting faceting_that_fits(const model::Tree& tree, const Settings& sett
 
 Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
   const view::Sampling& sampling = settings.sampling;
-  const facet::Faceting faceting = faceting_that_fits(tree_, settings, cameras_[camera]);
+  const facet::Faceting faceting = fitting_faceting(tree_, settings, cameras_[camera]);
   const std::string key = fmt::format("{} {}x{} {}", name_of(faceting), sampling.width, sampling.height, camera);
   const auto known = subjects_.find(key);
   if (known != subjects_.end()) return *known->second;
@@ -137,7 +137,7 @@ Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
 judges::AnalyticPictures& Meter::analytic(const facet::Faceting& faceting, const view::Sampling& sampling,
                                           std::size_t camera) {
   const std::string key =
-      fmt::format("{} {}x{} {}", judges::fewest_round_of(faceting), sampling.width, sampling.height, camera);
+      fmt::format("{} {}x{} {}", judges::min_round_fragments(faceting), sampling.width, sampling.height, camera);
   return analytic_.try_emplace(key, tree_, faceting, cameras_[camera], sampling.width, sampling.height).first->second;
 }
 
@@ -147,7 +147,7 @@ std::uint64_t Meter::clocks(const Settings& settings) {
   for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
     const isa::Program program =
         compile(tree_, subject(settings, camera).scene, cameras_[camera], settings.sampling, machine, options_);
-    clocks += functional::clocks_of_run(program, machine);
+    clocks += functional::measure_clocks(program, machine);
   }
   return clocks;
 }
@@ -197,18 +197,18 @@ Measurement Meter::measure_anew(const Settings& settings) {
   return sum;
 }
 
-std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates, std::uint64_t most_wrong) {
+std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates, std::uint64_t max_wrong) {
   std::vector<std::pair<std::uint64_t, const Settings*>> by_clocks;
   for (const Settings& candidate : candidates) {
     try {
       by_clocks.emplace_back(meter.clocks(candidate), &candidate);
     } catch (const InputError&) {
-      continue;  // it does not fit the machine
+      continue;  // does not fit the machine
     }
   }
   std::stable_sort(by_clocks.begin(), by_clocks.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [clocks, candidate] : by_clocks) {
-    if (meter.measure(*candidate).wrong <= most_wrong) return *candidate;
+    if (meter.measure(*candidate).wrong <= max_wrong) return *candidate;
   }
   return std::nullopt;
 }

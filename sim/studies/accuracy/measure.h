@@ -1,3 +1,5 @@
+// Measures clocks and errors of one model with different settings.
+// Used by accuracy and by choose_bits.cpp.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +23,11 @@
 
 namespace csgsim::studies {
 
-/// Measures points of one model. Pictures of the exact arithmetic are worked out once for each faceting and size, and
-/// points whose settings are the same are measured once.
+/// Measures points of one model. Exact pictures are computed once per faceting and size, and points with equal settings
+/// are measured once.
 class Meter {
  public:
-  /// `cameras` are the views that a point is measured in, `options` how all of them are compiled.
+  /// `cameras` are the views of every point; `options` apply to all Programs.
   Meter(const model::Tree& tree, std::vector<view::Camera> cameras, const machines::Machine& machine,
         const emit::Options& options);
   ~Meter();
@@ -34,11 +36,11 @@ class Meter {
 
   Measurement measure(const Settings& settings);
 
-  /// Clocks of the settings over all views, without judging any picture.
+  /// Clocks of the settings, summed over all views; draws no picture.
   std::uint64_t clocks(const Settings& settings);
 
  private:
-  /// What does not depend on the arithmetic: one faceting, one size, one view.
+  /// Data for one faceting, size and view, independent of the machine's arithmetic.
   struct Subject;
   Subject& subject(const Settings& settings, std::size_t camera);
   judges::AnalyticPictures& analytic(const facet::Faceting& faceting, const view::Sampling& sampling,
@@ -50,15 +52,16 @@ class Meter {
   machines::Machine machine_;
   emit::Options options_;
   std::map<std::string, std::unique_ptr<Subject>> subjects_;
-  std::map<std::string, judges::AnalyticPictures> analytic_;  ///< facetings share what they stand for
+  std::map<std::string, judges::AnalyticPictures> analytic_;  ///< shared by facetings of the same curved surfaces
   std::vector<std::pair<Settings, Measurement>> known_;
 };
 
-/// The settings of a grid that take the fewest clocks of those with at most `most_wrong` wrong pixels; nothing if none
-/// has. Settings that the machine's memory does not hold are passed over.
-std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates, std::uint64_t most_wrong);
+/// The settings with the fewest clocks among those with at most `max_wrong` wrong pixels; empty if there are none.
+/// Settings that do not fit into the machine's memory are skipped.
+std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates, std::uint64_t max_wrong);
 
-/// `count` views of a model: the camera turned about the vertical through its centre, by the golden angle each time.
+/// `count` views of a model: the camera rotated about the vertical axis through its centre, by the golden angle each
+/// time.
 std::vector<view::Camera> turned_views(const view::Camera& camera, unsigned count);
 
 }  // namespace csgsim::studies

@@ -37,12 +37,12 @@ std::optional<std::string> no_reason(const CurvesSubject& /*subject*/) { return 
 
 std::optional<std::string> why_no_fast_spheres(const CurvesSubject& subject) {
   if (subject.camera.projection == view::Projection::perspective)
-    return "a fast sphere is seen as a circle, and in a perspective picture spheres are ellipses; take --projection "
+    return "fast spheres are drawn as circles, but in perspective spheres are ellipses; use --projection "
            "ortho";
   const facet::Faceting fast = as_fast_spheres({});
   const bool has_sphere = std::ranges::any_of(
       subject.tree.primitives, [&](const model::Primitive& primitive) { return facet::stays_curved(primitive, fast); });
-  if (!has_sphere) return "the model has no sphere that is seen as a circle";
+  if (!has_sphere) return "the model has no sphere that appears as a circle";
   return emit::why_no_curves(subject.machine, subject.options, subject.look);
 }
 
@@ -56,7 +56,7 @@ constexpr CurvesChoice choices_of_curves[] = {
     {emit::Curves::exact, as_quadrics, why_no_quadrics},
 };
 
-/// Adds a point of the knob with that value. Returns its settings, the user's, for the caller to change.
+/// Adds a point with that value of the knob. Returns its settings, initially the user's, for the caller to change.
 using Add = std::function<Settings&(std::string value)>;
 
 struct Knob {
@@ -125,7 +125,7 @@ std::vector<std::string> knob_names() {
   return names;
 }
 
-std::vector<double> usual_tolerances(double diagonal) {
+std::vector<double> default_tolerances(double diagonal) {
   return {1e-2 * diagonal, 3e-3 * diagonal, 1e-3 * diagonal, 3e-4 * diagonal, 1e-4 * diagonal};
 }
 

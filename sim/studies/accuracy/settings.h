@@ -1,3 +1,5 @@
+// The points of an accuracy study.
+// Used by measure.h and by csgsim render with --max-wrong-pixels.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +19,15 @@
 
 namespace csgsim::studies {
 
-/// One point of an accuracy study: a knob turned to some value, the others as the user has them.
+/// A point of an accuracy study: one knob at some value, the others as given by the user.
 struct Settings {
   std::string knob;   ///< z-bits, fraction-bits, edge-on, size, fn, tolerance, curves, or together
-  std::string value;  ///< as text; with the knob it names the point
+  std::string value;  ///< as text; identifies the point together with the knob
   facet::Faceting faceting;
   view::Sampling sampling;
 };
 
-/// What curved surfaces are drawn of, and by what.
+/// Context that decides which ways to draw curved surfaces are possible.
 struct CurvesSubject {
   const model::Tree& tree;
   const view::Camera& camera;
@@ -37,30 +39,30 @@ struct CurvesSubject {
 /// A way to draw curved surfaces.
 struct CurvesChoice {
   emit::Curves curves = emit::Curves::facets;
-  facet::Faceting (*faceting)(const facet::Faceting& base) = nullptr;  ///< that `base` is with it
-  /// Why the model, its view, the machine, or the scene's effects do not allow it; nothing if they do.
+  facet::Faceting (*faceting)(const facet::Faceting& base) = nullptr;  ///< `base` changed to this way
+  /// Why the model, its view, the machine or the scene's effects do not allow this way; empty if they do.
   std::optional<std::string> (*why_not)(const CurvesSubject& subject) = nullptr;
 };
 
 std::span<const CurvesChoice> curves_choices();
 
-/// The knobs in the order in which they are turned.
+/// Names of the knobs in the order in which they are varied.
 std::vector<std::string> knob_names();
 
-/// Which knobs are turned, and how far.
+/// The knobs to vary, and their values.
 struct Knobs {
   std::vector<std::string> names = knob_names();
   std::vector<double> tolerances{};    ///< model units
-  std::vector<CurvesChoice> curves{};  ///< those that can be drawn
+  std::vector<CurvesChoice> curves{};  ///< possible ways only
 };
 
-/// The tolerances that are usual: parts of the diagonal, model units.
-std::vector<double> usual_tolerances(double diagonal);
+/// The default tolerances in model units: fractions of the diagonal.
+std::vector<double> default_tolerances(double diagonal);
 
 /// The points of a study around `base`.
 std::vector<Settings> points(const view::Sampling& base, const facet::Faceting& faceting, const Knobs& knobs);
 
-/// z bits and fraction bits varied together, fewest first: what a choice of the cheapest settings is made from.
+/// All pairs of z bits and fraction bits, fewest first: the candidates for the cheapest settings.
 std::vector<Settings> grid(const view::Sampling& base, const facet::Faceting& faceting);
 
 }  // namespace csgsim::studies

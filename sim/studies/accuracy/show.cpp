@@ -34,8 +34,9 @@ void print_table(std::span<const Measurement> rows, unsigned views) {
              "planes", "bits", "wrong", "unexpl.", "depth p99.9", "in steps", "facet diff", "facet p99.9", "colour");
   for (const Measurement& row : rows) print_row(row);
   if (views > 1)
-    fmt::print("Clocks and pixels are sums of {} views, depths those of the worst; p99.9: the 99.9th percentile.\n",
-               views);
+    fmt::print(
+        "Clocks and pixels are summed over {} views, depth errors are of the worst view; p99.9: 99.9th percentile.\n",
+        views);
 }
 
 void print_front(std::span<const Measurement> rows) {
@@ -51,13 +52,13 @@ void print_front(std::span<const Measurement> rows) {
 }
 
 void print_equal(std::span<const Measurement> rows) {
-  for (const EqualFacets& one : facets_as_right(rows)) {
-    fmt::print("\n{} curves: {} clocks, {} off the curved surfaces\n", one.curved.value, grouped(one.curved.clocks),
-               session::counted(one.curved.facet_wrong, "pixel"));
+  for (const EqualFacets& one : equally_accurate_facets(rows)) {
+    fmt::print("\n{} curves: {} clocks, {} wrong for the curved surfaces\n", one.curved.value,
+               grouped(one.curved.clocks), session::counted(one.curved.facet_wrong, "pixel"));
     fmt::print(
-        "{}: {} {}, {} clocks, {:.3g} times as many, {} off\n",
-        one.as_right ? "Facets as right" : "No facets tried are as right; the nearest", one.facets.knob,
-        one.facets.value, grouped(one.facets.clocks),
+        "{}: {} {}, {} clocks (factor {:.3g}), {} wrong\n",
+        one.is_as_accurate ? "Facets of equal accuracy" : "No measured facets are as accurate; closest",
+        one.facets.knob, one.facets.value, grouped(one.facets.clocks),
         static_cast<double>(one.facets.clocks) / static_cast<double>(std::max<std::uint64_t>(one.curved.clocks, 1)),
         session::counted(one.facets.facet_wrong, "pixel"));
   }
@@ -65,24 +66,25 @@ void print_equal(std::span<const Measurement> rows) {
 
 constexpr const char* accuracy_table = "accuracy.csv";
 
-/// What a knob is called, and which errors it makes: against the half-spaces, or against the true surfaces.
+/// Axis of a knob's plot, and whether errors refer to the half-spaces or to the curved surfaces.
 struct KnobPlot {
   const char* name;
   const char* axis;
   plots::Scale scale;
   bool is_of_facets = false;
+  bool has_value_ticks = true;  ///< whether the ticks are the measured values, not round numbers
 };
 
 constexpr KnobPlot knob_plots[] = {
-    {"z-bits", "bits of depth", plots::Scale::linear},
+    {"z-bits", "depth bits", plots::Scale::linear},
     {"fraction-bits", "fraction bits of the coefficients", plots::Scale::linear},
     {"edge-on", "edge-on fraction", plots::Scale::logarithmic},
     {"size", "picture size", plots::Scale::logarithmic},
-    {"fn", "fragments of a circle, $fn", plots::Scale::logarithmic, true},
-    {"tolerance", "faceting tolerance, model units", plots::Scale::logarithmic, true},
+    {"fn", "fragments per circle, $fn", plots::Scale::logarithmic, true},
+    {"tolerance", "faceting tolerance, model units", plots::Scale::logarithmic, true, false},
 };
 
-/// A number from a text's beginning; behind it stands the rest.
+/// Parses a number at the start of the text and removes it from the text.
 double leading_number(std::string_view& text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -90,7 +92,7 @@ double leading_number(std::string_view& text) {
   return number;
 }
 
-/// The abscissa of a value: the number; the fraction of `1/N`; the width of `WxH`.
+/// X coordinate of a value: the number itself, the fraction of `1/N`, or the width of `WxH`.
 double place_of(std::string_view value) {
   const double number = leading_number(value);
   if (!value.starts_with('/')) return number;
@@ -98,7 +100,7 @@ double place_of(std::string_view value) {
   return number / leading_number(value);
 }
 
-/// What is added up over the views of a point.
+/// Title of an axis whose values are summed over the views of a point.
 std::string sum_title(const char* what, unsigned views) {
   return views == 1 ? what : fmt::format("{}, sum of {} views", what, views);
 }
@@ -106,18 +108,18 @@ std::string sum_title(const char* what, unsigned views) {
 plots::Plot knob_plot(const KnobPlot& knob, std::span<const Measurement> rows, const MeasuredModel& of) {
   plots::Chart chart{of.model + ": " + knob.axis,
                      {knob.axis, knob.scale},
-                     {{sum_title(knob.is_of_facets ? "pixels off curves" : "wrong pixels", of.views),
+                     {{sum_title(knob.is_of_facets ? "wrong pixels (curved)" : "wrong pixels", of.views),
                        plots::Scale::by_range,
                        {},
                        false,
                        true},
-                      {"depth error, 99.9th percentile"},
+                      {"depth error (p99.9), model units"},
                       {sum_title("clocks", of.views), plots::Scale::by_range, {}, false, true}},
                      {{"", 0}, {"", 1}, {"", 2}},
                      accuracy_table};
   for (const Measurement& row : of_knob(rows, knob.name)) {
     const double x = place_of(row.value);
-    chart.x.ticks.push_back({x, row.value});
+    if (knob.has_value_ticks) chart.x.ticks.push_back({x, row.value});
     chart.series[0].points.push_back({x, static_cast<double>(knob.is_of_facets ? row.facet_wrong : row.wrong)});
     chart.series[1].points.push_back({x, knob.is_of_facets ? row.facet_depth_p999 : row.depth_p999});
     chart.series[2].points.push_back({x, static_cast<double>(row.clocks)});
@@ -131,7 +133,7 @@ plots::Point front_point(const Measurement& row, std::string label) {
 }
 
 plots::Plot front_plot(std::span<const Measurement> together, const MeasuredModel& of) {
-  plots::Chart chart{of.model + ": what accuracy costs",
+  plots::Chart chart{of.model + ": cost of accuracy",
                      {sum_title("clocks", of.views), plots::Scale::by_range, {}, false, true},
                      {{sum_title("wrong pixels", of.views), plots::Scale::logarithmic, {}, false, true}},
                      {{"z bits / fraction bits", 0, plots::Trace::marks, {}, true}, {"Pareto front"}},
@@ -141,12 +143,12 @@ plots::Plot front_plot(std::span<const Measurement> together, const MeasuredMode
   return {"pareto", std::move(chart)};
 }
 
-/// Facets of every number, and curved surfaces without them: clocks against pixels off the true surfaces.
+/// Facets of every number and curved surfaces: clocks against pixels wrong for the curved surfaces.
 plots::Plot curves_plot(std::span<const Measurement> rows, const MeasuredModel& of) {
   plots::Chart chart{
       of.model + ": facets and curved surfaces",
       {sum_title("clocks", of.views), plots::Scale::logarithmic, {}, false, true},
-      {{sum_title("pixels off the curved surfaces", of.views), plots::Scale::logarithmic, {}, false, true}},
+      {{sum_title("pixels wrong for the curved surfaces", of.views), plots::Scale::logarithmic, {}, false, true}},
       {{"facets, by tolerance"}, {"facets, by $fn"}, {"facets, as modelled", 0, plots::Trace::marks}},
       accuracy_table};
   for (const Measurement& row : rows) {
@@ -192,14 +194,14 @@ std::vector<Halving> halvings(std::span<const Measurement> front) {
   return steps;
 }
 
-std::vector<EqualFacets> facets_as_right(std::span<const Measurement> rows) {
+std::vector<EqualFacets> equally_accurate_facets(std::span<const Measurement> rows) {
   std::vector<EqualFacets> all;
   for (const Measurement& curved : rows) {
     if (curved.knob != "curves" || is_faceted(curved)) continue;
     const Measurement* best = nullptr;
     for (const Measurement& facets : rows) {
       if (!is_faceted(facets)) continue;
-      // All that are as right are equally so.
+      // Facets that are at least as accurate as the curved surfaces rank equally in accuracy.
       const auto rank = [&](const Measurement& row) {
         return std::pair(std::max(row.facet_wrong, curved.facet_wrong), row.clocks);
       };

@@ -1,3 +1,5 @@
+// Tables, fronts and plots of an accuracy study.
+// Used by csgsim accuracy.
 #pragma once
 
 #include <span>
@@ -10,44 +12,45 @@
 
 namespace csgsim::studies {
 
-/// Those at which that knob is turned: `together` are z bits and fraction bits.
+/// The rows of one knob; `together` varies z bits and fraction bits.
 std::vector<Measurement> of_knob(std::span<const Measurement> measurements, std::string_view knob);
 
-/// Of measurements of one picture (same size and faceting), those that no other beats in both clocks and wrong pixels;
-/// fewest clocks first. Points that took the same clocks and were as wrong are listed once.
+/// The Pareto front in clocks and wrong pixels of measurements of one picture (same size and faceting), fewest clocks
+/// first. Points with equal clocks and wrong pixels are listed once.
 std::vector<Measurement> pareto_front(std::span<const Measurement> measurements);
 
-/// One step along a front: what it costs to have at most half the wrong pixels.
+/// One step along a front: the cost of at most half the wrong pixels.
 struct Halving {
   Measurement from;
   Measurement to;
-  double more_clocks = 0;  ///< as a part of from's clocks
+  double more_clocks = 0;  ///< as a fraction of from's clocks
 };
 
-/// Steps along a front from its cheapest point, each to the cheapest with at most half the wrong pixels.
+/// Steps along a front from its cheapest point, each to the cheapest point with at most half the wrong pixels.
 std::vector<Halving> halvings(std::span<const Measurement> front);
 
-/// Curved surfaces that are drawn without facets, and what facets of the same accuracy cost.
+/// A way to draw curved surfaces without facets, and the cost of facets with the same accuracy.
 struct EqualFacets {
   Measurement curved;
-  Measurement facets;     ///< the fewest clocks of those that are as right; if none is, those that are least wrong
-  bool as_right = false;  ///< whether no more pixels of the facets differ from the true curved surfaces
+  Measurement facets;  ///< cheapest facets that are at least as accurate; if there are none, the most accurate
+  bool is_as_accurate =
+      false;  ///< whether the facets have no more wrong pixels, compared with the curved surfaces, than `curved`
 };
 
-/// One for each way to draw curved surfaces that is not by facets, if facets were measured too: those of the knobs fn
-/// and tolerance, and those that the model says.
-std::vector<EqualFacets> facets_as_right(std::span<const Measurement> rows);
+/// One entry for each way to draw curved surfaces without facets, if facets were measured too: those of the knobs fn
+/// and tolerance, and those of the model.
+std::vector<EqualFacets> equally_accurate_facets(std::span<const Measurement> rows);
 
 /// Prints the points, the front, and the cost of facets that are as accurate as curved surfaces.
 void print_accuracy(std::span<const Measurement> rows, unsigned views);
 
-/// What was measured.
+/// Labels of a study's plots.
 struct MeasuredModel {
   std::string model;
-  unsigned views = 1;  ///< that each point was drawn in
+  unsigned views = 1;  ///< number of views in which each point was drawn
 };
 
-/// Errors and clocks against the values of each knob, and the Pareto front of z bits and fraction bits.
+/// Plots of errors and clocks against the values of each knob, and of the Pareto front of z bits and fraction bits.
 std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, const MeasuredModel& of);
 
 }  // namespace csgsim::studies

@@ -21,55 +21,64 @@ std::string missed_text(double by, const char* unit, const char* behind) {
   return counted(static_cast<std::uint64_t>(by), unit) + behind;
 }
 
-/// By Wish. What is missed of a speed is rounded up in the last place, so that it never shows as 0.
-constexpr WishKind kinds[] = {
-    {"fewest bits", "max_bits", "memory bits a pixel, at most", false,
-     [](const Wishes& wishes) { return static_cast<double>(wishes.max_bits); },
+/// Indexed by Requirement. A missed frame rate is rounded up in the last digit, so that it never appears as 0.
+constexpr RequirementKind kinds[] = {
+    {"fewest bits", "max_bits", "memory bits per pixel, maximum", false,
+     [](const Requirements& requirements) { return static_cast<double>(requirements.max_bits); },
      [](const DesignRow& row) { return static_cast<double>(row.used_bits); },
-     [](const Wishes& wishes) { return fmt::format("at most {} a pixel", counted(wishes.max_bits, "bit")); },
-     [](const DesignRow& row) { return fmt::format("{} a pixel", counted(row.used_bits, "bit")); },
+     [](const Requirements& requirements) {
+       return fmt::format("at most {} per pixel", counted(requirements.max_bits, "bit"));
+     },
+     [](const DesignRow& row) { return fmt::format("{} per pixel", counted(row.used_bits, "bit")); },
      [](double by) { return missed_text(by, "bit", " too many"); }},
-    {"most accurate", "max_wrong_pixels", "wrong pixels, at most", false,
-     [](const Wishes& wishes) { return static_cast<double>(wishes.max_wrong_pixels); },
+    {"most accurate", "max_wrong_pixels", "wrong pixels, maximum", false,
+     [](const Requirements& requirements) { return static_cast<double>(requirements.max_wrong_pixels); },
      [](const DesignRow& row) { return static_cast<double>(row.wrong); },
-     [](const Wishes& wishes) { return "at most " + counted(wishes.max_wrong_pixels, "wrong pixel"); },
+     [](const Requirements& requirements) {
+       return "at most " + counted(requirements.max_wrong_pixels, "wrong pixel");
+     },
      [](const DesignRow& row) { return counted(row.wrong, "wrong pixel"); },
      [](double by) { return missed_text(by, "wrong pixel", " too many"); }},
-    {"fastest", "min_fps", "frames a second, at least", true, [](const Wishes& wishes) { return wishes.min_fps; },
+    {"fastest", "min_fps", "frames/s, minimum", true,
+     [](const Requirements& requirements) { return requirements.min_fps; },
      [](const DesignRow& row) { return row.frames_per_second; },
-     [](const Wishes& wishes) {
-       return wishes.min_fps > 0 ? fmt::format("at least {:g} frames a second", wishes.min_fps) : "any speed";
+     [](const Requirements& requirements) {
+       return requirements.min_fps > 0 ? fmt::format("at least {:g} frames/s", requirements.min_fps) : "any speed";
      },
-     [](const DesignRow& row) { return fmt::format("{:.2f} frames a second", row.frames_per_second); },
-     [](double by) { return fmt::format("{:.2f} frames a second too few", std::ceil(by * 100.0) / 100.0); }},
-    {"most colours", "min_colour_bits", "bits of colour, at least", true,
-     [](const Wishes& wishes) { return static_cast<double>(wishes.min_colour_bits); },
+     [](const DesignRow& row) { return fmt::format("{:.2f} frames/s", row.frames_per_second); },
+     [](double by) { return fmt::format("{:.2f} frames/s too few", std::ceil(by * 100.0) / 100.0); }},
+    {"most colours", "min_colour_bits", "colour bits, minimum", true,
+     [](const Requirements& requirements) { return static_cast<double>(requirements.min_colour_bits); },
      [](const DesignRow& row) { return static_cast<double>(row.point.colour_bits); },
-     [](const Wishes& wishes) { return fmt::format("at least {} of colour", counted(wishes.min_colour_bits, "bit")); },
+     [](const Requirements& requirements) {
+       return fmt::format("at least {} of colour", counted(requirements.min_colour_bits, "bit"));
+     },
      [](const DesignRow& row) { return fmt::format("{} of colour", counted(row.point.colour_bits, "bit")); },
      [](double by) { return missed_text(by, "bit", " of colour too few"); }},
 };
 
-/// The order of equals: what is cheaper to build, then what is faster, then what is more right. Programs that take as
-/// long from frame to frame may be drawn in different times.
+/// Order of ties: cheaper hardware, then faster, then more accurate. Programs with the same time between frames may
+/// take different times to draw.
 Values cost(const AdviceRow& row) {
   return {static_cast<double>(row.used_bits),       static_cast<double>(row.point.alu_bits),
           static_cast<double>(row.interval_clocks), static_cast<double>(row.clocks),
           static_cast<double>(row.wrong),           -static_cast<double>(row.point.colour_bits)};
 }
 
-/// The order of choices by a wish.
-Values rank(Wish wish, const AdviceRow& row) {
+/// Order of choices by one requirement.
+Values rank(Requirement requirement, const AdviceRow& row) {
   Values values = cost(row);
-  // Speed is the time from frame to frame, then that of drawing; bits come first in any case.
-  if (wish == Wish::speed) values.insert(values.begin(), {values[2], values[3]});
-  if (wish == Wish::wrong_pixels) values.insert(values.begin(), values[4]);
-  if (wish == Wish::colour) values.insert(values.begin(), values[5]);
+  // Speed is the time between frames, then the drawing time; `cost` breaks ties.
+  if (requirement == Requirement::speed) values.insert(values.begin(), {values[2], values[3]});
+  if (requirement == Requirement::wrong_pixels) values.insert(values.begin(), values[4]);
+  if (requirement == Requirement::colour) values.insert(values.begin(), values[5]);
   return values;
 }
 
-bool meets_all_but(const AdviceRow& row, Wish but, const Wishes& wishes) {
-  return std::ranges::all_of(all_wishes, [&](Wish wish) { return wish == but || miss(row, wish, wishes) == 0; });
+bool meets_all_but(const AdviceRow& row, Requirement but, const Requirements& requirements) {
+  return std::ranges::all_of(all_requirements, [&](Requirement requirement) {
+    return requirement == but || miss(row, requirement, requirements) == 0;
+  });
 }
 
 std::vector<AdviceRow> compiled(std::span<const AdviceRow> rows) {
@@ -78,35 +87,37 @@ std::vector<AdviceRow> compiled(std::span<const AdviceRow> rows) {
   return all;
 }
 
-/// How many wishes are missed, and the sum of the parts that they are missed by.
-std::pair<int, double> distance(const AdviceRow& row, const Wishes& wishes) {
+/// Number of missed requirements, and the sum of their relative misses.
+std::pair<int, double> distance(const AdviceRow& row, const Requirements& requirements) {
   std::pair<int, double> sum{0, 0};
-  for (const Wish wish : all_wishes) {
-    const double by = miss(row, wish, wishes);
+  for (const Requirement requirement : all_requirements) {
+    const double by = miss(row, requirement, requirements);
     if (by == 0) continue;
     ++sum.first;
-    sum.second += by / std::max(1.0, kind_of(wish).limit(wishes));
+    sum.second += by / std::max(1.0, kind_of(requirement).limit(requirements));
   }
   return sum;
 }
 
 }  // namespace
 
-const WishKind& kind_of(Wish wish) { return kinds[static_cast<std::size_t>(wish)]; }
+const RequirementKind& kind_of(Requirement requirement) { return kinds[static_cast<std::size_t>(requirement)]; }
 
-double miss(const AdviceRow& row, Wish wish, const Wishes& wishes) {
-  const WishKind& kind = kind_of(wish);
-  const double over = kind.value(row) - kind.limit(wishes);
-  return std::max(0.0, kind.is_least ? -over : over);
+double miss(const AdviceRow& row, Requirement requirement, const Requirements& requirements) {
+  const RequirementKind& kind = kind_of(requirement);
+  const double over = kind.value(row) - kind.limit(requirements);
+  return std::max(0.0, kind.is_minimum ? -over : over);
 }
 
-bool meets_all(const AdviceRow& row, const Wishes& wishes) {
-  return std::ranges::all_of(all_wishes, [&](Wish wish) { return miss(row, wish, wishes) == 0; });
+bool meets_all(const AdviceRow& row, const Requirements& requirements) {
+  return std::ranges::all_of(all_requirements,
+                             [&](Requirement requirement) { return miss(row, requirement, requirements) == 0; });
 }
 
 std::vector<AdviceRow> advice_front(std::span<const AdviceRow> rows) {
   const std::vector<AdviceRow> choices = compiled(rows);
-  std::map<std::pair<std::uint64_t, std::uint64_t>, double> paces;  // in one number, the least first
+  std::map<std::pair<std::uint64_t, std::uint64_t>, double>
+      paces;  // ranks of the pairs (interval, clocks), fastest first
   for (const AdviceRow& row : choices) paces[{row.interval_clocks, row.clocks}] = 0;
   double place = 0;
   for (auto& [pace, number] : paces) number = place++;
@@ -116,24 +127,25 @@ std::vector<AdviceRow> advice_front(std::span<const AdviceRow> rows) {
   });
 }
 
-std::vector<Recommendation> recommend(std::span<const AdviceRow> rows, const Wishes& wishes) {
+std::vector<Recommendation> recommend(std::span<const AdviceRow> rows, const Requirements& requirements) {
   std::vector<Recommendation> all;
-  for (const Wish wish : all_wishes) {
+  for (const Requirement requirement : all_requirements) {
     const AdviceRow* best = nullptr;
     for (const AdviceRow& row : rows) {
-      if (!row.compiled() || !meets_all_but(row, wish, wishes)) continue;
-      if (best == nullptr || rank(wish, row) < rank(wish, *best)) best = &row;
+      if (!row.compiled() || !meets_all_but(row, requirement, requirements)) continue;
+      if (best == nullptr || rank(requirement, row) < rank(requirement, *best)) best = &row;
     }
-    if (best != nullptr) all.push_back({wish, *best, miss(*best, wish, wishes)});
+    if (best != nullptr) all.push_back({requirement, *best, miss(*best, requirement, requirements)});
   }
   return all;
 }
 
-std::vector<AdviceRow> nearest_choices(std::span<const AdviceRow> rows, const Wishes& wishes, std::size_t most) {
+std::vector<AdviceRow> nearest_choices(std::span<const AdviceRow> rows, const Requirements& requirements,
+                                       std::size_t max_count) {
   std::vector<AdviceRow> nearest = compiled(rows);
   std::ranges::stable_sort(nearest, {},
-                           [&](const AdviceRow& row) { return std::pair(distance(row, wishes), cost(row)); });
-  nearest.resize(std::min(most, nearest.size()));
+                           [&](const AdviceRow& row) { return std::pair(distance(row, requirements), cost(row)); });
+  nearest.resize(std::min(max_count, nearest.size()));
   return nearest;
 }
 

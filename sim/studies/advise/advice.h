@@ -1,3 +1,5 @@
+// Requirements of a memory design, and the choices that meet them.
+// Used by csgsim advise.
 #pragma once
 
 #include <cstddef>
@@ -11,65 +13,66 @@
 
 namespace csgsim::studies {
 
-/// What is asked of a choice. Limits are included.
-struct Wishes {
-  std::uint32_t max_bits = 0;          ///< of memory a pixel
-  std::uint64_t max_wrong_pixels = 0;  ///< of the picture
-  double min_fps = 0;                  ///< frames a second
+/// Requirements of a choice. Limits are inclusive.
+struct Requirements {
+  std::uint32_t max_bits = 0;          ///< memory bits per pixel
+  std::uint64_t max_wrong_pixels = 0;  ///< wrong pixels of the picture
+  double min_fps = 0;                  ///< frames per second
   unsigned min_colour_bits = 0;
 };
 
-enum class Wish : std::uint8_t { bits, wrong_pixels, speed, colour };
+enum class Requirement : std::uint8_t { bits, wrong_pixels, speed, colour };
 
-inline constexpr Wish all_wishes[] = {Wish::bits, Wish::wrong_pixels, Wish::speed, Wish::colour};
+inline constexpr Requirement all_requirements[] = {Requirement::bits, Requirement::wrong_pixels, Requirement::speed,
+                                                   Requirement::colour};
 
-/// What a wish is about.
-struct WishKind {
-  const char* best;   ///< the choice that is best by it
-  const char* key;    ///< of the limit, in JSON
-  const char* title;  ///< of the limit, on a page
-  bool is_least;      ///< whether the limit is a least one
-  double (*limit)(const Wishes& wishes);
+/// Description of a requirement.
+struct RequirementKind {
+  const char* best;   ///< name of the choice that is best by it
+  const char* key;    ///< key of the limit in JSON
+  const char* title;  ///< title of the limit on a page
+  bool is_minimum;    ///< whether the limit is a minimum
+  double (*limit)(const Requirements& requirements);
   double (*value)(const DesignRow& row);
-  std::string (*limit_text)(const Wishes& wishes);
+  std::string (*limit_text)(const Requirements& requirements);
   std::string (*value_text)(const DesignRow& row);
   std::string (*miss_text)(double by);
 };
 
-const WishKind& kind_of(Wish wish);
+const RequirementKind& kind_of(Requirement requirement);
 
-/// How far a choice is from a wish, in the wish's unit: bits, pixels, frames a second; 0 where it is met.
-double miss(const AdviceRow& row, Wish wish, const Wishes& wishes);
+/// How far a choice misses a requirement, in the requirement's unit (bits, pixels, frames/s); 0 if it is met.
+double miss(const AdviceRow& row, Requirement requirement, const Requirements& requirements);
 
-bool meets_all(const AdviceRow& row, const Wishes& wishes);
+bool meets_all(const AdviceRow& row, const Requirements& requirements);
 
-/// Of the choices that no other beats: none takes fewer memory bits, a narrower ALU or less time from frame to frame
-/// (then fewer clocks), is less wrong or has more bits of colour without being worse in another of these. Fewest memory
-/// bits first; choices that are the same in all of these are listed once.
+/// The Pareto front in memory bits, ALU width, time between frames (then clocks), wrong pixels and colour bits. Fewest
+/// memory bits first; choices that are equal in all of these are listed once.
 std::vector<AdviceRow> advice_front(std::span<const AdviceRow> rows);
 
-/// The best choice by one wish.
+/// The best choice by one requirement.
 struct Recommendation {
-  Wish wish{};
+  Requirement requirement{};
   AdviceRow row;
-  double miss = 0;  ///< of the wish itself, as miss() has it
+  double miss = 0;  ///< by how much `requirement` itself is missed, as returned by miss()
 };
 
-/// For each wish the best by it of those that meet all the others: fewest bits, fewest wrong pixels, most frames a
-/// second, most bits of colour; of equals the one with fewest memory bits, the narrowest ALU, the least time, the
-/// fewest wrong pixels. A wish is left out where nothing meets all the others. All are met together exactly if a
-/// recommendation misses nothing.
-std::vector<Recommendation> recommend(std::span<const AdviceRow> rows, const Wishes& wishes);
+/// The best choice for each requirement among those that meet all others: fewest bits, fewest wrong pixels, highest
+/// frame rate, most colour bits. Ties are broken by memory bits, ALU width, time, and wrong pixels. A requirement is
+/// omitted if no choice meets all others. A recommendation misses nothing if and only if all requirements can be met
+/// together.
+std::vector<Recommendation> recommend(std::span<const AdviceRow> rows, const Requirements& requirements);
 
-/// Choices that have a Program, nearest to the wishes first, so many at most: those that miss the fewest wishes, and of
-/// these those whose misses are the least parts of what is wished.
-std::vector<AdviceRow> nearest_choices(std::span<const AdviceRow> rows, const Wishes& wishes, std::size_t most);
+/// Up to `max_count` choices that have a Program, closest to the requirements first: those that miss the fewest
+/// requirements, and among these those with the smallest relative misses.
+std::vector<AdviceRow> nearest_choices(std::span<const AdviceRow> rows, const Requirements& requirements,
+                                       std::size_t max_count);
 
-/// What a search comes to.
+/// Result of a search.
 struct Advice {
   std::vector<Recommendation> recommendations;
-  std::vector<std::string> commands;   ///< that draw them
-  std::optional<AdviceRow> nearest{};  ///< to the wishes, where no choice meets all
+  std::vector<std::string> commands;   ///< commands that render the recommendations
+  std::optional<AdviceRow> nearest{};  ///< closest to the requirements, if no choice meets all
   std::string nearest_command{};
 };
 

@@ -24,16 +24,15 @@ namespace {
 
 using Rows = std::span<const AdviceRow>;
 
-/// What is recommended is drawn again, each with its own strategy, colouring and ALU.
+/// Draws a recommended choice again, with its own strategy, colouring and ALU, and checks that the result is the same.
 void check_by_drawing(const AdviseOptions& options, const AdviceQuestion& question, const AdviceRow& row,
                       bool are_read) {
   DesignQuestion measured = question.measured;
   measured.colour_bits = {row.point.colour_bits};
   const Job job = question.job_of(options, row.point);
   if (to_line(AdviceRow(DesignMeter(measured).measure(row.point, job))) == to_line(row)) return;
-  if (are_read)
-    throw InputError("a choice that is recommended draws another picture than its row says; " + whose_fault(true));
-  throw std::logic_error("a choice that is recommended draws another picture than was judged");
+  if (are_read) throw InputError("drawing a recommended choice gives another result than its row; " + fault_hint(true));
+  throw std::logic_error("drawing a recommended choice gave another result than before");
 }
 
 std::string picture_name(const AdviseOptions& options, const std::string& what) {
@@ -44,20 +43,21 @@ std::string picture_name(const AdviseOptions& options, const std::string& what) 
 
 Advice advice_of(const AdviseOptions& options, const session::OptionList& command, const AdviceQuestion& question,
                  Rows rows, bool are_read) {
-  Advice advice{recommend(rows, question.wishes), {}};
+  Advice advice{recommend(rows, question.requirements), {}};
   for (const Recommendation& one : advice.recommendations) {
     check_by_drawing(options, question, one.row, are_read);
-    advice.commands.push_back(render_command(options, command, one.row, picture_name(options, kind_of(one.wish).best)));
+    advice.commands.push_back(
+        render_command(options, command, one.row, picture_name(options, kind_of(one.requirement).best)));
   }
-  const AdviceRow nearest = nearest_choices(rows, question.wishes, 1).front();
-  if (meets_all(nearest, question.wishes)) return advice;
+  const AdviceRow nearest = nearest_choices(rows, question.requirements, 1).front();
+  if (meets_all(nearest, question.requirements)) return advice;
   check_by_drawing(options, question, nearest, are_read);
   advice.nearest = nearest;
   advice.nearest_command = render_command(options, command, nearest, picture_name(options, "nearest"));
   return advice;
 }
 
-/// A picture of each choice that is recommended, which may be the best by several wishes.
+/// A picture of each recommended choice; one choice may be the best by several requirements.
 std::vector<report::Picture> pictures_of(const AdviseOptions& options, const Advice& advice) {
   std::vector<std::pair<AdviceRow, std::string>> choices;
   const auto add = [&](const AdviceRow& row, const std::string& name) {
@@ -68,8 +68,8 @@ std::vector<report::Picture> pictures_of(const AdviseOptions& options, const Adv
       known->second += ", " + name;
     }
   };
-  for (const Recommendation& one : advice.recommendations) add(one.row, kind_of(one.wish).best);
-  if (advice.nearest) add(*advice.nearest, "nearest to all wishes");
+  for (const Recommendation& one : advice.recommendations) add(one.row, kind_of(one.requirement).best);
+  if (advice.nearest) add(*advice.nearest, "closest to all requirements");
   std::vector<report::Picture> pictures;
   pictures.reserve(choices.size());
   for (const auto& [row, name] : choices) pictures.push_back(picture_of(options, row, name));
@@ -82,14 +82,15 @@ std::vector<report::PointColumn> advised_columns() {
       "frames_per_second,wrong");
 }
 
-report::Table wishes_table(const report::Json& data) {
-  report::Table table{"Wishes", {"wish", "value"}, {}};
-  for (const Wish wish : all_wishes)
-    table.rows.push_back({{kind_of(wish).title}, report::cell(data, std::string("/wishes/") + kind_of(wish).key)});
+report::Table requirements_table(const report::Json& data) {
+  report::Table table{"Requirements", {"requirement", "value"}, {}};
+  for (const Requirement requirement : all_requirements)
+    table.rows.push_back(
+        {{kind_of(requirement).title}, report::cell(data, std::string("/wishes/") + kind_of(requirement).key)});
   return table;
 }
 
-/// Pointers of what is recommended, and of the nearest choice where there is one.
+/// JSON pointers of the recommendations, and of the nearest choice if present.
 std::vector<std::string> recommended(const report::Json& data) {
   std::vector<std::string> all;
   for (std::size_t i = 0; i < data["recommendations"].size(); ++i)
@@ -100,11 +101,12 @@ std::vector<std::string> recommended(const report::Json& data) {
 
 report::Cell name_of(const report::Json& data, const std::string& at) {
   const report::Cell what = report::cell(data, at + "/what");
-  return what.at.empty() ? report::Cell{"nearest to all wishes"} : what;
+  return what.at.empty() ? report::Cell{"closest to all requirements"} : what;
 }
 
 report::Table recommendations_table(const report::Json& data) {
-  report::Table table{"The best by each wish", {"best by", "meets all wishes", "misses its own by"}, {}};
+  report::Table table{
+      "Best choice by each requirement", {"best by", "meets all requirements", "misses its own by"}, {}};
   const std::vector<report::PointColumn> columns = advised_columns();
   for (const report::PointColumn& column : columns) table.columns.emplace_back(column.title);
   for (const std::string& at : recommended(data)) {
@@ -125,14 +127,14 @@ report::Table commands_table(const report::Json& data) {
   return table;
 }
 
-/// What a page says of the recommendations.
+/// The recommendations section of a page.
 report::Section recommendations(const report::Json& data, std::uint64_t searched, std::uint64_t refused,
                                 std::vector<report::Picture> pictures) {
   const char* const outcome =
       data["meets_all"].get<bool>()
-          ? "Each of these is the best by one wish of the choices that meet the others."
-          : "No choice meets all wishes. Each of these is the best by one wish of the choices that meet the others; "
-            "what it misses its own wish by is what is in the way.";
+          ? "Each of these is the best by one requirement among the choices that meet the others."
+          : "No choice meets all requirements. Each of these is the best by one requirement among the choices that "
+            "meet the others; the column 'misses its own by' shows how far that requirement is missed.";
   report::Section section{"Recommendations",
                           {report::Paragraph{fmt::format("{} choices were searched; {} of them cannot be drawn.",
                                                          grouped(searched), grouped(refused))},
@@ -140,7 +142,7 @@ report::Section recommendations(const report::Json& data, std::uint64_t searched
   if (!pictures.empty()) section.parts.emplace_back(report::Gallery{std::move(pictures)});
   section.parts.emplace_back(recommendations_table(data));
   section.parts.emplace_back(commands_table(data));
-  section.parts.emplace_back(wishes_table(data));
+  section.parts.emplace_back(requirements_table(data));
   return section;
 }
 
@@ -148,11 +150,11 @@ class Advise : public StudyOf<AdviceRow> {
  public:
   void add_options(session::OptionList& command) override {
     options_.add_to(command);
-    asked_ = &command;
+    command_ = &command;
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return options_.model.inputs(); }
-  /// What was measured serves other wishes and other ranges too.
+  /// One table serves all requirements and all ranges.
   [[nodiscard]] std::set<std::string> varied() const override {
     const std::vector<std::string> own = own_options();
     std::set<std::string> names(own.begin(), own.end());
@@ -163,38 +165,38 @@ class Advise : public StudyOf<AdviceRow> {
   [[nodiscard]] std::string table_model() const override { return options_.model.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     question_ = question_of(options_);
     meter_ = std::make_unique<DesignMeter>(question_.measured);
-    std::vector<Asked> asked;
+    std::vector<PointRequest> requested;
     for (const DesignPoint& point : question_.points)
-      asked.push_back({point_cells<AdviceRow>(point), question_.jobs.begin()->second.inputs});
-    return asked;
+      requested.push_back({point_cells<AdviceRow>(point), question_.jobs.begin()->second.inputs});
+    return requested;
   }
 
   void print() const override {
     const machines::Size size = question_.jobs.begin()->second.machine.picture;
     print_question(
         fmt::format("{}, {} x {} pixels, on {}", options_.model.model, size.width, size.height, options_.model.machine),
-        rows(), question_.wishes);
-    studies::print_front(rows(), question_.wishes);
-    print_advice(advice_, question_.wishes);
+        rows(), question_.requirements);
+    studies::print_front(rows(), question_.requirements);
+    print_advice(advice_, question_.requirements);
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    return advice_json(title, question_.wishes, rows(), advice_);
+    return advice_json(title, question_.requirements, rows(), advice_);
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
-    return {plot_of_advice(rows(), question_.wishes, advice_.recommendations, plot_stem(options_.model.model))};
+    return {plot_of_advice(rows(), question_.requirements, advice_.recommendations, plot_stem(options_.model.model))};
   }
 
-  [[nodiscard]] std::string page_title() const override { return "The cheapest memory"; }
+  [[nodiscard]] std::string page_title() const override { return "Cheapest memory"; }
   [[nodiscard]] PageSubject page_subject() const override {
     return {options_.model, {session::machine_of(options_.model)}, false};
   }
 
-  /// Without the points that were searched, which are thousands.
+  /// Omits the thousands of searched points.
   [[nodiscard]] report::Json page_data(report::Json file) const override {
     file.erase("points");
     return file;
@@ -204,29 +206,30 @@ class Advise : public StudyOf<AdviceRow> {
     const auto refused = std::ranges::count_if(rows(), [](const AdviceRow& row) { return !row.compiled(); });
     return {recommendations(data, rows().size(), static_cast<std::uint64_t>(refused), pictures_of(options_, advice_)),
             {"Front",
-             {report::points_table(data, "/front", "Choices that no other beats, fewest memory bits first",
+             {report::points_table(data, "/front", "Pareto-optimal choices, fewest memory bits first",
                                    advised_columns())}}};
   }
 
   void refuse() const override {
     if (std::ranges::any_of(rows(), [](const AdviceRow& row) { return row.unexplained > 0; }))
-      throw InputError("a picture is wrong beyond the bounds of docs/numbers.md; " + whose_fault(are_read()));
+      throw InputError("the errors of a picture exceed the bounds of docs/numbers.md; " + fault_hint(are_read()));
     if (advice_.nearest)
-      throw InputError("no choice meets all wishes; the nearest has " +
-                       misses_text(*advice_.nearest, question_.wishes));
+      throw InputError("no choice meets all requirements; the closest one has " +
+                       misses_text(*advice_.nearest, question_.requirements));
   }
 
  protected:
-  [[nodiscard]] AdviceRow measured(std::size_t point) override {
+  [[nodiscard]] AdviceRow measure_point(std::size_t point) override {
     const DesignPoint& design = question_.points[point];
     return AdviceRow(meter_->measure(design, question_.job_of(options_, design)));
   }
 
-  /// Points with the same z bits and fraction bits, which follow each other, wait for one picture: each thread has its
-  /// own at a time.
-  [[nodiscard]] std::vector<std::size_t> in_turn(std::span<const std::size_t> points, unsigned threads) const override {
+  /// Adjacent points with the same z bits and fraction bits share one exact picture, which would block threads that
+  /// need it at the same time. Each thread therefore works on another picture.
+  [[nodiscard]] std::vector<std::size_t> measuring_order(std::span<const std::size_t> points,
+                                                         unsigned threads) const override {
     std::map<std::pair<unsigned, unsigned>, std::size_t> pictures;
-    std::vector<std::size_t> counts;  // of the points of each
+    std::vector<std::size_t> counts;  // number of points per picture
     std::vector<std::tuple<std::size_t, std::size_t, std::size_t>> turns;
     for (const std::size_t point : points) {
       const DesignPoint& design = question_.points[point];
@@ -244,12 +247,12 @@ class Advise : public StudyOf<AdviceRow> {
 
   void conclude() override {
     if (std::ranges::none_of(rows(), &AdviceRow::compiled)) throw InputError(rows().front().reason);
-    advice_ = advice_of(options_, *asked_, question_, rows(), are_read());
+    advice_ = advice_of(options_, *command_, question_, rows(), are_read());
   }
 
  private:
   AdviseOptions options_;
-  const session::OptionList* asked_ = nullptr;
+  const session::OptionList* command_ = nullptr;
   AdviceQuestion question_;
   std::unique_ptr<DesignMeter> meter_;
   studies::Advice advice_;
@@ -259,15 +262,15 @@ class Advise : public StudyOf<AdviceRow> {
 
 extern const StudyRow advise_row{
     .name = "advise",
-    .does = "Find the cheapest memory for a model: what meets wishes for bits, wrong pixels, speed and colours",
+    .does = "Find the cheapest memory for a model that meets limits on bits, wrong pixels, speed and colours",
     .example =
         "  csgsim advise carburettor.csg --camera 220,-255,135,2,0,5 --max-bits 64 --max-wrong-pixels 10 --min-fps 20\n"
         "  csgsim advise carburettor.csg --alu-bits 1,2,4,8 --min-colour-bits 12 -o carburettor-advice\n"
-        "Lists are with commas, ranges of numbers as 3..8; every combination is measured. What has been measured is "
+        "Lists are separated by commas, ranges are written 3..8; every combination is measured. Results are "
         "kept in\n"
-        "advise.csv at once; the same command goes on after an interruption, and with other wishes measures nothing "
-        "anew.",
-    .plots = "a plot (.png, .svg) of what memory buys",
+        "advise.csv; after an interruption, the same command resumes, and changed requirements need no new =>"
+        "measurements.",
+    .plots = "a plot (.png, .svg) of frame rate against memory",
     .folder = Folder::optional,
     .has_shards = false,
     .is_quick = true,

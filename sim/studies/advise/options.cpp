@@ -33,10 +33,10 @@ using session::ModelRequest;
 using Texts = std::vector<std::string>;
 
 constexpr std::uint64_t default_wrong_pixels = 10;
-constexpr unsigned most_fraction_bits = 30;
+constexpr unsigned max_fraction_bits = 30;
 constexpr std::string_view alu_figure = "alu.bits";
 
-/// Axes that are searched, those that vary slowest first; options of render that the command does not take.
+/// Searched axes, slowest first; they replace the options of render with the same names.
 struct Searched {
   const char* key;
   std::string AdviseOptions::*list;
@@ -46,55 +46,55 @@ constexpr Searched searched[] = {
     {"colour-bits", &AdviseOptions::colour_bits}, {"colouring", &AdviseOptions::colourings},
     {"strategy", &AdviseOptions::strategies},     {"stack-bits", &AdviseOptions::stack_bits}};
 
-Texts texts_of_numbers(const std::string& list, unsigned least, unsigned most) {
+Texts texts_of_numbers(const std::string& list, unsigned minimum, unsigned maximum) {
   Texts texts;
-  for (const unsigned number : session::parse_numbers(list, least, most)) texts.push_back(std::to_string(number));
+  for (const unsigned number : session::parse_numbers(list, minimum, maximum)) texts.push_back(std::to_string(number));
   return texts;
 }
 
-/// The values of a list; none for an empty list of strategies or ALU widths.
-Texts values_in(std::string_view key, const std::string& list) {
+/// The values of a list; empty for an empty list of strategies or ALU widths.
+Texts parse_values(std::string_view key, const std::string& list) {
   if (key == "alu-bits") return list.empty() ? Texts{} : texts_of_numbers(list, 1, isa::max_field_width);
-  if (key == "fraction-bits") return texts_of_numbers(list, 0, most_fraction_bits);
+  if (key == "fraction-bits") return texts_of_numbers(list, 0, max_fraction_bits);
   if (key == "strategy" && list.empty()) return {};
   return find_axis(key)->values(list);
 }
 
 std::string not_negative(const std::string& text) {
   const bool is_number = !text.empty() && text.find_first_not_of("0123456789.eE+") == std::string::npos;
-  return is_number ? "" : "'" + text + "' is not a number, 0 or more";
+  return is_number ? "" : "'" + text + "' is not a non-negative number";
 }
 
-/// The machine's name, with that ALU if it is not its own.
+/// The machine's name, with the ALU width appended if it differs from the machine's.
 std::string machine_name(const AdviseOptions& options, unsigned alu_bits) {
   const machines::Machine own = kinds::load(options.model.machine);
   if (alu_bits == 0 || own.alu_bits == alu_bits) return options.model.machine;
   return fmt::format("{}+{}={}", options.model.machine, alu_figure, alu_bits);
 }
 
-/// 0 where the machine's kind has no such figure.
+/// {0} if the machine's kind has no ALU width.
 std::vector<unsigned> alu_widths(const AdviseOptions& options, const machines::Machine& machine) {
-  std::vector<unsigned> asked;
-  for (const std::string& bits : values_in("alu-bits", options.alu_bits))
-    asked.push_back(static_cast<unsigned>(std::stoul(bits)));
+  std::vector<unsigned> requested;
+  for (const std::string& bits : parse_values("alu-bits", options.alu_bits))
+    requested.push_back(static_cast<unsigned>(std::stoul(bits)));
   if (std::ranges::find(machine.figures, alu_figure, &machines::Figure::key) != machine.figures.end())
-    return asked.empty() ? std::vector<unsigned>{machine.alu_bits} : asked;
-  if (!asked.empty())
-    throw session::UsageError("--alu-bits", "machine " + machine.name + " has no figure alu.bits; leave it out");
+    return requested.empty() ? std::vector<unsigned>{machine.alu_bits} : requested;
+  if (!requested.empty())
+    throw session::UsageError("--alu-bits", "machine " + machine.name + " has no parameter alu.bits; omit the option");
   return {0};
 }
 
-/// The strategies that are searched by default. A machine that divides the model itself has one.
-Texts usual_strategies(const machines::Machine& machine) {
+/// The strategies searched by default. Machines that divide the model themselves have one.
+Texts default_strategies(const machines::Machine& machine) {
   if (machines::division(machine)) return {std::string(emit::name_of(emit::Strategy::stack))};
-  return names_of(emit::usual_strategies());
+  return names_of(emit::default_strategies());
 }
 
 std::vector<Dimension> dimensions_of(const AdviseOptions& options, const machines::Machine& machine) {
   std::vector<Dimension> dimensions;
   for (const Searched& one : searched) {
-    Texts values = values_in(one.key, options.*one.list);
-    dimensions.push_back({one.key, values.empty() ? usual_strategies(machine) : std::move(values)});
+    Texts values = parse_values(one.key, options.*one.list);
+    dimensions.push_back({one.key, values.empty() ? default_strategies(machine) : std::move(values)});
   }
   return dimensions;
 }
@@ -103,7 +103,7 @@ std::map<unsigned, Job> jobs_of(const AdviseOptions& options, const machines::Ma
                                 const std::vector<unsigned>& alu_bits) {
   session::ModelFile file = session::read_model_file(options.model);
   facet::Geometry scene = facet::make_geometry(file.tree, session::faceting_of(options.model, machine, file.tree));
-  if (scene.box.empty()) throw InputError(options.model.model + ": nothing in it to draw; every solid is empty");
+  if (scene.box.empty()) throw InputError(options.model.model + ": nothing to draw; every solid is empty");
   const auto subject = std::make_shared<Subject>(Subject{std::move(file.tree), std::move(scene), std::move(file.hash)});
   const view::Camera camera = session::camera_of(options.model, machine, subject->tree, subject->scene);
   session::refuse_see_through(options.model, subject->tree, camera);
@@ -161,12 +161,12 @@ AdviceQuestion question_of(const AdviseOptions& options) {
       question.points.push_back(point);
     }
   }
-  for (const std::string& bits : values_in("colour-bits", options.colour_bits))
+  for (const std::string& bits : parse_values("colour-bits", options.colour_bits))
     question.measured.colour_bits.push_back(static_cast<unsigned>(std::stoul(bits)));
-  question.measured.most_bits = std::max(machine.array.memory_bits, most_fitted_bits);
-  question.wishes = {options.max_bits.value_or(machine.array.memory_bits),
-                     options.max_wrong_pixels.value_or(default_wrong_pixels), options.min_fps.value_or(0.0),
-                     options.min_colour_bits.value_or(std::ranges::max(question.measured.colour_bits))};
+  question.measured.max_bits = std::max(machine.array.memory_bits, max_fitted_bits);
+  question.requirements = {options.max_bits.value_or(machine.array.memory_bits),
+                           options.max_wrong_pixels.value_or(default_wrong_pixels), options.min_fps.value_or(0.0),
+                           options.min_colour_bits.value_or(std::ranges::max(question.measured.colour_bits))};
   return question;
 }
 
@@ -191,34 +191,32 @@ void AdviseOptions::add_to(session::OptionList& command) {
   model.add_to(command);
   command.remove("--memory-bits");
   for (const Searched& one : searched) command.remove(std::string("--") + one.key);
-  command
-      .option("--max-bits", max_bits,
-              "Wish: at most so many memory bits a pixel; as many as the machine has if not given")
+  command.option("--max-bits", max_bits, "Requirement: maximum memory bits per pixel; default: those of the machine")
       .between(1U, isa::max_memory_bits);
   command.option("--max-wrong-pixels", max_wrong_pixels,
-                 fmt::format("Wish: at most so many pixels that differ from the exact picture; {} if not given",
+                 fmt::format("Requirement: maximum number of pixels that differ from the exact picture; default: {}",
                              default_wrong_pixels));
-  command.option("--min-fps", min_fps, "Wish: at least so many frames a second; any number if not given")
+  command.option("--min-fps", min_fps, "Requirement: minimum frames per second; default: no minimum")
       .check(not_negative);
   command
       .option("--min-colour-bits", min_colour_bits,
-              "Wish: at least so many bits of colour; the most of --colour-bits if not given")
-      .between(isa::fewest_colour_bits, isa::most_colour_bits);
+              "Requirement: minimum colour bits; default: the maximum of --colour-bits")
+      .between(isa::minimum_colour_bits, isa::max_colour_bits);
   const auto add = [&](const char* key, std::string& list, const std::string& help) {
     command.option(std::string("--") + key, list, help).check(session::is_read_by([key](const std::string& text) {
-      return values_in(key, text);
+      return parse_values(key, text);
     }));
   };
   add("strategy", strategies,
-      fmt::format("Searched: list of {}; all that the machine can draw by if not given",
+      fmt::format("Searched: list of {}; default: all strategies of the machine",
                   fmt::join(fixed_names_of(emit::strategies), ", ")));
-  add("stack-bits", stack_bits, "Searched: numbers, bits that strategy bits is given");
-  add("z-bits", z_bits, "Searched: numbers, bits of depth");
-  add("fraction-bits", fraction_bits, "Searched: numbers, fraction bits of the planes' coefficients");
-  add("colour-bits", colour_bits, "Searched: numbers, bits of a colour");
+  add("stack-bits", stack_bits, "Searched: numbers of stack bits of strategy bits");
+  add("z-bits", z_bits, "Searched: numbers of depth bits");
+  add("fraction-bits", fraction_bits, "Searched: numbers of fraction bits of the planes' coefficients");
+  add("colour-bits", colour_bits, "Searched: numbers of colour bits");
   add("colouring", colourings, "Searched: list of rebroadcast, field");
   add("alu-bits", alu_bits,
-      "Searched: numbers, bits that a pixel's ALU works on in a clock; the machine's own if not given");
+      "Searched: numbers of bits that a pixel's ALU processes per clock; default: the machine's own");
 }
 
 }  // namespace csgsim::studies

@@ -1,3 +1,5 @@
+// Options of csgsim advise, and the points that they select.
+// Used by csgsim advise.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +16,13 @@
 
 namespace csgsim::studies {
 
-/// Options of csgsim advise. What is searched are lists and ranges, checked when the command line is read.
+/// Options of csgsim advise. Lists and ranges are checked when the command line is parsed.
 struct AdviseOptions {
   session::ModelRequest model;
   std::string z_bits = "10..20";
   std::string fraction_bits = "2,4,6,8,10,12";
   std::string colour_bits = "12,15,18,21,24";
-  std::string strategies;  ///< empty: all that the machine can draw by
+  std::string strategies;  ///< empty: all strategies of the machine
   std::string stack_bits = "3..8";
   std::string colourings = "rebroadcast,field";
   std::string alu_bits;  ///< empty: the machine's own
@@ -31,32 +33,32 @@ struct AdviseOptions {
 
   void add_to(session::OptionList& command);
 
-  /// As `csgsim render` draws the choice.
+  /// The `csgsim render` request that draws the choice.
   [[nodiscard]] session::ModelRequest design(const DesignPoint& point) const;
 };
 
-/// Names of the options that ask for wishes or lists: all others are those of `csgsim render`, but for those without
+/// Names of the options for requirements and lists. All others are those of `csgsim render`, except the options without
 /// effect on results.
 std::vector<std::string> own_options();
 
-/// All that is asked for.
+/// Points, inputs and requirements of a search.
 struct AdviceQuestion {
   std::vector<DesignPoint> points;  ///< z bits and fraction bits vary slowest, ALU widths fastest
-  std::map<unsigned, Job> jobs;     ///< by ALU width, but for what else points say
+  std::map<unsigned, Job> jobs;     ///< by ALU width; the point supplies the other settings
   DesignQuestion measured;
-  Wishes wishes;
+  Requirements requirements;
 
   [[nodiscard]] Job job_of(const AdviseOptions& options, const DesignPoint& point) const;
 };
 
-/// Reads the model and the machine. Throws InputError, or UsageError for an ALU that the machine has not.
+/// Reads the model and the machine. Throws InputError, or UsageError if the machine does not support the ALU.
 AdviceQuestion question_of(const AdviseOptions& options);
 
-/// The model as the choice draws it.
+/// The picture of a choice.
 report::Picture picture_of(const AdviseOptions& options, const AdviceRow& row, const std::string& caption);
 
-/// `csgsim render` with all options that draw the choice, on a machine with just its memory, and judge it; its picture
-/// is called `picture`.
+/// The `csgsim render` command with all options of the choice, on a machine with exactly its memory, and with --check.
+/// `picture` is the output file.
 std::string render_command(const AdviseOptions& options, const session::OptionList& command, const AdviceRow& row,
                            const std::string& picture);
 

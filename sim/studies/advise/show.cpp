@@ -17,32 +17,32 @@
 namespace csgsim::studies {
 
 namespace {
-/// Those with colours enough.
-std::vector<AdviceRow> coloured(std::span<const AdviceRow> rows, const Wishes& wishes) {
+/// The rows with enough colour bits.
+std::vector<AdviceRow> coloured(std::span<const AdviceRow> rows, const Requirements& requirements) {
   std::vector<AdviceRow> all;
   for (const AdviceRow& row : rows) {
-    if (row.compiled() && miss(row, Wish::colour, wishes) == 0) all.push_back(row);
+    if (row.compiled() && miss(row, Requirement::colour, requirements) == 0) all.push_back(row);
   }
   return all;
 }
 
-/// Rows of the front that are printed; the files have all.
-constexpr std::size_t most_rows = 40;
+/// Maximum number of printed rows of the front; the files have all.
+constexpr std::size_t max_rows = 40;
 
 std::string figures_text(const AdviceRow& row) {
-  const auto text = [&](Wish wish) { return kind_of(wish).value_text(row); };
-  return fmt::format("{}, {}, {}, {} clocks, {}", text(Wish::bits), text(Wish::wrong_pixels), text(Wish::speed),
-                     grouped(row.clocks), text(Wish::colour));
+  const auto text = [&](Requirement requirement) { return kind_of(requirement).value_text(row); };
+  return fmt::format("{}, {}, {}, {} clocks, {}", text(Requirement::bits), text(Requirement::wrong_pixels),
+                     text(Requirement::speed), grouped(row.clocks), text(Requirement::colour));
 }
 
-/// Rows of the front with the colours that are asked for; all rows, if none has them.
-std::vector<AdviceRow> with_colours(const std::vector<AdviceRow>& front, const Wishes& wishes) {
-  std::vector<AdviceRow> all = coloured(front, wishes);
+/// Rows of the front with enough colour bits; all rows if none has.
+std::vector<AdviceRow> with_colours(const std::vector<AdviceRow>& front, const Requirements& requirements) {
+  std::vector<AdviceRow> all = coloured(front, requirements);
   return all.empty() ? front : all;
 }
 
-std::string colours_text(const Wishes& wishes) {
-  return fmt::format(", with {} of colour or more", session::counted(wishes.min_colour_bits, "bit"));
+std::string colours_text(const Requirements& requirements) {
+  return fmt::format(", with {} of colour or more", session::counted(requirements.min_colour_bits, "bit"));
 }
 
 void print_row(const AdviceRow& row, bool has_alu, bool meets) {
@@ -54,18 +54,19 @@ void print_row(const AdviceRow& row, bool has_alu, bool meets) {
              meets ? "  *" : "");
 }
 
-/// The first, with those of the others that are the same choice.
-void print_recommendation(std::span<const Recommendation> all, const std::string& command, const Wishes& wishes) {
+/// Prints the first recommendation together with those that recommend the same choice.
+void print_recommendation(std::span<const Recommendation> all, const std::string& command,
+                          const Requirements& requirements) {
   const Recommendation& first = all.front();
-  const WishKind& kind = kind_of(first.wish);
+  const RequirementKind& kind = kind_of(first.requirement);
   std::string names;
   for (const Recommendation& one : all) {
-    if (one.row == first.row) names += fmt::format("{}{}", names.empty() ? "" : ", ", kind_of(one.wish).best);
+    if (one.row == first.row) names += fmt::format("{}{}", names.empty() ? "" : ", ", kind_of(one.requirement).best);
   }
   fmt::print("\n{}: {}\n", names, figures_text(first.row));
   if (first.miss > 0)
-    fmt::print("  in the way is the wish for {}: with the others met, {} is the best, {}\n", kind.limit_text(wishes),
-               kind.value_text(first.row), kind.miss_text(first.miss));
+    fmt::print("  conflicting requirement: {}; with the others met, the best is {}, {}\n",
+               kind.limit_text(requirements), kind.value_text(first.row), kind.miss_text(first.miss));
   fmt::print("  {}\n", command);
 }
 
@@ -77,31 +78,31 @@ struct Step {
 };
 
 struct Staircase {
-  std::uint64_t most_wrong = 0;
+  std::uint64_t max_wrong = 0;
   std::vector<Step> steps;
 };
 
-/// The accepted number of wrong pixels, none, and ten and a hundred times as many.
-std::set<std::uint64_t> limits_of(const Wishes& wishes) {
-  const std::uint64_t wish = std::max<std::uint64_t>(wishes.max_wrong_pixels, 1);
-  return {0, wishes.max_wrong_pixels, 10 * wish, 100 * wish};
+/// The accepted number of wrong pixels, 0, and 10 and 100 times the accepted number.
+std::set<std::uint64_t> limits_of(const Requirements& requirements) {
+  const std::uint64_t requirement = std::max<std::uint64_t>(requirements.max_wrong_pixels, 1);
+  return {0, requirements.max_wrong_pixels, 10 * requirement, 100 * requirement};
 }
 
-/// The most frames a second with at most n bits, for each n at which it rises.
-std::vector<Step> steps_of(std::span<const AdviceRow> front, std::uint64_t most_wrong) {
+/// The maximum frame rate with at most n bits, for each n at which it rises.
+std::vector<Step> steps_of(std::span<const AdviceRow> front, std::uint64_t max_wrong) {
   std::vector<Step> steps;
   for (const AdviceRow& row : front) {
-    if (row.wrong > most_wrong || (!steps.empty() && row.frames_per_second <= steps.back().fps)) continue;
+    if (row.wrong > max_wrong || (!steps.empty() && row.frames_per_second <= steps.back().fps)) continue;
     if (!steps.empty() && steps.back().bits == row.used_bits) steps.pop_back();
     steps.push_back({row.used_bits, row.frames_per_second});
   }
   return steps;
 }
 
-/// A limit that buys no more than a stricter one has no line.
-std::vector<Staircase> staircases_of(std::span<const AdviceRow> front, const Wishes& wishes) {
+/// A limit that gives the same frame rates as a stricter one has no line.
+std::vector<Staircase> staircases_of(std::span<const AdviceRow> front, const Requirements& requirements) {
   std::vector<Staircase> all;
-  for (const std::uint64_t limit : limits_of(wishes)) {
+  for (const std::uint64_t limit : limits_of(requirements)) {
     std::vector<Step> steps = steps_of(front, limit);
     if (steps.empty() || (!all.empty() && all.back().steps == steps)) continue;
     all.push_back({limit, std::move(steps)});
@@ -110,9 +111,9 @@ std::vector<Staircase> staircases_of(std::span<const AdviceRow> front, const Wis
 }
 
 std::string title_of(const Staircase& stairs) {
-  if (stairs.most_wrong == 0) return "no wrong pixel";
-  if (stairs.most_wrong == 1) return "at most 1 wrong pixel";
-  return fmt::format("at most {} wrong pixels", stairs.most_wrong);
+  if (stairs.max_wrong == 0) return "no wrong pixel";
+  if (stairs.max_wrong == 1) return "at most 1 wrong pixel";
+  return fmt::format("at most {} wrong pixels", stairs.max_wrong);
 }
 
 void add_staircases(const std::vector<Staircase>& all, plots::Chart& chart) {
@@ -123,27 +124,30 @@ void add_staircases(const std::vector<Staircase>& all, plots::Chart& chart) {
   }
 }
 
-/// Labelled marks, one for each choice: several wishes may have the same.
+/// Labelled marks of the recommendations; several requirements may have the same choice.
 void add_recommendations(std::span<const Recommendation> all, plots::Chart& chart) {
   plots::Series series{"recommended", 0, plots::Trace::marks};
   for (const Recommendation& one : all) {
     series.points.push_back(
-        {static_cast<double>(one.row.used_bits), one.row.frames_per_second, kind_of(one.wish).best});
+        {static_cast<double>(one.row.used_bits), one.row.frames_per_second, kind_of(one.requirement).best});
   }
   if (!series.points.empty()) chart.series.push_back(std::move(series));
 }
 
-void add_wishes(const Wishes& wishes, plots::Chart& chart) {
-  double most_bits = 0;
+void add_requirements(const Requirements& requirements, plots::Chart& chart) {
+  double max_bits = 0;
   for (const plots::Series& series : chart.series) {
-    for (const plots::Point& point : series.points) most_bits = std::max(most_bits, point.x);
+    for (const plots::Point& point : series.points) max_bits = std::max(max_bits, point.x);
   }
-  const plots::Point wish{static_cast<double>(wishes.max_bits), wishes.min_fps};
-  if (wish.x <= most_bits)
-    chart.series.push_back({fmt::format("wish: at most {} bits", wishes.max_bits), 0, plots::Trace::upright, {wish}});
-  if (wish.y > 0) {
+  const plots::Point requirement{static_cast<double>(requirements.max_bits), requirements.min_fps};
+  if (requirement.x <= max_bits)
     chart.series.push_back(
-        {fmt::format("wish: at least {:g} frames a second", wishes.min_fps), 0, plots::Trace::level, {wish}});
+        {fmt::format("requirement: at most {} bits", requirements.max_bits), 0, plots::Trace::upright, {requirement}});
+  if (requirement.y > 0) {
+    chart.series.push_back({fmt::format("requirement: at least {:g} frames/s", requirements.min_fps),
+                            0,
+                            plots::Trace::level,
+                            {requirement}});
   }
 }
 
@@ -164,64 +168,65 @@ Json choices_json(std::span<const AdviceRow> rows) {
 
 }  // namespace
 
-std::string misses_text(const AdviceRow& row, const Wishes& wishes) {
+std::string misses_text(const AdviceRow& row, const Requirements& requirements) {
   std::string text;
-  for (const Wish wish : all_wishes) {
-    const double by = miss(row, wish, wishes);
-    if (by > 0) text += (text.empty() ? "" : ", ") + kind_of(wish).miss_text(by);
+  for (const Requirement requirement : all_requirements) {
+    const double by = miss(row, requirement, requirements);
+    if (by > 0) text += (text.empty() ? "" : ", ") + kind_of(requirement).miss_text(by);
   }
   return text;
 }
 
-void print_question(const std::string& subject, std::span<const AdviceRow> rows, const Wishes& wishes) {
+void print_question(const std::string& subject, std::span<const AdviceRow> rows, const Requirements& requirements) {
   const auto compiled = std::count_if(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.compiled(); });
   fmt::print("{}: {} searched", printable(subject), session::counted(rows.size(), "choice"));
   const auto refused = rows.size() - static_cast<std::size_t>(compiled);
-  if (refused > 0) fmt::print(", {} of which cannot be drawn", grouped(refused));
-  fmt::print("\nwishes: ");
-  for (const Wish wish : all_wishes)
-    fmt::print("{}{}", wish == Wish::bits ? "" : ", ", kind_of(wish).limit_text(wishes));
+  if (refused > 0) fmt::print("; {} cannot be drawn", grouped(refused));
+  fmt::print("\nrequirements: ");
+  for (const Requirement requirement : all_requirements)
+    fmt::print("{}{}", requirement == Requirement::bits ? "" : ", ", kind_of(requirement).limit_text(requirements));
   fmt::print("\n");
 }
 
-void print_front(std::span<const AdviceRow> rows, const Wishes& wishes) {
-  const std::vector<AdviceRow> front = with_colours(advice_front(rows), wishes);
-  std::vector<AdviceRow> shown = nearest_choices(front, wishes, most_rows);
+void print_front(std::span<const AdviceRow> rows, const Requirements& requirements) {
+  const std::vector<AdviceRow> front = with_colours(advice_front(rows), requirements);
+  std::vector<AdviceRow> shown = nearest_choices(front, requirements, max_rows);
   const bool has_alu = std::any_of(shown.begin(), shown.end(), [&](const AdviceRow& row) {
     return row.point.alu_bits != shown.front().point.alu_bits;
   });
   fmt::print("\n{:>5}{:>5}{:>6}{:>8}{:>7}  {:<10}{:<13}{}{:>12}{:>10}{:>9}\n", "bits", "z", "frac.", "colour", "error",
              "strategy", "colouring", has_alu ? " ALU" : "", "clocks", "frames/s", "wrong");
   for (const AdviceRow& row : front) {
-    if (std::find(shown.begin(), shown.end(), row) != shown.end()) print_row(row, has_alu, meets_all(row, wishes));
+    if (std::find(shown.begin(), shown.end(), row) != shown.end())
+      print_row(row, has_alu, meets_all(row, requirements));
   }
-  fmt::print("*: meets all wishes. ");
+  fmt::print("*: meets all requirements. ");
   if (shown.size() < front.size())
-    fmt::print("The {} nearest to the wishes of {} that no other beats{}.\n", shown.size(), grouped(front.size()),
-               colours_text(wishes));
+    fmt::print("Shown are the {} closest to the requirements of {} Pareto-optimal choices{}.\n", shown.size(),
+               grouped(front.size()), colours_text(requirements));
   else
-    fmt::print("No other choice beats these{}.\n", colours_text(wishes));
+    fmt::print("These are all Pareto-optimal choices{}.\n", colours_text(requirements));
 }
 
-void print_advice(const Advice& advice, const Wishes& wishes) {
+void print_advice(const Advice& advice, const Requirements& requirements) {
   const std::span<const Recommendation> all = advice.recommendations;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i),
                     [&](const Recommendation& other) { return other.row == all[i].row; }))
       continue;
-    print_recommendation(all.subspan(i), advice.commands[i], wishes);
+    print_recommendation(all.subspan(i), advice.commands[i], requirements);
   }
   if (!advice.nearest) return;
-  fmt::print("\nnearest: {}\n  {}\n  {}\n", figures_text(*advice.nearest), misses_text(*advice.nearest, wishes),
+  fmt::print("\nnearest: {}\n  {}\n  {}\n", figures_text(*advice.nearest), misses_text(*advice.nearest, requirements),
              advice.nearest_command);
 }
 
-std::string advice_json(const std::string& title, const Wishes& wishes, std::span<const AdviceRow> rows,
+std::string advice_json(const std::string& title, const Requirements& requirements, std::span<const AdviceRow> rows,
                         const Advice& advice) {
   Json recommended = Json::array();
   for (std::size_t i = 0; i < advice.recommendations.size(); ++i) {
     const Recommendation& one = advice.recommendations[i];
-    recommended.push_back({{"what", kind_of(one.wish).best},
+    recommended.push_back({{"what", kind_of(one.requirement).best},
                            {"missed_by", one.miss},
                            {"meets_all", one.miss == 0},
                            {"command", advice.commands[i]},
@@ -229,10 +234,10 @@ std::string advice_json(const std::string& title, const Wishes& wishes, std::spa
   }
   Json json{{"study", title},
             {"wishes",
-             {{"max_bits", wishes.max_bits},
-              {"max_wrong_pixels", wishes.max_wrong_pixels},
-              {"min_fps", wishes.min_fps},
-              {"min_colour_bits", wishes.min_colour_bits}}},
+             {{"max_bits", requirements.max_bits},
+              {"max_wrong_pixels", requirements.max_wrong_pixels},
+              {"min_fps", requirements.min_fps},
+              {"min_colour_bits", requirements.min_colour_bits}}},
             {"meets_all", !advice.nearest},
             {"recommendations", recommended}};
   if (advice.nearest) json["nearest"] = {{"command", advice.nearest_command}, {"point", choice_json(*advice.nearest)}};
@@ -241,17 +246,18 @@ std::string advice_json(const std::string& title, const Wishes& wishes, std::spa
   return file_text(json);
 }
 
-plots::Plot plot_of_advice(std::span<const AdviceRow> rows, const Wishes& wishes,
+plots::Plot plot_of_advice(std::span<const AdviceRow> rows, const Requirements& requirements,
                            std::span<const Recommendation> recommendations, const std::string& model) {
-  plots::Chart chart{fmt::format("{}: what memory buys, with {} bits of colour or more", model, wishes.min_colour_bits),
-                     {"memory bits a pixel", plots::Scale::linear, {}, false, true},
-                     {{"frames a second, at most", plots::Scale::linear}},
-                     {},
-                     "advise.csv"};
-  add_staircases(staircases_of(advice_front(coloured(rows, wishes)), wishes), chart);
+  plots::Chart chart{
+      fmt::format("{}: frame rate and memory, at least {} colour bits", model, requirements.min_colour_bits),
+      {"memory bits per pixel", plots::Scale::linear, {}, false, true},
+      {{"maximum frames/s", plots::Scale::linear}},
+      {},
+      "advise.csv"};
+  add_staircases(staircases_of(advice_front(coloured(rows, requirements)), requirements), chart);
   if (!chart.series.empty()) {
     add_recommendations(recommendations, chart);
-    add_wishes(wishes, chart);
+    add_requirements(requirements, chart);
   }
   return {"advise", std::move(chart)};
 }

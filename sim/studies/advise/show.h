@@ -1,3 +1,5 @@
+// Output of csgsim advise: texts, JSON and the plot.
+// Used by csgsim advise.
 #pragma once
 
 #include <span>
@@ -8,27 +10,26 @@
 
 namespace csgsim::studies {
 
-/// What was searched, and what is wished. `subject` is the model's name, with the machine's.
-void print_question(const std::string& subject, std::span<const AdviceRow> rows, const Wishes& wishes);
+/// Prints the number of searched choices and the requirements. `subject` names the model and the machine.
+void print_question(const std::string& subject, std::span<const AdviceRow> rows, const Requirements& requirements);
 
-/// The front, on standard output: the part of it with colours as wished, and of a long one what is nearest to the
-/// wishes.
-void print_front(std::span<const AdviceRow> rows, const Wishes& wishes);
+/// Prints the part of the front with the required colours; of a long front, the choices closest to the requirements.
+void print_front(std::span<const AdviceRow> rows, const Requirements& requirements);
 
-/// What is recommended, with the commands that draw it; and, where nothing meets all wishes, what is in the way and how
-/// far the nearest choice is.
-void print_advice(const Advice& advice, const Wishes& wishes);
+/// Prints the recommendations and the commands that render them. If no choice meets all requirements, also the
+/// conflicting requirements and the closest choice.
+void print_advice(const Advice& advice, const Requirements& requirements);
 
-/// A file of advice: wishes, what is recommended, the front and all points.
-std::string advice_json(const std::string& title, const Wishes& wishes, std::span<const AdviceRow> rows,
+/// The JSON file of a search: requirements, recommendations, the front and all points.
+std::string advice_json(const std::string& title, const Requirements& requirements, std::span<const AdviceRow> rows,
                         const Advice& advice);
 
-/// `6 bits too many, 2.3 frames a second too few`: all wishes that the choice misses.
-std::string misses_text(const AdviceRow& row, const Wishes& wishes);
+/// All requirements that the choice misses, as in `6 bits too many, 2.3 frames/s too few`.
+std::string misses_text(const AdviceRow& row, const Requirements& requirements);
 
-/// What memory bits buy: the most frames a second against memory bits a pixel, a staircase for each limit of wrong
-/// pixels, with the wishes and what is recommended.
-plots::Plot plot_of_advice(std::span<const AdviceRow> rows, const Wishes& wishes,
+/// Plot of the maximum frame rate against memory bits per pixel, a step line for each limit of wrong pixels, with the
+/// requirements and the recommendations.
+plots::Plot plot_of_advice(std::span<const AdviceRow> rows, const Requirements& requirements,
                            std::span<const Recommendation> recommendations, const std::string& model);
 
 }  // namespace csgsim::studies

@@ -29,31 +29,32 @@ namespace {
 
 constexpr const char* no_coherence = "none";
 
-std::vector<std::string> methods_in(const std::string& text) {
-  return session::parse_names(text, "method", software::names_in(software::methods()));
+std::vector<std::string> parse_methods(const std::string& text) {
+  return session::parse_names(text, "method", software::row_names(software::methods()));
 }
-std::vector<std::string> coherences_in(const std::string& text) {
-  return session::parse_names(text, "coherence", software::names_in(software::coherences()));
+std::vector<std::string> parse_coherences(const std::string& text) {
+  return session::parse_names(text, "coherence", software::row_names(software::coherences()));
 }
-std::vector<std::string> shapes_in(const std::string& text) {
-  return session::parse_names(text, "shape", software::names_in(software::shapes()));
+std::vector<std::string> parse_shapes(const std::string& text) {
+  return session::parse_names(text, "shape", software::row_names(software::shapes()));
 }
 std::vector<std::string> reductions_in(const std::string& text) {
-  return session::parse_names(text, "reduction", software::names_in(software::prunings()));
+  return session::parse_names(text, "reduction", software::row_names(software::prunings()));
 }
 
 template <class Rows>
 std::string all_of(const Rows& rows) {
-  return fmt::format("{}", fmt::join(software::names_in(rows), ","));
+  return fmt::format("{}", fmt::join(software::row_names(rows), ","));
 }
 
-/// The rays of a picture do not depend on what they are classified by, so all surfaces have to be the same.
+/// The rays of a picture do not depend on the classification method, so all methods must see the same surfaces.
+/// Describes the first difference; empty if there is none.
 std::string difference_of(std::span<const ClassifyRow> rows) {
   const auto first = std::ranges::find_if(rows, &ClassifyRow::drawn);
   for (const ClassifyRow& row : rows) {
     if (row.drawn() && row.surfaces != first->surfaces) {
-      return fmt::format("{}/{} sees other surfaces than {}/{}", row.point.method, row.point.coherence,
-                         first->point.method, first->point.coherence);
+      return fmt::format("the surfaces seen by {}/{} differ from those seen by {}/{}", row.point.method,
+                         row.point.coherence, first->point.method, first->point.coherence);
     }
   }
   return "";
@@ -63,18 +64,20 @@ class Classify : public StudyOf<ClassifyRow> {
  public:
   void add_options(session::OptionList& command) override {
     add_model_without_machine(options_, command);
-    command.option("--methods", methods_, "List of methods, as csgsim manual methods tells of them")
-        .words(software::names_in(software::methods()), session::is_read_by(methods_in));
-    command.option("--coherences", coherences_, "List of what methods keep from point to point")
-        .words(software::names_in(software::coherences()), session::is_read_by(coherences_in));
-    command.option("--shapes", shapes_, "List of shapes of the tree")
-        .words(software::names_in(software::shapes()), session::is_read_by(shapes_in));
+    command.option("--methods", methods_, "Methods, separated by commas; see csgsim manual methods")
+        .words(software::row_names(software::methods()), session::is_read_by(parse_methods));
+    command
+        .option("--coherences", coherences_,
+                "Coherences, separated by commas: the data that methods keep between points")
+        .words(software::row_names(software::coherences()), session::is_read_by(parse_coherences));
+    command.option("--shapes", shapes_, "Shapes of the tree, separated by commas")
+        .words(software::row_names(software::shapes()), session::is_read_by(parse_shapes));
     command
         .option("--reduced", reduced_,
-                "List of ways to prune trees beforehand: for cells of the picture, inside a primitive")
-        .words(software::names_in(software::prunings()), session::is_read_by(reductions_in));
+                "Ways to prune trees in advance, separated by commas: for cells of the picture, inside a primitive")
+        .words(software::row_names(software::prunings()), session::is_read_by(reductions_in));
     add_processors(command, processors_);
-    json_.add_to(command, "The surfaces that each ray meets, in order, and what it sees");
+    json_.add_to(command, "Write the surfaces that each ray intersects, in order, and the visible one");
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
@@ -86,7 +89,7 @@ class Classify : public StudyOf<ClassifyRow> {
   [[nodiscard]] std::string table_model() const override { return options_.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     const machines::Machine machine = session::machine_of(options_);
     session::ModelFile file = session::read_model_file(options_);
     tree_ = std::move(file.tree);
@@ -94,24 +97,24 @@ class Classify : public StudyOf<ClassifyRow> {
     view_ = view::make_view(*geometry_, tree_, session::camera_of(options_, machine, tree_, *geometry_),
                             session::sampling_of(options_, machine));
     inputs_ = {file.hash, machines::hash_of(machine), session::version_and_build()};
-    std::vector<Asked> asked;
-    for (const std::string& shape : shapes_in(shapes_)) {
+    std::vector<PointRequest> requested;
+    for (const std::string& shape : parse_shapes(shapes_)) {
       for (const std::string& reduced : reductions_in(reduced_)) add_points(shape, reduced);
     }
-    for (const ClassifyPoint& point : points_) asked.push_back({to_line(point), inputs_});
+    for (const ClassifyPoint& point : points_) requested.push_back({to_line(point), inputs_});
     write_events(json_, inputs(), {tree_, *geometry_, view_, survey_});
-    return asked;
+    return requested;
   }
 
   void print() const override {
-    fmt::print("{}: what classifying its rays takes, as in tables 4.9 and 4.10 of the thesis\n",
+    fmt::print("{}: cost of classifying its rays, as in tables 4.9 and 4.10 of the thesis\n",
                printable(session::shown_name(options_.model)));
-    print_classification(rows(), processors_in(processors_));
-    if (difference_of(rows()).empty()) fmt::print("\nAll methods see the same surfaces, at every pixel.\n");
+    print_classification(rows(), parse_processors(processors_));
+    if (difference_of(rows()).empty()) fmt::print("\nAll methods see the same surfaces at every pixel.\n");
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    const std::vector<software::Priced> processors = processors_in(processors_);
+    const std::vector<software::Priced> processors = parse_processors(processors_);
     const SetPoint columns = setter_of(std::span<const ClassifyRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
@@ -126,33 +129,33 @@ class Classify : public StudyOf<ClassifyRow> {
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
-    return plots_of_classification(rows(), processors_in(processors_), plot_stem(options_.model));
+    return plots_of_classification(rows(), parse_processors(processors_), plot_stem(options_.model));
   }
 
-  [[nodiscard]] std::string page_title() const override { return "What classifying rays takes"; }
+  [[nodiscard]] std::string page_title() const override { return "Cost of classifying rays"; }
   [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   void refuse() const override {
     if (std::ranges::none_of(rows(), &ClassifyRow::drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
-      throw InputError(difference + "; " + whose_fault(are_read()));
+      throw InputError(difference + "; " + fault_hint(are_read()));
   }
 
  protected:
-  [[nodiscard]] ClassifyRow measured(std::size_t point) override {
+  [[nodiscard]] ClassifyRow measure_point(std::size_t point) override {
     return studies::measure(points_[point], inputs_, {tree_, *geometry_, view_, survey_});
   }
 
  private:
-  /// Methods in their order, each with all coherences; what takes whole rays has neither these nor reduced trees.
+  /// Adds all methods, each with all coherences. Methods that take whole rays have no coherence and no reduced trees.
   void add_points(const std::string& shape, const std::string& reduced) {
-    for (const std::string& method : methods_in(methods_)) {
+    for (const std::string& method : parse_methods(methods_)) {
       const software::Choice choice = software::choice_of(method);
       if (choice.coherence == nullptr) {
         if (reduced == reductions_in("none").front()) points_.push_back({method, no_coherence, shape, reduced});
         continue;
       }
-      for (const std::string& coherence : coherences_in(coherences_))
+      for (const std::string& coherence : parse_coherences(coherences_))
         points_.push_back({method, coherence, shape, reduced});
     }
   }
@@ -176,12 +179,13 @@ class Classify : public StudyOf<ClassifyRow> {
 
 extern const StudyRow classify_row{
     .name = "classify",
-    .does = "Count and price what software takes to classify a model's rays, by every method",
+    .does = "Count and price the operations of software that classifies a model's rays, for every method",
     .example =
         "  csgsim classify carburettor.csg --camera 220,-255,135,2,0,5 --projection perspective\n"
         "  csgsim classify carburettor.csg --methods standard,status --shapes written,balanced -o out\n"
-        "Methods are those of chapter 4 of the thesis and some of later, on the integers that machines draw by, and\n"
-        "see the surfaces that machines draw. Their operations are counted by kind; a processor's file prices them.",
+        "The methods are those of chapter 4 of the thesis and some later ones. They use the integers of the machines "
+        "and\n"
+        "see the same surfaces. Their operations are counted by kind; a processor's file gives the price of each kind.",
     .plots = "plots (.png, .svg) of seconds by method",
     .folder = Folder::optional,
     .is_parallel = false,

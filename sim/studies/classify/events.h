@@ -1,3 +1,5 @@
+// Export of the events of all rays.
+// Used by csgsim classify --json.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +10,9 @@
 
 namespace csgsim::studies {
 
-/// Writes the events of all rays that meet anything: `pixel`, column and row; `events`, of each its depth in steps, its
-/// primitive, counted from 0 in tree order, and whether it is left; `seen`, the depth and the primitive that is seen,
-/// or null.
+/// Writes the events of all rays that intersect a primitive: `pixel` (column and row); `events`, each with its depth in
+/// steps, its primitive (counted from 0 in tree order) and whether the ray leaves it; `seen`, the depth and primitive
+/// of the visible surface, or null.
 void write_events(const JsonExport& json, std::span<const std::filesystem::path> inputs, const Scene& scene);
 
 }  // namespace csgsim::studies

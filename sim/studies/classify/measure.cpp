@@ -11,7 +11,7 @@ software::Choice choice_of(const ClassifyPoint& point) {
   return software::choice_of(point.coherence == "none" ? point.method : point.method + "/" + point.coherence);
 }
 
-void tell(const software::Counts& counts, ClassifyRow& row) {
+void copy_counts(const software::Counts& counts, ClassifyRow& row) {
   row.points = counts.points;
   row.evaluations = counts.evaluations;
   row.looked_up = counts.looked_up;
@@ -27,14 +27,14 @@ void tell(const software::Counts& counts, ClassifyRow& row) {
   row.traversal_operations = {counts.traversal};
 }
 
-void tell(const software::Survey& survey, ClassifyRow& row) {
+void copy_counts(const software::Survey& survey, ClassifyRow& row) {
   row.rays = survey.rays;
   row.met_rays = survey.met;
   row.hit_rays = survey.hits;
   row.sequences = survey.sequences;
   row.different_sequences = survey.different_sequences;
   row.combinations = survey.combinations;
-  row.most_points = survey.most_points;
+  row.max_points = survey.max_points;
 }
 
 void draw(const Scene& scene, ClassifyRow& row) {
@@ -46,9 +46,9 @@ void draw(const Scene& scene, ClassifyRow& row) {
   row.primitives = scene.tree.primitives.size();
   row.halfspaces = scene.geometry.halfspaces();
   row.tree_levels = tree.depth();
-  tell(work.counts, row);
+  copy_counts(work.counts, row);
   if (!scene.survey) scene.survey = software::survey(rays, work.picture);
-  tell(*scene.survey, row);
+  copy_counts(*scene.survey, row);
   row.halfspace_tests = work.rays.halfspace_tests;
   row.ray_operations = {work.rays.intersecting};
   row.sort_operations = {work.rays.sorting};

@@ -1,3 +1,5 @@
+// Points, rows and measurements of classification methods.
+// Used by csgsim classify.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +19,9 @@ namespace csgsim::studies {
 /// A way to classify the rays of a picture.
 struct ClassifyPoint {
   std::string method;
-  std::string coherence;  ///< none where the method takes none
-  std::string shape;      ///< of the tree
-  std::string reduced;    ///< how trees are pruned beforehand
+  std::string coherence;  ///< `none` if the method has no coherence
+  std::string shape;      ///< shape of the tree
+  std::string reduced;    ///< how trees are pruned in advance
 
   bool operator==(const ClassifyPoint&) const = default;
 
@@ -31,7 +33,7 @@ struct ClassifyPoint {
   }
 };
 
-/// What it takes. Operations are told by kind, so that they can be priced for any processor.
+/// Results of a point. Operations are counted by kind, so that they can be priced for any processor.
 struct ClassifyRow {
   static constexpr std::size_t point_columns = 4;
 
@@ -46,7 +48,7 @@ struct ClassifyRow {
   std::uint64_t sequences = 0;
   std::uint64_t different_sequences = 0;
   std::uint64_t combinations = 0;
-  std::uint64_t most_points = 0;
+  std::uint64_t max_points = 0;
   std::uint64_t points = 0;
   std::uint64_t evaluations = 0;
   std::uint64_t looked_up = 0;
@@ -59,12 +61,12 @@ struct ClassifyRow {
   std::uint64_t ties = 0;
   std::uint64_t words = 0;
   std::uint64_t halfspace_tests = 0;
-  OperationsCell ray_operations;           ///< of finding what rays meet
-  OperationsCell sort_operations;          ///< of putting it in order
-  OperationsCell operations;               ///< of classifying it
-  OperationsCell traversal_operations;     ///< of these, flips and evaluations of the tree
-  double wall_seconds_rays = 0;            ///< of this computer: what rays meet, in order
-  double wall_seconds_classification = 0;  ///< of classifying it
+  OperationsCell ray_operations;           ///< to intersect rays and primitives
+  OperationsCell sort_operations;          ///< to sort the intersections
+  OperationsCell operations;               ///< to classify the intersections
+  OperationsCell traversal_operations;     ///< subset of `operations`: flips and evaluations of the tree
+  double wall_seconds_rays = 0;            ///< time on this computer to find and sort the intersections
+  double wall_seconds_classification = 0;  ///< time on this computer to classify them
   std::string surfaces;                    ///< hash of depth and owner of every pixel
   std::string reason;
 
@@ -82,7 +84,7 @@ struct ClassifyRow {
     visit("sequences", row.sequences);
     visit("different_sequences", row.different_sequences);
     visit("combinations", row.combinations);
-    visit("most_points", row.most_points);
+    visit("most_points", row.max_points);
     visit("points", row.points);
     visit("evaluations", row.evaluations);
     visit("looked_up", row.looked_up);
@@ -108,15 +110,16 @@ struct ClassifyRow {
 
 software::PricedSeconds seconds_of(const ClassifyRow& row, const software::Priced& processor);
 
-/// What rows of one picture have in common.
+/// Data shared by all rows of a picture.
 struct Scene {
   const model::Tree& tree;
   const facet::Geometry& geometry;
   const view::View& view;
-  std::optional<software::Survey>& survey;  ///< of its rays; made for the first row that is measured
+  std::optional<software::Survey>& survey;  ///< survey of its rays; created for the first measured row
 };
 
-/// Draws the picture, once counting and then to take the time. A method that cannot draw it is a row that says why.
+/// Draws the picture twice: once to count operations, once to measure time. If the method cannot draw it, the row holds
+/// the reason.
 ClassifyRow measure(const ClassifyPoint& point, const Inputs& inputs, const Scene& scene);
 
 }  // namespace csgsim::studies

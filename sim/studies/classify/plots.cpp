@@ -8,7 +8,7 @@ namespace {
 
 plots::Chart chart_of(const ClassifyGroup& group, std::span<const software::Priced> processors,
                       const std::string& model) {
-  plots::Chart chart{model + ": seconds of classification (tree " + group.shape + ", reduced: " + group.reduced + ")",
+  plots::Chart chart{model + ": classification time (tree " + group.shape + ", reduced: " + group.reduced + ")",
                      {"method", plots::Scale::linear, {}, true},
                      {},
                      {},

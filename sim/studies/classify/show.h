@@ -1,3 +1,5 @@
+// Tables and plots of classification methods.
+// Used by csgsim classify.
 #pragma once
 
 #include <span>
@@ -9,7 +11,7 @@
 
 namespace csgsim::studies {
 
-/// Rows of one shape and one way to reduce trees, the others of them in the order of the table.
+/// Rows with the same shape and reduction of trees, in the order of the table.
 struct ClassifyGroup {
   std::string shape;
   std::string reduced;
@@ -18,18 +20,18 @@ struct ClassifyGroup {
 
 std::vector<ClassifyGroup> groups_of(std::span<const ClassifyRow> rows);
 
-/// In their order, each once.
+/// The methods or coherences of the rows, without duplicates, in order of first appearance.
 std::vector<std::string> methods_of(std::span<const ClassifyRow> rows);
 std::vector<std::string> coherences_of(std::span<const ClassifyRow> rows);
 
-/// The row of a method and a coherence; nullptr if it was not asked for.
+/// The row of a method and a coherence; nullptr if it was not requested.
 const ClassifyRow* row_of(std::span<const ClassifyRow> rows, const std::string& method, const std::string& coherence);
 
-/// The rays in the form of the thesis's table 4.9, seconds in that of table 4.10 for each processor, and what of
-/// that is the least.
+/// Prints the rays in the form of the thesis's table 4.9, seconds in the form of table 4.10 for each processor, and the
+/// fastest method.
 void print_classification(std::span<const ClassifyRow> rows, std::span<const software::Priced> processors);
 
-/// Seconds of classification by method, a panel a processor and a line a coherence.
+/// Classification time by method, with a panel per processor and a series per coherence.
 std::vector<plots::Plot> plots_of_classification(std::span<const ClassifyRow> rows,
                                                  std::span<const software::Priced> processors,
                                                  const std::string& model);

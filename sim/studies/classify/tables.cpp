@@ -19,7 +19,7 @@ namespace {
 using Lines = std::vector<std::vector<std::string>>;
 using Rows = std::span<const ClassifyRow>;
 
-/// `<` for the first column, `>` for all others.
+/// Column alignment: left for the first column, right for all others.
 std::string sides_of(const Lines& lines) {
   std::size_t columns = 0;
   for (const std::vector<std::string>& line : lines) columns = std::max(columns, line.size());
@@ -30,23 +30,24 @@ std::string a_ray(std::uint64_t count, std::uint64_t rays) {
   return rays == 0 ? "-" : fmt::format("{:.3f}", static_cast<double>(count) / static_cast<double>(rays));
 }
 
-/// Counts that do not depend on the method, and with each coherence the evaluations of the first method that has it.
+/// Prints counts that do not depend on the method, and for each coherence the evaluations of the first method that has
+/// it.
 void print_rays(Rows rows) {
   const auto drawn = std::ranges::find_if(rows, &ClassifyRow::drawn);
   if (drawn == rows.end()) return;
   fmt::print("{}, {}; {}\n", session::counted(drawn->primitives, "primitive"),
              session::counted(drawn->halfspaces, "half-space"), session::counted(drawn->tree_levels, "level"));
-  Lines lines{{"", "count", "a hit ray"}};
+  Lines lines{{"", "count", "per hit ray"}};
   const auto add = [&](const std::string& what, std::uint64_t count) {
     lines.push_back({what, grouped(count), a_ray(count, drawn->hit_rays)});
   };
   add("rays", drawn->rays);
-  add("rays with points", drawn->met_rays);
+  add("rays with intersections", drawn->met_rays);
   add("rays that hit the solid", drawn->hit_rays);
   add("sequences", drawn->sequences);
   add("different sequences", drawn->different_sequences);
   add("combinations of primitives", drawn->combinations);
-  lines.push_back({"points of the longest ray", grouped(drawn->most_points), ""});
+  lines.push_back({"maximum points of a ray", grouped(drawn->max_points), ""});
   for (const std::string& coherence : coherences_of(rows)) {
     const auto row = std::ranges::find_if(
         rows, [&](const ClassifyRow& one) { return one.drawn() && one.point.coherence == coherence; });
@@ -55,7 +56,7 @@ void print_rays(Rows rows) {
   fmt::print("{}", session::in_columns(lines, sides_of(lines)));
 }
 
-/// What methods do besides evaluations.
+/// Prints other work of the methods next to the evaluations.
 void print_work(Rows rows) {
   Lines lines{{"", "evaluations", "visits", "early outs", "list steps", "elements", "words"}};
   for (const ClassifyRow& row : rows) {
@@ -94,14 +95,14 @@ void print_best(Rows rows, std::span<const software::Priced> processors) {
     }
     if (best == nullptr) continue;
     const software::PricedSeconds seconds = seconds_of(*best, processor);
-    fmt::print("{}: the whole picture takes {} s at the least, {} s of it classification ({})\n", processor.name,
-               seconds_text(seconds.all), seconds_text(seconds.classification),
+    fmt::print("{}: the fastest method draws the picture in {} s, including {} s for classification ({})\n",
+               processor.name, seconds_text(seconds.all), seconds_text(seconds.classification),
                best->point.method + (best->point.coherence == "none" ? "" : "/" + best->point.coherence));
   }
 }
 
 template <class Member>
-std::vector<std::string> different(Rows rows, Member member) {
+std::vector<std::string> distinct_values(Rows rows, Member member) {
   std::vector<std::string> names;
   for (const ClassifyRow& row : rows) {
     const std::string& name = row.point.*member;
@@ -112,8 +113,8 @@ std::vector<std::string> different(Rows rows, Member member) {
 
 }  // namespace
 
-std::vector<std::string> methods_of(Rows rows) { return different(rows, &ClassifyPoint::method); }
-std::vector<std::string> coherences_of(Rows rows) { return different(rows, &ClassifyPoint::coherence); }
+std::vector<std::string> methods_of(Rows rows) { return distinct_values(rows, &ClassifyPoint::method); }
+std::vector<std::string> coherences_of(Rows rows) { return distinct_values(rows, &ClassifyPoint::coherence); }
 
 const ClassifyRow* row_of(Rows rows, const std::string& method, const std::string& coherence) {
   const auto row = std::ranges::find_if(

@@ -44,7 +44,7 @@ struct Options {
   bool ideal = false;
 };
 
-/// An empty list was the word before there was one.
+/// Treats an empty list like `none`, for compatibility with earlier versions.
 bool is_none(const std::string& text) { return text.empty() || text == "none"; }
 
 std::vector<unsigned> fragments_of(const std::string& text) {
@@ -58,7 +58,7 @@ std::vector<SoftwareChoice> software_of(const std::string& text) {
   return is_none(text) ? std::vector<SoftwareChoice>{} : software_choices(text);
 }
 
-/// A machine, with the picture that --size asks for.
+/// A machine with the picture size given by --size.
 struct Named {
   std::string name;
   machines::Machine machine;
@@ -66,7 +66,7 @@ struct Named {
 
 std::vector<Named> named_machines(const Options& options) {
   std::vector<Named> machines;
-  for (const std::string& name : session::with_figures(session::parse_words(options.machines), options.model.sets)) {
+  for (const std::string& name : session::with_parameters(session::parse_words(options.machines), options.model.sets)) {
     session::ModelRequest one = options.model;
     one.machine = name;  // with its figures as set
     one.sets = session::sorted(one.sets).scene;
@@ -75,7 +75,7 @@ std::vector<Named> named_machines(const Options& options) {
   return machines;
 }
 
-/// The machine's own picture, as the machine is and with one figure after the other made ideal.
+/// The machine's own picture, on the machine as described and with one parameter after another made ideal.
 std::vector<ComparisonPoint> ideal_points(const Named& machine) {
   const machines::Size& picture = machine.machine.picture;
   std::vector<ComparisonPoint> points{{machine.name, picture.width, picture.height, 0}};
@@ -86,7 +86,7 @@ std::vector<ComparisonPoint> ideal_points(const Named& machine) {
   return points;
 }
 
-/// The machine's own picture, with every number of fragments, and pictures of every size.
+/// The machine's own picture, the same with every number of fragments, and pictures of every size.
 std::vector<ComparisonPoint> points_of(const Options& options, const Named& machine) {
   if (options.ideal) return ideal_points(machine);
   const machines::Size& picture = machine.machine.picture;
@@ -107,7 +107,7 @@ view::Sampling sampling_at(const Options& options, const ComparisonPoint& point,
   return sampling;
 }
 
-/// Columns of the machines' names, with a blank behind the longest.
+/// Width of the column of machine names: the longest name and a space.
 std::size_t name_width(Rows rows) {
   std::size_t width = 16;
   for (const ComparisonRow& row : rows) width = std::max(width, row.point.machine.size() + 1);
@@ -129,22 +129,22 @@ void print_row(const ComparisonRow& row, std::size_t width) {
              100.0 * row.utilisation);
 }
 
-/// What each idealisation of a machine is worth, against the machine as it is, which comes before them.
+/// Prints the gain of each idealisation of a machine relative to the machine as described, whose row precedes them.
 void print_ideal_rows(Rows rows) {
   const std::size_t width = name_width(rows);
-  fmt::print("{:<{}}{:<28}{:>13}{:>11}{:>9}{:>9}\n", "machine", width, "ideal", "clocks", "ms", "with host", "worth %");
-  const ComparisonRow* as_it_is = nullptr;
+  fmt::print("{:<{}}{:<28}{:>13}{:>11}{:>9}{:>9}\n", "machine", width, "ideal", "clocks", "ms", "with host", "gain %");
+  const ComparisonRow* as_described = nullptr;
   for (const ComparisonRow& row : rows) {
-    if (row.point.ideal.empty()) as_it_is = &row;
-    fmt::print("{:<{}}{:<28}", row.point.machine, width, row.point.ideal.empty() ? "as it is" : row.point.ideal);
+    if (row.point.ideal.empty()) as_described = &row;
+    fmt::print("{:<{}}{:<28}", row.point.machine, width, row.point.ideal.empty() ? "as described" : row.point.ideal);
     if (!row.drawn()) {
       fmt::print("  {}\n", row.reason);
       continue;
     }
     fmt::print("{:>13}{:>11.2f}{:>9.4g}", grouped(row.clocks), row.simulated_seconds * 1e3,
                row.hosted_frames_per_second);
-    if (as_it_is != nullptr && as_it_is->drawn())
-      fmt::print("{:>9.2f}", 100.0 * (1.0 - row.simulated_seconds / as_it_is->simulated_seconds));
+    if (as_described != nullptr && as_described->drawn())
+      fmt::print("{:>9.2f}", 100.0 * (1.0 - row.simulated_seconds / as_described->simulated_seconds));
     fmt::print("\n");
   }
 }
@@ -153,45 +153,48 @@ void print_rows(Rows rows) {
   const std::size_t width = name_width(rows);
   fmt::print("{:<{}}{:>11}{:>7}{:>8}{:>15}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8}\n", "machine", width,
              "picture", "$fn", "halfsp.", "clocks", "ms", "frames/s", "pixel operations", "process.",
-             "processor clocks", "memory bits", "transistors", "used %");
+             "processor clocks", "memory bits", "transistors", "util. %");
   for (const ComparisonRow& row : rows) print_row(row, width);
-  fmt::print("Transistors are a model (docs/area.md), of the processors with their memory; -: not synthesised.\n");
+  fmt::print(
+      "Transistor counts are estimates (docs/area.md) of the processors with their memory; -: not synthesised.\n");
 }
 
-/// What each idealisation of a machine is worth, against the machine as it is, which comes before them.
+/// The gain of each idealisation of a machine relative to the machine as described, whose row precedes them.
 report::Table worth_table(const report::Json& data) {
-  report::Table table{"What each idealisation is worth", {"machine", "ideal", "clocks", "seconds", "worth"}, {}};
-  double as_it_is = 0;
+  report::Table table{"Gain of each idealisation", {"machine", "ideal", "clocks", "seconds", "gain"}, {}};
+  double as_described = 0;
   for (std::size_t i = 0; i < data["points"].size(); ++i) {
     const report::Json& point = data["points"][i];
     if (!report::is_measured(point)) continue;
     const std::string at = "/points/" + std::to_string(i);
     const bool is_plain = point["ideal"].get<std::string>().empty();
-    if (is_plain) as_it_is = point["simulated_seconds"].get<double>();
-    table.rows.push_back(
-        {report::cell(data, at + "/machine"), is_plain ? report::Cell{"as it is"} : report::cell(data, at + "/ideal"),
-         report::cell(data, at + "/clocks"), report::cell(data, at + "/simulated_seconds"),
-         is_plain || as_it_is == 0 ? report::Cell{}
-                                   : report::share(as_it_is - point["simulated_seconds"].get<double>(), as_it_is)});
+    if (is_plain) as_described = point["simulated_seconds"].get<double>();
+    table.rows.push_back({report::cell(data, at + "/machine"),
+                          is_plain ? report::Cell{"as described"} : report::cell(data, at + "/ideal"),
+                          report::cell(data, at + "/clocks"), report::cell(data, at + "/simulated_seconds"),
+                          is_plain || as_described == 0
+                              ? report::Cell{}
+                              : report::share(as_described - point["simulated_seconds"].get<double>(), as_described)});
   }
   return table;
 }
 
-/// Pictures of the same size and facets have to be the same on every machine: one that is not, or nothing.
+/// Compares pictures of the same size and facets, which must be equal on all machines. Describes the first difference;
+/// empty if there is none.
 std::string difference_of(Rows rows) {
   for (const ComparisonRow& row : rows) {
     const auto first = std::ranges::find_if(rows, [&](const ComparisonRow& other) {
       return other.drawn() && other.point.width == row.point.width && other.point.height == row.point.height &&
              other.point.fragments == row.point.fragments;
     });
-    // Software works out no colours.
+    // Software computes no colours.
     const auto differs = [&] {
       const bool have_colours = !row.picture.empty() && !first->picture.empty();
       return first->surfaces != row.surfaces || (have_colours && first->picture != row.picture);
     };
     if (row.drawn() && differs()) {
-      return fmt::format("{} draws {}x{} pixels otherwise than {}", row.point.machine, row.point.width,
-                         row.point.height, first->point.machine);
+      return fmt::format("the picture of {} with {}x{} pixels differs from that of {}", row.point.machine,
+                         row.point.width, row.point.height, first->point.machine);
     }
   }
   return "";
@@ -204,23 +207,23 @@ class Compare : public StudyOf<ComparisonRow> {
     command.remove("--machine");
     command.remove("--tolerance");
     command.remove("--curves");  // all machines draw the same facets
-    command.option("--machines", options_.machines, "List of machines, by name or .toml file")
+    command.option("--machines", options_.machines, "Machines to compare, as names or .toml files separated by commas")
         .check(session::is_read_by(session::check_machines));
     command
         .option("--fragments", options_.fragments,
-                "Numbers: $fn of all curved solids, to vary half-spaces at the machine's own size or that of --size; "
-                "none for the model's own only")
+                "Numbers: values of $fn for all curved solids, to vary half-spaces at the machine's own size or that "
+                "of --size; none for the model's own only")
         .check(session::is_read_by(fragments_of));
     command.option("--sides", options_.sides, "Numbers: sides of square pictures in pixels; none for one size only")
         .check(session::is_read_by(sides_of));
     command.flag(
         "--ideal", options_.ideal,
-        "What each idealisation is worth: every figure of a machine that may be ideal is, one after the other and "
-        "all at once; no other sizes or fragments, and no plots");
+        "Measure the gain of idealisations: make each suitable parameter of a machine ideal, one after another and "
+        "all at once; ignores --sides and --fragments, and draws no plots");
     command
         .option("--with", options_.with,
-                "List of PROCESSOR:METHOD: software beside the machines, as in mc68000:status/one-list (csgsim manual "
-                "methods, processors; this-computer is measured); none for machines alone")
+                "Software to compare with, as PROCESSOR:METHOD separated by commas, such as mc68000:status/one-list "
+                "(csgsim manual methods, processors; this-computer is measured); none for machines only")
         .check(session::is_read_by(software_of))
         .excludes("--ideal");
   }
@@ -230,40 +233,40 @@ class Compare : public StudyOf<ComparisonRow> {
   }
   [[nodiscard]] std::set<std::string> varied() const override { return {"machines", "sides", "fragments", "with"}; }
   [[nodiscard]] std::string table_model() const override { return options_.model.model; }
-  [[nodiscard]] std::string usual_folder() const override { return plot_stem(options_.model.model) + "-compare"; }
+  [[nodiscard]] std::string default_folder() const override { return plot_stem(options_.model.model) + "-compare"; }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     session::ModelFile file = session::read_model_file(options_.model);
     tree_ = std::move(file.tree);
     const facet::Geometry scene = facet::make_geometry(tree_);
     const std::vector<Named> machines = named_machines(options_);
     for (const Named& machine : machines) add_jobs(machine, std::nullopt, file.hash, scene);
-    // Software draws the pictures of the first machine, of opaque solids.
+    // Software draws the pictures of the first machine, and only opaque solids.
     for (const SoftwareChoice& software : software_of(options_.with)) {
       session::refuse_see_through(options_.model, tree_,
                                   session::camera_of(options_.model, machines.front().machine, tree_, scene));
       add_jobs({software.name, machines.front().machine}, software, file.hash, scene);
     }
-    std::vector<Asked> asked;
-    for (const ComparisonJob& job : jobs_) asked.push_back({to_line(job.point), job.inputs});
-    return asked;
+    std::vector<PointRequest> requested;
+    for (const ComparisonJob& job : jobs_) requested.push_back({to_line(job.point), job.inputs});
+    return requested;
   }
 
   void print() const override {
     options_.ideal ? print_ideal_rows(rows()) : print_rows(rows());
     print_compare_words(rows());
     if (std::ranges::any_of(rows(), &ComparisonRow::drawn) && difference_of(rows()).empty())
-      fmt::print("\nPictures of the same size and facets are the same on all machines, byte for byte.\n");
+      fmt::print("\nPictures of the same size and facets are identical on all machines.\n");
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
     if (options_.ideal) return {};
-    // The first point is of the first machine's own picture.
+    // The first point has the first machine's own picture.
     const ComparisonPoint& first = rows().front().point;
     return plots_of_comparison(rows(), {first.width, first.height}, plot_stem(options_.model.model));
   }
 
-  [[nodiscard]] std::string page_title() const override { return "Machines compared"; }
+  [[nodiscard]] std::string page_title() const override { return "Comparison of machines"; }
 
   [[nodiscard]] PageSubject page_subject() const override {
     PageSubject subject{options_.model, {}};
@@ -279,11 +282,11 @@ class Compare : public StudyOf<ComparisonRow> {
   void refuse() const override {
     if (std::ranges::none_of(rows(), &ComparisonRow::drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
-      throw InputError(difference + "; " + whose_fault(are_read()));
+      throw InputError(difference + "; " + fault_hint(are_read()));
   }
 
  protected:
-  [[nodiscard]] ComparisonRow measured(std::size_t point) override {
+  [[nodiscard]] ComparisonRow measure_point(std::size_t point) override {
     const ComparisonJob& job = jobs_[point];
     return session::with_memory_for_picture({job.point.width, job.point.height, job.machine.array.memory_bits},
                                             [&] { return studies::measure(job, tree_); });
@@ -311,15 +314,16 @@ class Compare : public StudyOf<ComparisonRow> {
 
 extern const StudyRow compare_row{
     .name = "compare",
-    .does = "Draw a model on several machines: clocks, time, memory, utilisation, growth",
+    .does = "Draw a model on several machines and compare clocks, time, memory, utilization and growth",
     .example =
         "  csgsim compare carburettor.csg --camera 220,-255,135,2,0,5\n"
         "  csgsim compare carburettor.csg --machines pixel-planes-4,mine.toml --sides 64,128 --fragments 8,16 -o out\n"
         "  csgsim compare carburettor.csg --camera 220,-255,135,2,0,5 --with mc68000:status/one-list\n"
         "  csgsim compare carburettor.csg --camera 220,-255,135,2,0,5 --ideal -o carburettor-ideal\n"
-        "What has been measured is in compare.csv at once; the same command goes on after an interruption.",
+        "Each result is written to compare.csv immediately; after an interruption, the same command resumes.",
     .plots = "plots (.png, .svg) of the machines and of the time against half-spaces and pixels",
     .folder = Folder::usual,
-    .make = [] { return std::unique_ptr<Study>(std::make_unique<Compare>()); }};
+    .make = [] { return std::unique_ptr<Study>(std::make_unique<Compare>()); },
+    .group = session::everyday_group};
 
 }  // namespace csgsim::studies

@@ -5,7 +5,7 @@
 namespace csgsim::studies {
 
 std::vector<std::string> ideal_choices(const machines::Machine& machine) {
-  std::vector<std::string> choices = machines::idealisable(machine);
+  std::vector<std::string> choices = machines::ideal_candidates(machine);
   if (choices.size() > 1) choices.emplace_back(every_figure);
   return choices;
 }
@@ -13,10 +13,10 @@ std::vector<std::string> ideal_choices(const machines::Machine& machine) {
 machines::Machine made_ideal(machines::Machine machine, std::string_view choice) {
   if (choice.empty()) return machine;
   if (choice != every_figure) {
-    machines::idealise(machine, choice);
+    machines::make_ideal(machine, choice);
     return machine;
   }
-  for (const std::string& key : machines::idealisable(machine)) machines::idealise(machine, key);
+  for (const std::string& key : machines::ideal_candidates(machine)) machines::make_ideal(machine, key);
   return machine;
 }
 

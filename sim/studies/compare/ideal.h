@@ -1,3 +1,5 @@
+// Machines with parameters made ideal.
+// Used by csgsim compare --ideal.
 #pragma once
 
 #include <string>
@@ -8,13 +10,13 @@
 
 namespace csgsim::studies {
 
-/// Stands for every figure that may be ideal.
+/// Selects all parameters that can be made ideal.
 inline constexpr std::string_view every_figure = "all";
 
-/// What of a machine can be made ideal, one after the other, and all at once if there is more than one.
+/// The parameters that can be made ideal, one by one, and `all` if there are several.
 std::vector<std::string> ideal_choices(const machines::Machine& machine);
 
-/// The machine with that choice made; "" leaves it as it is.
+/// The machine with the chosen parameters made ideal; "" leaves it unchanged.
 machines::Machine made_ideal(machines::Machine machine, std::string_view choice);
 
 }  // namespace csgsim::studies

@@ -12,7 +12,7 @@
 #include "hw/process/process.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/bound.h"
-#include "sim/observe/dearest.h"
+#include "sim/observe/primitive_costs.h"
 #include "sim/observe/energy.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/frame_hash.h"
@@ -39,10 +39,10 @@ void count(const isa::Program& program, const machines::Machine& machine, Compar
   if (row.pixel_transistors) row.machine_transistors = *row.pixel_transistors * row.processors;
 }
 
-/// Processors and memory of bit-serial pixels are priced as in `explore`.
+/// Bit-serial pixels are priced by processors and memory, as in `explore`.
 std::optional<double> frame_joules(const isa::Program& program, const machines::Machine& machine,
                                    const engine::RunResult& result, const ComparisonRow& row) {
-  if (const std::optional<double> told = observe::frame_joules(result.account)) return told;
+  if (const std::optional<double> joules = observe::frame_joules(result.account)) return joules;
   static const process::Process of_their_time = process::load_process("nmos-3um");
   const machines::Resources resources = machine.kind->resources(machine, isa::frame_header(program));
   return process::frame_joules(machine, resources, {row.pixel_operations, 1 / row.frames_per_second}, of_their_time);
@@ -53,7 +53,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   observe::StatsObserver stats(program);
   const std::array<engine::Observer*, 2> observers{&frame, &stats};
   const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);
-  if (result.overflows > 0) throw InputError("a linear expression does not fit its width; this is a fault of csgsim");
+  if (result.overflows > 0) throw InputError("a linear expression does not fit its width; this is an error in csgsim");
   row.clocks = result.clocks;
   row.simulated_seconds = static_cast<double>(result.clocks) / static_cast<double>(machine.clock_hz);
   row.shown_clocks = result.shown_clocks;
@@ -75,7 +75,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   }
   const observe::ClockShares shares = observe::clock_shares(program, result, stats.stats());
   row.instruction_clocks = shares.whole;
-  row.dearest = dear_primitives(shares);
+  row.dearest = costly_primitives(shares);
   const observe::FrameHashes hashes = observe::hashes_of(frame.frame());
   row.picture = hashes.picture;
   row.surfaces = hashes.surfaces;

@@ -1,3 +1,5 @@
+// Points, rows and measurements of a comparison.
+// Used by csgsim compare.
 #pragma once
 
 #include <cstddef>
@@ -15,18 +17,18 @@
 #include "hw/machines/machine.h"
 #include "sim/plots/plot.h"
 #include "sim/software/work.h"
-#include "sim/studies/compare/dear_cell.h"
+#include "sim/studies/compare/costly_cell.h"
 #include "sim/studies/inputs.h"
 
 namespace csgsim::studies {
 
-/// One picture of the model on one machine, or by software.
+/// A picture of the model on one machine, or drawn by software.
 struct ComparisonPoint {
   std::string machine;
   std::uint32_t width = 0;   ///< pixels
   std::uint32_t height = 0;  ///< pixels
-  double fragments = 0;      ///< of a circle; 0 for facets as the model asks for them
-  std::string ideal{};       ///< the figure that is made ideal, `all` of them, or none
+  double fragments = 0;      ///< fragments per circle; 0: as in the model
+  std::string ideal{};       ///< the parameter made ideal, `all`, or empty
 
   bool operator==(const ComparisonPoint&) const = default;
 
@@ -39,7 +41,7 @@ struct ComparisonPoint {
   }
 };
 
-/// What a point takes. Where `reason` says why the machine cannot draw it, the counts are 0.
+/// Results of a point. If it cannot be drawn, `reason` says why and the counts are 0.
 struct ComparisonRow {
   static constexpr std::size_t point_columns = 5;
 
@@ -48,31 +50,32 @@ struct ComparisonRow {
   std::uint64_t primitives = 0;
   std::uint64_t halfspaces = 0;
   std::uint64_t segments = 0;           ///< parts of the picture
-  std::uint64_t drawn_segments = 0;     ///< of these, those that something touches
+  std::uint64_t drawn_segments = 0;     ///< number of segments that contain instructions
   std::uint64_t instructions = 0;       ///< in all segments
-  std::uint64_t clocks = 0;             ///< in which a frame is drawn
-  double simulated_seconds = 0;         ///< these, at the machine's clock rate
-  std::uint64_t shown_clocks = 0;       ///< until its last pixel has been shown
-  std::uint64_t interval_clocks = 0;    ///< from one frame to the next, where the host keeps up
-  std::uint64_t host_clocks = 0;        ///< in which the host compiles a frame
-  double frames_per_second = 0;         ///< in a sequence of such frames, where the host keeps up
-  double hosted_frames_per_second = 0;  ///< with its host
-  std::uint64_t pixel_operations = 0;   ///< clocks of each instruction times the pixels of its region
-  std::uint64_t enabled = 0;            ///< of these, at pixels whose E was 1 when the instruction began
+  std::uint64_t clocks = 0;             ///< to draw a frame
+  double simulated_seconds = 0;         ///< drawing time at the machine's clock rate
+  std::uint64_t shown_clocks = 0;       ///< until the last pixel has been shown
+  std::uint64_t interval_clocks = 0;    ///< between frames if the host keeps up
+  std::uint64_t host_clocks = 0;        ///< for the host to compile a frame
+  double frames_per_second = 0;         ///< if the host keeps up
+  double hosted_frames_per_second = 0;  ///< limited by the host too
+  std::uint64_t pixel_operations = 0;   ///< sum over instructions of clocks times pixels of the region
+  std::uint64_t enabled = 0;            ///< pixel operations at pixels whose E was 1 when the instruction began
   std::uint64_t processors = 0;
-  std::uint64_t processor_clocks = 0;                  ///< processors times clocks: what was paid for
-  std::uint64_t machine_memory_bits = 0;               ///< of all processors, and of a frame buffer beside them
+  std::uint64_t processor_clocks = 0;                  ///< processors times clocks: the available capacity
+  std::uint64_t machine_memory_bits = 0;               ///< of all processors, and of a separate frame buffer
   std::optional<std::uint64_t> pixel_transistors{};    ///< of one processor with its memory: hw/machines/area.h
   std::optional<std::uint64_t> machine_transistors{};  ///< of all processors
-  /// Of a frame: by the machine's figures, or of bit-serial pixels by a model, in the process of their time.
+  /// Energy of a frame: from the machine's parameters, or for bit-serial pixels estimated in the process of their time.
   std::optional<double> frame_joules{};
-  double utilisation = 0;  ///< enabled pixel operations in processor clocks
-  std::string bound_by;    ///< the part that bounds the frame if the host keeps up; empty where the kind does not tell
-  double bound_share = 0;  ///< of the clocks from one frame to the next, in which it works
-  std::uint64_t instruction_clocks = 0;  ///< of all instructions, over all segments, and the final latency
-  DearPrimitives dearest;                ///< what they take of these
-  std::string picture;                   ///< hash of depth, owner and colour of every pixel; none of software
-  std::string surfaces;                  ///< the same without colours
+  double utilisation = 0;  ///< enabled pixel operations / processor clocks
+  std::string bound_by;    ///< unit that limits the frame rate if the host keeps up; empty if the kind of machine does
+                           ///< not report it
+  double bound_share = 0;  ///< fraction of the clocks between frames in which this unit works
+  std::uint64_t instruction_clocks = 0;  ///< clocks of all instructions in all segments, plus the final latency
+  CostlyPrimitives dearest;              ///< most expensive primitives, with their part of these clocks
+  std::string picture;                   ///< hash of depth, owner and colour of every pixel; empty for software
+  std::string surfaces;                  ///< hash of depth and owner of every pixel
   std::string reason;
 
   [[nodiscard]] bool drawn() const { return reason.empty(); }
@@ -113,12 +116,12 @@ struct ComparisonRow {
 
 /// A processor and the method that runs on it.
 struct SoftwareChoice {
-  std::string name;  ///< PROCESSOR:METHOD, as a point's machine
+  std::string name;  ///< PROCESSOR:METHOD, the point's machine
   software::Priced processor;
   software::Choice choice;
 };
 
-/// All that a point is made from, but for what the point says.
+/// The inputs of a point that the point itself does not hold.
 struct ComparisonJob {
   ComparisonPoint point;
   Inputs inputs;
@@ -126,17 +129,17 @@ struct ComparisonJob {
   view::Camera camera;
   view::Sampling sampling;
   emit::Options options;
-  std::optional<SoftwareChoice> software{};  ///< in place of the machine
+  std::optional<SoftwareChoice> software{};  ///< replaces the machine
 };
 
-/// As the point asks for it.
+/// The faceting that the point selects.
 facet::Faceting faceting_of(const ComparisonPoint& point);
 
 /// Compiles the point and draws it at the functional level, or by software.
 ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree);
 
-/// On each machine the time from one frame to the next, that of drawing alone, and memory; these times against
-/// half-spaces and against pixels, a line a machine: what varies among the rows, which are of one model. `base` is the
+/// Plots of the time between frames, the drawing time and the memory of each machine, and of these times against
+/// half-spaces and pixels with a line per machine, as far as these vary. All rows belong to one model. `base` is the
 /// picture size at which half-spaces vary.
 std::vector<plots::Plot> plots_of_comparison(std::span<const ComparisonRow> rows, const machines::Size& base,
                                              const std::string& model);

@@ -12,10 +12,10 @@ namespace csgsim::studies {
 namespace {
 
 constexpr const char* comparison_table = "compare.csv";
-constexpr const char* interval_title = "from frame to frame, ms";
-constexpr const char* drawing_title = "drawing alone, ms";
+constexpr const char* interval_title = "time between frames, ms";
+constexpr const char* drawing_title = "drawing time, ms";
 
-/// One plot: which rows it shows, and against what.
+/// A plot of the growth of times: the rows that it shows and the quantity on its x axis.
 struct View {
   const char* name;
   const char* title;
@@ -37,12 +37,12 @@ constexpr View views[] = {
 
 double drawing_ms(const ComparisonRow& row) { return row.simulated_seconds * 1e3; }
 
-/// Drawing, showing and all else that the machine has to do before the next frame: infinite where it is not known.
+/// Time for drawing, scan-out and everything else that the machine does before the next frame; infinite if unknown.
 double interval_ms(const ComparisonRow& row) { return 1e3 / row.frames_per_second; }
 
 plots::Chart growth_chart(std::span<const ComparisonRow> rows, const View& view, const machines::Size& base,
                           const std::string& model) {
-  plots::Chart chart{model + ": machines against " + view.title,
+  plots::Chart chart{model + ": time against " + view.title,
                      {view.title, plots::Scale::logarithmic},
                      {{interval_title, plots::Scale::logarithmic}, {drawing_title, plots::Scale::logarithmic}},
                      {},
@@ -68,7 +68,7 @@ bool varies(const plots::Chart& chart) {
       chart.series, [](const plots::Series& series) { return series.points.front().x < series.points.back().x; });
 }
 
-/// What is told of each machine; where one of them has none, it is told of none.
+/// A property shown for each machine, omitted if any machine lacks it.
 struct Property {
   const char* title;
   std::optional<double> (*value)(const ComparisonRow& row);
@@ -80,9 +80,9 @@ constexpr Property properties[] = {
        return row.frames_per_second > 0 ? std::optional(interval_ms(row)) : std::nullopt;
      }},
     {drawing_title, [](const ComparisonRow& row) { return std::optional(drawing_ms(row)); }},
-    {"memory bits in all",
+    {"memory bits in total",
      [](const ComparisonRow& row) { return std::optional(static_cast<double>(row.machine_memory_bits)); }},
-    {"transistors in all", [](const ComparisonRow& row) {
+    {"transistors in total", [](const ComparisonRow& row) {
        return row.machine_transistors ? std::optional(static_cast<double>(*row.machine_transistors)) : std::nullopt;
      }}};
 
@@ -97,7 +97,7 @@ void add_property(const Property& property, std::span<const ComparisonRow> own, 
   chart.series.push_back(std::move(series));
 }
 
-/// A picture of the first machine's size with the model's own facets, on each machine.
+/// Chart of all machines: a picture of the first machine's size with the model's own facets.
 plots::Chart machines_chart(std::span<const ComparisonRow> rows, const machines::Size& base, const std::string& model) {
   std::vector<ComparisonRow> own;
   std::vector<std::string> machines;

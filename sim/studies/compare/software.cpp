@@ -14,22 +14,22 @@ namespace csgsim::studies {
 
 namespace {
 
-/// Bits of memory: what the method keeps, and a depth for each pixel.
+/// Memory bits of the method's data and of a depth per pixel.
 std::uint64_t memory_bits(const software::Work& work, const view::Sampling& sampling) {
   constexpr std::uint64_t word = 32;
   return word * work.counts.words + std::uint64_t{sampling.z_bits} * sampling.width * sampling.height;
 }
 
-/// A part of the work that may be the dearest.
+/// A part of the work and its time.
 struct Part {
   const char* name;
   double seconds;
 };
 
-void tell_dearest(std::span<const Part> parts, double all, ComparisonRow& row) {
-  const auto dearest = std::ranges::max_element(parts, {}, &Part::seconds);
-  row.bound_by = dearest->name;
-  row.bound_share = all > 0 ? dearest->seconds / all : 0;
+void set_bound(std::span<const Part> parts, double all, ComparisonRow& row) {
+  const auto slowest = std::ranges::max_element(parts, {}, &Part::seconds);
+  row.bound_by = slowest->name;
+  row.bound_share = all > 0 ? slowest->seconds / all : 0;
 }
 
 }  // namespace
@@ -49,10 +49,9 @@ void measure_software(const ComparisonJob& job, const model::Tree& tree, Compari
   const software::Classifying classifying{work.counts.operations, work.counts.traversal,
                                           job.software->choice.method->compiled};
   const double all = seconds_for(work.rays.intersecting, work.rays.sorting, classifying, work.measured);
-  const std::array parts{
-      Part{"finding what rays meet", seconds_for(work.rays.intersecting, {}, {}, {work.measured.rays, 0})},
-      Part{"sorting it", seconds_for({}, work.rays.sorting, {}, {})},
-      Part{"classifying it", seconds_for({}, {}, classifying, {0, work.measured.classification})}};
+  const std::array parts{Part{"ray intersection", seconds_for(work.rays.intersecting, {}, {}, {work.measured.rays, 0})},
+                         Part{"sorting", seconds_for({}, work.rays.sorting, {}, {})},
+                         Part{"classification", seconds_for({}, {}, classifying, {0, work.measured.classification})}};
   row.primitives = tree.primitives.size();
   row.halfspaces = geometry.halfspaces();
   row.simulated_seconds = all;
@@ -66,17 +65,17 @@ void measure_software(const ComparisonJob& job, const model::Tree& tree, Compari
   }
   row.processors = 1;
   row.machine_memory_bits = memory_bits(work, job.sampling);
-  tell_dearest(parts, all, row);
+  set_bound(parts, all, row);
   row.surfaces = software::hash_of(work.picture);
 }
 
 std::vector<SoftwareChoice> software_choices(const std::string& list) {
   std::vector<SoftwareChoice> choices;
-  for (const std::string& said : session::parse_words(list)) {
-    const std::size_t colon = said.rfind(':');
+  for (const std::string& word : session::parse_words(list)) {
+    const std::size_t colon = word.rfind(':');
     if (colon == std::string::npos)
-      throw InputError("'" + said + "' is not of the form PROCESSOR:METHOD or PROCESSOR:METHOD/COHERENCE");
-    SoftwareChoice one{{}, software::priced(said.substr(0, colon)), software::choice_of(said.substr(colon + 1))};
+      throw InputError("'" + word + "' is not of the form PROCESSOR:METHOD or PROCESSOR:METHOD/COHERENCE");
+    SoftwareChoice one{{}, software::priced(word.substr(0, colon)), software::choice_of(word.substr(colon + 1))};
     one.name = one.processor.name + ":" + software::name_of(one.choice);
     choices.push_back(std::move(one));
   }

@@ -1,3 +1,5 @@
+// Measurement of pictures drawn by software.
+// Used by csgsim compare --with.
 #pragma once
 
 #include <string>
@@ -8,12 +10,12 @@
 
 namespace csgsim::studies {
 
-/// What software takes for the point's picture, on one processor: `machine` is PROCESSOR:METHOD. The tree is balanced.
-/// Colours are not worked out. Clocks are 0 on this computer, whose time is measured. Throws InputError as the method
-/// does.
+/// Measures software that draws the point's picture on one processor, with a balanced tree and without colours;
+/// `machine` is PROCESSOR:METHOD. Clocks are 0 on this computer, where time is measured. Throws InputError as the
+/// method does.
 void measure_software(const ComparisonJob& job, const model::Tree& tree, ComparisonRow& row);
 
-/// PROCESSOR:METHOD or PROCESSOR:METHOD/COHERENCE, with commas between several. Throws InputError.
+/// Parses PROCESSOR:METHOD or PROCESSOR:METHOD/COHERENCE, separated by commas. Throws InputError.
 std::vector<SoftwareChoice> software_choices(const std::string& list);
 
 }  // namespace csgsim::studies

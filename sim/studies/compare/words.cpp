@@ -14,7 +14,7 @@ namespace {
 
 using OwnRows = std::vector<const ComparisonRow*>;
 
-/// Of each machine that draws it the first row: its own picture, as the machine is.
+/// The first drawn row of each machine: its own picture on the machine as described.
 OwnRows own_pictures(std::span<const ComparisonRow> rows) {
   OwnRows own;
   std::vector<std::string> seen;
@@ -26,14 +26,13 @@ OwnRows own_pictures(std::span<const ComparisonRow> rows) {
   return own;
 }
 
-/// Columns below a machine's name.
+/// Width of the column below a machine's name.
 std::size_t column_width(const ComparisonRow& row) { return std::max<std::size_t>(17, row.point.machine.size() + 2); }
 
 void print_bounds(const OwnRows& own) {
   std::size_t width = 16;
   for (const ComparisonRow* row : own) width = std::max(width, row->point.machine.size() + 1);
-  fmt::print("\n{:<{}}{:<34}{:>9}{:>11}{:>18}\n", "what bounds it", width + 2, "", "share", "frames/s",
-             "with its host");
+  fmt::print("\n{:<{}}{:<34}{:>9}{:>11}{:>18}\n", "limited by", width + 2, "", "share", "frames/s", "with its host");
   for (const ComparisonRow* row : own) {
     if (row->bound_by.empty()) continue;
     fmt::print("  {:<{}}{:<34}{:>7.1f} %{:>11.4g}{:>18.4g}\n", row->point.machine, width, row->bound_by,
@@ -41,19 +40,20 @@ void print_bounds(const OwnRows& own) {
   }
 }
 
-/// The primitives of the first machine that are dearest, with their share on each; of software nobody knows.
+/// Prints the most expensive primitives of the first machine and their share on each machine; software has no such
+/// data.
 void print_dearest(OwnRows own) {
   std::erase_if(own, [](const ComparisonRow* row) { return row->instruction_clocks == 0; });
   if (own.empty()) return;
-  fmt::print("\n{:<28}", "dearest primitives");
+  fmt::print("\n{:<28}", "most expensive primitives");
   for (const ComparisonRow* row : own) fmt::print("{:>{}}", row->point.machine, column_width(*row));
   fmt::print("\n");
   std::vector<std::uint64_t> rest;
   for (const ComparisonRow* row : own) rest.push_back(row->instruction_clocks);
-  for (const DearPrimitive& one : own.front()->dearest) {
+  for (const CostlyPrimitive& one : own.front()->dearest) {
     fmt::print("  {:<26}", one.name);
     for (std::size_t i = 0; i < own.size(); ++i) {
-      const auto found = std::ranges::find(own[i]->dearest, one.name, &DearPrimitive::name);
+      const auto found = std::ranges::find(own[i]->dearest, one.name, &CostlyPrimitive::name);
       if (found == own[i]->dearest.end()) {
         fmt::print("{:>{}}", "less", column_width(*own[i]));
         continue;
@@ -65,14 +65,14 @@ void print_dearest(OwnRows own) {
     }
     fmt::print("\n");
   }
-  fmt::print("  {:<26}", "all else");
+  fmt::print("  {:<26}", "everything else");
   for (std::size_t i = 0; i < own.size(); ++i)
     fmt::print("{:>{}.1f} %", 100.0 * static_cast<double>(rest[i]) / static_cast<double>(own[i]->instruction_clocks),
                column_width(*own[i]) - 2);
   fmt::print("\n");
 }
 
-/// What is gained by it, among rows of one machine that differ from its own picture in facets alone.
+/// Prints the gain from coarser facets, using rows that differ from the machine's own picture only in facets.
 void print_facets(std::span<const ComparisonRow> rows, const ComparisonRow& own) {
   const ComparisonRow* best = nullptr;
   for (const ComparisonRow& row : rows) {
@@ -82,12 +82,12 @@ void print_facets(std::span<const ComparisonRow> rows, const ComparisonRow& own)
     if (best == nullptr || row.halfspaces > best->halfspaces) best = &row;
   }
   if (best == nullptr || best->frames_per_second <= own.frames_per_second) return;
-  fmt::print("{:<18}{}: $fn = {} gives {} half-spaces instead of {}, and {:.4g} frames a second instead of {:.4g}\n",
-             "", own.point.machine, best->point.fragments, grouped(best->halfspaces), grouped(own.halfspaces),
+  fmt::print("{:<18}{}: $fn = {} gives {} half-spaces instead of {}, and {:.4g} frames/s instead of {:.4g}\n", "",
+             own.point.machine, best->point.fragments, grouped(best->halfspaces), grouped(own.halfspaces),
              best->frames_per_second, own.frames_per_second);
 }
 
-/// The figure that is worth most of those made ideal, of a machine.
+/// Prints the machine's parameter that gains most when made ideal.
 void print_ideal(std::span<const ComparisonRow> rows, const ComparisonRow& own) {
   const ComparisonRow* best = nullptr;
   for (const ComparisonRow& row : rows) {
@@ -96,8 +96,8 @@ void print_ideal(std::span<const ComparisonRow> rows, const ComparisonRow& own) 
     if (best == nullptr || row.frames_per_second > best->frames_per_second) best = &row;
   }
   if (best == nullptr || best->frames_per_second <= own.frames_per_second) return;
-  fmt::print("{:<18}{}: {} ideal gives {:.4g} frames a second instead of {:.4g}\n", "", own.point.machine,
-             best->point.ideal, best->frames_per_second, own.frames_per_second);
+  fmt::print("{:<18}{}: ideal {} gives {:.4g} frames/s instead of {:.4g}\n", "", own.point.machine, best->point.ideal,
+             best->frames_per_second, own.frames_per_second);
 }
 
 }  // namespace
@@ -108,14 +108,14 @@ void print_compare_words(std::span<const ComparisonRow> rows) {
   print_bounds(own);
   if (!own.front()->dearest.empty()) print_dearest(own);
   const ComparisonRow& fastest = **std::ranges::max_element(own, {}, &ComparisonRow::frames_per_second);
-  fmt::print("\n{:<18}fastest of the machines as they are: {}, {:.4g} frames a second\n", "knobs",
-             fastest.point.machine, fastest.frames_per_second);
+  fmt::print("\n{:<18}fastest of the machines as described: {}, {:.4g} frames/s\n", "knobs", fastest.point.machine,
+             fastest.frames_per_second);
   for (const ComparisonRow* row : own) {
     print_facets(rows, *row);
     print_ideal(rows, *row);
   }
   if (std::ranges::all_of(rows, [](const ComparisonRow& row) { return row.point.ideal.empty(); }))
-    fmt::print("{:<18}csgsim compare --ideal tells what each figure of a machine is worth at most\n", "");
+    fmt::print("{:<18}csgsim compare --ideal measures the maximum gain from each parameter of a machine\n", "");
 }
 
 }  // namespace csgsim::studies

@@ -1,3 +1,5 @@
+// Summary of a comparison in words.
+// Used by csgsim compare.
 #pragma once
 
 #include <span>
@@ -6,8 +8,8 @@
 
 namespace csgsim::studies {
 
-/// Prints what bounds each machine in its own picture, what the dearest primitives take of each, and what the compared
-/// rows say helps most.
+/// Prints what limits each machine in its own picture, the shares of the most expensive primitives, and which changes
+/// help most according to the rows.
 void print_compare_words(std::span<const ComparisonRow> rows);
 
 }  // namespace csgsim::studies

@@ -48,7 +48,7 @@ std::vector<std::string> row_line(const CorpusRow& row) {
 void add_model(std::span<const CorpusRow> rows, Lines& lines) {
   const auto drawn = std::ranges::find_if(rows, &CorpusRow::drawn);
   if (drawn == rows.end()) {
-    lines.push_back({told_of(rows.front().point.model, rows.front().reason)});
+    lines.push_back({with_model_name(rows.front().point.model, rows.front().reason)});
     return;
   }
   lines.push_back(
@@ -59,7 +59,7 @@ void add_model(std::span<const CorpusRow> rows, Lines& lines) {
 
 void print_rows(Rows rows) {
   Lines lines{{"model and machine", "clocks", "render", "classify", "merge", "shade", "pixel operations", "bits",
-               "frames/s", "bound by"}};
+               "frames/s", "limited by"}};
   for (const std::span<const CorpusRow> model : by_model(rows)) add_model(model, lines);
   fmt::print("{}", session::in_columns(lines, "<>>>>>>>><"));
 }
@@ -95,7 +95,7 @@ constexpr std::pair<const char*, const char*> marks[] = {{"minimum", "minimum"},
                                                          {"maximum", "maximum"}, {"total", "total"}};
 
 report::Table distribution_table(const report::Json& data, const std::string& machine) {
-  report::Table table{machine + ": how the models that it draws are distributed", {"count", "models"}, {}};
+  report::Table table{machine + ": distribution over the models that it can draw", {"count", "models"}, {}};
   for (const auto& [key, title] : marks) table.columns.emplace_back(title);
   const std::string at = report::child("/distributions", machine);
   for (const auto& [name, distribution] : data["distributions"][machine].items()) {
@@ -123,11 +123,11 @@ nlohmann::ordered_json distribution_json(const Distribution& one, bool adds_up) 
 class Corpus : public StudyOf<CorpusRow> {
  public:
   void add_options(session::OptionList& command) override {
-    command.option("MODEL", models_, "Models, .csg, .scad or .jan, and folders that hold such").required();
-    command.option("--machines", machines_, "List of machines, by name or .toml file")
+    command.option("MODEL", models_, "Models (.csg, .scad or .jan), or folders that contain them").required();
+    command.option("--machines", machines_, "Machines, as names or .toml files separated by commas")
         .check(session::is_read_by(session::check_machines));
     view_.add_view_to(command);
-    command.option("--z-bits", view_.z_bits, "Bits of depth").between(view::fewest_z_bits, view::most_z_bits);
+    command.option("--z-bits", view_.z_bits, "Depth bits").between(view::min_z_bits, view::max_z_bits);
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
@@ -135,10 +135,10 @@ class Corpus : public StudyOf<CorpusRow> {
   }
   [[nodiscard]] std::set<std::string> varied() const override { return {"machines"}; }
 
-  /// Model after model.
-  std::vector<Asked> ask() override {
+  /// Requests all machines of a model before the next model.
+  std::vector<PointRequest> request_points() override {
     JobMaker maker;
-    std::vector<Asked> asked;
+    std::vector<PointRequest> requested;
     for (const std::string& model : corpus_files(models_)) {
       for (const std::string& machine : session::parse_words(machines_)) {
         session::ModelRequest one = view_;
@@ -146,10 +146,10 @@ class Corpus : public StudyOf<CorpusRow> {
         one.machine = machine;
         points_.push_back({escaped(model), escaped(machine)});
         jobs_.push_back(maker.job_of(one));
-        asked.push_back({to_line(points_.back()), jobs_.back().inputs});
+        requested.push_back({to_line(points_.back()), jobs_.back().inputs});
       }
     }
-    return asked;
+    return requested;
   }
 
   void print() const override {
@@ -157,7 +157,7 @@ class Corpus : public StudyOf<CorpusRow> {
     print_distributions(rows());
   }
 
-  /// With the distribution of each column, for each machine.
+  /// Adds the distribution of each column for each machine.
   [[nodiscard]] std::string json(const std::string& title) const override {
     nlohmann::ordered_json json = points_json(title, rows().size(), setter_of(Rows(rows())));
     json["distributions"] = nlohmann::ordered_json::object();
@@ -170,7 +170,7 @@ class Corpus : public StudyOf<CorpusRow> {
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override { return plots_of_corpus(rows()); }
-  [[nodiscard]] std::string page_title() const override { return "What many models take"; }
+  [[nodiscard]] std::string page_title() const override { return "Cost of many models"; }
 
   [[nodiscard]] PageSubject page_subject() const override {
     PageSubject subject = subject_on(view_, machines_);
@@ -191,7 +191,7 @@ class Corpus : public StudyOf<CorpusRow> {
   void refuse() const override { refuse_models(Rows(rows()), "corpus.csv"); }
 
  protected:
-  [[nodiscard]] CorpusRow measured(std::size_t point) override {
+  [[nodiscard]] CorpusRow measure_point(std::size_t point) override {
     return studies::measure(points_[point], jobs_[point]);
   }
 
@@ -207,15 +207,15 @@ class Corpus : public StudyOf<CorpusRow> {
 
 extern const StudyRow corpus_row{
     .name = "corpus",
-    .does = "Count what many models take on many machines: totals, distributions, plots",
+    .does = "Count the cost of many models on many machines: totals, distributions, plots",
     .example =
         "  csgsim corpus parts -o parts-corpus\n"
         "  csgsim corpus a.csg b.scad parts --machines pixel-planes-4,mine.toml --size 256x256 -o out\n"
-        "A model that cannot be read, or that a machine does not draw, is a row that says why; the exit code is 1 if "
+        "If a model cannot be read or a machine cannot draw it, its row holds the reason; the exit code is 1 if "
         "no\n"
-        "machine draws some model. What has been measured is in corpus.csv at once; the same command goes on after an\n"
-        "interruption, and with other models or machines measures what is new.",
-    .plots = "plots (.png, .svg) of clocks and frames a second",
+        "machine can draw a model. Each result is written to corpus.csv immediately; after an interruption, the same\n"
+        "command resumes, and with more models or machines it measures only the new ones.",
+    .plots = "plots (.png, .svg) of clocks and frames/s",
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Corpus>()); }};
 
 }  // namespace csgsim::studies

@@ -1,11 +1,13 @@
+// Five-number summary of a set of numbers.
+// Used by csgsim corpus.
 #pragma once
 
 #include <vector>
 
 namespace csgsim::studies {
 
-/// Numbers in five and their sum. Quartiles between two numbers are interpolated: that of part p lies at place
-/// p * (count - 1) of the sorted numbers, counted from 0.
+/// Five-number summary and sum. Quartiles are interpolated linearly: quantile p is at position p * (count - 1) of the
+/// sorted numbers, counted from 0.
 struct Distribution {
   std::size_t count = 0;
   double total = 0;
@@ -16,7 +18,7 @@ struct Distribution {
   double maximum = 0;
 };
 
-/// Of no numbers all are 0.
+/// All members are 0 for an empty list.
 Distribution distribution_of(std::vector<double> numbers);
 
 }  // namespace csgsim::studies

@@ -22,7 +22,7 @@ bool is_source_of(const fs::path& file, const std::vector<fs::path>& files) {
          std::ranges::find(files, fs::path(file).replace_extension(".csg")) != files.end();
 }
 
-std::vector<fs::path> models_in(const fs::path& folder) {
+std::vector<fs::path> find_models(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (auto entry = fs::recursive_directory_iterator(folder, error);
@@ -36,7 +36,7 @@ std::vector<fs::path> models_in(const fs::path& folder) {
     if (!is_source_of(file, files)) models.push_back(file);
   }
   if (models.empty())
-    throw InputError(printable(folder.native()) + ": there is no .csg, .scad or .jan file in it; name another folder");
+    throw InputError(printable(folder.native()) + ": contains no .csg, .scad or .jan file; specify another folder");
   return models;
 }
 
@@ -53,7 +53,7 @@ std::vector<std::string> corpus_files(const std::vector<std::string>& names) {
       add(name);
       continue;
     }
-    for (const fs::path& file : models_in(name)) add(file.native());
+    for (const fs::path& file : find_models(name)) add(file.native());
   }
   return models;
 }

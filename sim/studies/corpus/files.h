@@ -1,3 +1,5 @@
+// The models of a corpus.
+// Used by csgsim corpus.
 #pragma once
 
 #include <string>
@@ -5,8 +7,9 @@
 
 namespace csgsim::studies {
 
-/// The files themselves, and of each folder, and those in it, all .csg, .scad and .jan, by name; a .scad beside the
-/// .csg of its own name is left out. None is named twice. Throws InputError for a folder without any.
+/// The named files, and all .csg, .scad and .jan files of the named folders and their subfolders, sorted by name. A
+/// .scad file is omitted if a .csg file with the same name exists. No file is listed twice. Throws InputError for a
+/// folder without models.
 std::vector<std::string> corpus_files(const std::vector<std::string>& names);
 
 }  // namespace csgsim::studies

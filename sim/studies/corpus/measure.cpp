@@ -29,7 +29,7 @@ constexpr auto columns = std::to_array<CorpusColumn>({
     {"pixel_operations", "pixel operations",
      [](const CorpusRow& row) { return static_cast<double>(row.pixel_operations); }},
     {"used_bits", "memory bits", [](const CorpusRow& row) { return static_cast<double>(row.used_bits); }, false},
-    {"frames_per_second", "frames a second", [](const CorpusRow& row) { return row.frames_per_second; }, false},
+    {"frames_per_second", "frames/s", [](const CorpusRow& row) { return row.frames_per_second; }, false},
 });
 
 void count(const isa::Program& program, CorpusRow& row) {
@@ -60,7 +60,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, CorpusR
   observe::StatsObserver stats(program);
   const std::array<engine::Observer*, 2> observers{&frame, &stats};
   const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);
-  if (result.overflows > 0) throw InputError("a linear expression does not fit its width; this is a fault of csgsim");
+  if (result.overflows > 0) throw InputError("a linear expression does not fit its width; this is an error in csgsim");
   count(stats.stats(), row);
   row.clocks = result.clocks;
   row.interval_clocks = result.interval_clocks;

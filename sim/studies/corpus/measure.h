@@ -1,3 +1,5 @@
+// Points, rows and measurements of a corpus.
+// Used by csgsim corpus.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +15,7 @@
 
 namespace csgsim::studies {
 
-/// One model of a corpus on one machine.
+/// A model of a corpus on one machine.
 struct CorpusPoint {
   std::string model;
   std::string machine;
@@ -26,33 +28,33 @@ struct CorpusPoint {
   }
 };
 
-/// What a point takes. Where `reason` says why the machine does not draw it, the counts are 0.
+/// Results of a point. If the machine cannot draw it, `reason` says why and the counts are 0.
 struct CorpusRow {
   static constexpr std::size_t point_columns = 2;
 
   CorpusPoint point;
   Inputs inputs;
   std::uint64_t primitives = 0;
-  std::uint64_t pieces = 0;  ///< convex ones that the primitives are drawn as
+  std::uint64_t pieces = 0;  ///< number of convex pieces of the primitives
   std::uint64_t halfspaces = 0;
   std::uint32_t width = 0;            ///< pixels
   std::uint32_t height = 0;           ///< pixels
-  std::uint64_t clocks = 0;           ///< in which a frame is drawn
-  std::uint64_t interval_clocks = 0;  ///< from one frame to the next
+  std::uint64_t clocks = 0;           ///< to draw a frame
+  std::uint64_t interval_clocks = 0;  ///< between frames
   double frames_per_second = 0;
-  std::string bound_by;     ///< the part that bounds the frame; empty where the kind does not tell
-  std::uint64_t setup = 0;  ///< clocks of the instructions of this purpose, and so on
+  std::string bound_by;     ///< unit that limits the frame rate; empty if the kind of machine does not report it
+  std::uint64_t setup = 0;  ///< clocks of instructions with this purpose; likewise below
   std::uint64_t render = 0;
   std::uint64_t classify = 0;
   std::uint64_t stack = 0;
   std::uint64_t merge = 0;
   std::uint64_t shade = 0;
   std::uint64_t effect = 0;
-  std::uint64_t latency = 0;           ///< clocks until the last instruction reaches the pixels
-  std::uint64_t instructions = 0;      ///< carried out
-  std::uint64_t pixel_operations = 0;  ///< clocks of each instruction times the pixels of its region
-  std::uint64_t enabled = 0;           ///< of these, at enabled pixels
-  std::uint32_t used_bits = 0;         ///< memory bits a pixel
+  std::uint64_t latency = 0;           ///< until the last instruction reaches the pixels
+  std::uint64_t instructions = 0;      ///< number of executed instructions
+  std::uint64_t pixel_operations = 0;  ///< sum over instructions of clocks times pixels of the region
+  std::uint64_t enabled = 0;           ///< pixel operations at enabled pixels
+  std::uint32_t used_bits = 0;         ///< memory bits per pixel
   std::string picture;                 ///< hash of depth, owner and colour of every pixel
   std::string reason;
 
@@ -91,21 +93,21 @@ struct CorpusRow {
 /// Compiles the point and draws it at the functional level.
 CorpusRow measure(const CorpusPoint& point, const Job& job);
 
-/// What is told of how a column is distributed over the models that a machine draws.
+/// A column whose distribution over the models is shown.
 struct CorpusColumn {
-  const char* name;     ///< as in the table
-  const char* heading;  ///< for people
+  const char* name;     ///< name in the table
+  const char* heading;  ///< heading for people
   double (*value)(const CorpusRow& row);
-  bool adds_up = true;  ///< a total over models means something
+  bool adds_up = true;  ///< whether a total over models is meaningful
 };
 
 std::span<const CorpusColumn> corpus_columns();
 
-/// Of a column over the models that the machine draws.
+/// Distribution of a column over the models that the machine can draw.
 Distribution distribution_of(std::span<const CorpusRow> rows, const std::string& machine, const CorpusColumn& column);
 
-/// Clocks from frame to frame and of drawing alone against half-spaces, a mark a model, and how many of the models are
-/// drawn at so many frames a second; none where nothing was drawn.
+/// Plots of clocks between frames and of drawing clocks against half-spaces, with a mark per model, and of the share of
+/// models drawn at a given frame rate; empty if nothing was drawn.
 std::vector<plots::Plot> plots_of_corpus(std::span<const CorpusRow> rows);
 
 }  // namespace csgsim::studies

@@ -13,7 +13,7 @@ constexpr const char* corpus_table = "corpus.csv";
 
 using Points = std::vector<plots::Point>;
 
-/// What a logarithmic axis can show.
+/// Points with positive coordinates, as a logarithmic axis requires.
 Points against_halfspaces(std::span<const CorpusRow> rows, const std::string& machine,
                           std::uint64_t CorpusRow::*clocks) {
   Points points;
@@ -24,7 +24,7 @@ Points against_halfspaces(std::span<const CorpusRow> rows, const std::string& ma
   return points;
 }
 
-/// At a frame rate the share of the models that are drawn at least as fast.
+/// The share of models that are drawn at least as fast as each frame rate.
 Points share_as_fast(std::span<const CorpusRow> rows, const std::string& machine) {
   std::vector<double> rates;
   for (const CorpusRow& row : rows) {
@@ -39,7 +39,7 @@ Points share_as_fast(std::span<const CorpusRow> rows, const std::string& machine
   return points;
 }
 
-/// What is upwards, and its points on a machine.
+/// A panel: its y axis and its points for a machine.
 struct CorpusPanel {
   plots::Axis y;
   Points (*points)(std::span<const CorpusRow> rows, const std::string& machine);
@@ -56,20 +56,20 @@ struct CorpusPlot {
 std::vector<CorpusPlot> kinds_of_plot() {
   using enum plots::Scale;
   return {{"corpus_clocks",
-           "Clocks of a frame against half-spaces, a mark a model",
+           "Clocks per frame against half-spaces, one mark per model",
            {"half-spaces of the model", logarithmic, {}, false, true},
            plots::Trace::marks,
-           {{{"clocks from frame to frame", logarithmic, {}, false, true},
+           {{{"clocks between frames", logarithmic, {}, false, true},
              [](std::span<const CorpusRow> rows, const std::string& machine) {
                return against_halfspaces(rows, machine, &CorpusRow::interval_clocks);
              }},
-            {{"clocks of drawing alone", logarithmic, {}, false, true},
+            {{"drawing clocks", logarithmic, {}, false, true},
              [](std::span<const CorpusRow> rows, const std::string& machine) {
                return against_halfspaces(rows, machine, &CorpusRow::clocks);
              }}}},
           {"corpus_frames",
-           "How many of the models are drawn at least as fast",
-           {"frames a second", logarithmic},
+           "Share of models drawn at least as fast",
+           {"frames/s", logarithmic},
            plots::Trace::steps,
            {{{"share of the models, %", linear}, share_as_fast}}}};
 }

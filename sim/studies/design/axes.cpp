@@ -27,15 +27,15 @@ std::string text_of(const std::string& value) { return value; }
 std::string text_of(unsigned value) { return std::to_string(value); }
 std::string text_of(const std::optional<std::uint32_t>& value) { return value ? std::to_string(*value) : ""; }
 
-/// What a key is called in plots.
+/// Title and prefix of an axis in plots.
 struct Words {
   std::string_view key;
   const char* title;
   const char* prefix;
-  std::string_view unsaid{};
+  std::string_view default_value{};
 };
 
-/// An axis that copies a member of the request to one of the point.
+/// An axis that copies a member of the request to a member of the point.
 template <auto option, auto of_point>
 constexpr Axis axis(const Words& words, Texts (*values)(const std::string& list)) {
   using Value = std::remove_reference_t<decltype(std::declval<DesignPoint&>().*of_point)>;
@@ -43,17 +43,17 @@ constexpr Axis axis(const Words& words, Texts (*values)(const std::string& list)
           words.title,
           words.prefix,
           !std::is_same_v<Value, std::string>,
-          words.unsaid,
+          words.default_value,
           values,
           [](ModelRequest& options, const std::string& value) { from_cell(value, options.*option); },
           [](const ModelRequest& options, DesignPoint& point) { point.*of_point = options.*option; },
           [](const DesignPoint& point) { return text_of(point.*of_point); }};
 }
 
-template <unsigned least, unsigned most>
+template <unsigned minimum, unsigned maximum>
 Texts numbers(const std::string& list) {
   Texts texts;
-  for (const unsigned number : session::parse_numbers(list, least, most)) texts.push_back(std::to_string(number));
+  for (const unsigned number : session::parse_numbers(list, minimum, maximum)) texts.push_back(std::to_string(number));
   return texts;
 }
 
@@ -69,14 +69,14 @@ constexpr Axis size_axis{
     [](const DesignPoint& point) { return fmt::format("{}x{}", point.width, point.height); },
 };
 
-/// Strategies other than bits have none.
+/// Only strategies with a stack have this value.
 constexpr Axis stack_bits_axis{
     "stack-bits",
-    "m, the bits that strategy bits is given",
+    "stack bits (m)",
     "m = ",
     true,
     "",
-    numbers<emit::fewest_stack_bits, session::most_stack_bits>,
+    numbers<emit::min_stack_bits, session::max_stack_bits>,
     [](ModelRequest& options, const std::string& value) { from_cell(value, options.stack_bits); },
     [](const ModelRequest& options, DesignPoint& point) {
       point.stack_bits = has_stack_bits(options.strategy) ? options.stack_bits : 0;
@@ -86,14 +86,14 @@ constexpr Axis stack_bits_axis{
 
 constexpr std::array all_axes{
     size_axis,
-    axis<&ModelRequest::memory_bits, &DesignPoint::memory_bits>({"memory-bits", "memory bits of a pixel", "memory "},
+    axis<&ModelRequest::memory_bits, &DesignPoint::memory_bits>({"memory-bits", "memory bits per pixel", "memory "},
                                                                 numbers<1, isa::max_memory_bits>),
-    axis<&ModelRequest::z_bits, &DesignPoint::z_bits>({"z-bits", "bits of depth", "z "},
-                                                      numbers<view::fewest_z_bits, view::most_z_bits>),
+    axis<&ModelRequest::z_bits, &DesignPoint::z_bits>({"z-bits", "depth bits", "z "},
+                                                      numbers<view::min_z_bits, view::max_z_bits>),
     axis<&ModelRequest::fraction_bits, &DesignPoint::fraction_bits>(
-        {"fraction-bits", "fraction bits of the coefficients", "fraction "}, numbers<0, view::most_fraction_bits>),
+        {"fraction-bits", "fraction bits of the coefficients", "fraction "}, numbers<0, view::max_fraction_bits>),
     axis<&ModelRequest::colour_bits, &DesignPoint::colour_bits>(
-        {"colour-bits", "bits of a colour", "colour "}, numbers<isa::fewest_colour_bits, isa::most_colour_bits>),
+        {"colour-bits", "colour bits", "colour "}, numbers<isa::minimum_colour_bits, isa::max_colour_bits>),
     axis<&ModelRequest::strategy, &DesignPoint::strategy>({"strategy", "strategy", ""},
                                                           [](const std::string& list) {
                                                             return session::parse_names(
@@ -109,8 +109,7 @@ constexpr std::array all_axes{
         {"curves", "curved surfaces", "curves ", "auto"},
         [](const std::string& list) { return session::parse_names(list, "way", names_of(emit::curve_choices)); }),
     axis<&ModelRequest::pruning, &DesignPoint::pruning>(
-        {"pruning", "prunings that are done", "pruning ", "all"},
-        [](const std::string& list) { return session::prunings_of(list); }),
+        {"pruning", "pruning", "pruning ", "all"}, [](const std::string& list) { return session::prunings_of(list); }),
 };
 
 }  // namespace
@@ -137,7 +136,7 @@ void vary(ModelRequest& options, const std::string& key, const std::string& valu
   const Axis* const axis = find_axis(key);
   if (axis == nullptr) return put(options, key, value);
   const Texts values = axis->values(value);
-  if (axis->is_number && values.size() != 1) throw InputError("'" + printable(value) + "' is no number");
+  if (axis->is_number && values.size() != 1) throw InputError("'" + printable(value) + "' is not a number");
   axis->put(options, values.front());
 }
 
@@ -177,9 +176,9 @@ std::string axis_words(const DesignPoint& point, std::span<const std::string_vie
   std::size_t strategy = std::string::npos;
   for (const Axis& axis : all_axes) {
     const std::string value = axis.text(point);
-    if (value.empty() || value == axis.unsaid || std::ranges::find(but, axis.key) != but.end()) continue;
+    if (value.empty() || value == axis.default_value || std::ranges::find(but, axis.key) != but.end()) continue;
     if (axis.key == "strategy") strategy = words.size();
-    // A strategy is said behind the colouring.
+    // The strategy precedes the colouring in a point's list, but follows it in a command.
     words.insert(axis.key == "colouring" ? std::min(strategy, words.size()) : words.size(),
                  shell_words(std::string(axis.key), value));
   }

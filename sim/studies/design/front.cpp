@@ -15,16 +15,16 @@ namespace csgsim::studies {
 namespace {
 
 constexpr ExploreAxis front_axes[] = {
-    {"time", "ms from frame to frame", [](const ExploreRow& row) { return std::optional(1e3 / row.frames_per_second); },
-     true, false},
-    {"area", "transistors of the machine",
+    {"time", "time between frames, ms",
+     [](const ExploreRow& row) { return std::optional(1e3 / row.frames_per_second); }, true, false},
+    {"area", "transistors in total",
      [](const ExploreRow& row) {
        return row.machine_transistors ? std::optional(static_cast<double>(*row.machine_transistors)) : std::nullopt;
      },
      false, false},
-    {"silicon", "mm2 of the machine", [](const ExploreRow& row) { return row.machine_mm2; }, false, false},
-    {"energy", "joules a frame", [](const ExploreRow& row) { return row.frame_joules; }, true, false},
-    {"memory", "memory bits of the machine",
+    {"silicon", "area, mm²", [](const ExploreRow& row) { return row.machine_mm2; }, false, false},
+    {"energy", "energy per frame, J", [](const ExploreRow& row) { return row.frame_joules; }, true, false},
+    {"memory", "memory bits in total",
      [](const ExploreRow& row) { return std::optional(static_cast<double>(row.machine_memory_bits)); }, false, false},
     {"wrong", "wrong pixels", [](const ExploreRow& row) { return std::optional(static_cast<double>(row.wrong)); }, true,
      true},
@@ -38,7 +38,7 @@ bool is_at_most(const Values& a, const Values& b) {
 
 double stretched(double value, const ExploreAxis& axis) { return std::log(axis.may_be_zero ? 1 + value : value); }
 
-/// A design that is looked at: its rows, one a model.
+/// Row indices of a design, one per model.
 using Design = std::vector<std::size_t>;
 
 std::optional<double> value_of(std::span<const ExploreRow> rows, const Design& design, const ExploreAxis& axis) {
@@ -88,7 +88,7 @@ std::vector<std::string> explore_axis_names() {
   return names;
 }
 
-std::vector<ExploreAxis> axes_in(const std::string& text) {
+std::vector<ExploreAxis> parse_axes(const std::string& text) {
   std::vector<ExploreAxis> axes;
   for (const std::string& name : session::parse_names(text, "axis", explore_axis_names()))
     axes.push_back(*std::ranges::find(front_axes, name, &ExploreAxis::name));
@@ -98,15 +98,16 @@ std::vector<ExploreAxis> axes_in(const std::string& text) {
 std::vector<bool> pareto_of(std::span<const Values> candidates) {
   std::vector<std::size_t> order(candidates.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  // What beats another comes before it then, so that only what is on the front already has to be asked.
+  // This order puts every candidate after those that dominate it, so it needs to be compared with the current front
+  // only.
   std::ranges::stable_sort(order, {}, [&](std::size_t one) -> const Values& { return candidates[one]; });
   std::vector<bool> is_best(candidates.size());
   std::vector<std::size_t> front;
   for (const std::size_t one : order) {
     const Values& values = candidates[one];
-    const bool is_beaten = std::ranges::any_of(
+    const bool is_dominated = std::ranges::any_of(
         front, [&](std::size_t other) { return candidates[other] != values && is_at_most(candidates[other], values); });
-    if (is_beaten) continue;
+    if (is_dominated) continue;
     is_best[one] = true;
     front.push_back(one);
   }
@@ -136,7 +137,7 @@ std::optional<std::size_t> knee_of(std::span<const Values> candidates, const std
     }
   }
   std::optional<std::size_t> knee;
-  double least = 0;
+  double min_distance = 0;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (!front[i]) continue;
     double distance = 0;
@@ -145,9 +146,9 @@ std::optional<std::size_t> knee_of(std::span<const Values> candidates, const std
       const double part = high > low ? (stretched(candidates[i][axis], axes[axis]) - low) / (high - low) : 0;
       distance += part * part;
     }
-    if (knee && distance >= least) continue;
+    if (knee && distance >= min_distance) continue;
     knee = i;
-    least = distance;
+    min_distance = distance;
   }
   return knee;
 }
@@ -155,7 +156,7 @@ std::optional<std::size_t> knee_of(std::span<const Values> candidates, const std
 std::vector<ExploreGroup> groups_of(std::span<const ExploreRow> rows, std::span<const ExploreAxis> axes) {
   std::vector<std::string> models;
   std::map<std::string, std::vector<Design>> by_model;
-  std::map<DesignPoint, std::size_t> numbers;  // of designs, whatever they draw
+  std::map<DesignPoint, std::size_t> numbers;  // index of each design, independent of the model
   std::vector<Design> of_all;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     DesignPoint design = rows[i].point;

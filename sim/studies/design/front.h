@@ -1,3 +1,5 @@
+// Pareto fronts of designs.
+// Used by explore, accuracy and advise.
 #pragma once
 
 #include <cstddef>
@@ -11,34 +13,35 @@
 
 namespace csgsim::studies {
 
-/// What designs are held against each other by; less is better.
+/// A quantity by which designs are compared; lower is better.
 struct ExploreAxis {
   const char* name;
-  const char* title;  ///< with its unit
-  /// Of a row that was drawn; nothing where there is no price.
+  const char* title;  ///< including the unit
+  /// Value of a drawn row; empty if it has no price.
   std::optional<double> (*value)(const ExploreRow& row);
-  bool is_of_picture;  ///< a frame each has its own: those of several models add up; else the greatest is what is built
+  bool is_of_picture;  ///< a value per frame, summed over models; otherwise the maximum over the models is built
   bool may_be_zero;
 };
 
-/// All that there are.
+/// All axes.
 std::span<const ExploreAxis> explore_axes();
 
 std::vector<std::string> explore_axis_names();
 
-/// Those of a list with commas, in its order. Throws InputError.
-std::vector<ExploreAxis> axes_in(const std::string& text);
+/// Parses a list separated by commas and keeps its order. Throws InputError.
+std::vector<ExploreAxis> parse_axes(const std::string& text);
 
-/// Values on some axes, an axis each; of each candidate as many.
+/// Values of a candidate, one per axis; all candidates have the same number.
 using Values = std::vector<double>;
 
-/// Whether no other is at most as much on each axis, and less on one. Candidates that are equal stand or fall together.
+/// Whether each candidate is Pareto-optimal: no other is at most equal on every axis and lower on one. Equal candidates
+/// have equal results.
 std::vector<bool> pareto_of(std::span<const Values> candidates);
 
-/// Numbers of the front's candidates, by their values; of equal ones the first.
+/// Indices of the candidates on the front, sorted by their values; duplicates are listed once.
 std::vector<std::size_t> listed_front(std::span<const Values> candidates);
 
-/// The same of rows, by the values of each.
+/// The front of rows, whose values are given by `values_of`.
 template <class Row, class ValuesOf>
 std::vector<Row> front_rows(std::span<const Row> rows, const ValuesOf& values_of) {
   std::vector<Values> values;
@@ -48,27 +51,26 @@ std::vector<Row> front_rows(std::span<const Row> rows, const ValuesOf& values_of
   return front;
 }
 
-/// Of those of the front the one that is nearest to the best of each axis at once: on each axis the logarithm of the
-/// value (of 1 + value where it may be 0) is taken, and stretched so that the least of the front is 0 and the greatest
-/// 1; the knee has the least sum of squares. Of equals the first; `front` says which candidates count. Nothing of
-/// nothing.
+/// The knee of the front: the candidate closest to the best values of all axes at once. Values are mapped to logarithms
+/// (of 1 + value if the value may be 0) and scaled to 0 (minimum of the front) to 1 (maximum); the knee has the
+/// smallest sum of squares, and is the first among equals. `front` selects the candidates. Empty if there are none.
 std::optional<std::size_t> knee_of(std::span<const Values> candidates, const std::vector<bool>& front,
                                    std::span<const ExploreAxis> axes);
 
-/// Designs that are held against each other: how each draws one model, or all of them.
+/// Designs compared with each other, by how they draw one model or all models.
 struct ExploreGroup {
-  std::string model;              ///< empty for all
-  std::vector<ExploreAxis> axes;  ///< of those asked for, the ones that any design has a price on
-  std::vector<std::size_t> rows;  ///< of each candidate, in the order of the rows; for all models that of the first
-  std::vector<Values> values;     ///< of each candidate
+  std::string model;              ///< empty: all models
+  std::vector<ExploreAxis> axes;  ///< the requested axes on which at least one design has a price
+  std::vector<std::size_t> rows;  ///< row of each candidate; for all models that of the first model
+  std::vector<Values> values;     ///< one per candidate
   std::vector<bool> front;
-  std::optional<std::size_t> knee;  ///< a candidate
-  std::size_t refused = 0;          ///< designs that cannot draw it
-  std::size_t unpriced = 0;         ///< designs without a price on one of the axes; they are no candidates
+  std::optional<std::size_t> knee;  ///< index of a candidate
+  std::size_t refused = 0;          ///< number of designs that cannot draw the model
+  std::size_t unpriced = 0;         ///< number of designs without a price on one of the axes; they are not candidates
 };
 
-/// A group a model, and where there are several one of all: there, what a picture takes adds up over the models, and
-/// what is built is as large as the model asks for that asks for most.
+/// One group per model, and one for all models if there are several. In the latter, values per frame are summed over
+/// the models, and the hardware is that of the most demanding model.
 std::vector<ExploreGroup> groups_of(std::span<const ExploreRow> rows, std::span<const ExploreAxis> axes);
 
 }  // namespace csgsim::studies

@@ -26,24 +26,24 @@ namespace {
 using session::ModelRequest;
 using session::UsageError;
 
-constexpr std::size_t most_values = 1000;  ///< of a dimension
-constexpr unsigned most_number = 2'000'000'000;
+constexpr std::size_t max_values = 1000;  ///< per dimension
+constexpr unsigned max_number = 2'000'000'000;
 
-unsigned number_of(const std::string& text, unsigned least, unsigned most) {
-  const std::vector<unsigned> numbers = session::parse_numbers(text, least, most);
-  if (numbers.size() != 1) throw InputError("'" + printable(text) + "' is no number");
+unsigned number_of(const std::string& text, unsigned minimum, unsigned maximum) {
+  const std::vector<unsigned> numbers = session::parse_numbers(text, minimum, maximum);
+  if (numbers.size() != 1) throw InputError("'" + printable(text) + "' is not a number");
   return numbers.front();
 }
 
-/// A range of numbers as its numbers; all else as it is.
-std::vector<std::string> values_in(const std::string& word) {
+/// Expands a range of numbers; returns any other word unchanged.
+std::vector<std::string> parse_values(const std::string& word) {
   const std::size_t dots = word.find("..");
   const bool is_range = dots != word.npos && dots > 0 && word.find_first_not_of("0123456789.") == word.npos;
   if (!is_range) return {word};
-  const unsigned first = number_of(word.substr(0, dots), 0, most_number);
-  const unsigned last = number_of(word.substr(dots + 2), 0, most_number);
-  if (last < first) throw InputError(fmt::format("'{}' runs backwards; take {}..{}", word, last, first));
-  if (last - first >= most_values) throw InputError(fmt::format("'{}' is more than {} values", word, most_values));
+  const unsigned first = number_of(word.substr(0, dots), 0, max_number);
+  const unsigned last = number_of(word.substr(dots + 2), 0, max_number);
+  if (last < first) throw InputError(fmt::format("range '{}' is reversed; use {}..{}", word, last, first));
+  if (last - first >= max_values) throw InputError(fmt::format("range '{}' has more than {} values", word, max_values));
   std::vector<std::string> values;
   for (unsigned number = first; number <= last; ++number) values.push_back(std::to_string(number));
   return values;
@@ -53,7 +53,7 @@ std::vector<std::string> values_in(const std::string& word) {
   std::vector<std::string_view> known;
   for (const machines::FigureSchema& figure : machine.kind->schema) known.push_back(figure.key);
   for (const Axis& axis : axes()) known.push_back(axis.key);
-  throw UsageError("--vary", fmt::format("'{}' is neither a figure of {} nor one of {}; the nearest known is '{}'",
+  throw UsageError("--vary", fmt::format("'{}' is neither a parameter of {} nor one of {}; did you mean '{}'?",
                                          printable(dimension.key), printable(machine.name),
                                          fmt::join(axis_keys(), ", "), nearest(dimension.key, known)));
 }
@@ -63,7 +63,7 @@ const machines::FigureSchema* figure_of(const machines::Machine& machine, std::s
   return found == machine.kind->schema.end() ? nullptr : &*found;
 }
 
-/// The base with the last value of every figure but that one: what does not fit the base may fit these.
+/// The base with the last value of every other parameter: a value that does not fit the base may fit these.
 ModelRequest with_others(const ModelRequest& base, std::span<const Dimension> dimensions, const Dimension& but) {
   ModelRequest one = base;
   for (const Dimension& dimension : dimensions) {
@@ -81,7 +81,7 @@ std::string why_not(ModelRequest one, const std::string& key, const std::string&
   })(value);
 }
 
-/// The design has that value, whatever the others are; what is wrong with it is wrong with --vary.
+/// Returns the design with that value. Throws UsageError of --vary if it is invalid.
 ModelRequest varied_once(const ModelRequest& base, const std::string& key, const std::string& value) {
   if (const std::string why = why_not(base, key, value); !why.empty())
     throw UsageError("--vary " + printable(key), why);
@@ -90,19 +90,19 @@ ModelRequest varied_once(const ModelRequest& base, const std::string& key, const
   return one;
 }
 
-/// Each key has to be known, once.
+/// Throws UsageError for unknown or repeated keys.
 void check_keys(const machines::Machine& machine, std::span<const Dimension> dimensions) {
   std::set<std::string> keys;
   for (const Dimension& dimension : dimensions) {
     if (figure_of(machine, dimension.key) == nullptr && find_axis(dimension.key) == nullptr)
       fail_key(dimension, machine);
     if (!keys.insert(dimension.key).second)
-      throw UsageError("--vary", "'" + dimension.key + "' is said twice; give all values at once");
+      throw UsageError("--vary", "'" + dimension.key + "' is given twice; list all its values once");
   }
 }
 
-/// Each value has to be possible by itself, or with the last values of the other figures, and a figure's may not be
-/// what an option says otherwise: --size, or --memory-bits.
+/// Checks that each value is possible with the base, or with the last values of the other parameters, and that no
+/// option such as --size or --memory-bits overrides a varied parameter.
 void check(const ModelRequest& base, std::span<const Dimension> dimensions) {
   const machines::Machine machine = session::machine_of(base);
   check_keys(machine, dimensions);
@@ -121,14 +121,14 @@ void check(const ModelRequest& base, std::span<const Dimension> dimensions) {
           !why_not(with_options, dimension.key, value).empty() && why_not(others, dimension.key, value).empty();
       const ModelRequest one = varied_once(fits_others ? others : with_options, dimension.key, value);
       if (figure->load(session::machine_of(one)) != figure->load(kinds::load(one.machine)))
-        throw UsageError("--vary", fmt::format("an option says otherwise than {}={}; leave out --size, --memory-bits",
-                                               dimension.key, value));
+        throw UsageError("--vary",
+                         fmt::format("an option overrides {}={}; omit --size or --memory-bits", dimension.key, value));
     }
   }
 }
 
-/// Cells that were told already, one after the other, before the rest of the grid is gone through in its order.
-constexpr unsigned most_repeats = 64;
+/// Number of consecutive repeated cells after which the remaining cells are enumerated in grid order.
+constexpr unsigned max_repeats = 64;
 
 /// The root above 1 of x^(axes + 1) = x + 1.
 double root_of(std::size_t axes) {
@@ -166,7 +166,7 @@ GridSequence::GridSequence(std::vector<std::size_t> sizes, std::uint64_t seed) :
   double part = 1;
   for (std::size_t axis = 0; axis < sizes_.size(); ++axis) {
     part /= root;
-    // The last bits of a power differ from library to library; half of them are enough here.
+    // The last bits of a power differ between libraries; the upper half suffices here.
     steps_.push_back(static_cast<std::uint64_t>(std::llround(std::ldexp(part, 32))) << 32U);
     places_.push_back(mixed(mixed(seed) + axis));
     cells_ *= sizes_[axis];
@@ -183,28 +183,28 @@ std::uint64_t GridSequence::drawn_cell() {
 }
 
 std::optional<std::vector<std::size_t>> GridSequence::next() {
-  if (told_.size() == cells_) return std::nullopt;
-  for (unsigned i = 0; first_untried_ == 0 && i < most_repeats; ++i) {
+  if (visited_.size() == cells_) return std::nullopt;
+  for (unsigned i = 0; first_untried_ == 0 && i < max_repeats; ++i) {
     const std::uint64_t cell = drawn_cell();
-    if (told_.insert(cell).second) return grid_cell(sizes_, cell);
+    if (visited_.insert(cell).second) return grid_cell(sizes_, cell);
   }
-  while (!told_.insert(first_untried_).second) ++first_untried_;
+  while (!visited_.insert(first_untried_).second) ++first_untried_;
   return grid_cell(sizes_, first_untried_++);
 }
 
-Dimension dimension_in(const std::string& text) {
+Dimension parse_dimension(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == text.npos || equals == 0)
-    throw InputError("'" + printable(text) + "' varies nothing; say KEY=a,b,c, as in alu.bits=1,2,4");
+    throw InputError("'" + printable(text) + "' has no values; use KEY=a,b,c, as in alu.bits=1,2,4");
   Dimension dimension{text.substr(0, equals), {}};
   for (const std::string& word : session::parse_words(text.substr(equals + 1))) {
-    for (std::string& value : values_in(word)) {
+    for (std::string& value : parse_values(word)) {
       if (std::ranges::find(dimension.values, value) == dimension.values.end())
         dimension.values.push_back(std::move(value));
     }
   }
-  if (dimension.values.size() > most_values)
-    throw InputError(fmt::format("{} has more than {} values", printable(dimension.key), most_values));
+  if (dimension.values.size() > max_values)
+    throw InputError(fmt::format("{} has more than {} values", printable(dimension.key), max_values));
   return dimension;
 }
 
@@ -218,7 +218,7 @@ DesignGrid::DesignGrid(ModelRequest base, std::vector<Dimension> dimensions)
   for (const Dimension& dimension : dimensions_) sizes_.push_back(dimension.values.size());
   add_all();
   for (ModelRequest& design : designs_) {
-    if (!has_stack_bits(design.strategy)) design.stack_bits = emit::fewest_stack_bits;
+    if (!has_stack_bits(design.strategy)) design.stack_bits = emit::min_stack_bits;
   }
 }
 
@@ -230,11 +230,12 @@ DesignGrid::DesignGrid(ModelRequest base, std::vector<Dimension> dimensions, con
     sizes_.push_back(dimension.values.size());
     cells *= static_cast<double>(sizes_.back());
   }
-  const auto most = static_cast<double>(most_designs);
-  if (choice.points == 0 && cells > most)
-    throw UsageError("--vary", fmt::format("that are {:.0f} designs, {} at most; take --points N for a sample of them",
-                                           cells, grouped(most_designs)));
-  if (cells > 1e18) throw UsageError("--vary", "that are more than 10^18 designs; vary fewer figures");
+  const auto limit = static_cast<double>(max_designs);
+  if (choice.points == 0 && cells > limit)
+    throw UsageError("--vary",
+                     fmt::format("the grid has {:.0f} designs, the maximum is {}; use --points N to sample them", cells,
+                                 grouped(max_designs)));
+  if (cells > 1e18) throw UsageError("--vary", "the grid has more than 10^18 designs; vary fewer parameters");
   if (choice.points == 0) {
     add_all();
   } else {
@@ -257,7 +258,7 @@ void DesignGrid::add_sample(const GridChoice& choice) {
   }
 }
 
-/// Unless there is one that draws alike.
+/// Adds the cell's design unless one that draws the same exists.
 void DesignGrid::add(Cell cell) {
   ModelRequest one = base_;
   for (std::size_t axis = 0; axis < cell.size(); ++axis)
@@ -270,8 +271,8 @@ void DesignGrid::add(Cell cell) {
   cells_.push_back(std::move(cell));
 }
 
-void DesignGrid::add_neighbours(std::span<const std::size_t> designs, std::size_t most) {
-  const std::size_t end = designs_.size() + most;
+void DesignGrid::add_neighbours(std::span<const std::size_t> designs, std::size_t max_count) {
+  const std::size_t end = designs_.size() + max_count;
   for (const std::size_t design : designs) {
     const Cell here = cells_[design];
     for (std::size_t axis = 0; axis < here.size(); ++axis) {

@@ -1,3 +1,5 @@
+// Grids of designs and samples of them.
+// Used by explore and advise.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +17,10 @@
 
 namespace csgsim::studies {
 
-/// Designs that one command may ask for.
-inline constexpr std::uint32_t most_designs = 10'000;
+/// Maximum number of designs of one command.
+inline constexpr std::uint32_t max_designs = 10'000;
 
-/// A figure of the machine, or an option of render, that takes several values.
+/// A machine parameter, or an option of render, with several values.
 struct Dimension {
   std::string key;
   std::vector<std::string> values;
@@ -26,65 +28,65 @@ struct Dimension {
   bool operator==(const Dimension&) const = default;
 };
 
-/// Reads KEY=a,b,c, where a value may be a range of numbers, 3..8. Throws InputError.
-Dimension dimension_in(const std::string& text);
+/// Parses KEY=a,b,c, where a value may be a range of numbers such as 3..8. Throws InputError.
+Dimension parse_dimension(const std::string& text);
 
-/// Whether the figure says how many memory bits a pixel of its machine has.
+/// Whether the parameter sets the memory bits per pixel.
 bool is_memory_figure(std::string_view key);
 
-/// Which cells of a grid are designs.
+/// Selects the cells of a grid that become designs.
 struct GridChoice {
-  std::uint32_t points = 0;  ///< so many of a sample; 0 for all
-  std::uint32_t seed = 1;    ///< of the sample
+  std::uint32_t points = 0;  ///< size of the sample; 0 for all cells
+  std::uint32_t seed = 1;    ///< seed of the sample
 };
 
-/// Cells of a grid, each once, in an order that begins all over the grid: an additive recurrence, the multiples
-/// of a different irrational number for each axis (Roberts 2018, "The unreasonable effectiveness of quasirandom
-/// sequences"), from a place that the seed determines. It is the same on every machine, and a longer sample begins with
-/// the shorter one.
+/// Enumerates the cells of a grid, each once, evenly from the beginning: an additive recurrence with multiples of a
+/// different irrational number for each axis (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"),
+/// from a starting point given by the seed. It is the same on every computer, and a longer sample extends the shorter
+/// one.
 class GridSequence {
  public:
-  /// `sizes`: how many values each axis has, none of them 0. Their product has to be below 2^63.
+  /// `sizes`: number of values of each axis, none 0. Their product must be below 2^63.
   GridSequence(std::vector<std::size_t> sizes, std::uint64_t seed);
 
-  /// The values of the next cell, one an axis; nothing when every cell has been told.
+  /// The value indices of the next cell, one per axis; empty after the last cell.
   std::optional<std::vector<std::size_t>> next();
 
  private:
   [[nodiscard]] std::uint64_t drawn_cell();
 
   std::vector<std::size_t> sizes_;
-  std::vector<std::uint64_t> steps_;   ///< of each axis, in parts of 2^64
-  std::vector<std::uint64_t> places_;  ///< where each axis is, in parts of 2^64
+  std::vector<std::uint64_t> steps_;   ///< step of each axis, in units of 2^-64
+  std::vector<std::uint64_t> places_;  ///< position on each axis, in units of 2^-64
   std::uint64_t cells_ = 1;
-  std::uint64_t first_untried_ = 0;  ///< in the order of the grid, once drawing finds few new ones
-  std::set<std::uint64_t> told_;
+  std::uint64_t first_untried_ = 0;  ///< in grid order; used once drawing rarely finds new cells
+  std::set<std::uint64_t> visited_;
 };
 
-/// The cell of that number in the order of the grid, whose last axis varies fastest.
+/// The cell with that number in grid order, where the last axis varies fastest.
 std::vector<std::size_t> grid_cell(const std::vector<std::size_t>& sizes, std::uint64_t number);
 
-/// Designs that are asked for: combinations of the values, each put into `base`. Combinations that draw alike, as those
-/// of stack bits with a strategy that has none, are one.
+/// The requested designs: combinations of values, applied to `base`. Combinations that draw the same picture, such as
+/// different stack bits with a strategy without a stack, are one design.
 class DesignGrid {
  public:
-  /// Every combination of values that were checked, in their order. Strategies without a stack have the fewest stack
-  /// bits.
+  /// All combinations of values that were already checked, in order. Strategies without a stack get the minimum number
+  /// of stack bits.
   DesignGrid(session::ModelRequest base, std::vector<Dimension> dimensions);
 
-  /// Every combination, or a sample of them. Throws UsageError for a grid of more than most_designs cells where no
-  /// sample is asked for, and for a value that is wrong whatever the others are.
+  /// All combinations, or a sample. Throws UsageError if the grid has more than max_designs cells and no sample is
+  /// requested, and for a value that is invalid in every combination.
   DesignGrid(session::ModelRequest base, std::vector<Dimension> dimensions, const GridChoice& choice);
 
-  /// In the order in which they were asked for.
+  /// The designs in the order in which they were added.
   [[nodiscard]] const std::vector<session::ModelRequest>& designs() const { return designs_; }
 
-  /// Asks for those besides that differ from one of these, by their numbers, in one key, by the value before or behind
-  /// in its list; for so many at most.
-  void add_neighbours(std::span<const std::size_t> designs, std::size_t most);
+  /// Adds at most `max_count` designs that differ from one of these (given by index) in one dimension, by the previous
+  /// or next value in its list.
+  void add_neighbours(std::span<const std::size_t> designs, std::size_t max_count);
 
  private:
-  using Cell = std::vector<std::size_t>;  ///< a place in the list of each dimension
+  using Cell = std::vector<std::size_t>;  ///< index into the values of each dimension
 
   void add_all();
   void add_sample(const GridChoice& choice);
@@ -94,8 +96,8 @@ class DesignGrid {
   std::vector<Dimension> dimensions_;
   std::vector<std::size_t> sizes_;
   std::vector<session::ModelRequest> designs_;
-  std::vector<Cell> cells_;                              ///< of the designs
-  std::set<std::pair<std::string, DesignPoint>> known_;  ///< size and point: what tells them apart
+  std::vector<Cell> cells_;                              ///< one per design
+  std::set<std::pair<std::string, DesignPoint>> known_;  ///< size and point, which identify a design
 };
 
 }  // namespace csgsim::studies

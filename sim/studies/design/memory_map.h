@@ -1,3 +1,5 @@
+// Layout of the pixel memory of a Program as a table cell.
+// Used by the rows of sweep.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +11,7 @@
 
 namespace csgsim::studies {
 
-/// Bits of a pixel's memory that hold one thing. The bits of a stack are one such part, and so are stored depths.
+/// Range of bits of a pixel's memory with one use. The bits of a stack are one range, and so are stored depths.
 struct MemoryPart {
   std::string name;
   std::uint32_t base = 0;
@@ -22,10 +24,10 @@ using MemoryMap = std::vector<MemoryPart>;
 
 MemoryMap memory_map(const isa::Program& program);
 
-/// As a cell of a table: `Z2=0:20 Z1=20:20 stack=65:3`, each name with base and width.
+/// A cell of a table, such as `Z2=0:20 Z1=20:20 stack=65:3`: names with base and width.
 std::string to_cell(const MemoryMap& map);
 
-/// Throws InputError.
+/// Throws InputError if the cell has another form.
 void from_cell(const std::string& cell, MemoryMap& map);
 
 void set_json(nlohmann::ordered_json& row, const char* name, const MemoryMap& map);

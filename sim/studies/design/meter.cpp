@@ -29,7 +29,7 @@ void count_program(const isa::Program& program, DesignRow& row) {
   row.colouring_used = program.facts->compile.colouring;
   row.primitives = program.facts->model.primitives;
   row.halfspaces = program.facts->model.halfspaces;
-  row.instructions = isa::instructions_in(program);
+  row.instructions = isa::total_instructions(program);
   row.rendered = program.facts->compile.rendered;
   row.classified = program.facts->compile.classified;
   row.depth_tests = program.facts->compile.depth_tests;
@@ -51,7 +51,7 @@ void count_machine(const Fitted& fitted, DesignRow& row) {
   if (row.pixel_transistors) row.machine_transistors = *row.pixel_transistors * row.processors;
 }
 
-/// The machine with the clock that the process leaves it.
+/// Sets the machine's clock to the maximum that the process allows.
 void give_clock(const process::Process& process, Fitted& fitted, DesignRow& row) {
   const std::optional<process::Clock> clock = process::clock_of(fitted.machine, process);
   if (!clock) return;
@@ -71,39 +71,39 @@ void price(const process::Process& process, const Fitted& fitted, RunTimer& time
   const machines::Machine& machine = fitted.machine;
   const machines::Resources resources = resources_of(fitted);
   const std::uint64_t pixel_clocks =
-      process::pixel_clocks(fitted.program, machine, timer.told(fitted.program, machine).skips);
+      process::pixel_clocks(fitted.program, machine, timer.outcome(fitted.program, machine).skips);
   row.machine_mm2 = process::machine_mm2(machine, resources, process);
   row.frame_joules = process::frame_joules(machine, resources, {pixel_clocks, 1 / row.frames_per_second}, process);
 }
 
-/// The same but for colours and the ALU, on which the bits of a classification do not depend.
+/// The point without colours and ALU, which do not affect the bits of a classification.
 DesignPoint without_colours(DesignPoint point) {
   point.colour_bits = 0;
   point.alu_bits = 0;
   return point;
 }
 
-/// Memory bits of a pixel that hold colours.
+/// Memory bits per pixel that hold colours.
 std::uint32_t bits_of_colours(unsigned colour_bits, const Job& job) {
   const bool is_twice = job.options.colouring == emit::Colouring::field;
   return colour_bits * (is_twice ? 2U : 1U) + machines::second_buffer(colour_bits, job.machine).width;
 }
 
-/// The greatest difference of a channel.
+/// Maximum difference of a channel.
 unsigned colour_error(const observe::Frame& exact, const observe::Frame& frame, unsigned bits) {
-  int most = 0;
+  int max_difference = 0;
   for (std::size_t i = 0; i < frame.colour.size(); ++i) {
-    const auto of_exact = isa::unpack_colour(exact.colour[i], isa::most_colour_bits);
+    const auto of_exact = isa::unpack_colour(exact.colour[i], isa::max_colour_bits);
     const auto of_frame = isa::unpack_colour(frame.colour[i], bits);
     for (std::size_t channel = 0; channel < of_exact.size(); ++channel)
-      most = std::max(most, std::abs(int{of_exact[channel]} - int{of_frame[channel]}));
+      max_difference = std::max(max_difference, std::abs(int{of_exact[channel]} - int{of_frame[channel]}));
   }
-  return static_cast<unsigned>(most);
+  return static_cast<unsigned>(max_difference);
 }
 
 DrawnProgram draw_exactly(Fitted fitted) {
   DrawnProgram drawn = draw(std::move(fitted.program), fitted.machine);
-  if (drawn.has_overflow) throw InputError("a linear expression does not fit its width; this is a fault of csgsim");
+  if (drawn.has_overflow) throw InputError("a linear expression does not fit its width; this is an error in csgsim");
   return drawn;
 }
 
@@ -138,7 +138,7 @@ DesignRow measure_picture(const DesignPoint& point, const Job& job, bool is_draw
     row.clocks = drawn.clocks;
     row.picture = drawn.has_overflow ? overflow : observe::hash_of(drawn.frame);
   } else {
-    row.clocks = functional::clocks_of_run(*program, job.machine);
+    row.clocks = functional::measure_clocks(*program, job.machine);
   }
   row.simulated_seconds = static_cast<double>(row.clocks) / static_cast<double>(job.machine.clock_hz);
   return row;
@@ -150,7 +150,7 @@ Fitted DesignMeter::fitted(const DesignPoint& point, const Job& job) {
   const view::View view = view::make_view(subject.scene, subject.tree, job.camera, job.sampling);
   const DesignPoint alike = without_colours(point);
   const unsigned colour_bits = job.options.colour_bits;
-  MemoryGuess guess{0, question_.most_bits};
+  MemoryGuess guess{0, question_.max_bits};
   {
     const std::lock_guard guard(lock_);
     if (const auto known = bits_.find(alike); known != bits_.end())
@@ -178,20 +178,20 @@ DesignMeter::PixelErrors DesignMeter::errors_of(const Job& job, const DrawnProgr
   return {errors.wrong(), errors.unexplained, 0};
 }
 
-/// The most colours are drawn, and judged, first; fewer colours leave the rest of the picture as it is.
+/// The maximum number of colour bits is drawn and judged first; fewer colour bits leave depth and owner unchanged.
 DesignMeter::ErrorsByColour DesignMeter::errors_by_colour(const DesignPoint& point, const Job& job) {
   Job one = job;
   const auto drawn_in = [&](unsigned bits) {
     one.options.colour_bits = bits;
     return draw_exactly(fitted(point, one));
   };
-  const DrawnProgram finest = drawn_in(isa::most_colour_bits);
-  ErrorsByColour errors{{isa::most_colour_bits, errors_of(job, finest)}};
+  const DrawnProgram finest = drawn_in(isa::max_colour_bits);
+  ErrorsByColour errors{{isa::max_colour_bits, errors_of(job, finest)}};
   for (const unsigned bits : question_.colour_bits) {
-    if (bits == isa::most_colour_bits) continue;
+    if (bits == isa::max_colour_bits) continue;
     const DrawnProgram drawn = drawn_in(bits);
     const bool is_alike = drawn.frame.depth == finest.frame.depth && drawn.frame.owner == finest.frame.owner;
-    errors[bits] = is_alike ? errors[isa::most_colour_bits] : errors_of(job, drawn);
+    errors[bits] = is_alike ? errors[isa::max_colour_bits] : errors_of(job, drawn);
     errors[bits].colour_error = colour_error(finest.frame, drawn.frame, bits);
   }
   return errors;

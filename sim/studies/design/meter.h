@@ -1,3 +1,5 @@
+// Measurement of designs: counts, timing, prices and errors.
+// Used by sweep, accuracy, advise and explore.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +22,10 @@
 
 namespace csgsim::studies {
 
-/// Memory bits a pixel that a Program may take where its machine is given as many as it takes.
-inline constexpr std::uint32_t most_fitted_bits = 512;
+/// Maximum memory bits per pixel of a Program whose machine gets exactly the bits that it uses.
+inline constexpr std::uint32_t max_fitted_bits = 512;
 
-/// Stands for the hash of a picture where a linear expression did not fit its width: a fault of the Program.
+/// Replaces the hash of a picture if a linear expression exceeded its width, which is an error of the Program.
 inline constexpr std::string_view overflow = "overflow";
 
 /// A Program that was run at the functional level.
@@ -36,24 +38,24 @@ struct DrawnProgram {
 
 DrawnProgram draw(isa::Program program, const machines::Machine& machine);
 
-/// Compiles the point with the memory of its job, counts, and, if asked to, draws it. The clocks are those of a run.
+/// Compiles the point with the memory of its job, counts, and draws it if `is_drawn`. The clocks are those of a run.
 DesignRow measure_picture(const DesignPoint& point, const Job& job, bool is_drawn);
 
-/// What is measured of designs.
+/// Settings of a measurement of designs.
 struct DesignQuestion {
-  std::uint32_t most_bits = most_fitted_bits;  ///< a pixel, that a Program may take
-  std::optional<process::Process> process{};   ///< whose clock machines have, and in which they are priced
-  std::vector<unsigned> colour_bits{};         ///< every value that designs have, if errors of colours are wanted
+  std::uint32_t max_bits = max_fitted_bits;   ///< maximum memory bits per pixel of a Program
+  std::optional<process::Process> process{};  ///< sets the clock rate and the prices of machines
+  std::vector<unsigned> colour_bits{};  ///< all numbers of colour bits of the designs, if colour errors are requested
 };
 
-/// Measures designs, on several threads at the same time. Results that several designs share are computed
-/// once: the exact picture of a model, the errors of a picture, the outcome of a run.
+/// Measures designs; thread-safe. Results that several designs share are computed once: the exact picture of a model,
+/// the errors of a picture, the outcome of a run.
 class DesignMeter {
  public:
   explicit DesignMeter(DesignQuestion question = {}) : question_(std::move(question)) {}
 
-  /// A point without memory bits gets a machine with exactly the bits that its Program takes. The row of a model that
-  /// does not fit has the reason.
+  /// Measures a point. Without memory bits, the machine gets exactly the bits that the Program uses. If the model does
+  /// not fit, the row holds the reason.
   DesignRow measure(const DesignPoint& point, const Job& job);
 
  private:
@@ -62,11 +64,11 @@ class DesignMeter {
     std::uint64_t unexplained = 0;
     unsigned colour_error = 0;
   };
-  /// The key is the number of colour bits; 0 if errors of colours are not wanted.
+  /// Errors by number of colour bits; by 0 if colour errors are not requested.
   using ErrorsByColour = std::map<unsigned, PixelErrors>;
-  /// A model's surfaces, as facets or curved, and a size.
+  /// A model's surfaces, faceted or curved, and a picture size.
   using Seen = std::tuple<const Subject*, std::uint32_t, std::uint32_t>;
-  /// The picture depends on these, z bits and fraction bits alone: not on strategy, colouring, pruning or machine
+  /// The picture depends only on these, z bits and fraction bits, not on strategy, colouring, pruning or machine
   /// (docs/machines.md).
   using SeenBits = std::tuple<Seen, unsigned, unsigned>;
 
@@ -80,8 +82,9 @@ class DesignMeter {
   RunTimer timer_;
   Memo<Seen, judges::Truth> truths_;
   Memo<SeenBits, ErrorsByColour> errors_;
-  std::mutex lock_;                                                 ///< of the following
-  std::map<DesignPoint, std::pair<unsigned, std::uint32_t>> bits_;  ///< but colours and ALU: colour bits, bits in all
+  std::mutex lock_;  ///< guards bits_
+  std::map<DesignPoint, std::pair<unsigned, std::uint32_t>>
+      bits_;  ///< by the point without colours and ALU: colour bits, and total bits
 };
 
 }  // namespace csgsim::studies

@@ -1,3 +1,5 @@
+// Points and rows of the studies of the design space.
+// Used by sweep, accuracy, advise and explore.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +15,16 @@
 #include "sim/studies/inputs.h"
 #include "sim/studies/row_text.h"
 
-/// What the studies of the design space (sweep, accuracy, advise, explore) measure: one row type. Each study
-/// names the columns of its table.
+/// The row type of the studies of the design space (sweep, accuracy, advise, explore). Each study selects the columns
+/// of its table.
 namespace csgsim::studies {
 
-/// One way to draw one model. A study sets what it varies (axes.h).
+/// A way to draw a model. A study sets the members that it varies (axes.h).
 struct DesignPoint {
   std::string model{};
-  std::string machine{};                       ///< with the figures that were changed
-  std::string process{};                       ///< that it is made in; empty: it has the clock of its description
-  std::optional<std::uint32_t> memory_bits{};  ///< of a pixel; none: as many as the Program takes
+  std::string machine{};  ///< including changed parameters
+  std::string process{};  ///< semiconductor process; empty: the machine keeps the clock of its description
+  std::optional<std::uint32_t> memory_bits{};  ///< per pixel; empty: as many as the Program uses
   std::uint32_t width = 0;                     ///< pixels
   std::uint32_t height = 0;                    ///< pixels
   unsigned z_bits = 0;
@@ -31,18 +33,18 @@ struct DesignPoint {
   std::string pruning{};
   std::string colouring{};
   std::string strategy{};
-  unsigned stack_bits = 0;  ///< of strategy bits: m; 0 for the others
+  unsigned stack_bits = 0;  ///< m, for strategies with a stack; otherwise 0
   std::string curves{};     ///< how curved surfaces are drawn: host/emit/curves.h
-  unsigned alu_bits = 0;    ///< of the machine; 0 where its kind has no such figure
+  unsigned alu_bits = 0;    ///< of the machine; 0 if its kind has no such parameter
 
   auto operator<=>(const DesignPoint&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0
 };
 
-/// What a point takes, and how right its picture is. Where `reason` says why it cannot be drawn, the counts are 0.
-/// Accuracy sums counts over its views; depths are those of the worst view.
+/// Results of a point. If it cannot be drawn, `reason` says why and the counts are 0. Accuracy sums counts over its
+/// views; depth errors are those of the worst view.
 struct DesignRow {
   DesignPoint point{};
-  std::string knob{};  ///< of accuracy, in place of a point: what is turned
+  std::string knob{};  ///< the varied knob; accuracy uses this in place of a point
   std::string value{};
   Inputs inputs{};
   std::string reason{};
@@ -51,40 +53,40 @@ struct DesignRow {
   std::uint64_t primitives = 0;  ///< of the model
   std::uint64_t halfspaces = 0;  ///< of the model
   std::uint64_t instructions = 0;
-  std::uint64_t rendered = 0;             ///< scan-conversions: primitives whose surface goes into Z1
-  std::uint64_t classified = 0;           ///< scan-conversions: primitives of active trees compared with Z1
+  std::uint64_t rendered = 0;             ///< scan conversions of primitives whose surface is written into Z1
+  std::uint64_t classified = 0;           ///< scan conversions of primitives of active trees that are compared with Z1
   std::uint64_t depth_tests = 0;          ///< comparisons of Z1 with Z2
   std::uint32_t tree_depth = 0;           ///< levels of the deepest active tree
-  std::uint32_t classification_bits = 0;  ///< memory bits a pixel that the classification uses
-  std::uint32_t used_bits = 0;            ///< memory bits a pixel that the Program takes
+  std::uint32_t classification_bits = 0;  ///< memory bits per pixel used for classification
+  std::uint32_t used_bits = 0;            ///< memory bits per pixel used by the Program
   MemoryMap memory_map{};
   std::uint64_t processors = 0;                        ///< of the machine
-  std::uint64_t machine_memory_bits = 0;               ///< of all processors, and of a frame buffer beside them
+  std::uint64_t machine_memory_bits = 0;               ///< of all processors, and of a separate frame buffer
   std::optional<std::uint64_t> pixel_transistors{};    ///< of one processor with its memory: hw/machines/area.h
   std::optional<std::uint64_t> machine_transistors{};  ///< of all processors
-  std::optional<double> machine_mm2{};                 ///< of the machine in the process: hw/process/price.h
-  std::optional<double> frame_joules{};                ///< of a frame in it
-  std::uint64_t clock_hz = 0;                          ///< that the process leaves, or the description says
-  std::string clock_path{};           ///< what the process leaves no more for; empty without a process, or a price
-  std::uint64_t clocks = 0;           ///< until the picture is drawn, latency included
-  std::uint64_t interval_clocks = 0;  ///< from one frame to the next
-  double simulated_seconds = 0;       ///< of `clocks`
+  std::optional<double> machine_mm2{};                 ///< area of the machine in the process: hw/process/price.h
+  std::optional<double> frame_joules{};                ///< energy per frame in the process
+  std::uint64_t clock_hz = 0;                          ///< allowed by the process, or given by the description
+  std::string clock_path{};           ///< critical path in the process; empty without a process or price
+  std::uint64_t clocks = 0;           ///< until the picture is drawn, including latency
+  std::uint64_t interval_clocks = 0;  ///< between frames
+  double simulated_seconds = 0;       ///< drawing time, from `clocks`
   double frames_per_second = 0;
-  std::string picture{};      ///< hash of depth, owner and colour of every pixel, or `overflow`; empty: not drawn
+  std::string picture{};      ///< hash of depth, owner and colour of every pixel, or `overflow`; empty if not drawn
   std::uint64_t covered = 0;  ///< pixels
   std::uint64_t wrong = 0;    ///< pixels that differ from the exact picture of the same half-spaces
-  std::uint64_t wrong_silhouette = 0;  ///< of these, seen in one of the pictures only
-  std::uint64_t wrong_owner = 0;       ///< of these, another primitive seen
-  std::uint64_t unexplained = 0;       ///< of these, beyond the bounds that docs/numbers.md states
-  /// The greatest difference of a channel from the picture with 24 bits of colour and else the same bits, of 255.
+  std::uint64_t wrong_silhouette = 0;  ///< wrong pixels covered in only one of the pictures
+  std::uint64_t wrong_owner = 0;       ///< wrong pixels that show another primitive
+  std::uint64_t unexplained = 0;       ///< wrong pixels beyond the bounds stated in docs/numbers.md
+  /// Maximum channel difference (of 255) from the picture with 24 colour bits and otherwise equal settings.
   unsigned colour_error = 0;
   double depth_max = 0;           ///< model units
-  double depth_p999 = 0;          ///< model units, at most this at 99.9 % of the pixels
+  double depth_p999 = 0;          ///< model units, 99.9th percentile over pixels
   double depth_max_steps = 0;     ///< depth steps
   double depth_p999_steps = 0;    ///< depth steps
-  std::uint64_t facet_wrong = 0;  ///< pixels that differ from the true curved surfaces
-  double facet_depth_p999 = 0;    ///< model units, from the true curved surfaces
-  double picture_difference = 0;  ///< mean difference of the colours from the finest arithmetic's, of 255
+  std::uint64_t facet_wrong = 0;  ///< pixels that differ from the picture of the true curved surfaces
+  double facet_depth_p999 = 0;    ///< model units, relative to the true curved surfaces
+  double picture_difference = 0;  ///< mean colour difference (of 255) from the picture drawn with the finest arithmetic
 
   [[nodiscard]] bool compiled() const { return reason.empty(); }
   bool operator==(const DesignRow&) const = default;
@@ -151,7 +153,8 @@ struct DesignRow {
   }
 };
 
-/// A row of a study whose table has these columns, separated by commas; those before the inputs say which point it is.
+/// A row of a study whose table has the columns `names`, separated by commas. The columns before the inputs identify
+/// the point.
 template <const std::string_view& names>
 struct RowWith : DesignRow {
   static constexpr std::size_t point_columns =
@@ -196,7 +199,7 @@ using Measurement = RowWith<accuracy_columns>;
 using AdviceRow = RowWith<advise_columns>;
 using ExploreRow = RowWith<explore_columns>;
 
-/// The cells of a study's rows that say that it is this point.
+/// The leading cells of a row that identify the point.
 template <class Row>
 std::string point_cells(const DesignPoint& point) {
   Row row;

@@ -31,23 +31,23 @@ namespace csgsim::studies {
 
 namespace {
 
-constexpr unsigned most_display_fragments = 4096;
-constexpr unsigned most_bucket_size = 10'000;
+constexpr unsigned max_display_fragments = 4096;
+constexpr unsigned max_bucket_size = 10'000;
 
-std::vector<std::string> display_methods_in(const std::string& text) {
-  return session::parse_names(text, "method", software::names_in(software::display_methods()));
+std::vector<std::string> parse_display_methods(const std::string& text) {
+  return session::parse_names(text, "method", software::row_names(software::display_methods()));
 }
-std::vector<unsigned> display_fragments_in(const std::string& text) {
-  return session::parse_numbers(text, 3, most_display_fragments);
+std::vector<unsigned> parse_display_fragments(const std::string& text) {
+  return session::parse_numbers(text, 3, max_display_fragments);
 }
-std::vector<std::string> display_directories_in(const std::string& text) {
+std::vector<std::string> parse_display_directories(const std::string& text) {
   return session::parse_names(text, "directory", software::halving_directories());
 }
 std::vector<unsigned> bucket_sizes_in(const std::string& text) {
-  return session::parse_numbers(text, 1, most_bucket_size);
+  return session::parse_numbers(text, 1, max_bucket_size);
 }
 
-/// Exact methods see the same surfaces of the same facets.
+/// Exact methods must see the same surfaces of the same facets. Describes the first difference; empty if there is none.
 std::string display_difference(std::span<const DisplayStudyRow> rows) {
   const auto is_judged = [](const DisplayStudyRow& row) {
     return row.drawn() && software::display_method(row.point.method).is_exact;
@@ -57,8 +57,8 @@ std::string display_difference(std::span<const DisplayStudyRow> rows) {
       const bool are_alike =
           one.point.tolerance == other.point.tolerance && one.point.fragments == other.point.fragments;
       if (is_judged(one) && is_judged(other) && are_alike && one.surfaces != other.surfaces) {
-        return fmt::format("{} sees other surfaces than {}, of facets {}", other.point.method, one.point.method,
-                           facets_text(one.point));
+        return fmt::format("the surfaces seen by {} differ from those seen by {}, for facets {}", other.point.method,
+                           one.point.method, facets_text(one.point));
       }
     }
   }
@@ -69,20 +69,24 @@ class Display : public StudyOf<DisplayStudyRow> {
  public:
   void add_options(session::OptionList& command) override {
     add_model_without_machine(options_, command);
-    command.option("--methods", methods_, "List of methods, as csgsim manual methods tells of them")
-        .words(software::names_in(software::display_methods()), session::is_read_by(display_methods_in));
-    command.option("--tolerances", tolerances_, "List of tolerances, model units, that curved solids are faceted with")
-        .check(session::is_read_by(tolerances_in))
+    command.option("--methods", methods_, "Methods, separated by commas; see csgsim manual methods")
+        .words(software::row_names(software::display_methods()), session::is_read_by(parse_display_methods));
+    command
+        .option("--tolerances", tolerances_,
+                "Tolerances in model units for faceting curved solids, separated by commas")
+        .check(session::is_read_by(parse_tolerances))
         .excludes("--tolerance");
-    command.option("--fragments", fragments_, "Numbers of $fn that curved solids are faceted with, whatever they say")
-        .check(session::is_read_by(display_fragments_in))
+    command
+        .option("--fragments", fragments_,
+                "Numbers: values of $fn for faceting curved solids, in place of the model's own")
+        .check(session::is_read_by(parse_display_fragments))
         .excludes("--tolerances");
-    command.option("--bucket-sizes", bucket_sizes_, "Numbers of polygons that a bucket takes, of list priority")
+    command.option("--bucket-sizes", bucket_sizes_, "Numbers: maximum polygons per bucket of list priority")
         .check(session::is_read_by(bucket_sizes_in));
     command
         .option("--directories", directories_,
-                "List of directories, of list priority, as csgsim manual methods tells of them")
-        .words(software::halving_directories(), session::is_read_by(display_directories_in));
+                "Directories of list priority, separated by commas; see csgsim manual methods")
+        .words(software::halving_directories(), session::is_read_by(parse_display_directories));
     add_processors(command, processors_);
   }
 
@@ -95,37 +99,37 @@ class Display : public StudyOf<DisplayStudyRow> {
   [[nodiscard]] std::string table_model() const override { return options_.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     machine_ = session::machine_of(options_);
     session::ModelFile file = session::read_model_file(options_);
     tree_ = std::move(file.tree);
     faceting_ = session::flat_faceting_of(options_, machine_, tree_);
     inputs_ = {file.hash, machines::hash_of(machine_), session::version_and_build()};
-    std::vector<Asked> asked;
-    for (const std::string& method : display_methods_in(methods_)) {
+    std::vector<PointRequest> requested;
+    for (const std::string& method : parse_display_methods(methods_)) {
       const bool has_buckets = method.starts_with("list-priority");
       if (!has_buckets) {
         add({.method = method});
         continue;
       }
-      for (const std::string& directory : display_directories_in(directories_)) {
+      for (const std::string& directory : parse_display_directories(directories_)) {
         for (const unsigned size : bucket_sizes_in(bucket_sizes_))
           add({.method = method, .bucket_size = size, .directory = directory});
       }
     }
-    for (const DisplayPoint& point : points_) asked.push_back({to_line(point), inputs_});
-    return asked;
+    for (const DisplayPoint& point : points_) requested.push_back({to_line(point), inputs_});
+    return requested;
   }
 
   void print() const override {
-    fmt::print("{}: what displaying it facet by facet takes, as in table 5.1 of the thesis\n",
+    fmt::print("{}: cost of displaying it facet by facet, as in table 5.1 of the thesis\n",
                printable(session::shown_name(options_.model)));
-    print_display(rows(), processors_in(processors_));
-    if (display_difference(rows()).empty()) fmt::print("\nExact methods see the same surfaces, at every pixel.\n");
+    print_display(rows(), parse_processors(processors_));
+    if (display_difference(rows()).empty()) fmt::print("\nExact methods see the same surfaces at every pixel.\n");
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    const std::vector<software::Priced> processors = processors_in(processors_);
+    const std::vector<software::Priced> processors = parse_processors(processors_);
     const SetPoint columns = setter_of(std::span<const DisplayStudyRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
@@ -134,29 +138,29 @@ class Display : public StudyOf<DisplayStudyRow> {
       for (const software::Priced& processor : processors) {
         if (!processor.processor) continue;
         const DisplaySeconds seconds = display_seconds(row, processor);
-        nlohmann::ordered_json& told = json["seconds"][processor.name];
+        nlohmann::ordered_json& phase_seconds = json["seconds"][processor.name];
         for (std::size_t phase = 0; phase < software::phases; ++phase)
-          told[software::phase_rows[phase].name] = seconds.of[phase].value_or(0);
-        told["total"] = seconds.total;
+          phase_seconds[software::phase_rows[phase].name] = seconds.of[phase].value_or(0);
+        phase_seconds["total"] = seconds.total;
       }
     });
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
-    return plots_of_display(rows(), processors_in(processors_), plot_stem(options_.model));
+    return plots_of_display(rows(), parse_processors(processors_), plot_stem(options_.model));
   }
 
-  [[nodiscard]] std::string page_title() const override { return "What displaying facets takes"; }
+  [[nodiscard]] std::string page_title() const override { return "Cost of displaying facets"; }
   [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   void refuse() const override {
     if (std::ranges::none_of(rows(), &DisplayStudyRow::drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = display_difference(rows()); !difference.empty())
-      throw InputError(difference + "; " + whose_fault(are_read()));
+      throw InputError(difference + "; " + fault_hint(are_read()));
   }
 
  protected:
-  [[nodiscard]] DisplayStudyRow measured(std::size_t number) override {
+  [[nodiscard]] DisplayStudyRow measure_point(std::size_t number) override {
     const DisplayPoint& point = points_[number];
     facet::Faceting faceting = faceting_;
     if (point.tolerance) faceting = {.tolerance = point.tolerance};
@@ -168,16 +172,16 @@ class Display : public StudyOf<DisplayStudyRow> {
   }
 
  private:
-  /// With facets of each kind.
+  /// Adds the point for every requested faceting.
   void add(DisplayPoint point) {
     if (tolerances_.empty() && fragments_.empty()) points_.push_back(point);
     if (!tolerances_.empty()) {
-      for (const double tolerance : tolerances_in(tolerances_)) {
+      for (const double tolerance : parse_tolerances(tolerances_)) {
         point.tolerance = tolerance;
         points_.push_back(point);
       }
     } else if (!fragments_.empty()) {
-      for (const unsigned fragments : display_fragments_in(fragments_)) {
+      for (const unsigned fragments : parse_display_fragments(fragments_)) {
         point.fragments = fragments;
         points_.push_back(point);
       }
@@ -185,7 +189,7 @@ class Display : public StudyOf<DisplayStudyRow> {
   }
 
   session::ModelRequest options_;
-  std::string methods_ = fmt::format("{}", fmt::join(software::names_in(software::display_methods()), ","));
+  std::string methods_ = fmt::format("{}", fmt::join(software::row_names(software::display_methods()), ","));
   std::string tolerances_;
   std::string fragments_;
   std::string bucket_sizes_ = "24";
@@ -193,7 +197,7 @@ class Display : public StudyOf<DisplayStudyRow> {
   std::string processors_ = "mc68000,i486dx2,this-computer";
   machines::Machine machine_;
   model::Tree tree_;
-  facet::Faceting faceting_;  ///< of points without facets of their own
+  facet::Faceting faceting_;  ///< for points that specify no faceting
   Inputs inputs_;
   std::vector<DisplayPoint> points_;
 };
@@ -202,14 +206,15 @@ class Display : public StudyOf<DisplayStudyRow> {
 
 extern const StudyRow display_row{
     .name = "display",
-    .does = "Count and price what software takes to draw a model facet by facet, by every method",
+    .does = "Count and price the operations of software that draws a model facet by facet, for every method",
     .example =
         "  csgsim display crossing_cylinders.csg --size 256x256 --fragments 12,18,24,32\n"
         "  csgsim display carburettor.csg --methods scan-line,depth-peeling --tolerances 1,0.5 -o out\n"
-        "Methods are those of section 5.2 of the thesis and its rivals, on the integers that machines draw by. Their\n"
-        "operations are counted by kind; a processor's file prices them. Pixels of list priority that are not as\n"
-        "machines draw them are counted by why.",
-    .plots = "a plot (.png, .svg) of seconds by polygons",
+        "The methods are those of section 5.2 of the thesis and alternatives, on the integers of the machines. Their\n"
+        "operations are counted by kind; a processor's file gives the price of each kind. Pixels of list priority "
+        "that\n"
+        "differ from the machines' are counted by cause.",
+    .plots = "a plot (.png, .svg) of seconds against polygons",
     .folder = Folder::optional,
     .is_parallel = false,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Display>()); }};

@@ -12,7 +12,7 @@ namespace csgsim::studies {
 
 namespace {
 
-void tell(const software::DisplayCounts& counts, DisplayStudyRow& row) {
+void copy_counts(const software::DisplayCounts& counts, DisplayStudyRow& row) {
   row.polygons = counts.polygons;
   row.clipped_polygons = counts.pieces;
   row.shared_polygons = counts.shared;
@@ -41,13 +41,13 @@ void tell(const software::DisplayCounts& counts, DisplayStudyRow& row) {
   for (std::size_t phase = 0; phase < software::phases; ++phase) row.operations[phase] = {counts.operations[phase]};
 }
 
-/// The least of several times, five at most, until a fifth of a second has passed.
+/// Measures the minimum time of up to five runs, or fewer after 0.2 seconds.
 void take_time(const software::DisplayRow& method, const software::DisplaySubject& subject, DisplayStudyRow& row) {
-  constexpr unsigned most_times = 5;
+  constexpr unsigned max_runs = 5;
   constexpr double enough = 0.2;
   row.wall_seconds_preprocessing = row.wall_seconds_drawing = std::numeric_limits<double>::infinity();
   double spent = 0;
-  for (unsigned i = 0; i < most_times && spent < enough; ++i) {
+  for (unsigned i = 0; i < max_runs && spent < enough; ++i) {
     const software::Displayed displayed = method.run(subject, false);
     row.wall_seconds_preprocessing = std::min(row.wall_seconds_preprocessing, displayed.preprocessing_seconds);
     row.wall_seconds_drawing = std::min(row.wall_seconds_drawing, displayed.drawing_seconds);
@@ -83,7 +83,7 @@ DisplayStudyRow measure_display(const DisplayPoint& point, const Inputs& inputs,
       subject.directory = point.directory;
     }
     const software::Displayed displayed = method.run(subject, true);
-    tell(displayed.counts, row);
+    copy_counts(displayed.counts, row);
     row.primitives = tree.primitives.size();
     row.halfspaces = geometry.halfspaces();
     row.wrong = displayed.faults.all();

@@ -1,3 +1,5 @@
+// Points, rows and measurements of display methods.
+// Used by csgsim display.
 #pragma once
 
 #include <array>
@@ -16,13 +18,13 @@
 
 namespace csgsim::studies {
 
-/// A way to display a model, and how many polygons it has.
+/// A way to display a model, including how it is faceted.
 struct DisplayPoint {
   std::string method;
-  std::optional<double> tolerance{};  ///< of facets, model units; none as the model or `fragments` say
-  unsigned fragments = 0;             ///< of a circle; 0 for facets as the model asks for them
-  unsigned bucket_size = 0;           ///< polygons that a bucket takes; 0 for a method without buckets
-  std::string directory = "none";     ///< of these buckets
+  std::optional<double> tolerance{};  ///< faceting tolerance, model units; empty: given by the model or `fragments`
+  unsigned fragments = 0;             ///< fragments per circle; 0: as in the model
+  unsigned bucket_size = 0;           ///< maximum polygons per bucket; 0 for a method without buckets
+  std::string directory = "none";     ///< directory of the buckets
 
   static void columns(auto& point, const auto& visit) {
     visit("method", point.method);
@@ -33,7 +35,7 @@ struct DisplayPoint {
   }
 };
 
-/// What it takes. Operations are told by kind and by what they are for, so that they can be priced for any processor.
+/// Results of a point. Operations are counted by kind and by phase, so that they can be priced for any processor.
 struct DisplayStudyRow {
   static constexpr std::size_t point_columns = 5;
 
@@ -127,17 +129,18 @@ struct DisplayStudyRow {
   }
 };
 
-/// Seconds as table 5.1 of the thesis has them. Of this computer, preprocessing and total are measured alone.
+/// Seconds by phase as in table 5.1 of the thesis. On this computer, only preprocessing and total are measured.
 struct DisplaySeconds {
   std::array<std::optional<double>, software::phases> of{};
-  double total = 0;  ///< of all but preprocessing
+  double total = 0;  ///< without preprocessing
 
   [[nodiscard]] double preprocessing() const { return of[0].value_or(0); }
 };
 
 DisplaySeconds display_seconds(const DisplayStudyRow& row, const software::Priced& processor);
 
-/// Draws a model from a camera, once counting and then to take the time. A method that cannot is a row that says why.
+/// Draws the picture once to count operations, then repeatedly to measure time. If the method cannot draw it, the row
+/// holds the reason.
 DisplayStudyRow measure_display(const DisplayPoint& point, const Inputs& inputs, const model::Tree& tree,
                                 const facet::Geometry& geometry, const view::View& view);
 

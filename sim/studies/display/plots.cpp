@@ -9,7 +9,7 @@ namespace csgsim::studies {
 
 std::vector<plots::Plot> plots_of_display(std::span<const DisplayStudyRow> rows,
                                           std::span<const software::Priced> processors, const std::string& model) {
-  plots::Chart chart{model + ": seconds of a picture, without preprocessing",
+  plots::Chart chart{model + ": time per picture, without preprocessing",
                      {"polygons of the model", plots::Scale::by_range},
                      {},
                      {},

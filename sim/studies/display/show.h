@@ -1,3 +1,5 @@
+// Tables and plots of display methods.
+// Used by csgsim display.
 #pragma once
 
 #include <span>
@@ -9,14 +11,14 @@
 
 namespace csgsim::studies {
 
-/// The facets of a point, in words: a tolerance, a number of fragments, or the model's own.
+/// The faceting of a point in words: a tolerance, a number of fragments, or the model's own.
 std::string facets_text(const DisplayPoint& point);
 
-/// Method by method, in the form of the thesis's table 5.1 with a column for each tolerance, priced for each processor;
-/// then wrong pixels and memory.
+/// Prints a table per method in the form of the thesis's table 5.1, with a column per faceting, priced for each
+/// processor; then wrong pixels and memory.
 void print_display(std::span<const DisplayStudyRow> rows, std::span<const software::Priced> processors);
 
-/// Seconds by polygons of the model, a panel a processor and a line a method.
+/// Time per picture against polygons of the model, with a panel per processor and a series per method.
 std::vector<plots::Plot> plots_of_display(std::span<const DisplayStudyRow> rows,
                                           std::span<const software::Priced> processors, const std::string& model);
 

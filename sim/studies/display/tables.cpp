@@ -20,7 +20,7 @@ namespace {
 using TextLines = std::vector<std::vector<std::string>>;
 using DisplayRows = std::span<const DisplayStudyRow>;
 
-/// Rows of one method with one size of buckets.
+/// Rows with the same method and bucket size.
 struct MethodGroup {
   std::string name;
   std::vector<const DisplayStudyRow*> rows;
@@ -47,7 +47,7 @@ class Table {
     std::vector<std::string>& line = lines_.emplace_back(std::vector<std::string>{what});
     for (const DisplayStudyRow* const row : group_.rows) line.push_back(row->drawn() ? text(*row) : "-");
   }
-  /// A count, unless it is 0 for all.
+  /// Adds a count unless it is 0 in all rows.
   void add(const std::string& what, std::uint64_t DisplayStudyRow::*count) {
     if (std::ranges::all_of(group_.rows, [&](const DisplayStudyRow* row) { return row->*count == 0; })) return;
     add(what, [&](const DisplayStudyRow& row) { return grouped(row.*count); });
@@ -83,24 +83,24 @@ void print_group(const MethodGroup& group, std::span<const software::Priced> pro
   if (is_clipped) table.add("after clipping", &DisplayStudyRow::clipped_polygons);
   table.add("  in several cells", &DisplayStudyRow::shared_polygons);
   table.add("  cut by cells", &DisplayStudyRow::references);
-  table.add("with pixels", &DisplayStudyRow::drawn_polygons);
+  table.add("visible polygons", &DisplayStudyRow::drawn_polygons);
   table.add("cells", &DisplayStudyRow::cells);
-  table.add("cells and halves looked at", &DisplayStudyRow::cell_visits);
-  table.add("tests of polygon and cell", &DisplayStudyRow::overlap_tests);
-  table.add("tests of polygon and polygon", &DisplayStudyRow::crossing_tests);
-  table.add("cells overfull", &DisplayStudyRow::overfull_cells);
-  table.add("conflicts of order", &DisplayStudyRow::conflicts);
+  table.add("cells and halves visited", &DisplayStudyRow::cell_visits);
+  table.add("polygon-cell tests", &DisplayStudyRow::overlap_tests);
+  table.add("polygon-polygon tests", &DisplayStudyRow::crossing_tests);
+  table.add("overfull cells", &DisplayStudyRow::overfull_cells);
+  table.add("ordering conflicts", &DisplayStudyRow::conflicts);
   table.add("passes", &DisplayStudyRow::passes);
   table.add("spans", &DisplayStudyRow::spans);
-  table.add("spans split", &DisplayStudyRow::splits);
-  table.add("events at pixels", &DisplayStudyRow::pixel_events);
+  table.add("split spans", &DisplayStudyRow::splits);
+  table.add("pixel events", &DisplayStudyRow::pixel_events);
   table.add("evaluations", &DisplayStudyRow::evaluations);
   for (const software::Priced& processor : processors) add_seconds(table, group, processor);
   table.add("words", &DisplayStudyRow::words);
   table.add("wrong pixels", [](const DisplayStudyRow& row) { return grouped(row.wrong); });
-  table.add("  bits of depth", &DisplayStudyRow::wrong_depth_bits);
-  table.add("  faces coincide", &DisplayStudyRow::wrong_coincident);
-  table.add("  three surfaces and more", &DisplayStudyRow::wrong_three_way);
+  table.add("  depth resolution", &DisplayStudyRow::wrong_depth_bits);
+  table.add("  coincident faces", &DisplayStudyRow::wrong_coincident);
+  table.add("  three or more surfaces", &DisplayStudyRow::wrong_three_way);
   table.add("  order", &DisplayStudyRow::wrong_order);
   table.print();
   for (const DisplayStudyRow* const row : group.rows) {

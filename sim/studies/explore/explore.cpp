@@ -32,7 +32,7 @@ namespace csgsim::studies {
 
 namespace {
 
-/// A hash of the machine and of every figure of the process.
+/// Combined hash of the machine and of all parameters of the process.
 std::string with_process(const std::string& machine_hash, const process::Process& process) {
   Hash hash;
   hash.add(machine_hash);
@@ -40,12 +40,12 @@ std::string with_process(const std::string& machine_hash, const process::Process
   return hash.text();
 }
 
-/// A table of a group's front.
+/// Table of a group's front.
 report::Table front_table(const report::Json& data, std::size_t number) {
   const report::Json& group = data["fronts"][number];
   const std::string at = "/fronts/" + std::to_string(number);
   const std::string model = group["model"].is_null() ? "All models" : group["model"].get<std::string>();
-  report::Table table{model + ": designs that no other beats", {"knee"}, {}};
+  report::Table table{model + ": Pareto-optimal designs", {"knee"}, {}};
   std::vector<std::string> keys;
   for (const report::Json& one : group["front"]) {
     for (const auto& [key, value] : one["design"].items()) {
@@ -72,7 +72,7 @@ class Explore : public StudyOf<ExploreRow> {
  public:
   void add_options(session::OptionList& command) override {
     options_.add_to(command);
-    asked_ = &command;
+    command_ = &command;
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
@@ -87,19 +87,19 @@ class Explore : public StudyOf<ExploreRow> {
     return names;
   }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     grid_.emplace(options_.designs());
     process_ = options_.loaded_process();
-    meter_ = std::make_unique<DesignMeter>(DesignQuestion{most_fitted_bits, process_});
-    std::vector<Asked> asked = ask_from(0);
+    meter_ = std::make_unique<DesignMeter>(DesignQuestion{max_fitted_bits, process_});
+    std::vector<PointRequest> requested = ask_from(0);
     refuse_unread();
-    return asked;
+    return requested;
   }
 
-  [[nodiscard]] bool looks_further() const override { return options_.search > 0; }
+  [[nodiscard]] bool is_adaptive() const override { return options_.search > 0; }
 
-  /// Neighbours of the front of all models, or of the only one.
-  std::vector<Asked> more() override {
+  /// Neighbours of designs on the front of all models (or of the only model).
+  std::vector<PointRequest> more() override {
     const std::size_t before = grid_->designs().size();
     const std::size_t found = before - asked_first_;
     if (found >= options_.search || groups_.empty()) return {};
@@ -119,10 +119,10 @@ class Explore : public StudyOf<ExploreRow> {
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override { return plots_of_explore(groups_); }
 
-  [[nodiscard]] std::string page_title() const override { return "The design space"; }
+  [[nodiscard]] std::string page_title() const override { return "Design space"; }
 
   [[nodiscard]] PageSubject page_subject() const override {
-    return subject_of(different(options_.models), options_.model, options_.model.machine);
+    return subject_of(without_duplicates(options_.models), options_.model, options_.model.machine);
   }
 
   [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {
@@ -148,12 +148,12 @@ class Explore : public StudyOf<ExploreRow> {
     if (std::ranges::none_of(all, &ExploreRow::compiled) && by_model(all).size() == 1)
       throw InputError(all.front().reason);
     if (std::ranges::any_of(all, [](const ExploreRow& row) { return row.unexplained > 0; }))
-      throw InputError("a picture is wrong beyond the bounds of docs/numbers.md; " + whose_fault(are_read()));
+      throw InputError("the errors of a picture exceed the bounds of docs/numbers.md; " + fault_hint(are_read()));
     refuse_models(all, "explore.csv");
   }
 
  protected:
-  [[nodiscard]] ExploreRow measured(std::size_t point) override {
+  [[nodiscard]] ExploreRow measure_point(std::size_t point) override {
     const Job& job = jobs_[point];
     return session::with_memory_for_picture(
         {job.machine.picture.width, job.machine.picture.height, session::ample_memory_bits},
@@ -161,7 +161,7 @@ class Explore : public StudyOf<ExploreRow> {
   }
 
   void conclude() override {
-    const std::vector<ExploreAxis> axes = axes_in(options_.asked_axes());
+    const std::vector<ExploreAxis> axes = parse_axes(options_.requested_axes());
     groups_.clear();
     for (ExploreGroup& group : groups_of(rows(), axes)) {
       std::vector<std::string> commands = commands_of(group);
@@ -170,20 +170,20 @@ class Explore : public StudyOf<ExploreRow> {
   }
 
  private:
-  /// The designs from that number on.
-  std::vector<Asked> ask_from(std::size_t first) {
-    std::vector<Asked> asked;
-    for (const std::string& model : different(options_.models)) {
+  /// Requests the designs from index `first` on.
+  std::vector<PointRequest> ask_from(std::size_t first) {
+    std::vector<PointRequest> requested;
+    for (const std::string& model : without_duplicates(options_.models)) {
       for (std::size_t i = first; i < grid_->designs().size(); ++i) {
         session::ModelRequest design = grid_->designs()[i];
         design.model = model;
         add(design);
         design_of_point_.push_back(i);
-        asked.push_back({point_cells<ExploreRow>(points_.back()), jobs_.back().inputs});
+        requested.push_back({point_cells<ExploreRow>(points_.back()), jobs_.back().inputs});
       }
     }
     if (first == 0) asked_first_ = grid_->designs().size();
-    return asked;
+    return requested;
   }
 
   /// Throws InputError, before anything is written, if no model can be read.
@@ -192,7 +192,7 @@ class Explore : public StudyOf<ExploreRow> {
       throw InputError(jobs_.front().reason);
   }
 
-  /// A design whose figures do not fit each other is one that says so.
+  /// Adds a design. If its parameters are inconsistent, its row holds the reason.
   void add(const session::ModelRequest& design) {
     try {
       Job job = maker_.job_of(design);
@@ -225,7 +225,7 @@ class Explore : public StudyOf<ExploreRow> {
     jobs_.push_back(std::move(job));
   }
 
-  /// What is seen through is not held against an exact picture.
+  /// Rejects designs with transparent solids, which cannot be compared with an exact picture.
   void refuse_unseen(const session::ModelRequest& design, Job& job) {
     if (!job.reason.empty()) return;
     const auto [known, is_new] = see_through_.try_emplace(job.subject.get());
@@ -239,7 +239,7 @@ class Explore : public StudyOf<ExploreRow> {
     job.reason = known->second;
   }
 
-  /// Of the design that is a group's knee, for each model that it draws; with memory for all of them.
+  /// Commands that draw a group's knee, one per model of the group, with enough memory for all of them.
   [[nodiscard]] std::vector<std::string> commands_of(const ExploreGroup& group) const {
     if (!group.knee) return {};
     const DesignPoint& knee = rows()[group.rows[*group.knee]].point;
@@ -256,21 +256,22 @@ class Explore : public StudyOf<ExploreRow> {
     std::vector<std::string> commands;
     for (const ExploreRow* const row : drawn) {
       const std::string picture = plot_stem(row->point.model) + "-knee.png";
-      commands.push_back(render_command(options_, *asked_, *row, memory_bits, picture));
+      commands.push_back(render_command(options_, *command_, *row, memory_bits, picture));
     }
     return commands;
   }
 
   ExploreOptions options_;
-  const session::OptionList* asked_ = nullptr;
+  const session::OptionList* command_ = nullptr;
   std::optional<process::Process> process_;
   std::optional<DesignGrid> grid_;
-  std::size_t asked_first_ = 0;  ///< designs, before any was searched for
+  std::size_t asked_first_ = 0;  ///< number of designs before the search
   JobMaker maker_;
   std::vector<DesignPoint> points_;
-  std::vector<std::size_t> design_of_point_;  ///< the grid's number
+  std::vector<std::size_t> design_of_point_;  ///< index in the grid
   std::vector<Job> jobs_;
-  std::map<const Subject*, std::string> see_through_;  ///< why a model cannot be judged; empty where it can
+  std::map<const Subject*, std::string>
+      see_through_;  ///< why a model cannot be compared with an exact picture; empty if it can
   std::unique_ptr<DesignMeter> meter_;
   std::vector<ShownGroup> groups_;
 };
@@ -279,22 +280,22 @@ class Explore : public StudyOf<ExploreRow> {
 
 extern const StudyRow explore_row{
     .name = "explore",
-    .does = "Open the design space of a machine: vary any figures, show what no other design beats, name the knee",
+    .does = "Explore the design space of a machine: vary parameters, show the Pareto front and its knee",
     .example =
         "  csgsim explore carburettor.csg --size 128x128 --vary alu.bits=1,2,4 --vary memory.reads=1,2 \\\n"
         "    --vary z-bits=12..20 -o carburettor-explore\n"
         "  csgsim explore *.csg --vary link.width=8,16,32 --vary z-bits=10..24 --vary fraction-bits=2..12 \\\n"
         "    --points 500 --seed 2 --axes time,memory -o out\n"
         "  csgsim explore *.csg --vary z-bits=8..30 --vary fraction-bits=0..16 --points 20 --search 200 -o out\n"
-        "A design is on the front if no other is as good on every axis and better on one. The knee is the design of "
+        "A design is on the front if no other is as good on every axis and better on one. The knee is the design on "
         "the\n"
-        "front that is nearest to the best of each axis at once: on each the logarithm is stretched from 0, the least "
-        "of\n"
-        "the front, to 1, its greatest, and the sum of squares is least. Unless somebody says how many memory bits a\n"
-        "pixel has, each design has as many as its Program takes. What has been measured is in explore.csv soon; "
-        "the\n"
-        "same command goes on after an interruption, and with other values measures what is new.",
-    .plots = "plots (.png, .svg) of each model's front and of that of all",
+        "front that is closest to the best values of all axes: logarithms are scaled from 0, the minimum on the front, "
+        "to\n"
+        "1, the maximum, and the sum of squares is minimized. Unless the memory bits per pixel are specified, each\n"
+        "design has as many as its Program uses. Results are written to explore.csv in small groups; after an "
+        "interruption,\n"
+        "the same command resumes, and with other values it measures only the new designs.",
+    .plots = "plots (.png, .svg) of the front of each model and of all models",
     .is_quick = true,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Explore>()); }};
 

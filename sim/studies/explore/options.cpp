@@ -24,10 +24,10 @@ namespace {
 
 constexpr std::string_view clock_figure = "clock.frequency";
 
-/// As it was named, of what a row tells of it.
-std::string named(const std::vector<std::string>& names, const std::string& told) {
-  const auto found = std::ranges::find(names, told, [](const std::string& name) { return escaped(name); });
-  return found == names.end() ? told : *found;
+/// The name as typed, given its escaped form in a row.
+std::string named(const std::vector<std::string>& names, const std::string& escaped_name) {
+  const auto found = std::ranges::find(names, escaped_name, [](const std::string& name) { return escaped(name); });
+  return found == names.end() ? escaped_name : *found;
 }
 
 std::string key_of(const std::string& set) { return set.substr(0, set.find('=')); }
@@ -35,21 +35,21 @@ std::string key_of(const std::string& set) { return set.substr(0, set.find('='))
 std::vector<Dimension> dimensions_of(const ExploreOptions& options) {
   std::vector<Dimension> dimensions;
   for (const std::string& text : options.vary)
-    dimensions.push_back(session::for_option("--vary", [&] { return dimension_in(text); }));
+    dimensions.push_back(session::for_option("--vary", [&] { return parse_dimension(text); }));
   return dimensions;
 }
 
-/// The machine with its figures as set, which then are part of its name.
+/// The machine with the parameters that were set, which become part of its name.
 session::ModelRequest base_of(const ExploreOptions& options, const std::vector<Dimension>& dimensions) {
   session::ModelRequest base = options.model;
   base.sets = session::sorted(options.model.sets).scene;
-  base.machine = session::with_figures({options.model.machine}, options.model.sets).front();
+  base.machine = session::with_parameters({options.model.machine}, options.model.sets).front();
   for (const std::string& change : machines::changes_of(base.machine)) {
     if (std::ranges::find(dimensions, key_of(change), &Dimension::key) != dimensions.end())
-      throw session::UsageError("--vary", "'" + printable(key_of(change)) + "' is set besides; leave out one of both");
+      throw session::UsageError("--vary", "'" + printable(key_of(change)) + "' is both varied and fixed; remove one");
   }
   if (!options.process.empty() && std::ranges::find(dimensions, clock_figure, &Dimension::key) != dimensions.end())
-    throw session::UsageError("--vary", "the clock follows from the process; leave out clock.frequency or --process");
+    throw session::UsageError("--vary", "the process determines the clock; remove clock.frequency or --process");
   static_cast<void>(base.scene());  // read once for all designs
   return base;
 }
@@ -67,54 +67,56 @@ std::vector<std::string> own_explore_options() {
 void ExploreOptions::add_to(session::OptionList& command) {
   model.add_to(command);
   command.remove("MODEL");
-  command.option("MODEL", models, "The models, OpenSCAD .csg files, sources, .scad, or commands, .jan").required();
+  command.option("MODEL", models, "Models: OpenSCAD .csg files, OpenSCAD sources (.scad), or commands (.jan)")
+      .required();
   command.remove("--strategy");
   command
       .option("--strategy", model.strategy,
-              "How classifications are worked out, unless that is varied; auto depends on memory, which is a result "
-              "here")
+              "Classification strategy, unless it is varied; auto is excluded because it depends on memory, which is a "
+              "result here")
       .one_of(fixed_names_of(emit::strategies));
   command.remove("--colouring");
-  command.option("--colouring", model.colouring, "How colours get to the pixels, unless that is varied")
+  command.option("--colouring", model.colouring, "Colouring method, unless it is varied")
       .one_of(fixed_names_of(emit::colourings));
   command.remove("--memory-bits");
   command
       .option("--memory-bits", model.memory_bits,
-              "Memory bits a pixel of every design; as many as its Program takes if nobody says, not the machine's own")
+              "Memory bits per pixel of every design; default: as many as its Program uses, not the machine's own")
       .between(1U, isa::max_memory_bits);
   command
       .option("--vary", vary,
-              fmt::format("KEY=LIST: a figure of the machine, as in alu.bits=1,2,4, or one of {}; once for each key. "
+              fmt::format("KEY=LIST: a parameter of the machine, as in alu.bits=1,2,4, or one of {}; once per key. "
                           "Every combination of values is a design",
                           fmt::join(axis_keys(), ", ")))
-      .check(session::is_read_by(dimension_in))
+      .check(session::is_read_by(parse_dimension))
       .required();
   command
       .option("--points", points,
-              "Designs of a sample of the combinations, which all of the grid is in evenly; 0 for all combinations, "
-              "which are 10,000 at most then")
-      .between(0U, most_designs);
-  command.option("--seed", seed, "Of the sample");
+              "Sample N designs evenly from the grid; 0 = all combinations, "
+              "at most 10,000")
+      .between(0U, max_designs);
+  command.option("--seed", seed, "Seed of the sample");
+  command
+      .option("--search", search,
+              "Search for at most N further designs: neighbours of designs on the front, with the previous or next "
+              "value of one key, repeated until all neighbours of the front have been tried")
+      .between(0U, max_designs);
   command
       .option(
-          "--search", search,
-          "So many designs at most besides: those that differ from one on the front in one key, by the value before "
-          "or behind in its list, round after round until the front has none that was not tried")
-      .between(0U, most_designs);
-  command
-      .option("--axes", axes,
-              "What designs are held against each other by: a list of time (from frame to frame), area (transistors), "
-              "silicon (mm2, in a process), energy (of a frame, in a process), memory (bits), wrong (pixels); "
-              "time,area,memory,wrong if not given, in a process time,silicon,energy,memory,wrong")
+          "--axes", axes,
+          "Quantities by which designs are compared, separated by commas: time (between frames), area (transistors), "
+          "silicon (mm2, with a process), energy (per frame, with a process), memory (bits), wrong (pixels); "
+          "default: time,area,memory,wrong, or with a process time,silicon,energy,memory,wrong")
       .list_of(explore_axis_names(), "axis");
-  command.option("--process", process,
-                 fmt::format("The process that machines are made in, of which clock, silicon and energy follow: {}, or "
-                             "a .toml file; with figures changed: NAME+KEY=VALUE. Without one a machine has the clock "
-                             "of its description",
-                             fmt::join(process::process_names(), ", ")));
+  command.option(
+      "--process", process,
+      fmt::format("Semiconductor process that determines clock, silicon and energy: {}, or "
+                  "a .toml file; to change parameters: NAME+KEY=VALUE. Without a process, a machine has the clock "
+                  "of its description",
+                  fmt::join(process::process_names(), ", ")));
 }
 
-std::string ExploreOptions::asked_axes() const {
+std::string ExploreOptions::requested_axes() const {
   if (!axes.empty()) return axes;
   return process.empty() ? "time,area,memory,wrong" : "time,silicon,energy,memory,wrong";
 }

@@ -1,3 +1,5 @@
+// Options of csgsim explore, and the designs that they select.
+// Used by csgsim explore.
 #pragma once
 
 #include <cstdint>
@@ -26,24 +28,24 @@ struct ExploreOptions {
 
   void add_to(session::OptionList& command);
 
-  /// The designs asked for, without a model. Throws UsageError, or InputError for machines.
+  /// The requested designs, without a model. Throws UsageError, or InputError for machines.
   [[nodiscard]] DesignGrid designs() const;
 
-  /// Those of --axes, or the usual ones.
-  [[nodiscard]] std::string asked_axes() const;
+  /// The axes of --axes, or the default axes.
+  [[nodiscard]] std::string requested_axes() const;
 
-  /// Throws UsageError, or InputError for what its file holds.
+  /// Throws UsageError, or InputError if the file is invalid.
   [[nodiscard]] std::optional<process::Process> loaded_process() const;
 
-  /// Whether somebody said how many memory bits a pixel has.
+  /// Whether the memory bits per pixel are specified.
   [[nodiscard]] bool has_memory(const session::ModelRequest& design) const;
 };
 
-/// Options that the command which draws a design does not have from the study's.
+/// Options of the study that are not passed on to the command that draws a design.
 std::vector<std::string> own_explore_options();
 
-/// `csgsim render` of the row's point, with the clock that its process leaves, with so many memory bits a pixel and the
-/// options of the study, as a POSIX shell takes it.
+/// The `csgsim render` command of the row's point, with the clock given by its process, `memory_bits` per pixel and the
+/// study's options, quoted for a POSIX shell.
 std::string render_command(const ExploreOptions& options, const session::OptionList& command, const ExploreRow& row,
                            std::uint32_t memory_bits, const std::string& picture);
 

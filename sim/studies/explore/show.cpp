@@ -23,21 +23,21 @@ namespace csgsim::studies {
 
 namespace {
 
-/// Rows of a front that are printed; the files have all.
-constexpr std::size_t most_printed = 40;
+/// Maximum number of printed rows of a front; the files have all.
+constexpr std::size_t max_printed = 40;
 
-/// Greater values are printed without a fraction.
-constexpr double least_rounded = 10'000;
-constexpr double most_grouped = 1e15;
+/// Values from here on are printed without a fraction.
+constexpr double min_rounded = 10'000;
+constexpr double max_grouped = 1e15;
 
 std::string value_text(double value) {
-  const bool is_shown_whole = value >= least_rounded || value == std::floor(value);
-  if (value >= 0 && value < most_grouped && is_shown_whole)
+  const bool is_shown_whole = value >= min_rounded || value == std::floor(value);
+  if (value >= 0 && value < max_grouped && is_shown_whole)
     return grouped(static_cast<std::uint64_t>(std::llround(value)));
   return fmt::format("{:.4g}", value);
 }
 
-/// Cells of a table, with a line a row; columns are as wide as they have to be.
+/// Prints a table with a line per row and columns as wide as necessary.
 void print_cells(const std::vector<std::vector<std::string>>& lines) {
   std::vector<std::size_t> widths(lines.front().size());
   for (const std::vector<std::string>& line : lines) {
@@ -55,7 +55,7 @@ void print_front(std::span<const ExploreRow> rows, const DesignNames& names, con
   for (const ExploreAxis& axis : group.axes) lines[0].emplace_back(axis.title);
   const std::vector<std::size_t> front = listed_front(group.values);
   for (const std::size_t one : front) {
-    if (lines.size() > most_printed) break;
+    if (lines.size() > max_printed) break;
     lines.push_back(names.values(rows[group.rows[one]].point));
     for (const double value : group.values[one]) lines.back().push_back(value_text(value));
     if (one == group.knee) lines.back().emplace_back("knee");
@@ -63,7 +63,7 @@ void print_front(std::span<const ExploreRow> rows, const DesignNames& names, con
   lines[0].emplace_back("");
   for (std::vector<std::string>& line : lines) line.resize(lines[0].size());
   print_cells(lines);
-  if (front.size() > most_printed) fmt::print("  and {} more, in explore.json\n", grouped(front.size() - most_printed));
+  if (front.size() > max_printed) fmt::print("  and {} more, in explore.json\n", grouped(front.size() - max_printed));
 }
 
 std::string group_text(const ExploreGroup& group) {
@@ -72,19 +72,18 @@ std::string group_text(const ExploreGroup& group) {
       fmt::format("{}: {} on the front of {}", group.model.empty() ? "All models" : group.model, grouped(on_front),
                   session::counted(group.values.size() + group.refused + group.unpriced, "design"));
   if (group.refused > 0) text += fmt::format("; {} cannot be drawn", grouped(group.refused));
-  if (group.unpriced > 0) text += fmt::format("; {} without a price on an axis left out", grouped(group.unpriced));
+  if (group.unpriced > 0) text += fmt::format("; {} omitted for lack of a price on an axis", grouped(group.unpriced));
   return text;
 }
 
-/// Each reason once, with the first design that it refuses.
+/// Prints each reason once, with the first design that it applies to.
 void print_refused(std::span<const ExploreRow> rows, const DesignNames& names, const std::string& model) {
   for (const auto& [reason, refused] :
        grouped_by(rows, [&](const ExploreRow& row) { return row.point.model == model ? row.reason : std::string(); })) {
     if (reason.empty()) continue;
     const std::size_t more = refused.size() - 1;
-    const std::string others =
-        more > 0 ? fmt::format(", as {} {}", more == 1 ? "does" : "do", session::counted(more, "other design")) : "";
-    fmt::print("  {} cannot be drawn{}: {}\n", names.text(refused.front()->point), others, reason);
+    const std::string others = more > 0 ? fmt::format(" and {}", session::counted(more, "other design")) : "";
+    fmt::print("  {}{} cannot be drawn: {}\n", names.text(refused.front()->point), others, reason);
   }
 }
 
@@ -99,7 +98,7 @@ void print_knee(std::span<const ExploreRow> rows, const DesignNames& names, cons
 
 using Json = nlohmann::ordered_json;
 
-/// Whole numbers as such.
+/// Numbers as JSON integers, everything else as strings.
 Json value_json(const std::string& text) {
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -107,7 +106,7 @@ Json value_json(const std::string& text) {
   return text;
 }
 
-/// What the design is, without what all have.
+/// The values of a design that vary.
 Json design_json(const DesignNames& names, const DesignPoint& point) {
   Json json = Json::object();
   const std::vector<std::string> values = names.values(point);
@@ -143,17 +142,17 @@ Json group_json(std::span<const ExploreRow> rows, const DesignNames& names, cons
   return json;
 }
 
-/// Two of a group's axes, and what of its candidates stands there.
+/// Two of a group's axes, and the candidates in their plane.
 struct Panel {
   const ExploreGroup& group;
-  std::size_t axis;  ///< against the first
+  std::size_t axis;  ///< the y axis; x is the first axis
 
   [[nodiscard]] plots::Point at(std::size_t candidate) const {
     return {group.values[candidate][0], group.values[candidate][axis]};
   }
 };
 
-/// The front of these two axes alone, from the least of the first on.
+/// The front of these two axes alone, in ascending order of the first.
 std::vector<plots::Point> pair_front(const Panel& panel) {
   std::vector<Values> pairs;
   for (const Values& values : panel.group.values) pairs.push_back({values[0], values[panel.axis]});
@@ -167,12 +166,13 @@ void add_panel(const Panel& panel, plots::Chart& chart) {
   const std::size_t number = chart.panels.size();
   const ExploreAxis& axis = group.axes[panel.axis];
   chart.panels.push_back({axis.title, plots::Scale::logarithmic});
-  plots::Series beaten{number == 0 ? "another is better" : "", number, plots::Trace::marks, {}, true};
+  plots::Series is_dominated{number == 0 ? "dominated" : "", number, plots::Trace::marks, {}, true};
   plots::Series best{"Pareto front", number, plots::Trace::marks};
-  for (std::size_t i = 0; i < group.values.size(); ++i) (group.front[i] ? best : beaten).points.push_back(panel.at(i));
+  for (std::size_t i = 0; i < group.values.size(); ++i)
+    (group.front[i] ? best : is_dominated).points.push_back(panel.at(i));
   plots::Series of_two{"front of the two axes", number, plots::Trace::steps, pair_front(panel)};
   plots::Series knee{"knee", number, plots::Trace::marks, {panel.at(*group.knee)}};
-  for (plots::Series* const series : {&beaten, &best, &of_two, &knee}) {
+  for (plots::Series* const series : {&is_dominated, &best, &of_two, &knee}) {
     if (!series->points.empty()) chart.series.push_back(std::move(*series));
   }
 }
@@ -227,7 +227,8 @@ void print_explored(std::span<const ExploreRow> rows, std::span<const ShownGroup
 std::string explore_json(const std::string& title, std::span<const ExploreRow> rows,
                          std::span<const ShownGroup> groups) {
   const DesignNames names(rows);
-  std::map<std::size_t, std::pair<bool, bool>> marks;  // of rows on their model's front, and of its knee
+  std::map<std::size_t, std::pair<bool, bool>>
+      marks;  // per row: whether it is on its model's front, and whether it is the knee
   for (const ShownGroup& shown : groups) {
     const ExploreGroup& group = shown.group;
     for (std::size_t i = 0; i < group.rows.size() && !group.model.empty(); ++i)
@@ -254,11 +255,12 @@ std::vector<plots::Plot> plots_of_explore(std::span<const ShownGroup> groups) {
     const ExploreGroup& group = shown.group;
     if (!group.knee || group.axes.size() < 2) continue;
     const std::string name = plot_names.next(group.model.empty() ? "all_models" : plot_stem(group.model));
-    plots::Chart chart{fmt::format("{}: what {} buys", group.model.empty() ? "all models" : name, group.axes[0].name),
-                       {group.axes[0].title, plots::Scale::logarithmic},
-                       {},
-                       {},
-                       "explore.csv"};
+    plots::Chart chart{
+        fmt::format("{}: trade-offs against {}", group.model.empty() ? "all models" : name, group.axes[0].name),
+        {group.axes[0].title, plots::Scale::logarithmic},
+        {},
+        {},
+        "explore.csv"};
     for (std::size_t axis = 1; axis < group.axes.size(); ++axis) add_panel({group, axis}, chart);
     all.push_back({name + "_front", std::move(chart)});
   }

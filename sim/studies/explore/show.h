@@ -1,3 +1,5 @@
+// Output of csgsim explore: texts, JSON and plots.
+// Used by csgsim explore.
 #pragma once
 
 #include <cstddef>
@@ -11,37 +13,37 @@
 
 namespace csgsim::studies {
 
-/// What tells the designs of some rows apart: the figures and options that vary among them.
+/// Names of designs by the parameters and options that vary among some rows.
 class DesignNames {
  public:
   explicit DesignNames(std::span<const ExploreRow> rows);
 
-  /// As in --vary; `machine` and `model` are none of them.
+  /// Keys as in --vary, without `machine` and `model`.
   [[nodiscard]] const std::vector<std::string>& keys() const { return keys_; }
-  /// Of each key; empty where the design does not say it.
+  /// Value of each key; empty if the design has none.
   [[nodiscard]] std::vector<std::string> values(const DesignPoint& point) const;
-  /// As `alu.bits=4, strategy=list`.
+  /// Text such as `alu.bits=4, strategy=list`.
   [[nodiscard]] std::string text(const DesignPoint& point) const;
 
  private:
   std::vector<std::string> keys_;
 };
 
-/// A group with the commands that draw its knee, one a model.
+/// A group and the commands that draw its knee, one per model.
 struct ShownGroup {
   ExploreGroup group;
   std::vector<std::string> commands;
 };
 
-/// On standard output, of each group: how many designs there are, the front, and the knee.
+/// Prints, for each group, the number of designs, the front and the knee.
 void print_explored(std::span<const ExploreRow> rows, std::span<const ShownGroup> groups);
 
-/// explore.json: all points, of each whether it is on its model's front and its knee; and the groups.
+/// explore.json: all points, with whether each is on its model's front and whether it is the knee; and the groups.
 std::string explore_json(const std::string& title, std::span<const ExploreRow> rows,
                          std::span<const ShownGroup> groups);
 
-/// Of each group of two axes or more the first of them against each other one: all designs, those of the front, the
-/// front of these two axes alone, and the knee.
+/// One chart per group with at least two axes, of the first axis against each of the others: all designs, those on
+/// the front, the front of these two axes alone, and the knee.
 std::vector<plots::Plot> plots_of_explore(std::span<const ShownGroup> groups);
 
 }  // namespace csgsim::studies

@@ -11,7 +11,7 @@ namespace csgsim::studies {
 
 namespace {
 
-void tell(const swept::SubdivisionCounts& counts, MeshRow& row) {
+void copy_counts(const swept::SubdivisionCounts& counts, MeshRow& row) {
   row.tree_nodes += counts.nodes;
   row.surface_points += counts.points;
   row.flat_tests += counts.tests;
@@ -23,7 +23,7 @@ void tell(const swept::SubdivisionCounts& counts, MeshRow& row) {
   row.roots += counts.arithmetic.roots;
 }
 
-void tell(const swept::RepairCounts& counts, MeshRow& row) {
+void copy_counts(const swept::RepairCounts& counts, MeshRow& row) {
   row.elements = counts.elements;
   row.vertices = counts.vertices;
   row.most_elements = counts.most_elements;
@@ -43,8 +43,8 @@ swept::Patchwork meshed(swept::Surface& surface, const MeshPoint& point) {
   swept::Accuracy accuracy;
   accuracy.tolerance = point.tolerance;
   accuracy.flatness = point.flatness == of_plane ? swept::Flatness::plane : swept::Flatness::sides;
-  return swept::patchwork_of(surface, accuracy,
-                             point.repair == by_filter ? swept::Repair::filter : swept::Repair::quadtree);
+  return swept::make_patchwork(surface, accuracy,
+                               point.repair == by_filter ? swept::Repair::filter : swept::Repair::quadtree);
 }
 
 void mesh(const commands::NamedSurface& named, MeshRow& row) {
@@ -52,9 +52,9 @@ void mesh(const commands::NamedSurface& named, MeshRow& row) {
   const swept::Patchwork made = meshed(*surface, row.point);
   row.patches = surface->columns() * surface->rows();
   row.wire_vertices = made.wire_vertices;
-  tell(made.wiring, row);
-  tell(made.subdivision, row);
-  tell(made.repair, row);
+  copy_counts(made.wiring, row);
+  copy_counts(made.subdivision, row);
+  copy_counts(made.repair, row);
 }
 
 }  // namespace

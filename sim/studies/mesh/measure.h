@@ -1,3 +1,5 @@
+// Points, rows and measurements of meshes.
+// Used by csgsim mesh.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +14,7 @@ namespace csgsim::studies {
 
 /// A way to mesh a surface.
 struct MeshPoint {
-  std::string name;  ///< of the sweep or the patch in the file
+  std::string name;  ///< name of the sweep or patch in the file
   double tolerance = 0;
   std::string flatness;
   std::string repair;
@@ -25,7 +27,7 @@ struct MeshPoint {
   }
 };
 
-/// What it takes and gives.
+/// Results of a point.
 struct MeshRow {
   static constexpr std::size_t point_columns = 4;
 
@@ -87,11 +89,12 @@ inline constexpr const char* by_quadtree = "quadtree";
 inline constexpr const char* of_plane = "plane";
 inline constexpr const char* of_sides = "sides";
 
-/// A surface that cannot be meshed is a row that says why.
+/// Meshes the surface and counts. If it cannot be meshed, the row holds the reason.
 MeshRow measure(const MeshPoint& point, const Inputs& inputs, const commands::NamedSurface& surface);
 
-/// The mesh of a point: `vertices`, places in model units, and `elements`, of each the numbers of its vertices from its
-/// south-west corner on, with all that are on its sides. Throws InputError as measuring does.
+/// The mesh of a point: `vertices` in model units, and `elements`, each a list of vertex numbers around the element,
+/// starting at its south-west corner and including vertices on its sides. Throws InputError if the surface cannot be
+/// meshed.
 nlohmann::ordered_json mesh_json(const MeshPoint& point, const commands::NamedSurface& named);
 
 }  // namespace csgsim::studies

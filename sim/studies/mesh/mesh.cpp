@@ -34,34 +34,37 @@ namespace {
 const std::vector<std::string> flatnesses{of_plane, of_sides};
 const std::vector<std::string> repairs{by_filter, by_quadtree};
 
-std::vector<std::string> flatness_in(const std::string& text) {
+std::vector<std::string> parse_flatness(const std::string& text) {
   return session::parse_names(text, "flatness test", flatnesses);
 }
 std::vector<std::string> repairs_in(const std::string& text) { return session::parse_names(text, "repair", repairs); }
 
 std::vector<software::Priced> meshing_processors(const std::string& list) {
-  std::vector<software::Priced> processors = processors_in(list);
+  std::vector<software::Priced> processors = parse_processors(list);
   for (const software::Priced& one : processors)
-    if (!one.processor) throw InputError(one.name + " has no prices; take a processor by name or .toml file");
+    if (!one.processor) throw InputError(one.name + " has no prices; use a processor by name or .toml file");
   return processors;
 }
 
 class Mesh : public StudyOf<MeshRow> {
  public:
   void add_options(session::OptionList& command) override {
-    command.option("MODEL", model_, "Commands, .jan, with sweeps or patches").required();
-    command.option("--tolerances", tolerances_, "List of tolerances, model units")
-        .check(session::is_read_by(tolerances_in));
+    command.option("MODEL", model_, "File of commands (.jan) with sweeps or patches").required();
+    command.option("--tolerances", tolerances_, "Tolerances in model units, separated by commas")
+        .check(session::is_read_by(parse_tolerances));
     command
         .option("--flatness", flatness_,
-                "List of tests that let an element be: plane, the thesis's; sides, which takes its sides too")
-        .words(flatnesses, session::is_read_by(flatness_in));
+                "Flatness tests, separated by commas: plane (the thesis's), or sides, which tests the sides too")
+        .words(flatnesses, session::is_read_by(parse_flatness));
     command
-        .option("--repairs", repairs_, "List of ways to make elements meet: filter, the thesis's; quadtree, its rival")
+        .option("--repairs", repairs_,
+                "Methods that close cracks between elements, separated by commas: filter (the thesis's) or quadtree")
         .words(repairs, session::is_read_by(repairs_in));
-    command.option("--processors", processors_, "List of processors that the work is priced for, by name or .toml file")
+    command
+        .option("--processors", processors_,
+                "Processors to compute costs for, as names or .toml files separated by commas")
         .check(session::is_read_by(meshing_processors));
-    json_.add_to(command, "Vertices and elements of each mesh");
+    json_.add_to(command, "Write the vertices and elements of each mesh");
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
@@ -72,12 +75,12 @@ class Mesh : public StudyOf<MeshRow> {
   }
   [[nodiscard]] std::string table_model() const override { return model_; }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     const std::string text = read_file(model_, read::model_file);
     if (const std::string ending = std::filesystem::path(model_).extension().string();
         ending == ".csg" || ending == ".scad")
       throw InputError(
-          fmt::format("{}: elements are made of the sweeps and patches of commands, .jan; csgsim convert makes "
+          fmt::format("{}: only sweeps and patches of command files (.jan) can be meshed; csgsim convert makes "
                       "a mesh of other models",
                       printable(session::shown_name(model_))));
     Hash hash;
@@ -85,22 +88,22 @@ class Mesh : public StudyOf<MeshRow> {
     inputs_ = {hash.text(), "none", session::version_and_build()};
     surfaces_ = commands::surfaces_in(text, session::shown_name(model_));
     if (surfaces_.empty())
-      throw InputError(fmt::format("{}: there is no sweep and no patch in it, which a mesh is made of",
-                                   printable(session::shown_name(model_))));
-    std::vector<Asked> asked;
+      throw InputError(
+          fmt::format("{}: contains no sweep and no patch to mesh", printable(session::shown_name(model_))));
+    std::vector<PointRequest> requested;
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-      for (const std::string& flatness : flatness_in(flatness_)) {
+      for (const std::string& flatness : parse_flatness(flatness_)) {
         for (const std::string& repair : repairs_in(repairs_)) {
-          for (const double tolerance : tolerances_in(tolerances_)) {
+          for (const double tolerance : parse_tolerances(tolerances_)) {
             points_.push_back({surfaces_[i].name, tolerance, flatness, repair});
             numbers_.push_back(i);
-            asked.push_back({to_line(points_.back()), inputs_});
+            requested.push_back({to_line(points_.back()), inputs_});
           }
         }
       }
     }
     write_meshes();
-    return asked;
+    return requested;
   }
 
   void print() const override {
@@ -132,7 +135,7 @@ class Mesh : public StudyOf<MeshRow> {
   }
 
  protected:
-  [[nodiscard]] MeshRow measured(std::size_t point) override {
+  [[nodiscard]] MeshRow measure_point(std::size_t point) override {
     return studies::measure(points_[point], inputs_, surfaces_[numbers_[point]]);
   }
 
@@ -153,21 +156,21 @@ class Mesh : public StudyOf<MeshRow> {
   Inputs inputs_;
   std::vector<commands::NamedSurface> surfaces_;
   std::vector<MeshPoint> points_;
-  std::vector<std::size_t> numbers_;  ///< of each point, its surface
+  std::vector<std::size_t> numbers_;  ///< surface of each point
 };
 
 }  // namespace
 
 extern const StudyRow mesh_row{
     .name = "mesh",
-    .does = "Count what meshing sweeps and patches takes: elements, vertices, what the integrity filter holds",
+    .does = "Count the cost of meshing sweeps and patches: elements, vertices, storage of the integrity filter",
     .example =
         "  csgsim mesh patch.jan\n"
         "  csgsim mesh vase.jan --tolerances 0.1,0.05 --flatness plane,sides -o out\n"
-        "Surfaces are those of a file of commands: docs/reproduction.md. Both repairs make\n"
-        "the same mesh; the filter holds what the border of what has come runs along,\n"
-        "the quadtree holds all.",
-    .plots = "plots (.png, .svg) of elements by tolerance",
+        "The surfaces are those of a file of commands (docs/reproduction.md). Both repairs make\n"
+        "the same mesh; the filter stores the elements along the border of the finished\n"
+        "part, the quadtree stores all of them.",
+    .plots = "plots (.png, .svg) of elements against tolerance",
     .folder = Folder::optional,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Mesh>()); }};
 

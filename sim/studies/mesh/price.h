@@ -1,3 +1,5 @@
+// Prices of meshing.
+// Used by csgsim mesh.
 #pragma once
 
 #include "hw/processors/processor.h"
@@ -6,8 +8,8 @@
 
 namespace csgsim::studies {
 
-/// What a row's counts are in operations of a processor that has no floating point: coordinates are longs, of fixed
-/// point. How each count is priced is assumed; docs/reproduction.md has it as a table.
+/// Converts a row's counts to operations of a processor without floating point; coordinates are 32-bit fixed-point
+/// numbers. The operations per count are assumptions, listed in docs/reproduction.md.
 software::Operations subdividing(const MeshRow& row);
 software::Operations repairing(const MeshRow& row);
 

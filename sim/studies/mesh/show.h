@@ -1,3 +1,5 @@
+// Tables and plots of meshes.
+// Used by csgsim mesh.
 #pragma once
 
 #include <span>
@@ -10,10 +12,10 @@
 
 namespace csgsim::studies {
 
-/// A column a tolerance, as in table 3.1 of the thesis: a table for each surface, way to test it and way to repair it.
+/// Prints a table per surface, flatness test and repair, with a column per tolerance as in table 3.1 of the thesis.
 void print_meshes(std::span<const MeshRow> rows, std::span<const software::Priced> processors);
 
-/// Elements in all and at most held, against the tolerance.
+/// Plots of the total number of elements and of the maximum held, against the tolerance.
 std::vector<plots::Plot> plots_of_meshes(std::span<const MeshRow> rows, const std::string& model);
 
 }  // namespace csgsim::studies

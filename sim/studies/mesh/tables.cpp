@@ -19,7 +19,7 @@ namespace {
 
 using Lines = std::vector<std::vector<std::string>>;
 
-/// Rows that differ in the tolerance alone.
+/// Groups rows that differ only in the tolerance.
 std::vector<std::vector<MeshRow>> groups_of(std::span<const MeshRow> rows) {
   std::vector<std::vector<MeshRow>> groups;
   for (const MeshRow& row : rows) {
@@ -44,8 +44,8 @@ void add_line(Lines& lines, const std::string& title, std::span<const MeshRow> r
 
 void print_group(std::span<const MeshRow> rows, std::span<const software::Priced> processors) {
   const bool is_tree = rows.front().point.repair == by_quadtree;
-  fmt::print("\n{}, flat by {}; {}\n", rows.front().point.name, rows.front().point.flatness,
-             is_tree ? "the quadtree" : "the filter");
+  fmt::print("\n{}, flatness test {}; {}\n", rows.front().point.name, rows.front().point.flatness,
+             is_tree ? "quadtree" : "filter");
   Lines lines{{"tolerance"}};
   for (const MeshRow& row : rows) lines.back().push_back(fmt::format("{:g}", row.point.tolerance));
   const auto add = [&](const std::string& title, std::uint64_t MeshRow::*count) {
@@ -53,9 +53,9 @@ void print_group(std::span<const MeshRow> rows, std::span<const software::Priced
   };
   add("elements", &MeshRow::elements);
   add("vertices", &MeshRow::vertices);
-  add("most elements held", &MeshRow::most_elements);
-  add("most vertices held", &MeshRow::most_vertices);
-  add(is_tree ? "nodes held" : "most edges held", &MeshRow::most_edges);
+  add("maximum elements held", &MeshRow::most_elements);
+  add("maximum vertices held", &MeshRow::most_vertices);
+  add(is_tree ? "nodes held" : "maximum edges held", &MeshRow::most_edges);
   if (rows.front().patches > 1) add("vertices between patches", &MeshRow::wire_vertices);
   for (const software::Priced& processor : processors) {
     if (!processor.processor) continue;
@@ -81,10 +81,10 @@ std::vector<plots::Plot> plots_of_meshes(std::span<const MeshRow> rows, const st
   for (const std::vector<MeshRow>& group : groups_of(rows)) {
     const MeshPoint& point = group.front().point;
     if (group.size() < 2 || point.repair != by_filter) continue;
-    plots::Chart chart{model + ": elements of " + point.name + " (flat by " + point.flatness + ")",
+    plots::Chart chart{model + ": elements of " + point.name + ", flatness test " + point.flatness,
                        {"tolerance, model units", plots::Scale::logarithmic},
                        {{"elements", plots::Scale::logarithmic}},
-                       {{"in all"}, {"held"}},
+                       {{"total"}, {"held at once"}},
                        "mesh.csv"};
     for (const MeshRow& row : group) {
       if (!row.is_meshed()) continue;

@@ -17,7 +17,7 @@ isa::Program compiled(const Subdivided& subdivided, const machines::Machine& mac
   return emit::compile(subdivided.tree, subdivided.scene, subdivided.view, machine, subdivided.options);
 }
 
-/// Its parts, whatever they are of.
+/// Sums up the segments of the Program, which may stand for segments or subsegments.
 Squares tally(const isa::Program& program, const machines::Machine& machine) {
   Squares squares;
   std::uint64_t clocks = 0;
@@ -40,7 +40,7 @@ Squares tally(const isa::Program& program, const machines::Machine& machine) {
   return squares;
 }
 
-/// Clocks at pixels, by what they are for.
+/// Clocks at pixels by purpose.
 struct PixelClocks {
   double render = 0;
   double classify = 0;
@@ -48,14 +48,15 @@ struct PixelClocks {
   double all = 0;
 };
 
-PixelClocks pixel_clocks(const isa::Program& program, const machines::Machine& machine, const machines::Told& told) {
+PixelClocks pixel_clocks(const isa::Program& program, const machines::Machine& machine,
+                         const machines::RunOutcome& outcome) {
   PixelClocks sums;
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const isa::Segment& segment = program.segments[s];
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
       const isa::Instruction& instruction = segment.instructions[i];
       const auto clocks = static_cast<double>(
-          machine.kind->clocks_at_pixels(segment, i, machine, told.met.empty() ? nullptr : &told.met[s]).all);
+          machine.kind->clocks_at_pixels(segment, i, machine, outcome.met.empty() ? nullptr : &outcome.met[s]).all);
       sums.all += clocks;
       switch (instruction.origin.purpose) {
         case isa::Purpose::render: sums.render += clocks; break;
@@ -72,7 +73,7 @@ PixelClocks pixel_clocks(const isa::Program& program, const machines::Machine& m
   return sums;
 }
 
-bool tells_stages(const machines::Account& account) {
+bool reports_stages(const machines::Account& account) {
   return std::ranges::find(account.counts, "transformation_clocks", &machines::Count::name) != account.counts.end();
 }
 
@@ -109,19 +110,19 @@ SubdivideRow measure_squares(const Subdivided& subdivided, unsigned levels) {
   const machines::Machine cut = cut_into(machines::Parts::subsegments);
   const isa::Program in_segments = compiled(subdivided, whole);
   const isa::Program in_subsegments = compiled(subdivided, cut);
-  const machines::RunRecord record = functional::record_of_run(in_subsegments, cut);
-  const machines::FrameTiming timing = machines::time_frame(in_subsegments, cut, record.told());
+  const machines::RunRecord record = functional::make_run_record(in_subsegments, cut);
+  const machines::FrameTiming timing = machines::time_frame(in_subsegments, cut, record.outcome());
   SubdivideRow row;
   row.segments = tally(in_segments, whole);
   row.subsegments = tally(in_subsegments, cut);
   row.subsegments.clocks = timing.clocks;
-  if (!tells_stages(timing.account)) {
+  if (!reports_stages(timing.account)) {
     row.segments.clocks = machines::clocks(in_segments, whole);
     return row;
   }
   row.segments.instruction_clocks.reset();
   row.subsegments.instruction_clocks.reset();
-  row.stages = stages_of(timing, pixel_clocks(in_subsegments, cut, record.told()), cut);
+  row.stages = stages_of(timing, pixel_clocks(in_subsegments, cut, record.outcome()), cut);
   row.stages.halfspaces_touching = 0;
   for (const isa::Segment& segment : in_segments.segments) *row.stages.halfspaces_touching += segment.facts->halfspaces;
   return row;

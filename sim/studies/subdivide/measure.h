@@ -1,3 +1,5 @@
+// Rows and measurements of subdivided pictures.
+// Used by csgsim subdivide.
 #pragma once
 
 #include <cstddef>
@@ -15,18 +17,17 @@
 
 namespace csgsim::studies {
 
-/// A picture cut into squares: what is left to do in each (thesis 7.3.3, 7.4.3). Means are over the squares that
-/// something touches.
+/// The remaining work in each square of a subdivided picture (thesis 7.3.3, 7.4.3). Means are over the touched squares.
 struct Squares {
   std::uint64_t count = 0;
-  std::uint64_t touched = 0;                          ///< by the rectangle of pixels of a primitive
-  double primitives = 0;                              ///< mean of those that touch a square
-  double halfspaces = 0;                              ///< mean of theirs
-  double kept_primitives = 0;                         ///< mean of those that pruning leaves to be drawn
-  double kept_halfspaces = 0;                         ///< mean of those that pruning leaves to their surfaces
-  double comparisons = 0;                             ///< mean, of primitives with Z1
-  std::optional<std::uint64_t> clocks{};              ///< of the frame; none where no machine draws it so
-  std::optional<std::uint64_t> instruction_clocks{};  ///< of the renderers, in all; none where the machine has none
+  std::uint64_t touched = 0;                          ///< touched by the pixel rectangle of a primitive
+  double primitives = 0;                              ///< mean number of primitives that touch a square
+  double halfspaces = 0;                              ///< mean number of their half-spaces
+  double kept_primitives = 0;                         ///< mean number drawn after pruning
+  double kept_halfspaces = 0;                         ///< mean number drawn after pruning
+  double comparisons = 0;                             ///< mean number of comparisons of primitives with Z1
+  std::optional<std::uint64_t> clocks{};              ///< clocks of the frame; empty if no machine draws it this way
+  std::optional<std::uint64_t> instruction_clocks{};  ///< total over the renderers; empty if the machine has none
 
   static void columns(auto& squares, const auto& visit) {
     visit("count", squares.count);
@@ -41,17 +42,18 @@ struct Squares {
   }
 };
 
-/// Where a machine that tells the stages of a frame spends its seconds (thesis table 7.3); of another all are empty.
+/// Seconds per stage of a frame (thesis table 7.3); empty if the machine does not report stages.
 struct Stages {
-  std::optional<std::uint64_t> halfspace_tests{};  ///< of the first pruning, that the machine spends time on
-  /// All that there are to test: of the primitives that touch a segment.
+  std::optional<std::uint64_t> halfspace_tests{};  ///< tests of the first pruning that cost the machine time
+  /// Half-spaces of all primitives that touch a segment, the tests that would be necessary without pruning.
   std::optional<std::uint64_t> halfspaces_touching{};
-  std::optional<double> broadcast_halfspaces{};  ///< mean, of the segments that are drawn
-  std::optional<double> transformation{};        ///< seconds: of half-spaces
+  std::optional<double> broadcast_halfspaces{};  ///< mean over the drawn segments
+  std::optional<double> transformation{};        ///< seconds to transform half-spaces
   std::optional<double> first_pruning{};
   std::optional<double> second_pruning{};
-  std::optional<double> communication{};  ///< the model from the host, broadcasting and sharing
-  std::optional<double> rendering{};      ///< of it what follows, in proportion to the nodes' clocks at pixels
+  std::optional<double> communication{};  ///< receiving the model from the host, broadcasting and sharing
+  std::optional<double>
+      rendering{};  ///< the next three are parts of this, in proportion to the nodes' clocks at pixels
   std::optional<double> scan_conversion{};
   std::optional<double> classification{};
   std::optional<double> depth_sort{};
@@ -73,15 +75,16 @@ struct Stages {
   }
 };
 
-/// What one subdivision of a picture leaves to do.
+/// The remaining work for one subdivision of a picture.
 struct SubdivideRow {
   static constexpr std::size_t point_columns = 2;
 
-  unsigned subdivisions = 0;          ///< binary ones, into segments
-  std::optional<double> tolerance{};  ///< that curved solids are faceted with, model units; none: as for all points
+  unsigned subdivisions = 0;  ///< number of binary subdivisions into segments
+  std::optional<double>
+      tolerance{};  ///< faceting tolerance of curved solids, model units; empty: the same for all points
   Inputs inputs;
   std::uint64_t primitives = 0;  ///< of the model
-  std::uint64_t halfspaces = 0;  ///< of the model, quadrics among them
+  std::uint64_t halfspaces = 0;  ///< of the model, including quadrics
   Squares segments;
   Squares subsegments;
   Stages stages;
@@ -104,7 +107,7 @@ struct SubdivideRow {
   }
 };
 
-/// What is looked at, and how.
+/// The subject of a measurement and its options.
 struct Subdivided {
   const model::Tree& tree;
   const facet::Geometry& scene;
@@ -113,8 +116,8 @@ struct Subdivided {
   emit::Options options;
 };
 
-/// Of so many binary subdivisions, all but which point it is, and from what. Throws InputError where the model does not
-/// fit the machine.
+/// Measures `levels` binary subdivisions; the caller sets the point and the inputs. Throws InputError if the model does
+/// not fit the machine.
 SubdivideRow measure_squares(const Subdivided& subdivided, unsigned levels);
 
 }  // namespace csgsim::studies

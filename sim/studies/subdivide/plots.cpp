@@ -25,16 +25,15 @@ void add(plots::Chart& chart, const std::string& name, std::size_t panel, const 
 std::vector<plots::Plot> plots_of_subdivision(std::span<const SubdivideRow> rows, const std::string& model) {
   if (rows.size() < 2) return {};
   const bool is_by_levels = rows.front().subdivisions != rows.back().subdivisions;
-  plots::Chart chart{
-      model + ": what subdivision leaves to do in a square",
-      {is_by_levels ? "levels of binary subdivision" : "half-spaces of the model",
-       plots::Scale::linear,
-       {},
-       false,
-       true},
-      {{"half-spaces in a square, mean"}, {"clocks of a frame", plots::Scale::by_range, {}, false, true}},
-      {},
-      "subdivide.csv"};
+  plots::Chart chart{model + ": remaining work per square",
+                     {is_by_levels ? "levels of binary subdivision" : "half-spaces of the model",
+                      plots::Scale::linear,
+                      {},
+                      false,
+                      true},
+                     {{"mean half-spaces per square"}, {"clocks per frame", plots::Scale::by_range, {}, false, true}},
+                     {},
+                     "subdivide.csv"};
   for (const SubdivideRow& row : rows) {
     const double x = is_by_levels ? row.subdivisions : static_cast<double>(row.halfspaces);
     for (const auto& [part, squares] : parts) {

@@ -1,3 +1,5 @@
+// Tables and plots of subdivided pictures.
+// Used by csgsim subdivide.
 #pragma once
 
 #include <span>
@@ -9,11 +11,12 @@
 
 namespace csgsim::studies {
 
-/// A column a row, as in tables 7.2 and 7.3 of the thesis; of a machine that tells stages with the thesis's own.
+/// Prints a column per row, as in tables 7.2 and 7.3 of the thesis; next to the thesis's values if the machine reports
+/// stages.
 void print_subdivision(std::span<const SubdivideRow> rows);
 
-/// Half-spaces that are left in a square, and clocks of a frame, against the levels of subdivision, or, where these are
-/// the same for all, against the half-spaces of the model. None of a single row.
+/// Plots of the remaining half-spaces per square and of the clocks per frame against the levels of subdivision or, if
+/// these are constant, against the half-spaces of the model. Empty for a single row.
 std::vector<plots::Plot> plots_of_subdivision(std::span<const SubdivideRow> rows, const std::string& model);
 
 }  // namespace csgsim::studies

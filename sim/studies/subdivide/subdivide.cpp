@@ -27,8 +27,8 @@ namespace csgsim::studies {
 namespace {
 
 std::vector<unsigned> levels_of(const std::string& text) {
-  constexpr unsigned most_levels = 20;
-  return session::parse_numbers(text, 0, most_levels);
+  constexpr unsigned max_levels = 20;
+  return session::parse_numbers(text, 0, max_levels);
 }
 
 bool subdivides(const machines::Kind& kind) {
@@ -42,11 +42,11 @@ machines::Machine subdividing_machine(const session::ModelRequest& options) {
   for (const machines::Kind* const kind : kinds::all()) {
     if (subdivides(*kind)) kinds.push_back(kind->name);
   }
-  throw InputError(fmt::format("{} does not draw square by square; take a machine of kind {}", machine.name,
+  throw InputError(fmt::format("{} does not draw square by square; use a machine of kind {}", machine.name,
                                fmt::join(kinds, " or ")));
 }
 
-/// `segments_count` as `count` of `segments`, and so on; without what a machine does not tell.
+/// Nests columns: `segments_count` becomes `count` of `segments`, and so on. Omits empty columns.
 nlohmann::ordered_json with_parts(const nlohmann::ordered_json& columns) {
   nlohmann::ordered_json json;
   for (const auto& [name, value] : columns.items()) {
@@ -66,15 +66,15 @@ nlohmann::ordered_json with_parts(const nlohmann::ordered_json& columns) {
 constexpr report::PointColumn square_columns[] = {{"subdivisions", "levels"},
                                                   {"tolerance", "tolerance"},
                                                   {"segments/count", "segments"},
-                                                  {"segments/touched", "of these touched"},
-                                                  {"segments/kept_primitives_mean", "primitives drawn in one"},
-                                                  {"segments/kept_halfspaces_mean", "half-spaces in one"},
-                                                  {"segments/clocks", "clocks of a frame"},
+                                                  {"segments/touched", "touched"},
+                                                  {"segments/kept_primitives_mean", "primitives drawn per segment"},
+                                                  {"segments/kept_halfspaces_mean", "half-spaces per segment"},
+                                                  {"segments/clocks", "clocks per frame"},
                                                   {"subsegments/count", "subsegments"},
-                                                  {"subsegments/touched", "of these touched"},
-                                                  {"subsegments/kept_halfspaces_mean", "half-spaces in one"},
-                                                  {"subsegments/clocks", "clocks of a frame"},
-                                                  {"stages/seconds/total", "seconds of drawing"}};
+                                                  {"subsegments/touched", "touched"},
+                                                  {"subsegments/kept_halfspaces_mean", "half-spaces per subsegment"},
+                                                  {"subsegments/clocks", "clocks per frame"},
+                                                  {"stages/seconds/total", "drawing time, s"}};
 
 class Subdivide : public StudyOf<SubdivideRow> {
  public:
@@ -83,8 +83,10 @@ class Subdivide : public StudyOf<SubdivideRow> {
     options_.add_to(command);
     command.option("--subdivisions", levels_, "Numbers: levels of binary subdivision, 0 to 20")
         .check(session::is_read_by(levels_of));
-    command.option("--tolerances", tolerances_, "List of tolerances, model units, that curved solids are faceted with")
-        .check(session::is_read_by(tolerances_in))
+    command
+        .option("--tolerances", tolerances_,
+                "Tolerances in model units for faceting curved solids, separated by commas")
+        .check(session::is_read_by(parse_tolerances))
         .excludes("--tolerance");
   }
 
@@ -93,8 +95,8 @@ class Subdivide : public StudyOf<SubdivideRow> {
   [[nodiscard]] std::string table_model() const override { return options_.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
-  /// Level after level.
-  std::vector<Asked> ask() override {
+  /// Requests all tolerances of a level before the next level.
+  std::vector<PointRequest> request_points() override {
     machine_ = subdividing_machine(options_);
     session::ModelFile file = session::read_model_file(options_);
     tree_ = std::move(file.tree);
@@ -102,25 +104,25 @@ class Subdivide : public StudyOf<SubdivideRow> {
     if (tolerances_.empty()) {
       faceting_ = session::faceting_of(options_, machine_, tree_);
     } else {
-      const std::vector<double> asked = tolerances_in(tolerances_);
-      tolerances.assign(asked.begin(), asked.end());
+      const std::vector<double> requested = parse_tolerances(tolerances_);
+      tolerances.assign(requested.begin(), requested.end());
     }
-    std::vector<Asked> asked;
+    std::vector<PointRequest> requested;
     for (const unsigned levels : levels_of(levels_)) {
       for (const std::optional<double>& tolerance : tolerances) {
         SubdivideRow point;
         point.subdivisions = levels;
         point.tolerance = tolerance;
         point.inputs = {file.hash, machines::hash_of(machine_), session::version_and_build()};
-        asked.push_back({to_cell(levels) + "," + to_cell(tolerance), point.inputs});
+        requested.push_back({to_cell(levels) + "," + to_cell(tolerance), point.inputs});
         points_.push_back(std::move(point));
       }
     }
-    return asked;
+    return requested;
   }
 
   void print() const override {
-    fmt::print("{}: what subdivision leaves to do in a square, as in tables 7.2 and 7.3 of the thesis\n",
+    fmt::print("{}: remaining work per square, as in tables 7.2 and 7.3 of the thesis\n",
                printable(session::shown_name(options_.model)));
     print_subdivision(rows());
   }
@@ -135,16 +137,15 @@ class Subdivide : public StudyOf<SubdivideRow> {
     return plots_of_subdivision(rows(), plot_stem(options_.model));
   }
 
-  [[nodiscard]] std::string page_title() const override { return "What subdivision leaves to do"; }
+  [[nodiscard]] std::string page_title() const override { return "Remaining work per square"; }
   [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {
-    return {{"Squares",
-             {report::points_table(data, "/points", "Means are over squares that something touches", square_columns)}}};
+    return {{"Squares", {report::points_table(data, "/points", "Means are over touched squares", square_columns)}}};
   }
 
  protected:
-  [[nodiscard]] SubdivideRow measured(std::size_t number) override {
+  [[nodiscard]] SubdivideRow measure_point(std::size_t number) override {
     const SubdivideRow& point = points_[number];
     const facet::Geometry scene =
         facet::make_geometry(tree_, point.tolerance ? facet::Faceting{.tolerance = point.tolerance} : faceting_);
@@ -166,7 +167,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
   std::string tolerances_;
   machines::Machine machine_;
   model::Tree tree_;
-  facet::Faceting faceting_;  ///< of points without a tolerance of their own
+  facet::Faceting faceting_;  ///< for points without a tolerance
   std::vector<SubdivideRow> points_;
 };
 
@@ -174,13 +175,13 @@ class Subdivide : public StudyOf<SubdivideRow> {
 
 extern const StudyRow subdivide_row{
     .name = "subdivide",
-    .does = "Show what subdividing the picture leaves to do in each square",
+    .does = "Show the work that remains in each square of a subdivided picture",
     .example =
         "  csgsim subdivide carburettor.csg --size 256x256 --camera 220,-255,135,2,0,5\n"
         "  csgsim subdivide carburettor.csg --size 256x256 --subdivisions 6 --tolerances 0.2,0.05,0.01 -o out\n"
         "Levels are binary subdivisions of the picture into segments; each has 4 x 4 subsegments. On a machine of\n"
-        "kind multi-processor they are its own segments, with a subsegment a node, and the times of its stages\n"
-        "stand beside the thesis's.",
+        "kind multi-processor they are its own segments, with a subsegment per node, and the times of its stages\n"
+        "are shown next to those of the thesis.",
     .plots = "a plot (.png, .svg) of half-spaces and clocks",
     .folder = Folder::optional,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Subdivide>()); }};

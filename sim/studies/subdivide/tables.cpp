@@ -20,7 +20,7 @@ void print_line(const char* what, Rows rows, Text text) {
 
 std::string mean_text(double mean) { return fmt::format("{:.1f}", mean); }
 
-/// A row of seconds: ours, and those of thesis table 7.3, whose models have so many half-spaces.
+/// A row of seconds: ours, and those of thesis table 7.3 for models with `thesis_halfspaces` half-spaces.
 struct StageRow {
   const char* name;
   std::optional<double> Stages::*seconds;
@@ -29,7 +29,7 @@ struct StageRow {
 
 constexpr std::array<unsigned, 3> thesis_halfspaces{1258, 2042, 3876};
 
-// Its scan conversion, classification and depth sort are what its nodes do to pixels.
+// The thesis's scan conversion, classification and depth sort are the work of its nodes at pixels.
 constexpr auto stage_rows = std::to_array<StageRow>({
     {"transformation of half-spaces, s", &Stages::transformation, {6.4, 10.2, 19.0}},
     {"first pruning, s", &Stages::first_pruning, {12.8, 20.3, 38.0}},
@@ -45,11 +45,11 @@ constexpr auto stage_rows = std::to_array<StageRow>({
 void print_stages(Rows rows) {
   print_line("half-space tests of the first pruning", rows,
              [](const SubdivideRow& row) { return grouped(row.stages.halfspace_tests.value_or(0)); });
-  print_line("  half-spaces of the primitives that touch a segment, in all", rows,
+  print_line("  half-spaces of the primitives that touch a segment, total", rows,
              [](const SubdivideRow& row) { return grouped(row.stages.halfspaces_touching.value_or(0)); });
-  print_line("mean of half-spaces broadcast for a segment that is drawn", rows,
+  print_line("mean half-spaces broadcast per drawn segment", rows,
              [](const SubdivideRow& row) { return mean_text(row.stages.broadcast_halfspaces.value_or(0)); });
-  print_line("clocks of a frame", rows,
+  print_line("clocks per frame", rows,
              [](const SubdivideRow& row) { return grouped(row.subsegments.clocks.value_or(0)); });
   fmt::print("\n  {:<66}{:>{}}\n", "", "thesis table 7.3, half-spaces:", 12 * rows.size() + 36);
   fmt::print("  {:<66}", "");
@@ -84,25 +84,24 @@ void print_subdivision(Rows rows) {
                [](const SubdivideRow& row) { return fmt::format("{:g}", row.tolerance.value_or(0)); });
   print_line("levels of subdivision", rows, [](const SubdivideRow& row) { return row.subdivisions; });
   print_line("segments", rows, [](const SubdivideRow& row) { return row.segments.count; });
-  print_line("  of them touched by a primitive", rows, [](const SubdivideRow& row) { return row.segments.touched; });
+  print_line("  touched by a primitive", rows, [](const SubdivideRow& row) { return row.segments.touched; });
   print_line("subsegments", rows, [](const SubdivideRow& row) { return row.subsegments.count; });
-  print_line("  of them touched by a primitive", rows, [](const SubdivideRow& row) { return row.subsegments.touched; });
+  print_line("  touched by a primitive", rows, [](const SubdivideRow& row) { return row.subsegments.touched; });
   print_line("primitives in the model", rows, [](const SubdivideRow& row) { return row.primitives; });
-  constexpr MeanRow primitives[] = {
-      {"  mean in a segment", &SubdivideRow::segments, &Squares::primitives},
-      {"  mean drawn in a segment", &SubdivideRow::segments, &Squares::kept_primitives},
-      {"  mean comparisons in a segment", &SubdivideRow::segments, &Squares::comparisons}};
+  constexpr MeanRow primitives[] = {{"  mean per segment", &SubdivideRow::segments, &Squares::primitives},
+                                    {"  mean drawn per segment", &SubdivideRow::segments, &Squares::kept_primitives},
+                                    {"  mean comparisons per segment", &SubdivideRow::segments, &Squares::comparisons}};
   print_means(rows, primitives);
   print_line("half-spaces in the model", rows, [](const SubdivideRow& row) { return row.halfspaces; });
   constexpr MeanRow halfspaces[] = {
       {"  mean of the primitives in a segment", &SubdivideRow::segments, &Squares::halfspaces},
-      {"  mean in a segment after the first pruning", &SubdivideRow::segments, &Squares::kept_halfspaces},
-      {"  mean in a subsegment after the second pruning", &SubdivideRow::subsegments, &Squares::kept_halfspaces}};
+      {"  mean per segment after the first pruning", &SubdivideRow::segments, &Squares::kept_halfspaces},
+      {"  mean per subsegment after the second pruning", &SubdivideRow::subsegments, &Squares::kept_halfspaces}};
   print_means(rows, halfspaces);
   if (rows.front().has_stages()) return print_stages(rows);
-  print_line("clocks of a frame, squares as large as segments", rows,
+  print_line("clocks per frame, squares as large as segments", rows,
              [](const SubdivideRow& row) { return grouped(row.segments.clocks.value_or(0)); });
-  print_line("clocks of a frame, squares as large as subsegments", rows,
+  print_line("clocks per frame, squares as large as subsegments", rows,
              [](const SubdivideRow& row) { return grouped(row.subsegments.clocks.value_or(0)); });
 }
 

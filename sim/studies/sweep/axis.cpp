@@ -9,18 +9,18 @@ namespace csgsim::studies {
 
 namespace {
 
-/// The machine, which is no option of points.
+/// Pseudo-axis for the machine, which is not an option of points.
 constexpr Axis machine_axis{"machine", "machine", "",
                             false,     "",        nullptr,
                             nullptr,   nullptr,   [](const DesignPoint& point) { return point.machine; }};
 
 const Axis& axis_of(std::string_view key) { return key == machine_axis.key ? machine_axis : *find_axis(key); }
 
-/// What may be on the x axis, of equals the first; the last where only it varies.
+/// Candidates for the x axis; the first wins among equals. The last is used if nothing else varies.
 constexpr std::string_view sweep_axes[] = {"memory-bits", "z-bits",    "stack-bits", "pruning",
                                            "machine",     "colouring", "curves",     "strategy"};
 
-/// What names of points say beside the strategy, in that order.
+/// Axes that names of points mention in addition to the strategy, in this order.
 constexpr std::string_view named_axes[] = {"machine", "memory-bits", "z-bits", "pruning", "colouring", "curves"};
 
 std::vector<std::string> values_of(std::span<const SweepRow> rows, const Axis& axis) {
@@ -32,7 +32,7 @@ std::vector<std::string> values_of(std::span<const SweepRow> rows, const Axis& a
   return values;
 }
 
-/// Those of the axes that take several values in the rows.
+/// The axes that have several values in the rows.
 std::vector<const Axis*> varied_in(std::span<const SweepRow> rows, std::span<const std::string_view> keys) {
   std::vector<const Axis*> varied;
   for (const std::string_view key : keys) {
@@ -41,7 +41,7 @@ std::vector<const Axis*> varied_in(std::span<const SweepRow> rows, std::span<con
   return varied;
 }
 
-/// The point's values of these, behind the text.
+/// Appends the point's values on these axes to the text.
 std::string with_values(std::string text, const DesignPoint& point, std::span<const Axis* const> axes) {
   for (const Axis* const axis : axes) {
     const std::string value = axis->text(point);
@@ -62,11 +62,11 @@ std::string PointNames::name(const DesignPoint& point) const {
 std::string PointNames::conditions(const DesignPoint& point) const { return with_values("", point, varied_); }
 
 SweepAxis::SweepAxis(std::span<const SweepRow> rows) : varied_(varied_in(rows, sweep_axes)) {
-  std::size_t most = 1;
+  std::size_t max_choices = 1;
   for (const Axis* const axis : varied_) {
     const std::size_t count = values_of(rows, *axis).size();
-    if (count <= most || axis->key == "strategy") continue;
-    most = count;
+    if (count <= max_choices || axis->key == "strategy") continue;
+    max_choices = count;
     shown_ = axis;
   }
   if (shown_ == nullptr) shown_ = &axis_of("strategy");

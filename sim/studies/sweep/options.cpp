@@ -23,7 +23,7 @@ session::Check is_axis_list(const char* key) { return session::is_read_by(find_a
 
 }  // namespace
 
-std::string usual_strategies() { return fmt::format("{}", fmt::join(names_of(emit::usual_strategies()), ",")); }
+std::string default_strategies() { return fmt::format("{}", fmt::join(names_of(emit::default_strategies()), ",")); }
 
 std::vector<session::ModelRequest> SweepOptions::designs() const {
   const auto values = [](const char* key, const std::string& list) { return find_axis(key)->values(list); };
@@ -33,12 +33,12 @@ std::vector<session::ModelRequest> SweepOptions::designs() const {
       {"strategy", session::parse_words(strategies)}, {"stack-bits", values("stack-bits", stack_bits)}};
   session::ModelRequest base = view;
   base.sets = session::sorted(view.sets).scene;
-  const std::vector<std::string> with_sets = session::with_figures(session::parse_words(machines), view.sets);
+  const std::vector<std::string> with_sets = session::with_parameters(session::parse_words(machines), view.sets);
   std::vector<session::ModelRequest> all;
-  for (const std::string& model : different(models)) {
+  for (const std::string& model : without_duplicates(models)) {
     base.model = model;
     for (const std::string& machine : with_sets) {
-      base.machine = machine;  // with its figures as set
+      base.machine = machine;  // includes its parameters as set
       const std::string own = std::to_string(kinds::load(machine).array.memory_bits);
       for (const std::string& bits : memory_bits.empty() ? std::vector{own} : values("memory-bits", memory_bits)) {
         put(base, "memory-bits", bits);
@@ -50,30 +50,29 @@ std::vector<session::ModelRequest> SweepOptions::designs() const {
 }
 
 void SweepOptions::add_to(session::OptionList& command) {
-  command.option("MODEL", models, "The models, OpenSCAD .csg files, sources, .scad, or commands, .jan").required();
-  command.option("--strategy", strategies, "List of the ways in which classifications are worked out")
+  command.option("MODEL", models, "Models: OpenSCAD .csg files, OpenSCAD sources (.scad), or commands (.jan)")
+      .required();
+  command.option("--strategy", strategies, "Classification strategies, separated by commas")
       .list_of(names_of(emit::strategies), "strategy");
-  command.option("--stack-bits", stack_bits, "Numbers: bits that strategy bits is given")
-      .check(is_axis_list("stack-bits"));
-  command.option("--z-bits", z_bits, "Numbers: bits of depth").check(is_axis_list("z-bits"));
-  command.option("--colouring", colourings, "List of the ways in which colours get to the pixels")
+  command.option("--stack-bits", stack_bits, "Numbers: stack bits of strategy bits").check(is_axis_list("stack-bits"));
+  command.option("--z-bits", z_bits, "Numbers: depth bits").check(is_axis_list("z-bits"));
+  command.option("--colouring", colourings, "Colouring methods, separated by commas")
       .list_of(names_of(emit::colourings), "colouring");
   command
       .option("--pruning", prunings,
-              "List of which prunings are done: all, none, those named (space+hidden) or all but those "
+              "Prunings to apply, separated by commas: all, none, those named (space+hidden) or all but those "
               "(no-space+no-hidden)")
       .words(session::pruning_words(), session::is_read_by(session::prunings_of));
-  command.option("--machines", machines, "List of machines, by name or .toml file")
+  command.option("--machines", machines, "Machines, as names or .toml files separated by commas")
       .check(session::is_read_by(session::check_machines));
-  command.option("--memory-bits", memory_bits, "Numbers: memory bits a pixel; the machine's own if not given")
+  command.option("--memory-bits", memory_bits, "Numbers: memory bits per pixel; default: those of the machine")
       .check(is_axis_list("memory-bits"));
   view.add_view_to(command);
   command.remove("--curves");
   command
-      .option("--curves", curves,
-              "List of the ways in which spheres, cylinders and cones are drawn: facets, exact, auto")
+      .option("--curves", curves, "Ways to draw spheres, cylinders and cones, separated by commas: facets, exact, auto")
       .list_of(names_of(emit::curve_choices), "way");
-  command.flag("--no-draw", no_draw, "Count only; do not draw to see that all pictures are the same");
+  command.flag("--no-draw", no_draw, "Count only; do not draw pictures to check that they are identical");
 }
 
 }  // namespace csgsim::studies

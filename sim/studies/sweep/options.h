@@ -1,3 +1,5 @@
+// Options of csgsim sweep, and the points that they select.
+// Used by csgsim sweep.
 #pragma once
 
 #include <string>
@@ -8,17 +10,17 @@
 
 namespace csgsim::studies {
 
-/// Names of the strategies that are varied if none are named, with commas between them.
-std::string usual_strategies();
+/// Names of the default strategies, separated by commas.
+std::string default_strategies();
 
-/// Options of csgsim sweep. What a sweep varies are lists and ranges, checked when the command line is read.
+/// Options of csgsim sweep. Lists and ranges are checked when the command line is parsed.
 struct SweepOptions {
   session::ModelRequest view;
   std::vector<std::string> models;
   std::string machines = "pixel-planes-4";
   std::string memory_bits;
   std::string z_bits = "20";
-  std::string strategies = usual_strategies();
+  std::string strategies = default_strategies();
   std::string stack_bits = "3..8";
   std::string colourings = "rebroadcast";
   std::string prunings = "all";
@@ -27,7 +29,7 @@ struct SweepOptions {
 
   void add_to(session::OptionList& command);
 
-  /// The points asked for, as `csgsim render` would draw them.
+  /// The requested points, as `csgsim render` would draw them.
   [[nodiscard]] std::vector<session::ModelRequest> designs() const;
 };
 

@@ -17,10 +17,10 @@ constexpr const char* sweep_table = "sweep.csv";
 
 plots::Axis count_axis(const char* title) { return {title, plots::Scale::by_range, {}, false, true}; }
 
-/// Points of one name.
+/// Rows with the same name.
 using Line = std::pair<std::string, std::vector<const SweepRow*>>;
 
-/// A line in every panel: a height for all of the axis where it has no place on it.
+/// A series per panel: horizontal across the panel if the line has no position on the axis.
 std::vector<plots::Series> series_of(const Line& line, const SweepAxis& axis,
                                      std::span<std::uint64_t DesignRow::*const> counts) {
   const bool is_level = !axis.place(line.second.front()->point);
@@ -43,7 +43,7 @@ bool is_same(const std::vector<plots::Series>& one, const std::vector<plots::Ser
   });
 }
 
-/// Counts against what is varied. Lines that would cover each other are one.
+/// Chart of counts against the varied axis. Coinciding lines are drawn as one.
 plots::Chart varied_chart(std::span<const SweepRow> rows, std::string title, std::vector<plots::Axis> panels,
                           std::span<std::uint64_t DesignRow::*const> counts) {
   const SweepAxis axis(rows);
@@ -60,7 +60,7 @@ plots::Chart varied_chart(std::span<const SweepRow> rows, std::string title, std
   plots::Chart chart{std::move(title), axis.axis(), std::move(panels), {}, sweep_table};
   for (auto& [series, names] : drawn) {
     const std::string name = names.size() <= 2 ? names.front() + (names.size() == 2 ? "; " + names.back() : "")
-                                               : fmt::format("{} (+ {} alike)", names.front(), names.size() - 1);
+                                               : fmt::format("{} (+ {} equal)", names.front(), names.size() - 1);
     for (plots::Series& one : series) {
       one.name = name;
       chart.series.push_back(std::move(one));
@@ -69,7 +69,7 @@ plots::Chart varied_chart(std::span<const SweepRow> rows, std::string title, std
   return chart;
 }
 
-/// The stack bits of points that take the same, `m = 7..8`.
+/// Label of points with equal results, such as `m = 7..8`.
 std::string stack_bits_label(std::span<const SweepRow* const> rows) {
   const unsigned first = rows.front()->point.stack_bits;
   if (first == 0) return "";
@@ -77,13 +77,13 @@ std::string stack_bits_label(std::span<const SweepRow* const> rows) {
                           : fmt::format("m = {}..{}", first, rows.back()->point.stack_bits);
 }
 
-/// Labels of more lines with stack bits could not be told apart.
-constexpr std::ptrdiff_t most_labelled = 3;
+/// Maximum number of labelled lines with stack bits; more labels could not be assigned to their lines.
+constexpr std::ptrdiff_t max_labelled = 3;
 
-/// Strategies, each under the same conditions, as clocks against the bits that they use.
+/// Chart of clocks against used bits, with a line per strategy and conditions.
 plots::Chart bits_chart(std::span<const SweepRow> rows, const std::string& model) {
-  plots::Chart chart{model + ": what memory buys",
-                     {"bits of pixel memory that the classification uses", plots::Scale::linear, {}, false, true},
+  plots::Chart chart{model + ": clocks against memory",
+                     {"classification bits per pixel", plots::Scale::linear, {}, false, true},
                      {count_axis("clocks")},
                      {},
                      sweep_table};
@@ -103,7 +103,7 @@ plots::Chart bits_chart(std::span<const SweepRow> rows, const std::string& model
         ++end;
       series.points.push_back(
           {static_cast<double>(line[i]->classification_bits), static_cast<double>(line[i]->clocks),
-           lines_with_stack_bits <= most_labelled ? stack_bits_label(std::span(line).subspan(i, end - i)) : ""});
+           lines_with_stack_bits <= max_labelled ? stack_bits_label(std::span(line).subspan(i, end - i)) : ""});
       i = end;
     }
     if (line.size() == 1) series.trace = plots::Trace::marks;
@@ -116,33 +116,33 @@ plots::Chart bits_chart(std::span<const SweepRow> rows, const std::string& model
 std::string label_of(std::span<const SweepRow* const> alike, const PointNames& names) {
   constexpr std::size_t room = 36;
   std::string label = names.name(alike.front()->point);
-  std::size_t said = 1;
-  for (; said < alike.size(); ++said) {
-    const std::string name = names.name(alike[said]->point);
+  std::size_t named = 1;
+  for (; named < alike.size(); ++named) {
+    const std::string name = names.name(alike[named]->point);
     if (label.size() + name.size() >= room) break;
     label += "; " + name;
   }
-  return said == alike.size() ? label : fmt::format("{} (+ {} alike)", label, alike.size() - said);
+  return named == alike.size() ? label : fmt::format("{} (+ {} equal)", label, alike.size() - named);
 }
 
-std::vector<plots::Tick> bit_ticks(std::uint32_t most) {
-  constexpr std::uint32_t most_ticks = 16;
+std::vector<plots::Tick> bit_ticks(std::uint32_t max_bit) {
+  constexpr std::uint32_t max_ticks = 16;
   std::uint64_t step = 8;
-  while (most / step > most_ticks) step *= 2;
+  while (max_bit / step > max_ticks) step *= 2;
   std::vector<plots::Tick> ticks;
-  for (std::uint64_t bit = 0; bit <= most; bit += step)
+  for (std::uint64_t bit = 0; bit <= max_bit; bit += step)
     ticks.push_back({static_cast<double>(bit), std::to_string(bit)});
   return ticks;
 }
 
-/// The layout of pixel memory, a bar for each layout among the rows.
+/// The layout of pixel memory, with a bar for each layout among the rows.
 plots::Plot memory_plot(std::span<const SweepRow> rows, const std::string& model) {
-  plots::Bars plot{model + ": which bits hold what",
+  plots::Bars plot{model + ": layout of pixel memory",
                    {"bit of pixel memory"},
                    {},
                    {"Z2", "Z1", "colour", "colour1", "mask", "product", "label", "stack", "stored", "shown"},
                    "sweep.csv"};
-  std::uint32_t most = 0;
+  std::uint32_t max_bits = 0;
   const PointNames names(rows);
   const auto layout_of = [](const SweepRow& row) {
     return std::pair(row.memory_map, row.point.memory_bits.value_or(0));
@@ -152,9 +152,9 @@ plots::Plot memory_plot(std::span<const SweepRow> rows, const std::string& model
     plots::Bar& bar = plot.bars.emplace_back(plots::Bar{label_of(alike, names), static_cast<double>(bits), {}});
     for (const MemoryPart& part : map)
       bar.parts.push_back({part.name, static_cast<double>(part.base), static_cast<double>(part.base) + part.width});
-    most = std::max(most, bits);
+    max_bits = std::max(max_bits, bits);
   }
-  plot.x.ticks = bit_ticks(most);
+  plot.x.ticks = bit_ticks(max_bits);
   return {model + "_memory", std::move(plot)};
 }
 
@@ -168,7 +168,7 @@ std::vector<plots::Plot> plots_of_sweep(std::span<const SweepRow> rows, const st
   constexpr std::array clocks{&SweepRow::clocks};
   std::vector<plots::Plot> all{
       {model + "_scan_conversions",
-       varied_chart(compiled, model + ": scan-conversions of primitives",
+       varied_chart(compiled, model + ": scan conversions of primitives",
                     {count_axis("rendered into Z1"), count_axis("classified by trees")}, scans)},
       {model + "_clocks", varied_chart(compiled, model + ": clocks", {count_axis("clocks")}, clocks)},
       {model + "_bits", bits_chart(compiled, model)},

@@ -1,3 +1,5 @@
+// Names, checks, tables and plots of sweeps.
+// Used by csgsim sweep.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +13,8 @@
 
 namespace csgsim::studies {
 
-/// What a point is called within its model's report: those dimensions that vary there, as `list, z-bits 16`.
-/// The strategy is always said, with its stack bits as `bits 5`.
+/// Names of points in a model's report, such as `list, z-bits 16`: the strategy, with stack bits if any (`bits 5`), and
+/// the other options that vary.
 class PointNames {
  public:
   explicit PointNames(std::span<const SweepRow> rows);
@@ -26,44 +28,45 @@ class PointNames {
   std::vector<const Axis*> varied_;
 };
 
-/// What a sweep of one model varies, as the x axis of its plots: of memory bits, z bits, stack bits, prunings, machines
-/// and colourings that with the most values, of equals the first in this order; the strategy where only it varies.
+/// The x axis of a sweep's plots: among memory bits, z bits, stack bits, prunings, machines, colourings and ways to
+/// draw curves, the one with the most values (the first in this order among equals); the strategy if only it varies.
 class SweepAxis {
  public:
   explicit SweepAxis(std::span<const SweepRow> rows);
 
   [[nodiscard]] const plots::Axis& axis() const { return axis_; }
 
-  /// The abscissa of a point; none if it does not depend on the axis, as a strategy without stack bits.
+  /// X coordinate of a point; empty if the point does not depend on the axis, such as a strategy without stack bits.
   [[nodiscard]] std::optional<double> place(const DesignPoint& point) const;
 
-  /// What else varies, of a point: points of the same text are a line.
+  /// The point's values on the other varied axes; points with the same text form a line.
   [[nodiscard]] std::string others(const DesignPoint& point) const;
 
  private:
   const Axis* shown_ = nullptr;
   std::vector<std::string> values_;
-  std::vector<const Axis*> varied_;  ///< beside the one shown
+  std::vector<const Axis*> varied_;  ///< varied axes other than `shown_`
   plots::Axis axis_;
 };
 
-/// Rows that differ in strategy and stack bits only, in the order of the rows.
+/// Groups of rows that differ only in strategy and stack bits, in the order of the rows.
 std::vector<std::vector<SweepRow>> by_conditions(std::span<const SweepRow> rows);
 
-/// A point whose picture is not what it has to be.
+/// A point whose picture is wrong.
 struct WrongPicture {
   DesignPoint point;
-  std::optional<DesignPoint> reference;  ///< the point whose picture it should have; none where the Program overflows
+  std::optional<DesignPoint> reference;  ///< point with the expected picture; empty if the Program overflows
 };
 
-/// Points whose picture differs from the first of the same model, size, z bits and surfaces, and those that overflow.
+/// Points whose picture differs from the first with the same model, size, z bits and surfaces, and points that
+/// overflow.
 std::vector<WrongPicture> wrong_pictures(std::span<const SweepRow> rows);
 
-/// On standard output: every point, table 6.1 of the thesis, and what follows from them.
+/// Prints every point, table 6.1 of the thesis, and the conclusions.
 void print_sweep(std::span<const SweepRow> rows);
 
-/// Scan-conversions and clocks against what is varied (SweepAxis), clocks against the memory bits that the
-/// classification uses, and what each memory bit holds. None where no row has been compiled.
+/// Plots of scan conversions and clocks against the varied axis (SweepAxis), of clocks against the classification bits,
+/// and of the memory layout. Empty if no row was compiled.
 std::vector<plots::Plot> plots_of_sweep(std::span<const SweepRow> rows, const std::string& model);
 
 }  // namespace csgsim::studies

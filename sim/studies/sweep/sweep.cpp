@@ -23,7 +23,7 @@ namespace {
 
 using Rows = std::span<const SweepRow>;
 
-/// Whether every machine draws the same surfaces of a model: facets, or all that can be curved.
+/// Whether all machines draw the same surfaces of each model: all faceted, or all curved where possible.
 bool draws_alike(Rows rows) {
   std::map<std::string, std::uint64_t> halfspaces;
   return std::ranges::all_of(rows, [&](const SweepRow& row) {
@@ -39,8 +39,7 @@ bool draws_alike(Rows rows) {
                                            : "a linear expression does not fit its width";
     print_text(fmt::format("WRONG: {}, {}: {}\n", one.point.model, names.name(one.point), what));
   }
-  throw InputError(fmt::format("{} of {} pictures are not what they have to be; {}", wrong.size(), rows.size(),
-                               whose_fault(are_read)));
+  throw InputError(fmt::format("{} of {} pictures are wrong; {}", wrong.size(), rows.size(), fault_hint(are_read)));
 }
 
 class Sweep : public StudyOf<SweepRow> {
@@ -53,22 +52,22 @@ class Sweep : public StudyOf<SweepRow> {
     return {"strategy", "stack-bits", "z-bits", "colouring", "curves", "pruning", "machines", "memory-bits", "no-draw"};
   }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     JobMaker maker;
-    std::vector<Asked> asked;
+    std::vector<PointRequest> requested;
     for (const session::ModelRequest& design : options_.designs()) {
       jobs_.push_back(maker.job_of(design));
       DesignPoint& point = points_.emplace_back(point_of(design, jobs_.back().machine.picture));
       point.memory_bits = design.memory_bits;
-      asked.push_back({point_cells<SweepRow>(point), jobs_.back().inputs});
+      requested.push_back({point_cells<SweepRow>(point), jobs_.back().inputs});
     }
-    return asked;
+    return requested;
   }
 
-  /// A row of a point that was not drawn does not serve who wants it drawn.
+  /// A row without a picture is insufficient if pictures are requested.
   [[nodiscard]] bool serves(std::size_t /*point*/, const std::string& row) const override {
     if (options_.no_draw) return true;
-    return !row.ends_with(",,");  // which it does with neither a picture nor a reason
+    return !row.ends_with(",,");  // the last two columns, picture and reason, are empty
   }
 
   void print() const override {
@@ -85,7 +84,7 @@ class Sweep : public StudyOf<SweepRow> {
     return all;
   }
 
-  [[nodiscard]] std::string page_title() const override { return "What memory bits buy"; }
+  [[nodiscard]] std::string page_title() const override { return "Clocks against memory bits"; }
 
   [[nodiscard]] PageSubject page_subject() const override {
     return subject_of(options_.models, options_.view, options_.machines);
@@ -98,13 +97,13 @@ class Sweep : public StudyOf<SweepRow> {
     if (const std::vector<WrongPicture> wrong = wrong_pictures(all); !wrong.empty())
       refuse_pictures(all, wrong, are_read());
     if (!options_.no_draw && std::ranges::any_of(all, &SweepRow::compiled))
-      print_text(fmt::format("\nAll pictures of a model with the same {} are the same, byte for byte.\n",
+      print_text(fmt::format("\nAll pictures of a model with the same {} are identical.\n",
                              draws_alike(all) ? "size and z bits" : "size, z bits and surfaces, curved or faceted,"));
     refuse_models(all, "sweep.csv");
   }
 
  protected:
-  [[nodiscard]] SweepRow measured(std::size_t point) override {
+  [[nodiscard]] SweepRow measure_point(std::size_t point) override {
     return SweepRow(measure_picture(points_[point], jobs_[point], !options_.no_draw));
   }
 
@@ -118,16 +117,18 @@ class Sweep : public StudyOf<SweepRow> {
 
 extern const StudyRow sweep_row{
     .name = "sweep",
-    .does = "Show what memory bits buy: every strategy with every number of bits, in parallel",
+    .does = "Show the clocks saved by memory bits: every strategy with every number of bits, in parallel",
     .example =
         "  csgsim sweep carburettor.csg --camera 220,-255,135,2,0,5 -o carburettor-sweep\n"
         "  csgsim sweep *.csg --strategy bits --stack-bits 3..12 --no-draw -o table_6_1\n"
         "  csgsim sweep a.csg b.csg --strategy stack,list --z-bits 16,20 --colouring rebroadcast,field -o out\n"
         "  csgsim sweep a.csg --strategy list --pruning all,no-space,no-picture,no-separation,none -o out\n"
-        "Lists are with commas, ranges of numbers as 3..8; every combination is a point. What has been measured is in\n"
-        "sweep.csv at once; the same command goes on after an interruption, and with other ranges measures what is "
-        "new.",
-    .plots = "for each model plots (.png, .svg) of scan-conversions, clocks, bits and memory",
+        "Lists are separated by commas, ranges are written 3..8; every combination is a point. Each result is written "
+        "to\n"
+        "sweep.csv immediately; after an interruption, the same command resumes, and with other ranges it measures "
+        "only "
+        "the new points.",
+    .plots = "for each model plots (.png, .svg) of scan conversions, clocks, bits and memory",
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Sweep>()); }};
 
 }  // namespace csgsim::studies

@@ -19,7 +19,7 @@ namespace {
 
 using Group = std::vector<SweepRow>;
 
-/// Is the first the better one, for those who have no bit to spare?
+/// Orders rows by classification bits, then clocks.
 bool takes_fewer_bits(const SweepRow& a, const SweepRow& b) {
   return std::tie(a.classification_bits, a.clocks) < std::tie(b.classification_bits, b.clocks);
 }
@@ -38,7 +38,7 @@ void print_points(std::span<const SweepRow> rows) {
   std::size_t width = 12;
   for (const SweepRow& row : rows) width = std::max(width, names.name(row.point).size() + 2);
   fmt::print("\n{:<{}}{:>14}{:>10}{:>12}{:>13}{:>13}{:>13}{:>13}  {}\n", "", width, "clocks", "rendered", "classified",
-             "depth tests", "class. bits", "bits in all", "transistors", "picture");
+             "depth tests", "class. bits", "total bits", "transistors", "picture");
   for (const SweepRow& row : rows) {
     if (!row.compiled()) {
       fmt::print("{:<{}}  {}\n", names.name(row.point), width, row.reason);
@@ -50,7 +50,7 @@ void print_points(std::span<const SweepRow> rows) {
                row.picture.empty() ? "not drawn" : row.picture, used(row));
   }
   if (std::any_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.pixel_transistors.has_value(); }))
-    fmt::print("Transistors are a model (docs/area.md), of a pixel with the bits in all.\n");
+    fmt::print("Transistor counts are estimates (docs/area.md) of a pixel with the total bits.\n");
 }
 
 /// The rows of strategy bits in the form of the thesis's table; empty if there are none.
@@ -101,7 +101,7 @@ std::string classification(const SweepRow& row) {
   return session::counted(row.classification_bits, "bit") + " for the classification";
 }
 
-/// What one set of strategies comes to.
+/// Summary of one group of strategies.
 std::string conclusion(const Group& group) {
   Group by_bits;
   for (const SweepRow& row : group) {
@@ -115,7 +115,7 @@ std::string conclusion(const Group& group) {
   std::string text = fmt::format("  fewest clocks: {}, {}, with {}; most: {}, {} ({})\n", strategy_name(fastest.point),
                                  grouped(fastest.clocks), classification(fastest), strategy_name(slowest.point),
                                  grouped(slowest.clocks), share(slowest.clocks, fastest.clocks));
-  text += fmt::format("  fewest bits:   {}, {}, {} in all, at {} clocks ({})\n", strategy_name(smallest.point),
+  text += fmt::format("  fewest bits:   {}, {}, {} in total, {} clocks ({})\n", strategy_name(smallest.point),
                       classification(smallest), smallest.used_bits, grouped(smallest.clocks),
                       share(smallest.clocks, fastest.clocks));
   std::string steps;
@@ -127,12 +127,13 @@ std::string conclusion(const Group& group) {
         fmt::format("{}{} {} clocks ({})", steps.empty() ? "" : ", ", session::counted(row.classification_bits, "bit"),
                     grouped(row.clocks), strategy_name(row.point));
   }
-  return text + "  what bits buy: " + steps + "\n";
+  return text + "  clocks by bits: " + steps + "\n";
 }
 
 void print_failures(std::span<const SweepRow> rows) {
   const auto failed = std::count_if(rows.begin(), rows.end(), [](const SweepRow& row) { return !row.compiled(); });
-  if (failed > 0) fmt::print("  {} of {} points cannot be compiled; the table says why\n", failed, rows.size());
+  if (failed > 0)
+    fmt::print("  {} of {} points cannot be compiled; see the table for the reasons\n", failed, rows.size());
 }
 
 bool is_one_reason(std::span<const SweepRow> rows) {
@@ -157,7 +158,7 @@ std::vector<std::vector<SweepRow>> by_conditions(std::span<const SweepRow> rows)
 }
 
 std::vector<WrongPicture> wrong_pictures(std::span<const SweepRow> rows) {
-  // Machines differ in whether they draw curved surfaces without facets.
+  // Machines differ in which curved surfaces they draw without facets.
   const auto picture_of = [](const SweepRow& row) {
     return std::tuple(row.point.model, row.point.width, row.point.height, row.point.z_bits, row.halfspaces);
   };
@@ -176,10 +177,10 @@ std::vector<WrongPicture> wrong_pictures(std::span<const SweepRow> rows) {
 }
 
 void print_sweep(std::span<const SweepRow> rows) {
-  // A row without a Program knows nothing of its model.
+  // Rows without a Program have no data of the model.
   const auto compiled = std::find_if(rows.begin(), rows.end(), [](const SweepRow& row) { return row.compiled(); });
   if (compiled == rows.end() && is_one_reason(rows)) {
-    fmt::print("\n{}\n", told_of(rows.front().point.model, rows.front().reason));
+    fmt::print("\n{}\n", with_model_name(rows.front().point.model, rows.front().reason));
     return;
   }
   const SweepRow& facts = compiled == rows.end() ? rows.front() : *compiled;

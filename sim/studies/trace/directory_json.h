@@ -1,3 +1,5 @@
+// Export of facets and of a spatial directory.
+// Used by csgsim trace --json.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +12,9 @@
 
 namespace csgsim::studies {
 
-/// Writes the facets of a model, each with its primitive and its corners in model space, and the parts of space that a
-/// directory makes of their box: halved by `wall` across `axis` into `low` and `high`, numbers of parts, or a cell with
-/// `facets`, numbers of facets. A cell has the facets that are within `reach` of its box.
+/// Writes the facets of a model (primitive and corners in model space), and the parts into which a directory divides
+/// their bounding box. A part is either split at `wall` on `axis` into the parts `low` and `high`, or a cell with
+/// `facets`. Parts and facets are given by index. A cell holds the facets within `reach` of its box.
 void write_directory(const JsonExport& json, std::span<const std::filesystem::path> inputs, const TraceSubject& subject,
                      const std::string& directory, std::uint32_t bucket_size);
 

@@ -24,7 +24,7 @@ std::vector<software::TraceLight> lights_of(const software::TraceScene& scene, c
   return lights;
 }
 
-/// Of each primitive whether an odd number of operators takes it away.
+/// Whether each primitive is subtracted by an odd number of operators.
 std::vector<bool> taken_away(const software::Tree& tree) {
   std::vector<bool> nodes(tree.nodes.size());
   std::vector<bool> primitives(tree.leaf_of.size());
@@ -46,7 +46,7 @@ std::vector<std::uint8_t> mirrors_of(const model::Tree& model, const software::T
   std::vector<std::uint8_t> mirrors;
   for (const software::Facet& facet : scene.facets().facets) {
     const model::Primitive& primitive = model.primitives[facet.primitive];
-    const lighting::Finish finish = lighting::finish_of(look, primitive, is_cut[facet.primitive]);
+    const lighting::Finish finish = lighting::make_finish(look, primitive, is_cut[facet.primitive]);
     const glm::dvec3& normal = scene.geometry().planes.planes()[facet.halfspace.plane].normal;
     const bool mirrors_it = finish.material.mirror > 0 && finish.opacity >= 1 && emit::is_flat(primitive, normal);
     mirrors.push_back(mirrors_it ? 1 : 0);
@@ -55,7 +55,7 @@ std::vector<std::uint8_t> mirrors_of(const model::Tree& model, const software::T
   return mirrors;
 }
 
-void tell(const software::SpaceBuilt& built, TraceRow& row) {
+void copy_counts(const software::SpaceBuilt& built, TraceRow& row) {
   row.cells = built.cells;
   row.entries = built.entries;
   row.references = built.references;
@@ -68,7 +68,7 @@ void tell(const software::SpaceBuilt& built, TraceRow& row) {
   row.build_operations = {built.operations};
 }
 
-void tell(const software::TraceCounts& counts, TraceRow& row) {
+void copy_counts(const software::TraceCounts& counts, TraceRow& row) {
   row.words = counts.words;
   row.items = counts.items;
   row.rays = counts.primary.rays;
@@ -104,8 +104,8 @@ void draw(const TraceSubject& subject, TraceRow& row) {
       software::directory_of(row.point.directory).make(scene.shapes(), {row.point.bucket_size});
   row.wall_seconds_build = seconds_since(begin);
   const software::Traced traced = software::trace(scene, *directory, options, true);
-  tell(directory->built(), row);
-  tell(traced.counts, row);
+  copy_counts(directory->built(), row);
+  copy_counts(traced.counts, row);
   if (options.item_pass == software::ItemPass::list_priority) row.item_faults = subject.item_faults();
   row.wall_seconds_trace = software::traced_seconds(scene, *directory, options);
   row.surfaces = software::hash_of(software::picture_of(traced));
@@ -121,7 +121,7 @@ TraceSubject::TraceSubject(const model::Tree& model, facet::Geometry geometry, v
       tree_(software::make_tree(model, software::Shape::balanced)),
       scene_(model, geometry_, view_, tree_),
       mirror_depth_(mirror_depth),
-      lights_(lights_of(scene_, lighting::lighting_of(look, view_.camera))),
+      lights_(lights_of(scene_, lighting::make_lighting(look, view_.camera))),
       mirrors_(mirrors_of(model, tree_, scene_, look)) {}
 
 const TraceSubject::DrawnFirst& TraceSubject::drawn_first() const {

@@ -1,3 +1,5 @@
+// Points, rows and measurements of ray tracing.
+// Used by csgsim trace.
 #pragma once
 
 #include <cstddef>
@@ -21,12 +23,12 @@ namespace csgsim::studies {
 /// A way to trace a picture.
 struct TracePoint {
   std::string directory;
-  std::uint32_t bucket_size = 0;    ///< facets of a cell
-  std::string cast;                 ///< rays: primary; shadow, these too; mirror, all three
-  std::string facet_test{};         ///< of primary rays: space or projected
+  std::uint32_t bucket_size = 0;    ///< maximum facets per cell
+  std::string cast;                 ///< rays that are cast: primary; shadow: also shadow rays; mirror: all three
+  std::string facet_test{};         ///< for primary rays: space or projected
   std::string item_buffer{};        ///< without, list-priority or depth-lists
   std::string mailboxes;            ///< with or without
-  std::optional<double> tolerance;  ///< model units, that curved solids are faceted with; the options' if empty
+  std::optional<double> tolerance;  ///< faceting tolerance of curved solids, model units; empty: given by the options
 
   bool operator==(const TracePoint&) const = default;
 
@@ -41,7 +43,7 @@ struct TracePoint {
   }
 };
 
-/// What it takes. Operations are told by kind, so that they can be priced for any processor.
+/// Results of a point. Operations are counted by kind, so that they can be priced for any processor.
 struct TraceRow {
   static constexpr std::size_t point_columns = 7;
 
@@ -66,20 +68,20 @@ struct TraceRow {
   std::uint64_t shadow_rays = 0;
   std::uint64_t mirror_rays = 0;
   std::uint64_t cell_visits = 0;
-  std::string rays_by_cells;  ///< primary rays that looked into 0, 1, 2 ... cells
+  std::string rays_by_cells;  ///< number of primary rays that visited 0, 1, 2, ... cells
   std::uint64_t facet_tests = 0;
   std::uint64_t loose_tests = 0;
   std::uint64_t facets_met = 0;
   std::uint64_t repeats = 0;
-  std::uint64_t items = 0;        ///< surfaces that a projective pass drew at pixels
-  std::uint64_t item_faults = 0;  ///< pixels that list priority has otherwise
+  std::uint64_t items = 0;        ///< surfaces drawn at pixels by a projective pass
+  std::uint64_t item_faults = 0;  ///< pixels for which list priority gives another result
   std::uint64_t evaluations = 0;
   std::uint64_t list_elements = 0;
   OperationsCell build_operations;
   OperationsCell projection_operations;
   OperationsCell traversal_operations;
   OperationsCell intersection_operations;
-  OperationsCell operations;  ///< of classification
+  OperationsCell operations;  ///< to classify
   OperationsCell shade_operations;
   double wall_seconds_build = 0;
   double wall_seconds_trace = 0;
@@ -132,9 +134,9 @@ struct TraceRow {
   }
 };
 
-/// Seconds of a picture by what they are for; of this computer `all` alone.
+/// Seconds of a picture by purpose; on this computer only `all` is measured.
 struct TraceSeconds {
-  double projection = 0;  ///< of facets, and of an item buffer
+  double projection = 0;  ///< of facets and of an item buffer
   double traversal = 0;
   double intersection = 0;
   double classification = 0;
@@ -142,13 +144,13 @@ struct TraceSeconds {
   double all = 0;
 };
 TraceSeconds seconds_of(const TraceRow& row, const software::Priced& processor);
-/// Of making the directory.
+/// Seconds to build the directory.
 double build_seconds_of(const TraceRow& row, const software::Priced& processor);
 
-/// A model with facets of one tolerance, and what light and mirrors there are.
+/// A model with facets of one tolerance, its lights and mirrors.
 class TraceSubject {
  public:
-  /// Keeps a reference to the model. Mirrors are the flat faces of materials that mirror; all facets, if there are
+  /// Keeps a reference to the model. Mirrors are the flat faces with a mirroring material, or all facets if there are
   /// none.
   TraceSubject(const model::Tree& model, facet::Geometry geometry, view::View view, const scene::Scene& look,
                unsigned mirror_depth);
@@ -158,18 +160,18 @@ class TraceSubject {
 
   [[nodiscard]] const software::TraceScene& scene() const { return scene_; }
   [[nodiscard]] std::size_t primitives() const { return model_.primitives.size(); }
-  /// Throws InputError as list priority does, where that makes the item buffer.
+  /// Throws InputError as list priority does if it is to fill the item buffer.
   [[nodiscard]] software::TraceOptions options_of(const TracePoint& point) const;
-  /// Pixels that list priority does not have as machines do.
+  /// Number of pixels for which list priority differs from the machines.
   [[nodiscard]] std::uint64_t item_faults() const { return drawn_first().faults; }
 
  private:
-  /// What list priority takes of the picture, and its wrong pixels.
+  /// Cost of drawing the picture by list priority, and its wrong pixels.
   struct DrawnFirst {
     software::PriorityPass pass;
     std::uint64_t faults = 0;
   };
-  /// Drawn when it is asked for first.
+  /// Draws the picture on the first call.
   const DrawnFirst& drawn_first() const;
 
   const model::Tree& model_;
@@ -183,7 +185,7 @@ class TraceSubject {
   mutable std::optional<DrawnFirst> drawn_first_;
 };
 
-/// Builds the directory and traces the picture, once counting and then to take the time.
+/// Builds the directory and traces the picture once to count operations, then measures the time.
 TraceRow measure_trace(const TracePoint& point, const Inputs& inputs, const TraceSubject& subject);
 
 }  // namespace csgsim::studies

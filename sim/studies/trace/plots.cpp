@@ -24,7 +24,7 @@ void add(plots::Chart& chart, const std::string& name, std::size_t panel, const 
   series->points.push_back(point);
 }
 
-/// Rows without item buffer, the first kind of rays that was cast.
+/// Rows without item buffer, with the first row's kind of rays, mailboxes and facet test.
 std::vector<const TraceRow*> plain(Rows rows) {
   std::vector<const TraceRow*> found;
   for (const TraceRow& row : rows) {
@@ -42,15 +42,15 @@ bool has_several(const std::vector<const TraceRow*>& rows, const Value& value) {
   return values.size() > 1;
 }
 
-constexpr std::size_t most_cells = 20;
+constexpr std::size_t max_cells = 20;
 
-/// Shares of rays by cells, those of many cells together.
+/// Percentage of rays by number of visited cells; the last entry includes all higher numbers.
 std::vector<double> shares_of(const TraceRow& row) {
   std::vector<double> shares;
   std::istringstream counts(row.rays_by_cells);
   for (std::uint64_t count = 0; counts >> count;) {
     const double share = 100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::uint64_t>(1, row.rays));
-    if (shares.size() <= most_cells) {
+    if (shares.size() <= max_cells) {
       shares.push_back(share);
     } else {
       shares.back() += share;
@@ -59,14 +59,13 @@ std::vector<double> shares_of(const TraceRow& row) {
   return shares;
 }
 
-/// Of the first size of buckets and the first tolerance.
+/// Uses the first bucket size and the first tolerance.
 plots::Plot cells_plot(const std::vector<const TraceRow*>& rows, const std::string& model) {
-  plots::Chart chart{
-      model + ": cells that a ray looks into",
-      {fmt::format("cells; {0} stands for {0} and more", most_cells), plots::Scale::linear, {}, false, true},
-      {{"rays, %", plots::Scale::linear}},
-      {},
-      "trace.csv"};
+  plots::Chart chart{model + ": cells visited per ray",
+                     {fmt::format("cells ({0}: {0} or more)", max_cells), plots::Scale::linear, {}, false, true},
+                     {{"rays, %", plots::Scale::linear}},
+                     {},
+                     "trace.csv"};
   for (const TraceRow* row : rows) {
     if (row->point.bucket_size != rows.front()->point.bucket_size ||
         row->point.tolerance != rows.front()->point.tolerance || row->point.directory == "none")
@@ -93,8 +92,8 @@ void add_parts(plots::Chart& chart, const TraceRow& row, std::size_t panel, doub
 
 plots::Plot buckets_plot(const std::vector<const TraceRow*>& rows, std::span<const software::Priced> processors,
                          const std::string& model) {
-  plots::Chart chart{model + ": seconds by size of buckets",
-                     {"facets in a bucket", plots::Scale::linear, {}, false, true},
+  plots::Chart chart{model + ": time against bucket size",
+                     {"facets per bucket", plots::Scale::linear, {}, false, true},
                      {},
                      {},
                      "trace.csv"};
@@ -111,7 +110,7 @@ plots::Plot buckets_plot(const std::vector<const TraceRow*>& rows, std::span<con
 plots::Plot polygons_plot(const std::vector<const TraceRow*>& rows, std::span<const software::Priced> processors,
                           const std::string& model) {
   plots::Chart chart{
-      model + ": seconds by polygons", {"polygons", plots::Scale::by_range, {}, false, true}, {}, {}, "trace.csv"};
+      model + ": time against polygons", {"polygons", plots::Scale::by_range, {}, false, true}, {}, {}, "trace.csv"};
   for (const software::Priced& processor : processors) {
     chart.panels.push_back({processor.name + ", s"});
     for (const TraceRow* row : rows) {

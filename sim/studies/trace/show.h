@@ -1,3 +1,5 @@
+// Tables and plots of ray tracing.
+// Used by csgsim trace.
 #pragma once
 
 #include <span>
@@ -9,11 +11,12 @@
 
 namespace csgsim::studies {
 
-/// The directories, what a ray meets in the form of the thesis's table 5.2, and seconds on each processor by part.
+/// Prints the directories, what rays visit in the form of the thesis's table 5.2, and seconds by part on each
+/// processor.
 void print_tracing(std::span<const TraceRow> rows, std::span<const software::Priced> processors);
 
-/// As the thesis's figures: rays by the cells that they look into (5.7); seconds by size of buckets (5.8) and by number
-/// of polygons (5.9), where there are several.
+/// Plots as in the thesis: rays by number of visited cells (figure 5.7), and seconds by bucket size (5.8) and by number
+/// of polygons (5.9) if there are several.
 std::vector<plots::Plot> plots_of_tracing(std::span<const TraceRow> rows, std::span<const software::Priced> processors,
                                           const std::string& model);
 

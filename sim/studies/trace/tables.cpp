@@ -19,7 +19,7 @@ namespace {
 using Lines = std::vector<std::vector<std::string>>;
 using Rows = std::span<const TraceRow>;
 
-/// Names on the left, numbers on the right.
+/// Prints lines; the first `names` columns are left-aligned, the others right-aligned.
 void print_lines(const Lines& lines, std::size_t names) {
   std::string sides(names, '<');
   sides.append(lines.front().size() - names, '>');
@@ -39,16 +39,16 @@ bool is_same_directory(const TraceRow& a, const TraceRow& b) {
          a.point.tolerance == b.point.tolerance;
 }
 
-/// Each directory once.
+/// Prints each directory once.
 void print_directories(Rows rows, std::span<const software::Priced> processors) {
   Lines lines{{"directory", "bucket", "tolerance", "polygons", "loose", "cells", "entries", "facets in cells", "most",
                "overlap tests", "words"}};
   for (const software::Priced& processor : processors) lines.front().push_back("build, " + processor.name + ", s");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const TraceRow& row = rows[i];
-    const bool is_told = std::any_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(i),
-                                     [&](const TraceRow& one) { return is_same_directory(one, row); });
-    if (is_told || !row.drawn()) continue;
+    const bool is_printed = std::any_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(i),
+                                        [&](const TraceRow& one) { return is_same_directory(one, row); });
+    if (is_printed || !row.drawn()) continue;
     lines.push_back({row.point.directory, std::to_string(row.point.bucket_size), tolerance_text(row),
                      grouped(row.polygons), grouped(row.loose_facets), grouped(row.cells), grouped(row.entries),
                      grouped(row.references), grouped(row.most_facets), grouped(row.overlap_tests),
@@ -67,10 +67,10 @@ std::vector<std::string> names_of(const TraceRow& row) {
 
 const std::vector<std::string> name_titles{"directory", "bucket", "tolerance", "rays", "test", "item buffer"};
 
-/// What rays meet, by ray of a pixel.
+/// Prints what rays visit and hit, per primary ray.
 void print_rays(Rows rows) {
   Lines lines{name_titles};
-  for (const char* const title : {"cells a ray", "facets tested", "facets met", "shadow rays", "mirror rays"})
+  for (const char* const title : {"cells per ray", "facets tested", "facets hit", "shadow rays", "mirror rays"})
     lines.front().emplace_back(title);
   for (const TraceRow& row : rows) {
     lines.push_back(names_of(row));

@@ -31,39 +31,41 @@ namespace csgsim::studies {
 
 namespace {
 
-constexpr unsigned most_mirror_depth = 4;
+constexpr unsigned max_mirror_depth = 4;
 
 const std::vector<std::string> cast_names{"primary", "shadow", "mirror"};
 const std::vector<std::string> switch_names{"without", "with"};
 const std::vector<std::string> facet_test_names{"space", "projected"};
 const std::vector<std::string> item_names{"without", "list-priority", "depth-lists"};
 
-std::vector<std::string> directories_in(const std::string& text) {
-  return session::parse_names(text, "directory", software::names_in(software::directories()));
+std::vector<std::string> parse_directories(const std::string& text) {
+  return session::parse_names(text, "directory", software::row_names(software::directories()));
 }
 std::vector<unsigned> bucket_sizes_in(const std::string& text) {
-  constexpr unsigned most = 1000;
-  return session::parse_numbers(text, 1, most);
+  constexpr unsigned max_size = 1000;
+  return session::parse_numbers(text, 1, max_size);
 }
-std::vector<std::string> cast_in(const std::string& text) { return session::parse_names(text, "ray", cast_names); }
+std::vector<std::string> parse_cast(const std::string& text) { return session::parse_names(text, "ray", cast_names); }
 std::vector<std::string> facet_tests_in(const std::string& text) {
   return session::parse_names(text, "test", facet_test_names);
 }
 std::vector<std::string> items_in(const std::string& text) {
   return session::parse_names(text, "item buffer", item_names);
 }
-std::vector<std::string> switches_in(const std::string& text) {
+std::vector<std::string> parse_switches(const std::string& text) {
   return session::parse_names(text, "choice", switch_names);
 }
 
-/// Pictures do not depend on how rays find what they meet, so all of one tolerance have to be the same.
+/// Pictures do not depend on how rays find facets, so all pictures with the same tolerance must be equal. Describes the
+/// first difference; empty if there is none.
 std::string difference_of(std::span<const TraceRow> rows) {
   for (const TraceRow& row : rows) {
     if (!row.drawn()) continue;
     const auto first = std::ranges::find_if(
         rows, [&](const TraceRow& one) { return one.drawn() && one.point.tolerance == row.point.tolerance; });
     if (row.surfaces != first->surfaces)
-      return fmt::format("{} sees other surfaces than {}", row.point.directory, first->point.directory);
+      return fmt::format("the surfaces seen by {} differ from those seen by {}", row.point.directory,
+                         first->point.directory);
   }
   return "";
 }
@@ -74,31 +76,33 @@ class Trace : public StudyOf<TraceRow> {
     add_model_without_machine(options_, command);
     command
         .option("--directories", directories_,
-                "List of what rays find facets by, as csgsim manual methods tells of them")
-        .words(software::names_in(software::directories()), session::is_read_by(directories_in));
-    command.option("--bucket-sizes", bucket_sizes_, "Numbers: facets of a cell, above which it is divided, 1 to 1000")
+                "Directories by which rays find facets, separated by commas; see csgsim manual methods")
+        .words(software::row_names(software::directories()), session::is_read_by(parse_directories));
+    command.option("--bucket-sizes", bucket_sizes_, "Numbers: maximum facets per cell before it is divided, 1 to 1000")
         .check(session::is_read_by(bucket_sizes_in));
-    command.option("--cast", cast_, "List of the rays that are cast, each with those before it")
-        .words(cast_names, session::is_read_by(cast_in));
+    command.option("--cast", cast_, "Rays to cast, separated by commas; each kind includes the preceding ones")
+        .words(cast_names, session::is_read_by(parse_cast));
     command
-        .option(
-            "--facet-test", facet_test_,
-            "List: primary rays are held against facets in space, or in the picture, into which these are projected")
+        .option("--facet-test", facet_test_,
+                "List: test primary rays against facets in space, or against projected facets in the picture")
         .words(facet_test_names, session::is_read_by(facet_tests_in));
     command
         .option("--item-buffer", item_buffer_,
-                "List: primary rays, or in their place a projective pass: list priority with a depth buffer, or lists "
-                "of all depths")
+                "List: cast primary rays, or replace them by a projective pass: list priority with a depth buffer, or "
+                "lists of all depths")
         .words(item_names, session::is_read_by(items_in));
-    command.option("--mailboxes", mailboxes_, "List: a facet of several cells is held against a ray again, or once")
-        .words(switch_names, session::is_read_by(switches_in));
-    command.option("--reflections", reflections_, "Number: mirrors that are seen in one another, 1 to 4")
-        .between(1U, most_mirror_depth);
-    command.option("--tolerances", tolerances_, "List of tolerances, model units, that curved solids are faceted with")
-        .check(session::is_read_by(tolerances_in))
+    command
+        .option("--mailboxes", mailboxes_, "List: test a ray against a facet in several cells repeatedly, or only once")
+        .words(switch_names, session::is_read_by(parse_switches));
+    command.option("--reflections", reflections_, "Maximum number of successive reflections, 1 to 4")
+        .between(1U, max_mirror_depth);
+    command
+        .option("--tolerances", tolerances_,
+                "Tolerances in model units for faceting curved solids, separated by commas")
+        .check(session::is_read_by(parse_tolerances))
         .excludes("--tolerance");
     add_processors(command, processors_);
-    json_.add_to(command, "The facets, and the cells of the first of the directories that halves space");
+    json_.add_to(command, "Write the facets, and the cells of the first directory that halves space");
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
@@ -111,7 +115,7 @@ class Trace : public StudyOf<TraceRow> {
   [[nodiscard]] std::string table_model() const override { return options_.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
-  std::vector<Asked> ask() override {
+  std::vector<PointRequest> request_points() override {
     machine_ = session::machine_of(options_);
     session::ModelFile file = session::read_model_file(options_);
     tree_ = std::move(file.tree);
@@ -119,25 +123,25 @@ class Trace : public StudyOf<TraceRow> {
     inputs_ = {file.hash, machines::hash_of(machine_), session::version_and_build()};
     std::vector<std::optional<double>> tolerances{std::nullopt};
     if (!tolerances_.empty()) {
-      const std::vector<double> asked = tolerances_in(tolerances_);
-      tolerances.assign(asked.begin(), asked.end());
+      const std::vector<double> requested = parse_tolerances(tolerances_);
+      tolerances.assign(requested.begin(), requested.end());
     }
     for (const std::optional<double>& tolerance : tolerances) add_points(tolerance);
-    std::vector<Asked> asked;
-    for (const TracePoint& point : points_) asked.push_back({to_line(point), inputs_});
+    std::vector<PointRequest> requested;
+    for (const TracePoint& point : points_) requested.push_back({to_line(point), inputs_});
     write_cells();
-    return asked;
+    return requested;
   }
 
   void print() const override {
-    fmt::print("{}: what tracing its rays takes, as in section 5.3 of the thesis\n",
+    fmt::print("{}: cost of tracing its rays, as in section 5.3 of the thesis\n",
                printable(session::shown_name(options_.model)));
-    print_tracing(rows(), processors_in(processors_));
-    if (difference_of(rows()).empty()) fmt::print("\nAll ways see the same surfaces, at every pixel.\n");
+    print_tracing(rows(), parse_processors(processors_));
+    if (difference_of(rows()).empty()) fmt::print("\nAll directories see the same surfaces at every pixel.\n");
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    const std::vector<software::Priced> processors = processors_in(processors_);
+    const std::vector<software::Priced> processors = parse_processors(processors_);
     const SetPoint columns = setter_of(std::span<const TraceRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
@@ -158,20 +162,20 @@ class Trace : public StudyOf<TraceRow> {
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
-    return plots_of_tracing(rows(), processors_in(processors_), plot_stem(options_.model));
+    return plots_of_tracing(rows(), parse_processors(processors_), plot_stem(options_.model));
   }
 
-  [[nodiscard]] std::string page_title() const override { return "What tracing rays takes"; }
+  [[nodiscard]] std::string page_title() const override { return "Cost of tracing rays"; }
   [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   void refuse() const override {
     if (std::ranges::none_of(rows(), &TraceRow::drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
-      throw InputError(difference + "; " + whose_fault(are_read()));
+      throw InputError(difference + "; " + fault_hint(are_read()));
   }
 
  protected:
-  [[nodiscard]] TraceRow measured(std::size_t number) override {
+  [[nodiscard]] TraceRow measure_point(std::size_t number) override {
     const TracePoint& point = points_[number];
     if (!subject_ || subject_tolerance_ != point.tolerance) make_subject(point.tolerance);
     return measure_trace(point, inputs_, *subject_);
@@ -179,10 +183,10 @@ class Trace : public StudyOf<TraceRow> {
 
  private:
   void add_points(const std::optional<double>& tolerance) {
-    for (const std::string& directory : directories_in(directories_)) {
+    for (const std::string& directory : parse_directories(directories_)) {
       for (const unsigned bucket_size : bucket_sizes_in(bucket_sizes_)) {
-        for (const std::string& cast : cast_in(cast_)) {
-          for (const std::string& mailboxes : switches_in(mailboxes_)) {
+        for (const std::string& cast : parse_cast(cast_)) {
+          for (const std::string& mailboxes : parse_switches(mailboxes_)) {
             add_points({.directory = directory,
                         .bucket_size = bucket_size,
                         .cast = cast,
@@ -194,7 +198,7 @@ class Trace : public StudyOf<TraceRow> {
     }
   }
 
-  /// By each test and each item buffer.
+  /// Adds the point with every facet test and every item buffer.
   void add_points(TracePoint point) {
     for (const std::string& facet_test : facet_tests_in(facet_test_)) {
       for (const std::string& item_buffer : items_in(item_buffer_)) {
@@ -205,14 +209,14 @@ class Trace : public StudyOf<TraceRow> {
     }
   }
 
-  /// Of the first tolerance and bucket size.
+  /// Exports the first directory that halves space, for the first tolerance and bucket size.
   void write_cells() {
-    if (!json_.is_asked()) return;
+    if (!json_.is_requested()) return;
     const std::vector<std::string> halving = software::halving_directories();
     const auto found = std::ranges::find_if(
         points_, [&](const TracePoint& point) { return std::ranges::find(halving, point.directory) != halving.end(); });
     if (found == points_.end())
-      throw InputError("--json: take one of --directories " + fmt::format("{}", fmt::join(halving, ", ")));
+      throw InputError("--json: needs one of --directories " + fmt::format("{}", fmt::join(halving, ", ")));
     make_subject(found->tolerance);
     write_directory(json_, inputs(), *subject_, found->directory, found->bucket_size);
   }
@@ -240,10 +244,10 @@ class Trace : public StudyOf<TraceRow> {
   JsonExport json_;
   machines::Machine machine_;
   model::Tree tree_;
-  facet::Faceting faceting_;  ///< of points without a tolerance of their own
+  facet::Faceting faceting_;  ///< for points without a tolerance
   Inputs inputs_;
   std::vector<TracePoint> points_;
-  std::unique_ptr<TraceSubject> subject_;  ///< of the last point that was measured
+  std::unique_ptr<TraceSubject> subject_;  ///< subject of the last measured point
   std::optional<double> subject_tolerance_;
 };
 
@@ -251,15 +255,15 @@ class Trace : public StudyOf<TraceRow> {
 
 extern const StudyRow trace_row{
     .name = "trace",
-    .does = "Count and price what ray tracing a model takes, by every directory of its facets",
+    .does = "Count and price the operations of ray tracing a model, for every directory of its facets",
     .example =
         "  csgsim trace carburettor.csg --camera 220,-255,135,2,0,5 --size 256x256\n"
         "  csgsim trace carburettor.csg --directories excell --bucket-sizes 1..24 --cast primary --item-buffer without "
         "-o out\n"
-        "Rays find the facets near them by EXCELL, the spatial directory of the thesis, or by a rival. Pictures are "
-        "the\nmachines'; rays to lights and in mirrors are cast in real arithmetic, with the scene's lights and "
-        "mirrors, or\nwith all facets as mirrors where it has none.",
-    .plots = "plots (.png, .svg) of cells a ray, and of seconds by size of buckets and by polygons",
+        "Rays find nearby facets by EXCELL, the spatial directory of the thesis, or by an alternative. Pictures are "
+        "those\nof the machines; shadow and mirror rays use floating-point arithmetic, with the scene's lights and "
+        "mirrors, or\nwith all facets as mirrors if it has none.",
+    .plots = "plots (.png, .svg) of cells per ray, and of seconds against bucket size and polygons",
     .folder = Folder::optional,
     .is_parallel = false,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Trace>()); }};

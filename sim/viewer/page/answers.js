@@ -1,22 +1,23 @@
-// What answers the page: csgsim view, which serves it. A page without it has another file of this name (sim/web/page).
+// Requests to csgsim view, which serves the page. The page without a server has its own file of this name
+// (sim/web/page).
 
-// {isGood, answer} to a question (sim/viewer/session.h) with its wish.
+// Answers a question (sim/viewer/session.h) with its wish, as {isGood, answer}.
 export const answerTo = async (question, wish) => {
   const reply = await fetch(question, {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(wish)});
   return {isGood: reply.ok, answer: await reply.json()};
 };
 
-// The progress of the question with this evaluation, or an object without members.
+// Progress of the question with this evaluation name; an empty object if there is none.
 export const progressOf = async evaluation => (await answerTo('progress', {evaluation})).answer;
 
-// Ends that question. Its answer says that it was cancelled.
+// Cancels the question with this evaluation name; its answer then has `cancelled`.
 export const cancel = evaluation => answerTo('cancel', {evaluation});
 
-// What the page has to know first.
+// Returns the data that the page needs at its start.
 export const askAbout = async () => (await fetch('about')).json();
 
-// The page is set up.
+// Called when the page is set up.
 export const pageIsThere = () => {
-  // Open as long as the page is: csgsim view ends with its last page.
+  // This stream stays open as long as the page: csgsim view stops after its last page.
   new EventSource('alive');
 };

@@ -1,8 +1,8 @@
-// What the page wishes, and how it asks csgsim for it.
+// The page's current wish, and how requests for it are sent to csgsim.
 import {byId} from './dom.js';
 import {forgetFault, markFault} from './source.js';
 
-// What the page shows. The camera is none until the first picture says where it is.
+// State of the page. The camera is null until the first picture returns it.
 export const now = {about: null, camera: null, first: null, drawn: null, edited: false};
 
 export const named = ['machine', 'strategy', 'memory-bits', 'z-bits', 'projection', 'size'];
@@ -25,12 +25,12 @@ export const wish = () => {
   return now.edited ? {knobs, source: byId('source').value} : {knobs};
 };
 
-// The wish of the picture that is shown. It may be an earlier one, while the next is evaluated or cannot be drawn.
+// The wish of the visible picture. It may be older than wish() while the next picture is evaluated or cannot be drawn.
 export const shownWish = () => now.drawn ? now.drawn.wish : wish();
 
 export {answerTo as ask} from './answers.js';
 
-// The line of the source that an error names is marked.
+// Shows an error and marks the line of the source that it names.
 export const showError = answer => {
   byId('error').textContent = answer.error;
   byId('error').hidden = false;
@@ -41,7 +41,7 @@ export const showError = answer => {
 
 const works = [];
 
-// Asks one thing at a time, and of what is wished meanwhile the last.
+// Runs the work one request at a time; of several requests made meanwhile, only the last is run.
 export const lastOf = work => {
   let isBusy = false;
   let isWished = false;
@@ -54,7 +54,7 @@ export const lastOf = work => {
       try {
         await work();
       } catch (error) {
-        showError({error: 'csgsim does not answer: ' + error.message});
+        showError({error: 'no answer from csgsim: ' + error.message});
       }
     }
     isBusy = false;
@@ -63,5 +63,5 @@ export const lastOf = work => {
   return run;
 };
 
-// Whether all that was wished has been shown.
+// Whether all requests have been answered and shown.
 window.isAtRest = () => now.drawn !== null && !now.changed && !now.later && !works.some(isBusy => isBusy());

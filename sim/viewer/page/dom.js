@@ -1,4 +1,4 @@
-// What is on the page, by its ids.
+// Access to elements of the page, by id.
 export const byId = id => document.getElementById(id);
 
 export const grouped = number => String(number).replace(/\B(?=(\d{3})+$)/g, ',');
@@ -16,5 +16,5 @@ export const button = (text, act, attributes = {}) => {
   return made;
 };
 
-// Read aloud.
+// Announces a text to screen readers.
 export const tell = text => { byId('told').textContent = text; };

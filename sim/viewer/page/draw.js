@@ -1,4 +1,4 @@
-// Draws, and shows what the picture took.
+// Draws the picture and shows its counts.
 import {byId, grouped, make} from './dom.js';
 import {ask, lastOf, now, showError, wish} from './asking.js';
 import {cameraOf} from './camera.js';
@@ -15,13 +15,13 @@ const row = (name, ...values) => make('tr', {}, make('th', {scope: 'row'}, name)
 const countsOf = stats => {
   const rate = stats.frames_per_second;
   return [
-    ['clocks until it is drawn', grouped(stats.clocks)],
-    ['clocks until it is shown', grouped(stats.shown_clocks)],
+    ['clocks until drawn', grouped(stats.clocks)],
+    ['clocks until shown', grouped(stats.shown_clocks)],
     ['clocks from one frame to the next', grouped(stats.interval_clocks)],
     ['frames a second', rate === undefined || rate === null ? '' : Number(rate).toPrecision(4)],
     ['instructions', grouped(stats.instructions.total)],
     ['pixel operations', grouped(stats.pixel_operations.total)],
-    ['memory bits a pixel', stats.memory.used_bits + ' of ' + stats.memory.memory_bits],
+    ['memory bits per pixel', stats.memory.used_bits + ' of ' + stats.memory.memory_bits],
     ['primitives, half-spaces', grouped(stats.model.primitives) + ', ' + grouped(stats.model.halfspaces)],
   ];
 };
@@ -38,13 +38,13 @@ export const showCounts = stats => {
     make('td', {class: 'n'}, grouped(cost.instructions)))));
 };
 
-const show = (answer, asked) => {
-  const as = answer.command + (asked.source ?? '');
+const show = (answer, request) => {
+  const as = answer.command + (request.source ?? '');
   if (!now.drawn || now.drawn.as !== as) {
     forgetAnswers();
     forgetLanes();
   }
-  now.drawn = {...answer, as, wish: asked};
+  now.drawn = {...answer, as, wish: request};
   byId('picture').src = answer.picture;
   byId('error').hidden = true;
   forgetFault();
@@ -60,14 +60,14 @@ const show = (answer, asked) => {
 };
 
 export const draw = lastOf(async () => {
-  const asked = wish();
-  const {isGood, answer} = await watched(asked.source, evaluation => ask('draw', {...asked, evaluation}));
-  // Cancelled since the text has been changed: that is drawn next.
-  const isOld = answer.cancelled && asked.source !== wish().source;
-  if (isGood) show(answer, asked);
+  const request = wish();
+  const {isGood, answer} = await watched(request.source, evaluation => ask('draw', {...request, evaluation}));
+  // Cancelled because the text has changed: the new text is drawn next.
+  const isOld = answer.cancelled && request.source !== wish().source;
+  if (isGood) show(answer, request);
   else if (!isOld) showError(answer);
   window.drawnPictures = (window.drawnPictures || 0) + 1;
-  // Not while the model is turned.
+  // Wait until the model is no longer being turned.
   clearTimeout(now.later);
   now.later = setTimeout(() => {
     now.later = 0;

@@ -1,4 +1,4 @@
-// A form of the effects. What it changes are lines of the field of KEY=VALUE, which is what csgsim gets.
+// Form of the effects. It edits lines of the KEY=VALUE field, which is what csgsim receives.
 import {byId, make} from './dom.js';
 
 const lines = () => byId('set').value.split('\n').map(line => line.trim()).filter(line => line);
@@ -8,7 +8,7 @@ const valueOf = key => {
   return line ? line.slice(key.length + 1) : '';
 };
 
-// Without it, if the value is empty.
+// Removes the key if the value is empty.
 const put = (key, value) => {
   const others = lines().filter(line => !line.startsWith(key + '='));
   byId('set').value = [...others, ...(value ? [key + '=' + value] : [])].join('\n');
@@ -19,7 +19,7 @@ const inputOf = (effect, key) => {
   const name = effect.key + '.' + key.name;
   const attributes = {'data-key': name, title: key.meaning, spellcheck: 'false'};
   const input = key.choices
-    ? make('select', attributes, ...['', ...key.choices].map(choice => make('option', {value: choice}, choice || (key.usual ? key.usual + ', as usual' : 'not said'))))
+    ? make('select', attributes, ...['', ...key.choices].map(choice => make('option', {value: choice}, choice || (key.usual ? key.usual + ' (default)' : 'not set'))))
     : make('input', {...attributes, placeholder: (key.usual || key.allowed).replace(/[`[\]]/g, '')});
   input.addEventListener('change', () => put(name, input.value.trim()));
   return make('label', {}, key.name.replace(/_/g, ' ') + (key.unit ? ', ' + key.unit : ''), input);
@@ -28,7 +28,7 @@ const inputOf = (effect, key) => {
 const fieldsOf = effect => {
   const fields = make('fieldset', {}, make('legend', {}, effect.name.replace(/_/g, ' ')), make('p', {class: 'note'}, effect.meaning));
   if (!effect.is_list) {
-    const isOn = make('select', {'data-key': effect.key + '.on'}, ...[['', 'where the model calls for it'], ['true', 'on'], ['false', 'off']].map(([value, text]) => make('option', {value}, text)));
+    const isOn = make('select', {'data-key': effect.key + '.on'}, ...[['', 'if the model requests it'], ['true', 'on'], ['false', 'off']].map(([value, text]) => make('option', {value}, text)));
     isOn.addEventListener('change', () => put(effect.key + '.on', isOn.value));
     fields.append(make('label', {}, 'drawn', isOn));
   }
@@ -36,7 +36,7 @@ const fieldsOf = effect => {
   return fields;
 };
 
-// As the lines say it.
+// Updates the form from the lines.
 const read = () => {
   for (const input of byId('effects').querySelectorAll('[data-key]')) {
     if (document.activeElement !== input) input.value = valueOf(input.dataset.key);

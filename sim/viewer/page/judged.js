@@ -1,4 +1,4 @@
-// What takes longer than a picture, and is worked out where somebody asks for it.
+// Results that take longer than a picture, computed on request.
 import {byId, grouped, make} from './dom.js';
 import {ask, lastOf, now, shownWish} from './asking.js';
 
@@ -8,16 +8,16 @@ const knobText = knob => {
 };
 
 const advise = lastOf(async () => {
-  byId('advice').replaceChildren(make('li', {}, 'trying what could be turned …'));
+  byId('advice').replaceChildren(make('li', {}, 'trying changes …'));
   const {as} = now.drawn;
   const {isGood, answer} = await ask('advice', shownWish());
   if (as !== now.drawn.as) return;
   const rows = isGood ? answer.knobs.map(knob => make('li', {}, make('strong', {}, knob.option), ': ' + knobText(knob))) : [make('li', {}, answer.error)];
-  byId('advice').replaceChildren(...(rows.length ? rows : [make('li', {}, 'nothing that can be turned helps')]));
+  byId('advice').replaceChildren(...(rows.length ? rows : [make('li', {}, 'no tried change helps')]));
 });
 
 const judge = lastOf(async () => {
-  byId('verdict').textContent = 'working the picture out exactly …';
+  byId('verdict').textContent = 'computing the exact picture …';
   const {as} = now.drawn;
   const {isGood, answer} = await ask('verdict', shownWish());
   if (as !== now.drawn.as) return;
@@ -25,7 +25,7 @@ const judge = lastOf(async () => {
   byId('verdict').dataset.wrong = isGood ? answer.accuracy.wrong : '';
 });
 
-// They were of another picture.
+// Clears the answers about an earlier picture.
 export const forgetAnswers = () => {
   byId('advice').replaceChildren();
   byId('verdict').textContent = '';

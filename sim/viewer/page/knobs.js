@@ -1,4 +1,4 @@
-// What can be turned.
+// Settings of the page.
 import {byId, make} from './dom.js';
 import {flags, named, now} from './asking.js';
 import {cameraOf} from './camera.js';

@@ -11,7 +11,8 @@ const colourOf = (text, isDark) => {
   return 'hsl(' + hash / 10 + ' 55% ' + (isDark ? '38%' : '76%') + ')';
 };
 
-// Of an answer of csgsim: {begin, end, lanes}. `changed` is called with clocks that are wanted, `chosen` with a clock.
+// Shows an answer of csgsim: {begin, end, lanes}. Calls `changed` with a range of clocks to load and `chosen` with a
+// clock.
 export class Lanes {
   constructor(changed, chosen) {
     Object.assign(this, {changed, chosen, canvas: byId('lanes'), view: null, data: null, limits: [0, 1], cursor: 0, held: null});
@@ -49,7 +50,7 @@ export class Lanes {
     return Math.max(begin, Math.min(end - 1, Math.floor(begin + (event.clientX - box.left) / box.width * (end - begin))));
   }
 
-  // To other clocks, within what there is.
+  // Shows other clocks, within the limits of the recording.
   go(begin, end) {
     if (!this.view) return;
     const [first, last] = this.limits;
@@ -144,8 +145,8 @@ export class Lanes {
       if (right - left < 14) continue;
       pen.fillStyle = isDark ? '#eee' : '#111';
       const letters = Math.floor((right - left - 4) / 7.3);
-      const told = count ? text + ' …×' + count : text;
-      pen.fillText(told.length > letters ? told.slice(0, Math.max(0, letters - 1)) + '…' : told, left + 3, top + height / 2);
+      const label = count ? text + ' …×' + count : text;
+      pen.fillText(label.length > letters ? label.slice(0, Math.max(0, letters - 1)) + '…' : label, left + 3, top + height / 2);
     }
   }
 
@@ -155,11 +156,11 @@ export class Lanes {
     pen.fillRect((this.cursor - begin + 0.5) / (end - begin) * width - 0.5, 0, 1.5, bottom);
   }
 
-  // For those who do not see it, and to read what is too narrow.
+  // Describes the cursor position for screen readers, and texts too narrow to read.
   tellCursor(lanes) {
     const at = lane => lane.stretches.find(([first, clocks]) => first <= this.cursor && this.cursor < first + clocks);
-    const told = lanes.map(lane => [lane, at(lane)]).filter(([, stretch]) => stretch);
+    const active = lanes.map(lane => [lane, at(lane)]).filter(([, stretch]) => stretch);
     byId('lanes-told').textContent = this.view ? 'Clock ' + grouped(this.cursor) + ' of ' + grouped(this.view[0]) + ' to ' + grouped(this.view[1]) + ': '
-      + told.map(([lane, [, , text, count]]) => lane.part + ' ' + (lane.name === 'state' || lane.name === 'activity' ? '' : lane.name + ' ') + text + (count ? ' (of ' + count + ')' : '')).join('; ') : '';
+      + active.map(([lane, [, , text, count]]) => lane.part + ' ' + (lane.name === 'state' || lane.name === 'activity' ? '' : lane.name + ' ') + text + (count ? ' (of ' + count + ')' : '')).join('; ') : '';
   }
 }

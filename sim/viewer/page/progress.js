@@ -1,11 +1,11 @@
-// How far a question is that takes long, and a button that takes it back.
+// Progress of a long request, and its cancel button.
 import {byId} from './dom.js';
 import {cancel, progressOf} from './answers.js';
 
 const shownAfter = 400; // milliseconds
 const askedEvery = 500;
 
-// No other page's.
+// Unique to this page.
 const own = Math.random().toString(36).slice(2);
 let count = 0;
 let current = null;
@@ -29,7 +29,8 @@ const follow = async watched => {
   }
 };
 
-// The answer to work, which is called with the name of its evaluation; `source` is the text that it evaluates.
+// Returns the answer of `work`, which is called with the name of its evaluation; `source` is the text that it
+// evaluates.
 export const watched = async (source, work) => {
   const one = {name: own + '-' + ++count, source, begun: performance.now(), progress: {}};
   current = one;
@@ -45,7 +46,7 @@ export const watched = async (source, work) => {
   }
 };
 
-// Its answer is not wanted any more where the text has been changed meanwhile.
+// Cancels the request if its source has been changed since.
 export const cancelUnless = source => {
   if (current && current.source !== source) cancel(current.name);
 };

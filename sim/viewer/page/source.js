@@ -1,16 +1,16 @@
-// The text of the model, and marks in it. Neither moves the caret or the selection, unless a person clicks there.
+// The source text of the model, and marks in it. Marks move neither the caret nor the selection, except after a click.
 import {byId} from './dom.js';
 
 const lines = () => byId('source').value.split('\n');
 
 const px = text => parseFloat(text) || 0;
 
-// Columns before a column, where a tab goes on to the next multiple of its size.
+// Columns before a column; a tab advances to the next multiple of its size.
 const columnsBefore = (text, column, tabSize) => [...text.slice(0, column - 1)].reduce((at, each) => each === '\t' ? at + tabSize - at % tabSize : at + 1, 0);
 
 let columnWidth = 0;
 
-// The source's font has characters of one width.
+// Width of a character; the source has a monospaced font.
 const widthOfColumn = style => {
   if (columnWidth) return columnWidth;
   const context = document.createElement('canvas').getContext('2d');
@@ -19,7 +19,7 @@ const widthOfColumn = style => {
   return columnWidth;
 };
 
-// Puts a mark under a line of the source, from a column to the line's end.
+// Places a mark under a line of the source, from a column to the end of the line.
 const place = (mark, {line, column}) => {
   const source = byId('source');
   const style = getComputedStyle(source);
@@ -39,7 +39,7 @@ const place = (mark, {line, column}) => {
   mark.style.setProperty('height', height + 'px');
 };
 
-// What is marked: `fault`, where an error is, and `current`, the line of the instruction that is looked at.
+// Marked positions: `fault`, where an error is, and `current`, the line of the selected instruction.
 const marked = {fault: null, current: null};
 
 const placeMarks = () => {
@@ -52,7 +52,7 @@ const placeMarks = () => {
   if (marked.fault) gutter.style.setProperty('top', byId('fault').style.top);
 };
 
-// The error of a line, which stays until the next text is drawn or has another.
+// Marks the error of a line until the next text is drawn or has another error.
 export const markFault = (line, column, message) => {
   marked.fault = {line, column: column || 1, message};
   byId('fault-line').textContent = line;
@@ -70,7 +70,7 @@ export const forgetFault = () => {
   placeMarks();
 };
 
-// Asked for by a click.
+// Called on a click.
 const goToFault = () => {
   if (!marked.fault) return;
   const {line, column} = marked.fault;
@@ -81,13 +81,13 @@ const goToFault = () => {
   source.scrollTop = (line - 4) * px(getComputedStyle(source).lineHeight);
 };
 
-// Line of `cylinder@9:9`, or 0.
+// Line in a name such as `cylinder@9:9`, or 0.
 export const lineIn = name => {
   const found = /@(\d+):\d+$/.exec(name);
   return found ? Number(found[1]) : 0;
 };
 
-// Marks the line of the instruction that is looked at. Scrolls there, unless the user writes in the source.
+// Marks the line of the selected instruction. Scrolls there, unless the user is editing the source.
 export const showLine = line => {
   const source = byId('source');
   marked.current = line ? {line, column: 1} : null;
@@ -95,7 +95,7 @@ export const showLine = line => {
   placeMarks();
 };
 
-// Of the cursor, from 1 on.
+// Line of the cursor, from 1.
 export const lineAtCursor = () => byId('source').value.slice(0, byId('source').selectionStart).split('\n').length;
 
 export const setUpSource = () => {

@@ -1,4 +1,4 @@
-// The picture, and the camera that is turned by pointer and keys.
+// The picture, and the camera, which pointer and keys move.
 import {byId} from './dom.js';
 import {now} from './asking.js';
 import {draw} from './draw.js';
@@ -9,7 +9,7 @@ const plus = (a, b) => a.map((value, i) => value + b[i]);
 const times = (a, by) => a.map(value => value * by);
 const size = a => Math.hypot(...a);
 
-// About the vertical axis through the centre, and up and down, but not over the poles.
+// Turns the camera about the vertical axis through the centre, and up and down, but not over the poles.
 const turn = (right, up) => {
   if (!now.camera) return;
   const from = minus(now.camera.eye, now.camera.centre);
@@ -20,7 +20,7 @@ const turn = (right, up) => {
   moved();
 };
 
-// By parts of the distance to the eye, in the plane of the picture.
+// Moves the camera in the plane of the picture, in fractions of the distance to the eye.
 const move = (right, up) => {
   if (!now.camera) return;
   const from = minus(now.camera.eye, now.camera.centre);

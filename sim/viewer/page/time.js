@@ -24,16 +24,16 @@ const showClocks = clocks => {
   byId('clocks').hidden = !clocks;
   if (!clocks) return;
   now.issued = clocks;
-  byId('clocks').textContent = 'clocks ' + grouped(clocks[0]) + ' to ' + grouped(clocks[1]) + ': what the wires carry';
+  byId('clocks').textContent = 'clocks ' + grouped(clocks[0]) + ' to ' + grouped(clocks[1]) + ': show the wires';
 };
 
-const showInstant = (answer, asked) => {
+const showInstant = (answer, request) => {
   byId('then').src = answer.picture;
   byId('scale').textContent = answer.scale;
   byId('instant').max = answer.count;
-  // Not where the slider has been moved on meanwhile.
-  const isElsewhere = asked.primitive !== undefined || asked.clock !== undefined;
-  if (Number(byId('instant').value) === asked.number || isElsewhere) byId('instant').value = answer.number;
+  // Leave the slider alone if it has been moved since the request.
+  const isElsewhere = request.primitive !== undefined || request.clock !== undefined;
+  if (Number(byId('instant').value) === request.number || isElsewhere) byId('instant').value = answer.number;
   if (byId('field').length === 0) byId('field').replaceChildren(make('option', {value: ''}, 'the picture'), ...answer.fields.map(name => make('option', {}, name)));
   const next = answer.instructions.find(each => each.number === answer.number);
   now.next = next;
@@ -47,10 +47,10 @@ const showInstant = (answer, asked) => {
 };
 
 export const lookAtInstant = lastOf(async () => {
-  const asked = {...shownWish(), number: Number(byId('instant').value), field: byId('field').value, tinted: byId('tinted').checked, ...now.elsewhere};
+  const request = {...shownWish(), number: Number(byId('instant').value), field: byId('field').value, tinted: byId('tinted').checked, ...now.elsewhere};
   now.elsewhere = undefined;
-  const {isGood, answer} = await ask('instant', asked);
-  if (isGood) showInstant(answer, asked);
+  const {isGood, answer} = await ask('instant', request);
+  if (isGood) showInstant(answer, request);
   else byId('at').textContent = answer.error;
 });
 
@@ -60,7 +60,7 @@ export const goTo = number => {
   lookAtInstant();
 };
 
-// To the first instruction that serves it.
+// Goes to the first instruction that serves the primitive.
 export const goToPrimitive = primitive => {
   now.elsewhere = {primitive};
   lookAtInstant();

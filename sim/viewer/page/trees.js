@@ -1,4 +1,4 @@
-// The model's tree, and of it what a surface is compared with.
+// The model's tree, and the active tree that a surface is compared with.
 import {button, byId, make} from './dom.js';
 import {ask, lastOf, now, shownWish} from './asking.js';
 import {goToPrimitive} from './time.js';
@@ -7,28 +7,28 @@ const rowOf = row => {
   const text = (row.complemented ? 'not ' : '') + row.text + (row.others ? ' and ' + row.others.map(each => 'p' + each).join(', ') : '');
   const item = make('li', {class: row.complemented ? 'out' : ''}, row.primitive === undefined ? text : button(text, () => goToPrimitive(row.primitive)));
   if (row.primitive !== undefined) item.dataset.primitive = row.primitive;
-  // Not as an attribute, which the page's policy forbids.
+  // A style attribute would violate the page's content security policy.
   item.style.setProperty('--depth', Math.min(row.depth, 24));
   return item;
 };
 
 export const showTree = lastOf(async () => {
-  // Turning the model changes nothing of it.
+  // The tree does not depend on the camera.
   const {knobs, source} = shownWish();
-  const asked = JSON.stringify([source, knobs.set, knobs.snap]);
-  if (asked === now.treeOf) return;
+  const key = JSON.stringify([source, knobs.set, knobs.snap]);
+  if (key === now.treeOf) return;
   const {isGood, answer} = await ask('tree', shownWish());
   if (!isGood) return;
-  now.treeOf = asked;
+  now.treeOf = key;
   byId('tree').replaceChildren(...answer.tree.map(rowOf));
   markTree(now.next, now.active);
 });
 
-// Of the instruction: whose surface it draws, and what that is compared with.
+// Marks the primitive whose surface the instruction draws, and the nodes that it is compared with.
 export const markTree = (next, active) => {
   now.active = active;
   for (const row of document.querySelectorAll('#tree [data-primitive], #active [data-primitive]')) row.removeAttribute('aria-current');
-  byId('active-of').textContent = next && active ? 'Active tree of ' + next.serves.replace(/^[a-z ]+ /, '') + (active.length ? '' : ': nothing, it is seen wherever it is drawn') : '';
+  byId('active-of').textContent = next && active ? 'Active tree of ' + next.serves.replace(/^[a-z ]+ /, '') + (active.length ? '' : ': empty, the surface is visible wherever it is drawn') : '';
   byId('active').replaceChildren(...(active || []).map(rowOf));
   if (!next) return;
   const mark = (list, primitive, what) => {

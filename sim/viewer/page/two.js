@@ -1,4 +1,4 @@
-// Two drawings at once.
+// Comparison of two drawings.
 import {byId, grouped} from './dom.js';
 import {ask, lastOf, now, shownWish} from './asking.js';
 import {showCounts} from './draw.js';
@@ -13,7 +13,7 @@ export const compareTwo = lastOf(async () => {
   byId('difference').src = answer.picture;
   const pixels = answer.pixels === 0 ? 'The pictures are equal' : grouped(answer.pixels) + (answer.pixels === 1 ? ' pixel differs' : ' pixels differ') + ', the first at ' + answer.first.join(',');
   const other = answer.instruction;
-  byId('differs').replaceChildren(pixels + '. ', other ? 'The first other instruction is i' + grouped(other.number) + ': ' + other.a + ' in A, ' + other.b + ' now.' : 'All instructions are the same.');
+  byId('differs').replaceChildren(pixels + '. ', other ? 'The first instruction that differs is i' + grouped(other.number) + ': ' + other.a + ' in A, ' + other.b + ' now.' : 'All instructions are the same.');
   window.comparedTwo = (window.comparedTwo || 0) + 1;
 });
 

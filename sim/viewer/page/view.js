@@ -1,4 +1,4 @@
-// The page of csgsim view.
+// Entry point of the page of csgsim view.
 import {askAbout, pageIsThere} from './answers.js';
 import {byId} from './dom.js';
 import {now} from './asking.js';
@@ -18,7 +18,7 @@ const begin = async () => {
   now.about = about;
   document.title = about.model + ' - csgsim view';
   byId('title').textContent = about.model;
-  byId('where').textContent = 'What you change here is drawn and not written: ' + about.model + ' stays as it is.';
+  byId('where').textContent = 'Changes here are drawn but not saved: ' + about.model + ' stays unchanged.';
   byId('source').value = about.source;
   setUpKnobs(about);
   setUpProgress();

@@ -1,4 +1,4 @@
-// Why a pixel shows what it shows.
+// Explains what a pixel shows.
 import {button, byId, make, tell} from './dom.js';
 import {ask, now, shownWish} from './asking.js';
 import {goTo} from './time.js';
@@ -6,8 +6,8 @@ import {goTo} from './time.js';
 const showEvents = events => {
   byId('events').replaceChildren(...events.map(event => {
     const whose = event.primitive ? ' p' + event.primitive.index + ' ' + event.primitive.name : '';
-    const told = 'i' + event.first + (event.last > event.first ? '–i' + event.last : '') + '  ' + event.what.replace(/_/g, ' ') + whose + (event.enabled[1] ? '' : ': disabled');
-    return make('li', {}, button(told, () => goTo(event.last + 1)));
+    const label = 'i' + event.first + (event.last > event.first ? '–i' + event.last : '') + '  ' + event.what.replace(/_/g, ' ') + whose + (event.enabled[1] ? '' : ': disabled');
+    return make('li', {}, button(label, () => goTo(event.last + 1)));
   }));
   byId('events').hidden = events.length === 0;
 };

@@ -1,4 +1,4 @@
-// Down to the wires: what each part of the machine is at, clock for clock, and waves.
+// Activities of the machine's units, clock by clock, and waveforms.
 import {byId, grouped} from './dom.js';
 import {ask, lastOf, now, shownWish} from './asking.js';
 import {Lanes} from './lanes.js';
@@ -14,14 +14,14 @@ const probing = () => {
 };
 
 const look = lastOf(async () => {
-  const asked = now.wires;
-  if (!asked) return;
+  const request = now.wires;
+  if (!request) return;
   const {as} = now.drawn;
   const isNew = now.lanesOf !== as;
   if (isNew) tellWires('recording, clock by clock …');
   const begun = performance.now();
-  const {isGood, answer} = await ask('lanes', {...shownWish(), ...asked});
-  if (asked !== now.wires || as !== now.drawn.as) return;
+  const {isGood, answer} = await ask('lanes', {...shownWish(), ...request});
+  if (request !== now.wires || as !== now.drawn.as) return;
   if (!isGood) return tellWires(answer.error);
   if (isNew) tellWires('recorded in ' + ((performance.now() - begun) / 1000).toFixed(1) + ' s: ' + grouped(answer.last - answer.first) + ' clocks');
   now.lanesOf = as;
@@ -30,7 +30,7 @@ const look = lastOf(async () => {
   window.shownLanes = (window.shownLanes || 0) + 1;
 });
 
-// They were of another drawing.
+// Clears the lanes of an earlier drawing.
 export const forgetLanes = () => {
   now.wires = null;
   now.lanesOf = null;
@@ -38,7 +38,7 @@ export const forgetLanes = () => {
   tellWires('');
 };
 
-// With some clocks on either side. Those of the whole frame are recorded once.
+// Shows these clocks with some more on either side. The whole frame is recorded once.
 export const lookAtClocks = clocks => {
   const beside = Math.max(20, clocks[1] - clocks[0]);
   now.wires = {begin: Math.max(0, clocks[0] - beside), end: clocks[1] + beside};
@@ -48,16 +48,16 @@ export const lookAtClocks = clocks => {
 };
 
 const saveWave = lastOf(async () => {
-  const asked = probing();
+  const request = probing();
   tellWires('recording …');
-  const {isGood, answer} = await ask('wave', {...shownWish(), ...asked});
+  const {isGood, answer} = await ask('wave', {...shownWish(), ...request});
   if (!isGood) return tellWires(answer.error);
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([answer.wave], {type: 'text/plain'}));
-  link.download = 'wave_' + asked.window.replace(/[^\w]/g, '_') + '.vcd';
+  link.download = 'wave_' + request.window.replace(/[^\w]/g, '_') + '.vcd';
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-  tellWires(link.download + ' is saved: gtkwave or Surfer shows it. The same by ' + now.drawn.command.replace(/^csgsim render/, 'csgsim wave') + ' --pixel ' + asked.pixel + ' --window ' + asked.window + ' -o wave.vcd');
+  tellWires(link.download + ' is saved; open it with gtkwave or Surfer. Same as ' + now.drawn.command.replace(/^csgsim render/, 'csgsim wave') + ' --pixel ' + request.pixel + ' --window ' + request.window + ' -o wave.vcd');
   window.savedWave = answer.wave;
   window.savedWaves = (window.savedWaves || 0) + 1;
 });
@@ -68,8 +68,8 @@ export const setUpWires = () => {
     now.wires = {begin, end};
     look();
   }, goToClock);
-  const show = asked => {
-    now.wires = asked;
+  const show = request => {
+    now.wires = request;
     look();
   };
   byId('frame').addEventListener('click', () => show({}));

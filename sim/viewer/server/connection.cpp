@@ -19,10 +19,10 @@ constexpr std::string_view no_event = ":\n\n";
 
 Reply late_reply(std::chrono::milliseconds most) {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(most);
-  return error_reply(408, "the request is not complete after " + std::to_string(seconds.count()) + " s");
+  return error_reply(408, "the request was not complete after " + std::to_string(seconds.count()) + " s");
 }
 
-/// Called on a worker.
+/// Called on a worker thread.
 Reply reply_to(const Request& request, const Serving& serving) {
   try {
     return serving.handler(request);
@@ -63,7 +63,7 @@ void Connection::enter(Phase phase, std::chrono::milliseconds most) {
 
 void Connection::wait() {
   timer_.async_wait([self = shared_from_this()](error_code error) {
-    // One that has expired may be called after it was set anew.
+    // An expired timer's handler may still be called after the timer was set again.
     const bool is_old = self->timer_.expiry() > std::chrono::steady_clock::now();
     if (!error && !is_old && self->is_open_) self->out_of_time();
   });
@@ -116,7 +116,7 @@ void Connection::answer() {
     server_.pages.open();
     head_ = head_of_stream();
     phase_ = Phase::staying;
-    throw_away();
+    discard_input();
     return stay();
   }
   phase_ = Phase::answering;
@@ -159,15 +159,15 @@ void Connection::leave() {
   enter(Phase::leaving, server_.serving.times.leave);
   error_code ignored;
   socket_.shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
-  throw_away();
+  discard_input();
 }
 
-void Connection::throw_away() {
+void Connection::discard_input() {
   socket_.async_read_some(boost::asio::buffer(block_),
                           [self = shared_from_this()](error_code error, std::size_t /*count*/) {
                             if (!self->is_open_) return;
                             if (error) return self->close();
-                            self->throw_away();
+                            self->discard_input();
                           });
 }
 

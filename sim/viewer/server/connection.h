@@ -1,3 +1,5 @@
+// One connection of the HTTP server.
+// Used by connections.cpp and module.cpp.
 #pragma once
 
 #include <array>
@@ -13,7 +15,7 @@
 
 namespace csgsim::viewer {
 
-/// A client's connection, from its first byte to its end. All is called on the thread of Server::io.
+/// A client's connection, from its first byte to its end. All functions are called on the thread of Server::io.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(boost::asio::ip::tcp::socket socket, Server& server);
@@ -24,13 +26,13 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void close();
 
  private:
-  /// What is waited for.
+  /// State of the connection, by what it waits for.
   enum class Phase : std::uint8_t {
-    reading,    ///< a request
-    answering,  ///< a worker
-    writing,    ///< the client, which takes the answer
+    reading,    ///< a complete request
+    answering,  ///< a worker's reply
+    writing,    ///< the client, to take the reply
     staying,    ///< the end of the page
-    leaving,    ///< the client's end: what it still sends is thrown away, so that it can read why it was refused
+    leaving,    ///< the client, to close; its remaining bytes are discarded, so that it can read the refusal
   };
 
   void enter(Phase phase, std::chrono::milliseconds most);
@@ -44,7 +46,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void refuse(Reply reply) { write(std::move(reply), false); }
   void stay();
   void leave();
-  void throw_away();
+  void discard_input();
 
   boost::asio::ip::tcp::socket socket_;
   boost::asio::steady_timer timer_;

@@ -7,7 +7,7 @@
 namespace csgsim::viewer {
 
 void Connections::add(const std::shared_ptr<Connection>& one) {
-  if (strangers_.size() == most_strangers) {
+  if (strangers_.size() == max_strangers) {
     const std::shared_ptr<Connection> oldest = strangers_.front();
     oldest->close();
   }
@@ -17,7 +17,7 @@ void Connections::add(const std::shared_ptr<Connection>& one) {
 bool Connections::admit(const std::shared_ptr<Connection>& one) {
   const auto stranger = std::ranges::find(strangers_, one);
   if (stranger == strangers_.end()) return true;
-  if (admitted_.size() == most_admitted) return false;
+  if (admitted_.size() == max_admitted) return false;
   admitted_.splice(admitted_.end(), strangers_, stranger);
   return true;
 }

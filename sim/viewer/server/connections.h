@@ -1,3 +1,5 @@
+// The open connections and their limits.
+// Used by server.h.
 #pragma once
 
 #include <cstddef>
@@ -8,23 +10,23 @@ namespace csgsim::viewer {
 
 class Connection;
 
-/// The connections that are open. All come from this computer, so that addresses do not distinguish clients. Those that
-/// have shown the token are counted apart from strangers, which cannot keep out others.
+/// The open connections. All come from this computer, so addresses do not distinguish clients. Connections that have
+/// shown the token are counted separately from strangers, so that strangers cannot block them.
 class Connections {
  public:
-  static constexpr std::size_t most_strangers = 32;
-  static constexpr std::size_t most_admitted = 64;
+  static constexpr std::size_t max_strangers = 32;
+  static constexpr std::size_t max_admitted = 64;
 
-  /// A new one is a stranger. Where there are too many, the one that has been there longest is closed.
+  /// Adds a connection as a stranger. If there are too many strangers, closes the oldest.
   void add(const std::shared_ptr<Connection>& one);
 
-  /// Counts a stranger as admitted. False if most_admitted are already.
+  /// Counts a stranger as admitted. Returns false if max_admitted are admitted already.
   [[nodiscard]] bool admit(const std::shared_ptr<Connection>& one);
 
   void remove(const std::shared_ptr<Connection>& one);
 
  private:
-  std::list<std::shared_ptr<Connection>> strangers_;  ///< in the order in which they came
+  std::list<std::shared_ptr<Connection>> strangers_;  ///< ordered by arrival
   std::list<std::shared_ptr<Connection>> admitted_;
 };
 

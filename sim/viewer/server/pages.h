@@ -1,10 +1,12 @@
+// Counts open pages.
+// Used by server.h.
 #pragma once
 
 #include <chrono>
 
 namespace csgsim::viewer {
 
-/// How many pages are open, and since when none is.
+/// Number of open pages, and the time when the last one was closed.
 class Pages {
  public:
   void open() {
@@ -16,7 +18,7 @@ class Pages {
     closed_ = Clock::now();
   }
 
-  /// Whether there were pages, and the last was closed longer ago than that.
+  /// Whether there have been pages, and the last was closed longer ago than `patience`.
   [[nodiscard]] bool is_left_for(std::chrono::milliseconds patience) const {
     return has_been_ && open_ == 0 && Clock::now() - closed_ > patience;
   }

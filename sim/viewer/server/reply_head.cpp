@@ -20,7 +20,7 @@ void add_field(std::string& head, std::string_view name, std::string_view value)
   head.append(name).append(": ").append(value).append("\r\n");
 }
 
-/// Nothing is kept, framed, guessed at or sent on; and a page has what this server sends, and nothing else.
+/// Forbids caching, framing, type guessing and referrers; a page may load only what this server sends.
 void add_policy(std::string& head, bool has_scripts) {
   add_field(head, "Cache-Control", "no-store");
   const std::string own = has_scripts ? "'unsafe-inline'" : "'self'";

@@ -1,3 +1,5 @@
+// Header of an HTTP reply.
+// Used by connection.cpp.
 #pragma once
 
 #include <string>
@@ -6,10 +8,10 @@
 
 namespace csgsim::viewer {
 
-/// The status line and header fields of a reply.
+/// Status line and header fields of a reply.
 std::string head_of(const Reply& reply, bool keeps_alive);
 
-/// The same for a stream of events, which ends with its connection.
+/// The same for an event stream, which ends with its connection.
 std::string head_of_stream();
 
 }  // namespace csgsim::viewer

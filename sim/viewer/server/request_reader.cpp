@@ -18,7 +18,7 @@ constexpr std::string_view end_of_head = "\r\n\r\n";
 
 using HeadParser = http::request_parser<http::empty_body>;
 
-/// Fields that may stand there once: of two values another program on the way could take the other one.
+/// Fields that must not be repeated: a proxy could act on a different value than this server.
 constexpr auto single_fields = std::to_array<std::string_view>(
     {"Host", "Origin", "Sec-Fetch-Site", "Content-Type", "Content-Length", "Transfer-Encoding", "Content-Encoding"});
 
@@ -35,7 +35,7 @@ bool has(const HeadParser& head, std::string_view name) {
   return head.get().count(boost::beast::string_view(name.data(), name.size())) > 0;
 }
 
-/// The path ends where a query begins.
+/// The request target without its query.
 std::string path_of(const HeadParser& head) {
   const std::string target = text_of(head.get().target());
   return target.substr(0, target.find('?'));
@@ -50,29 +50,30 @@ Request request_of(const HeadParser& head) {
           .content_type = value_of(head, "Content-Type")};
 }
 
-/// Why a header is refused before the gate is asked.
+/// The reply if the header is refused before the gate sees it.
 std::optional<Reply> malformed(const HeadParser& head, const RequestLimits& limits) {
   const auto& fields = head.get();
   if (static_cast<std::size_t>(std::distance(fields.begin(), fields.end())) > limits.header_fields)
     return error_reply(431, "the request has more than " + std::to_string(limits.header_fields) + " header fields");
   for (const std::string_view name : single_fields) {
     if (fields.count(boost::beast::string_view(name.data(), name.size())) > 1)
-      return error_reply(400, "the request has two header fields " + std::string(name));
+      return error_reply(400, "the request repeats the header field " + std::string(name));
   }
   return std::nullopt;
 }
 
-/// Why a body is refused before any of it is read.
+/// The reply if the body is refused before any of it is read.
 std::optional<Reply> refused_body(const HeadParser& head, const RequestLimits& limits) {
   const bool is_post = head.get().method() == http::verb::post;
-  if (!is_post && head.get().method() != http::verb::get) return error_reply(405, "csgsim view answers GET and POST");
+  if (!is_post && head.get().method() != http::verb::get)
+    return error_reply(405, "csgsim view accepts GET and POST only");
   if (has(head, "Expect")) return error_reply(417, "send the body with the header, without Expect");
-  if (has(head, "Transfer-Encoding")) return error_reply(411, "give the length of the body, as Content-Length");
+  if (has(head, "Transfer-Encoding")) return error_reply(411, "give the length of the body in Content-Length");
   if (const std::string coding = value_of(head, "Content-Encoding"); !coding.empty() && coding != "identity")
-    return error_reply(415, "send the body as it is, not compressed");
+    return error_reply(415, "send the body uncompressed");
   const auto length = head.content_length();
-  if (is_post && !length) return error_reply(411, "give the length of the body, as Content-Length");
-  if (!is_post && length.value_or(0) > 0) return error_reply(413, "a GET has no body");
+  if (is_post && !length) return error_reply(411, "give the length of the body in Content-Length");
+  if (!is_post && length.value_or(0) > 0) return error_reply(413, "a GET must not have a body");
   if (length.value_or(0) > limits.body_bytes)
     return error_reply(413, "the body has more than " + std::to_string(limits.body_bytes) + " bytes");
   return std::nullopt;
@@ -119,7 +120,7 @@ void RequestReader::read_head() {
   head.body_limit(std::numeric_limits<std::uint64_t>::max());
   boost::system::error_code error;
   head.put(boost::asio::buffer(bytes_.data(), length), error);
-  if (error || !head.is_header_done()) return refuse(error_reply(400, "this is no request of HTTP/1.1"));
+  if (error || !head.is_header_done()) return refuse(error_reply(400, "not an HTTP/1.1 request"));
   if (std::optional<Reply> why = malformed(head, limits_)) return refuse(*std::move(why));
   request_ = request_of(head);
   if (std::optional<Reply> why = gate_(request_)) return refuse(*std::move(why));

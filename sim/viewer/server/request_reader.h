@@ -1,3 +1,5 @@
+// Incremental HTTP request parser with limits.
+// Used by connection.h and module.h.
 #pragma once
 
 #include <cstddef>
@@ -11,40 +13,40 @@
 
 namespace csgsim::viewer {
 
-/// What a request may take. A longer one is refused before more of it is read.
+/// Limits of a request. A request that exceeds them is refused before more of it is read.
 struct RequestLimits {
-  std::size_t header_bytes = std::size_t{32} << 10U;  ///< of the request line and all header fields
+  std::size_t header_bytes = std::size_t{32} << 10U;  ///< request line and all header fields
   std::size_t header_fields = 100;
   std::size_t body_bytes = std::size_t{4} << 20U;
 };
 
-/// Reads requests of HTTP/1.1 from the bytes of one connection, one after another. It holds no more than the limits
-/// allow, and the bytes of one call to put().
+/// Reads HTTP/1.1 requests from the bytes of one connection, one after another. It buffers no more than the limits
+/// allow, plus the bytes of one call to put().
 class RequestReader {
  public:
   enum class State : std::uint8_t {
     head,     ///< the header is not complete
     body,     ///< the header is complete and admitted, the body is not complete
     whole,    ///< request() is complete
-    refused,  ///< refusal() is the answer; the connection cannot be used any further
+    refused,  ///< refusal() is the reply; the connection cannot be used any more
   };
 
-  /// The answer that refuses a request by its header alone; none admits it.
+  /// Returns the reply that refuses a request because of its header, or nothing to admit it.
   using Gate = std::function<std::optional<Reply>(const Request& head)>;
 
   RequestReader(const RequestLimits& limits, Gate gate) : limits_(limits), gate_(std::move(gate)) {}
 
-  /// Takes bytes in the order in which they arrive. In the states `whole` and `refused` nothing may be put.
+  /// Takes bytes in order of arrival. Must not be called in the states `whole` and `refused`.
   void put(std::string_view bytes);
 
-  /// Begins with the next request. Some of its bytes may have been put already. Only in the state `whole`.
+  /// Starts the next request, whose first bytes may have arrived already. Only in the state `whole`.
   void next();
 
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] const Request& request() const { return request_; }
   [[nodiscard]] const Reply& refusal() const { return refusal_; }
 
-  /// Whether the client wants to use the connection again. Only in the state `whole`.
+  /// Whether the client wants to reuse the connection. Only in the state `whole`.
   [[nodiscard]] bool keeps_alive() const { return keeps_alive_; }
 
   /// Whether a request has begun to arrive.
@@ -59,9 +61,9 @@ class RequestReader {
   RequestLimits limits_;
   Gate gate_;
   State state_ = State::head;
-  std::string bytes_;            ///< not yet taken
-  std::size_t searched_ = 0;     ///< bytes in which the header does not end
-  std::size_t body_length_ = 0;  ///< that the header announces
+  std::string bytes_;            ///< not yet processed
+  std::size_t searched_ = 0;     ///< bytes already searched for the end of the header
+  std::size_t body_length_ = 0;  ///< announced by the header
   bool keeps_alive_ = false;
   Request request_;
   Reply refusal_;

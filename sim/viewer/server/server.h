@@ -1,3 +1,5 @@
+// State shared by all connections.
+// Used by connection.h and module.cpp.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -10,9 +12,9 @@
 
 namespace csgsim::viewer {
 
-/// What the connections share. One thread reads and writes all of them; others work out the answers.
+/// State shared by the connections. One thread does all input and output; workers compute the answers.
 struct Server {
-  static constexpr std::size_t workers_count = 8;  ///< a browser asks for six things at a time
+  static constexpr std::size_t workers_count = 8;  ///< a browser sends up to six requests at a time
 
   const Serving& serving;
   boost::asio::io_context io{};

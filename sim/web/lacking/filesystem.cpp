@@ -1,4 +1,4 @@
-// Debian's libc++ for WASI has no file system, and a page no files: none is there, and no name is a link.
+// File system functions missing in Debian's libc++ for WASI. A page has no files: none exists, and no name is a link.
 #include <filesystem>
 #include <fstream>
 #include <system_error>

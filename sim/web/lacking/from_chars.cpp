@@ -2,7 +2,7 @@
 
 #include "sim/web/lacking/number.h"
 
-// NOLINTBEGIN(cert-dcl58-cpp): libc++ 19 has not these of its own
+// NOLINTBEGIN(cert-dcl58-cpp): missing in libc++ 19
 namespace std {
 
 from_chars_result from_chars(const char* first, const char* last, double& value, chars_format /*format*/) {

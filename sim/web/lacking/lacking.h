@@ -1,7 +1,9 @@
+// Parts of C++20 that libc++ for WASI lacks.
+// Included before all other headers by sim/web/build.py.
 #pragma once
 
-// Included before all else where csgsim is compiled for the web: what libc++ 19 for WASI lacks of C++20, since it has
-// no threads, and what it has taken out that nlohmann-json 3.11 uses.
+// Included first when csgsim is compiled for the web: parts of C++20 that libc++ 19 for WASI lacks because it has no
+// threads, and removed parts that nlohmann-json 3.11 uses.
 
 #include <cfenv>
 #include <charconv>
@@ -12,14 +14,14 @@
 #include <string>
 #include <utility>
 
-// The web rounds to the nearest alone; CGAL names the other modes all the same.
+// WebAssembly only rounds to nearest, but CGAL names the other modes.
 #ifndef FE_UPWARD
 #define FE_UPWARD 1
 #define FE_DOWNWARD 2
 #define FE_TOWARDZERO 3
 #endif
 
-// NOLINTBEGIN(cert-dcl58-cpp): these are the standard's own
+// NOLINTBEGIN(cert-dcl58-cpp): replacements of standard names
 namespace std {
 
 class mutex {
@@ -32,7 +34,7 @@ class mutex {
   void unlock() {}
 };
 
-/// Owns one mutex, from its making on.
+/// Owns one mutex from its construction.
 template <class Mutex>
 class unique_lock {
  public:
@@ -61,14 +63,14 @@ class stop_token {
   [[nodiscard]] bool stop_requested() const noexcept { return false; }
 };
 
-/// Work is stopped by another thread, and there is none.
+/// Stop requests come from other threads, and there are none.
 class stop_source {
  public:
   [[nodiscard]] stop_token get_token() const noexcept { return {}; }
   bool request_stop() noexcept { return true; }
 };
 
-/// No thread can be begun.
+/// No thread can be started.
 class jthread {
  public:
   jthread() noexcept = default;

@@ -12,13 +12,13 @@ namespace {
 
 bool is_digit(const char* at, const char* last) { return at != last && *at >= '0' && *at <= '9'; }
 
-/// The end of the digits that begin there.
+/// End of the digits that begin at `at`.
 const char* digits_end(const char* at, const char* last) {
   while (is_digit(at, last)) ++at;
   return at;
 }
 
-/// The end of an exponent, or its beginning if it is none.
+/// End of an exponent, or its beginning if it is not one.
 const char* exponent_end(const char* begin, const char* last) {
   if (begin == last || (*begin != 'e' && *begin != 'E')) return begin;
   const char* at = begin + 1;
@@ -26,7 +26,7 @@ const char* exponent_end(const char* begin, const char* last) {
   return is_digit(at, last) ? digits_end(at, last) : begin;
 }
 
-/// The end of a word for what is no finite number, or its beginning.
+/// End of a word for infinity or not-a-number, or its beginning.
 const char* word_end(const char* begin, const char* last) {
   for (const std::string_view word : {"infinity", "inf", "nan"}) {
     std::size_t same = 0;
@@ -36,7 +36,7 @@ const char* word_end(const char* begin, const char* last) {
   return begin;
 }
 
-/// The end of a number: no space, no plus; null if there is none.
+/// End of a number without leading blank or plus; null if there is none.
 const char* number_end(const char* first, const char* last) {
   const char* const begin = first != last && *first == '-' ? first + 1 : first;
   const char* end = digits_end(begin, last);
@@ -52,7 +52,7 @@ const char* number_end(const char* first, const char* last) {
   return end == begin ? nullptr : end;
 }
 
-/// Whether a digit of the mantissa is not 0.
+/// Whether the mantissa has a digit other than 0.
 bool has_value(std::string_view text) { return text.find_first_of("123456789") < text.find_first_of("eE"); }
 
 template <class Number, class Parse>

@@ -1,10 +1,12 @@
+// Parses floating-point numbers.
+// Used by from_chars.cpp.
 #pragma once
 
 #include <charconv>
 
 namespace csgsim::web {
 
-/// What std::from_chars does of a number in decimals, which libc++ 19 has not.
+/// Replacement of std::from_chars for decimal floating-point numbers, which libc++ 19 lacks.
 std::from_chars_result read_number(const char* first, const char* last, double& value);
 std::from_chars_result read_number(const char* first, const char* last, float& value);
 

@@ -1,15 +1,15 @@
-// What Debian's libraries for WASI are compiled to need, or without.
+// Runtime functions that Debian's libraries for WASI require or lack.
 #include <cstdint>
 #include <cstdlib>
 #include <new>
 
-// They are compiled with stack protectors, and the C library has none.
+// The libraries use stack protectors, which the C library does not provide.
 extern "C" {
 std::uintptr_t __stack_chk_guard = 0x595e9fbd;
 [[noreturn]] void __stack_chk_fail() { std::abort(); }
 }
 
-// The page has one thread, which does not end: what belongs to it stays.
+// The page has one thread, which never ends, so its thread-local objects are not destroyed.
 extern "C" int __cxa_thread_atexit(void (* /*destroy*/)(void*), void* /*object*/, void* /*library*/) { return 0; }
 
 namespace {
@@ -27,7 +27,7 @@ void* allocated(std::size_t bytes, std::align_val_t alignment) {
 
 }  // namespace
 
-// They are compiled without exceptions, so that their own operators end the program where there is no more memory.
+// The libraries are compiled without exceptions; their operators would abort when memory runs out.
 void* operator new(std::size_t bytes) { return allocated(bytes); }
 void* operator new[](std::size_t bytes) { return allocated(bytes); }
 void* operator new(std::size_t bytes, std::align_val_t alignment) { return allocated(bytes, alignment); }

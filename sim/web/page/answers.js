@@ -1,4 +1,4 @@
-// What answers the page where no program serves it: csgsim.wasm in a worker (sim/web).
+// Answers of a page without a server: csgsim.wasm in a worker (sim/web).
 import {openedModel, setUpChoice} from './models.js';
 import {byId} from './dom.js';
 import {showError} from './asking.js';
@@ -15,44 +15,44 @@ const startWorker = () => {
     waiting.delete(number);
   };
   worker.onerror = event => {
-    for (const {reject} of waiting.values()) reject(new Error(event.message || 'its worker could not be loaded'));
+    for (const {reject} of waiting.values()) reject(new Error(event.message || 'the worker could not be loaded'));
     waiting.clear();
   };
 };
 startWorker();
 
-const asked = message => new Promise((resolve, reject) => {
+const post = message => new Promise((resolve, reject) => {
   waiting.set(++count, {resolve, reject});
   worker.postMessage({number: count, ...message});
 });
 
 export const answerTo = async (question, wish) => {
-  const {isGood, body} = await asked({question, wish: JSON.stringify(wish)});
+  const {isGood, body} = await post({question, wish: JSON.stringify(wish)});
   return {isGood, answer: JSON.parse(body)};
 };
 
-// The worker does one thing at a time and cannot be asked meanwhile.
+// The worker handles one request at a time and cannot report progress.
 export const progressOf = async () => ({});
 
-// Ends the worker with its questions, and starts another.
+// Ends the worker with its pending questions, and starts another.
 export const cancel = async () => {
   worker.terminate();
   const ended = [...waiting.values()];
   waiting.clear();
   startWorker();
-  if (begunWith) asked({begin: begunWith});
+  if (begunWith) post({begin: begunWith});
   for (const {resolve} of ended) resolve({isGood: false, body: JSON.stringify({error: 'cancelled', cancelled: true})});
 };
 
 const aboutModel = async () => {
   const {name, text, knobs} = await openedModel();
   begunWith = [name, text, knobs];
-  const begun = await asked({begin: begunWith});
+  const begun = await post({begin: begunWith});
   if (!begun.isGood) throw new Error(JSON.parse(begun.body).error);
-  return JSON.parse((await asked({question: 'about'})).body);
+  return JSON.parse((await post({question: 'about'})).body);
 };
 
-// Where there is nothing to show another model can be chosen.
+// The user can choose another model after an error.
 export const askAbout = async () => {
   await setUpChoice();
   try {
@@ -63,11 +63,11 @@ export const askAbout = async () => {
   }
 };
 
-// In a window of its own, which has to be opened before there is an answer.
+// Opens the report in a separate window, which has to be opened before the answer arrives.
 const openReport = async event => {
   event.preventDefault();
   const page = window.open('about:blank', '_blank');
-  const {isGood, body} = await asked({question: 'report'});
+  const {isGood, body} = await post({question: 'report'});
   if (isGood) {
     page.location = URL.createObjectURL(new Blob([body], {type: 'text/html'}));
   } else {

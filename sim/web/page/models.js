@@ -1,5 +1,5 @@
-// Which model the page shows: one that comes with it (?model=NAME), or a file of one's own, which stays in the browser.
-// What else stands in the address turns knobs, as in ?model=carburettor.csg&machine=pixel-planes-5&z-bits=16.
+// Selects the model of the page: one that comes with it (?model=NAME), or the user's own file, which stays in the
+// browser. Other parameters of the address are settings, as in ?model=carburettor.csg&machine=pixel-planes-5&z-bits=16.
 import {byId, make} from './dom.js';
 import {flags, showError} from './asking.js';
 
@@ -16,7 +16,7 @@ const knobsOf = query => {
   return knobs;
 };
 
-// {name, text, knobs}: where the address says nothing, the first that comes with the page.
+// Returns {name, text, knobs}; the default is the first model that comes with the page.
 export const openedModel = async () => {
   const query = new URLSearchParams(location.search);
   const own = query.has('own') ? JSON.parse(sessionStorage.getItem(ownKey)) : null;
@@ -24,7 +24,7 @@ export const openedModel = async () => {
   const name = query.get('model');
   const known = await models;
   const row = name ? known.find(each => each.name === name) : known[0];
-  if (!row) throw new Error('there is no model ' + name + ' here; choose one of ' + known.map(each => each.name).join(', '));
+  if (!row) throw new Error('there is no model ' + name + '; choose one of ' + known.map(each => each.name).join(', '));
   const text = await (await fetch(new URL('models/' + row.name, import.meta.url))).text();
   return {name: row.name, text, knobs: {...row.knobs, ...knobsOf(query)}};
 };
@@ -34,7 +34,7 @@ const open = async file => {
     sessionStorage.setItem(ownKey, JSON.stringify({name: file.name, text: await file.text()}));
     location.search = '?own';
   } catch (error) {
-    showError({error: file.name + ' cannot be kept in this browser: ' + error.message});
+    showError({error: file.name + ' cannot be stored in this browser: ' + error.message});
   }
 };
 
@@ -49,8 +49,8 @@ export const setUpChoice = async () => {
   const own = make('input', {id: 'own', type: 'file', accept: '.csg,.jan,.scad'});
   own.addEventListener('change', () => { if (own.files.length) open(own.files[0]); });
   document.head.append(make('link', {rel: 'stylesheet', href: 'choice.css'}));
-  byId('told').after(make('form', {id: 'choice'}, make('label', {}, 'Model', select), make('label', {}, 'A file of your own, .csg; or drop it on the page', own)),
-    make('p', {class: 'note'}, 'This page draws by itself: no program runs behind it, and what you open stays in your browser. csgsim view on your machine does the same, faster, reads .scad, imports and text(), and shows the wires.'));
+  byId('told').after(make('form', {id: 'choice'}, make('label', {}, 'Model', select), make('label', {}, 'Your own .csg file, or drop it on the page', own)),
+    make('p', {class: 'note'}, 'This page runs entirely in your browser; no server is involved, and your files stay here. csgsim view on your machine is faster, reads .scad, imports and text(), and shows waveforms.'));
   document.addEventListener('dragover', event => event.preventDefault());
   document.addEventListener('drop', event => {
     event.preventDefault();

@@ -1,30 +1,30 @@
-// csgsim.wasm, which answers as csgsim view does. Runs in a worker of the page, and in node.
+// Runs csgsim.wasm, which answers like csgsim view, in a worker of the page or in node.
 import {systemOf} from './wasi.js';
 
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
 export class Program {
-  // Of a compiled WebAssembly.Module.
+  // Takes a compiled WebAssembly.Module.
   constructor(module) {
     this.module = module;
     this.begun = null;
     this.start();
   }
 
-  // A question's status, as HTTP has it, and the text of its answer.
+  // Returns the status of a question, as in HTTP, and the text of its answer.
   answer(question, wish = '') {
     try {
       return this.call('answer', question, wish);
     } catch (error) {
-      // What was in its memory is no longer to be relied on.
+      // The memory is no longer reliable.
       this.start();
       if (this.begun) this.begin(...this.begun);
-      return {status: 500, body: JSON.stringify({error: 'csgsim failed, as it does where memory runs out, and has begun again: ' + error.message})};
+      return {status: 500, body: JSON.stringify({error: 'csgsim failed, possibly out of memory, and was restarted: ' + error.message})};
     }
   }
 
-  // With a model: its name, its text, and knobs as csgsim view would be begun with them.
+  // Opens a model: its name, its text, and knobs as for csgsim view.
   begin(name, text, knobs) {
     this.begun = [name, text, knobs];
     this.call('keep', name, text);

@@ -1,12 +1,12 @@
-// What csgsim.wasm asks its system for (WASI), as a page has it: a clock, and a console for what is printed. There is no
-// environment, and there are no files.
+// System interface (WASI) of csgsim.wasm in a page: a clock, and a console for printed text. There are no environment
+// variables and no files.
 
 const success = 0;
 const badDescriptor = 8;
 const noEntry = 44;
 const characterDevice = 2;
 
-// `memory` gives the module's.
+// `memory` returns the memory of the module.
 export const systemOf = memory => {
   const view = () => new DataView(memory().buffer);
   const lines = {1: '', 2: ''};

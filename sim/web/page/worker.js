@@ -1,11 +1,11 @@
-// Runs csgsim.wasm beside the page, so that the page stays quick. Asked by {number, begin: [name, text, knobs]} or
-// {number, question, wish}, it answers {number, status, body}, one after another.
+// Runs csgsim.wasm in a worker, so that the page stays responsive. Requests {number, begin: [name, text, knobs]} or
+// {number, question, wish} are answered by {number, status, body}, one after another.
 import {Program} from './program.js';
 
 const compiled = async () => {
   const reply = await fetch(new URL('csgsim.wasm', import.meta.url));
-  if (!reply.ok) throw new Error('csgsim.wasm: the server says ' + reply.status);
-  // A server that does not know what it is gives it another type.
+  if (!reply.ok) throw new Error('csgsim.wasm: the server returned status ' + reply.status);
+  // Servers without a type for .wasm files send another Content-Type.
   return reply.headers.get('Content-Type') === 'application/wasm' ? WebAssembly.compileStreaming(reply)
     : WebAssembly.compile(await reply.arrayBuffer());
 };

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t shortest_run = 3;
 constexpr std::size_t longest_run = 258;
 
-/// Bits as they go into the stream, the lowest first.
+/// Bits in the order of the stream, lowest first.
 struct Code {
   std::uint32_t bits = 0;
   unsigned count = 0;
@@ -43,7 +43,7 @@ constexpr std::array<Code, 256> make_literals() {
   return codes;
 }
 
-/// Of runs by their length: its code and extra bits, 3.2.5, and the five zeros of the distance 1.
+/// Codes of runs by length: length code and extra bits (RFC 1951, 3.2.5), and the five zero bits of distance 1.
 constexpr std::array<Code, longest_run + 1> make_runs() {
   constexpr unsigned distance_bits = 5;
   std::array<Code, longest_run + 1> codes{};
@@ -75,10 +75,10 @@ class BitStream {
  private:
   std::string& bytes_;
   std::uint64_t word_ = 0;
-  unsigned count_ = 0;  ///< bits of the word that are not in the bytes yet
+  unsigned count_ = 0;  ///< bits of the word that have not been written yet
 };
 
-/// A byte, and how often it comes again behind it.
+/// Writes a byte and its repetitions.
 void put_run(char byte, std::size_t again, BitStream& stream) {
   static constexpr std::array<Code, 256> literals = make_literals();
   static constexpr std::array<Code, longest_run + 1> runs = make_runs();
@@ -92,7 +92,7 @@ void put_run(char byte, std::size_t again, BitStream& stream) {
   for (; again > 0; --again) stream.put(literal);
 }
 
-/// The check of RFC 1950. So many bytes are added up before a sum could overflow.
+/// The Adler-32 checksum of RFC 1950. 5552 bytes can be summed before an overflow is possible.
 std::uint32_t adler32(std::string_view bytes) {
   constexpr std::uint32_t base = 65521;
   constexpr std::size_t most = 5552;
@@ -116,7 +116,7 @@ std::uint32_t adler32(std::string_view bytes) {
 std::string deflated(std::string_view bytes) {
   std::string made("\x78\x01");
   BitStream stream(made);
-  stream.put({0b011, 3});  // the last block, with fixed codes
+  stream.put({0b011, 3});  // final block, with fixed codes
   for (std::size_t begin = 0; begin < bytes.size();) {
     const std::size_t end = std::min(bytes.find_first_not_of(bytes[begin], begin), bytes.size());
     put_run(bytes[begin], end - begin - 1, stream);

@@ -1,3 +1,5 @@
+// A small, fast zlib compressor.
+// Used by png.cpp.
 #pragma once
 
 #include <string>
@@ -5,8 +7,8 @@
 
 namespace csgsim::web {
 
-/// RFC 1950 and 1951 in little time: by the fixed codes, and of repetitions only those of one byte. There is no zlib
-/// here.
+/// A fast zlib stream (RFC 1950 and 1951) with fixed codes, which only compresses runs of one byte. Replaces zlib on
+/// the web.
 std::string deflated(std::string_view bytes);
 
 }  // namespace csgsim::web

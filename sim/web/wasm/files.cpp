@@ -1,4 +1,5 @@
-// In place of hw/base/input_file.cpp, descriptor.cpp and standard_streams.cpp: files are what the page has handed over.
+// Replaces hw/base/input_file.cpp, descriptor.cpp and standard_streams.cpp: the only files are those handed over by the
+// page.
 #include "sim/web/wasm/files.h"
 
 #include <fmt/format.h>
@@ -21,8 +22,7 @@ std::map<std::string, std::string>& files() {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& path) {
-  throw InputError(
-      fmt::format("{}: a page in a browser reads no files; use csgsim on your machine for it", path.native()));
+  throw InputError(fmt::format("{}: a page in a browser cannot read files; use csgsim on your machine", path.native()));
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ std::string read_file(const Descriptor& /*file*/, const std::filesystem::path& p
 
 std::error_code Descriptor::close() { return {}; }
 
-/// What is printed goes to the browser's console.
+/// Prints go to the browser's console.
 void silence_prints() {}
 
 }  // namespace csgsim

@@ -1,10 +1,12 @@
+// Files handed over by the page.
+// Used by session.cpp.
 #pragma once
 
 #include <string>
 
 namespace csgsim::web {
 
-/// From now on read_file finds this text under the name. All other files are refused: a page has none.
+/// Makes read_file return this text for the name. All other files are refused.
 void keep_file(std::string name, std::string text);
 
 }  // namespace csgsim::web

@@ -1,4 +1,4 @@
-// In place of sim/session/run/levels.cpp: without the cycle level, which is SystemC's.
+// Replaces sim/session/run/levels.cpp without the cycle level, which needs SystemC.
 #include "sim/engine/engine.h"
 #include "sim/session/run/run_request.h"
 

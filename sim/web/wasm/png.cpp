@@ -1,4 +1,4 @@
-// In place of sim/pictures: PNG, packed in little time.
+// Replaces sim/pictures with a fast PNG writer.
 #include <array>
 #include <cstdint>
 
@@ -19,7 +19,7 @@ constexpr std::array<std::uint32_t, 256> make_table() {
   return table;
 }
 
-/// Of PNG's Annex D.
+/// The CRC of PNG's Annex D.
 std::uint32_t crc32(std::string_view bytes) {
   constexpr std::array<std::uint32_t, 256> table = make_table();
   std::uint32_t value = ~0U;
@@ -38,8 +38,8 @@ void put_chunk(std::string_view type, std::string_view data, std::string& file) 
   put_number(crc32(std::string_view(file).substr(begin)), file);
 }
 
-/// Each begins with the byte that says how it is filtered: `sub`, the difference from the pixel to the left, so that
-/// pixels of one colour are zeros.
+/// The rows, each with its filter byte: `sub`, the difference from the pixel to the left, turns pixels of one colour
+/// into zeros.
 std::string rows_of(const Raster& raster, Bytes bytes) {
   constexpr char sub = 1;
   const auto pixel = static_cast<std::size_t>(raster.channels);
@@ -59,7 +59,7 @@ std::string rows_of(const Raster& raster, Bytes bytes) {
 
 std::string encode(const std::filesystem::path& path, const Raster& raster) {
   const auto* const bytes = std::get_if<Bytes>(&raster.samples);
-  if (bytes == nullptr) throw InputError(path.native() + ": a page in a browser draws pictures of bytes alone");
+  if (bytes == nullptr) throw InputError(path.native() + ": a page in a browser can only write pictures of bytes");
   std::string header;
   put_number(raster.width, header);
   put_number(raster.height, header);

@@ -1,4 +1,4 @@
-// What takes other programs, or libraries that are not compiled for the web, is refused with what would do it.
+// Functions that need other programs, or libraries not compiled for the web. They fail with advice.
 #include <fmt/format.h>
 
 #include "host/flat/svg.h"
@@ -11,9 +11,9 @@
 
 namespace csgsim {
 
-const void* module_symbol_of(const ModuleRole& role) {
+const void* load_module_symbol(const ModuleRole& role) {
   throw InputError(
-      fmt::format("the part of csgsim that {} is not in this page; use csgsim view on your machine", role.does));
+      fmt::format("this page does not include the part of csgsim that {}; use csgsim view on your machine", role.does));
 }
 
 namespace {
@@ -39,8 +39,9 @@ std::vector<Mesh> parse_3mf(std::string_view /*bytes*/, std::string_view name) {
 namespace session {
 
 std::string csg_of_scad(const std::string& file, std::chrono::seconds /*longest*/) {
-  throw InputError(file +
-                   ": OpenSCAD is not in this page; export the model as .csg there (File, Export), and open that");
+  throw InputError(
+      file +
+      ": this page does not include OpenSCAD; export the model as .csg there (File, Export), and open that file");
 }
 
 std::string csg_of_scad(const std::string& file, std::string_view /*text*/, std::chrono::seconds longest) {
@@ -52,7 +53,7 @@ std::string csg_of_scad(const std::string& file, std::string_view /*text*/, std:
 namespace viewer {
 
 std::string recorded(const isa::Program& /*program*/, std::span<const std::string> /*options*/) {
-  throw InputError("the machine's wires are not in this page; use csgsim view on your machine for lanes and waves");
+  throw InputError("this page cannot record waveforms; use csgsim view on your machine for lanes and waveforms");
 }
 
 }  // namespace viewer

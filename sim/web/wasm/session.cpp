@@ -1,4 +1,5 @@
-// What the page calls. Texts go in and out by a buffer each: the page asks for room, writes there, calls, and reads.
+// Interface to the page. Texts are passed through one input and one output buffer: the page requests room, writes,
+// calls, and reads.
 #include "sim/viewer/session.h"
 
 #include <memory>
@@ -17,7 +18,7 @@ std::string input;
 std::string output;
 std::unique_ptr<viewer::Session> session;
 
-/// What comes first in the input, and what behind it.
+/// Splits the input at `length`.
 std::pair<std::string, std::string> parted(std::size_t length) {
   return {input.substr(0, length), input.substr(length)};
 }
@@ -49,17 +50,17 @@ extern "C" {
 using csgsim::web::input;
 using csgsim::web::output;
 
-/// Room for an input of so many bytes.
+/// Allocates an input of this size.
 char* csgsim_input(std::size_t size) {
   input.assign(size, '\0');
   return input.data();
 }
 
-/// What was answered last, and how long it is.
+/// The last answer and its size.
 const char* csgsim_output() { return output.data(); }
 std::size_t csgsim_output_size() { return output.size(); }
 
-/// Of a text that is a model's file. The status that a server would answer with, like `answer`.
+/// Stores a text as a model's file. Returns the status that a server would send, as do the functions below.
 int csgsim_keep(std::size_t name_length) {
   return csgsim::web::status_of([&] {
     auto [name, text] = csgsim::web::parted(name_length);
@@ -68,7 +69,7 @@ int csgsim_keep(std::size_t name_length) {
   });
 }
 
-/// Begins with a kept model: its name, and knobs as JSON.
+/// Opens a stored model: its name, and knobs as JSON.
 int csgsim_begin(std::size_t name_length) {
   return csgsim::web::status_of([&] {
     const auto [name, knobs] = csgsim::web::parted(name_length);
@@ -78,7 +79,7 @@ int csgsim_begin(std::size_t name_length) {
   });
 }
 
-/// To a question as Session::answer takes it: its name, and a wish as JSON.
+/// Answers a question as Session::answer does: its name, and a wish as JSON.
 int csgsim_answer(std::size_t path_length) {
   return csgsim::web::status_of([&] {
     auto [path, body] = csgsim::web::parted(path_length);

@@ -1,4 +1,4 @@
-// In place of sim/session/options/version.cpp, which reads what the linker of this machine has written.
+// Replaces sim/session/options/version.cpp, which reads the build ID written by the linker.
 #include "sim/session/options/version.h"
 
 #include "sim/session/options/commit.h"

@@ -289,7 +289,7 @@ def parts(figures):
             one = of(figures.classify(model), "status", "list-structure")
             seconds = [*(priced(processor, one[key]) for key in ("ray_operations", "sort_operations")), classifying(processor, one, "status")]
             rows.append((f"{processor}, {model}", three_digits(sum(seconds)), *(f"{100 * each / sum(seconds):.0f} %" for each in seconds)))
-    return ruled(("", "picture, s", "intersection", "sorting", "classification"), rows)
+    return ruled(("", "picture, s", "ray intersection", "sorting", "classification"), rows)
 
 
 def best(points, processor):

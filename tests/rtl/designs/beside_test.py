@@ -22,7 +22,7 @@ def check(csgsim, folder):
          "-o", folder / "csgsim.vcd", "--quiet"])
     beside = ["make", "-s", "-C", folder, "beside"]
     printed = run(beside).stdout
-    if "clocks 0 to 899: 17 signals are the same" not in printed:
+    if "clocks 0 to 899: 17 signals are equal" not in printed:
         stop(printed)
     wave, view = (folder / "beside.vcd").read_text(), (folder / "beside.gtkw").read_text()
     for scope in ("frame_buffer", "testbench", "verilog"):

@@ -153,7 +153,7 @@ TEST_CASE("pixels replayed alone have the reference's memory and enable, whateve
         RC_ASSERT(same_as_reference(quick));
       }
     }
-    if (!quick.knows_registers()) return;
+    if (!quick.registers_known()) return;
     for (std::uint32_t i = 0; i < places.size(); ++i) {
       const array::PixelProbe expected = replay.pixels().probe(i, 0, replay.tree());
       const array::PixelProbe found = quick.pixels().probe(i, 0, quick.tree());

@@ -90,8 +90,8 @@ TEST_CASE("a folder with files that csgsim did not write is refused by name, and
   const Scratch scratch;
   put(scratch / "d/Makefile", "mine");
   const std::string why = refusal(scratch / "d");
-  CHECK(contains(why, (scratch / "d").native() + ": it has files that csgsim did not write"));
-  CHECK(contains(why, "name a folder that is empty or not there"));
+  CHECK(contains(why, (scratch / "d").native() + ": it contains files that csgsim did not write"));
+  CHECK(contains(why, "name an empty folder or a new one"));
   CHECK(content(scratch / "d/Makefile") == "mine");
   put(scratch / "file", "mine");
   CHECK(contains(refusal(scratch / "file"), "it is not a folder"));
@@ -105,7 +105,7 @@ TEST_CASE("the current folder and those that it is in are refused, even where th
   const Within within(scratch / "d/e");
   for (const char* const name : {".", "..", "./", "../e"}) {
     CAPTURE(name);
-    CHECK(contains(refusal(name), "the current folder is in it"));
+    CHECK(contains(refusal(name), "it contains the current folder"));
   }
   CHECK(refusal("f").empty());
   CHECK(refusal("../beside").empty());

@@ -18,6 +18,6 @@ TEST_CASE("a filled vector has so many elements of the value, in whatever pages 
 TEST_CASE("having pages leaves memory that is written already as it is") {
   std::vector<std::uint64_t> words(1U << 20U);
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = i * i;
-  have_pages(words.data(), words.size() * sizeof words[0]);
+  prefault_pages(words.data(), words.size() * sizeof words[0]);
   for (std::size_t i = 0; i < words.size(); ++i) REQUIRE(words[i] == i * i);
 }

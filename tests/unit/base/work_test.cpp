@@ -17,8 +17,8 @@ TEST_CASE("work up to its limit is done, and one step more is refused with what 
   work.charge(500'000, "counting");
   CHECK(work.done() == 2'500'000);
   CHECK(testing::error_of([&] { work.charge(1, "folding paper"); }) ==
-        "folding paper takes more work than the limit of 2.5 million steps; give the model fewer or coarser parts, or "
-        "allow more by --limit");
+        "folding paper takes more work than the limit of 2.5 million steps; use fewer or coarser parts in "\n
+        "the model, or raise --limit");
 }
 
 TEST_CASE("a charge that no sum holds is past the limit") {

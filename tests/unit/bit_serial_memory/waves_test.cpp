@@ -92,7 +92,7 @@ TEST_CASE("a frame with a jump takes the clocks and the work that are added up b
   const ClockedMemory& memory = testing::smallest_memory();
   const isa::Program program = frame();
   const machines::FrameTiming timing =
-      memory.machine.kind->time(program, memory.machine, machines::Told{{&skip, 1}, {}});
+      memory.machine.kind->time(program, memory.machine, machines::RunOutcome{{&skip, 1}, {}});
   CHECK(timing.clocks == drawn);
   CHECK(timing.shown_clocks == shown);
   check_account(timing.account);
@@ -108,7 +108,7 @@ TEST_CASE("a frame with a jump takes the clocks and the work that are added up b
 TEST_CASE("the timeline of that frame is as it is added up, and what bounds it works as long as the account tells") {
   const machines::Machine& machine = testing::smallest_memory().machine;
   const isa::Program program = frame();
-  const machines::Told told{{&skip, 1}, {}};
+  const machines::RunOutcome told{{&skip, 1}, {}};
   const auto timeline = machine.kind->timeline(program, machine, told);
   REQUIRE(timeline.has_value());
   CHECK(timeline->cleared == std::vector<machines::ClockSpan>{{17, 502}});

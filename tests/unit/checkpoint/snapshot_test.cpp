@@ -165,7 +165,7 @@ TEST_CASE("so does one of a machine whose clocks depend on the picture") {
       kinds::load("multi-processor+subdivision.levels=1+nodes.columns=2+nodes.rows=2+node.branch_clocks=500");
   machines::set_picture_size(machine, {20, 9});
   machine.array.memory_bits = 200;
-  REQUIRE(machine.kind->asks_for_pixels(machine));
+  REQUIRE(machine.kind->depends_on_pixels(machine));
   CHECK(survives_interruptions(machine, rc::gen::exec([&] { return test::any_divided_program(machine); })));
 }
 
@@ -264,11 +264,11 @@ TEST_CASE("a checkpoint of another Program or machine is refused, whatever the m
   isa::Program other = program;
   other.segments[0].instructions.back().constant = 34;
   CHECK(error_of([&] { checkpoint::decode(bytes, "c", other, machine); }) ==
-        "c: the checkpoint is of another Program; resume it with the one it was made of");
+        "c: the checkpoint belongs to another Program; resume it with the Program it was taken from");
   machines::Machine slower = machine;
   slower.memory_reads = 2;
   CHECK(error_of([&] { checkpoint::decode(bytes, "c", program, slower); }) ==
-        "c: the checkpoint is of a run on another machine; give the same --machine");
+        "c: the checkpoint belongs to a run on another machine; give the same --machine");
   machines::Machine renamed = machine;
   renamed.name = "another";
   CHECK_NOTHROW(checkpoint::decode(bytes, "c", program, renamed));
@@ -287,7 +287,7 @@ TEST_CASE("states that no run of the Program can be in are refused") {
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.place.index = 7; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.place.index = 4; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.place.segment = 1; }));
-  CHECK(refused([](checkpoint::Snapshot& one) { one.run.told_end = true; }));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.run.end_reported = true; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.answers.push_back(true); }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.skipped = 1; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.skips.push_back({0, 0}); }));

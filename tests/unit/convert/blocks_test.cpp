@@ -110,7 +110,7 @@ TEST_CASE("what is no bintree is told") {
     return testing::error_of([&] { convert::read_bintree(text, "b.bintree"); });
   };
   const std::string head = "bintree 1\nresolution 2\ncube 0 0 0 1\n";
-  CHECK(told(head + "(((01(01((0101").find("b.bintree: the code is not that of one whole tree") == 0);
+  CHECK(told(head + "(((01(01((0101").find("b.bintree: the code is not exactly one tree") == 0);
   CHECK(told(head + "(((01(01((01(01") == "");
   CHECK(told(head + "(((01(01((01(01" + "1") != "");
   CHECK(told(head + "((((0001(01((01(01") != "");  // a cell that is halved
@@ -119,10 +119,10 @@ TEST_CASE("what is no bintree is told") {
   CHECK(told("solid").find("'bintree' is missing") != std::string::npos);
   for (const char* const cube : {"nan 0 0 1", "0 inf 0 1", "0 0 0 inf", "0 0 0 0", "0 0 0 -1"}) {
     CAPTURE(cube);
-    CHECK(told("bintree 1\nresolution 2\ncube " + std::string(cube) + "\n0").find("no place or no size") !=
-          std::string::npos);
+    CHECK(told("bintree 1\nresolution 2\ncube " + std::string(cube) + "\n0")
+              .find("the position or the size of the cube is invalid") != std::string::npos);
   }
-  CHECK(told("bintree 1\nresolution 2\ncube 0 0 x 1\n0").find("'x' is no number") != std::string::npos);
+  CHECK(told("bintree 1\nresolution 2\ncube 0 0 x 1\n0").find("'x' is not a number") != std::string::npos);
 }
 
 TEST_CASE("a block model by hand: its cube, its code, its blocks and cells") {
@@ -196,16 +196,18 @@ TEST_CASE("a bintree needs each of its words, and reads its resolutions") {
   for (const char* const resolution : {"2", "4", "1024"}) CHECK(told(of_resolution(resolution)) == "");
   for (const char* const resolution : {"0", "1", "3", "6", "1023", "2048"})
     CHECK(told(of_resolution(resolution)) ==
-          "b.bintree: the resolution is no power of two from 2 to 1024; write the bintree again");
-  CHECK(told(of_resolution("4x")) == "b.bintree: '4x' is no number; write the bintree again");
-  CHECK(told(of_resolution("-4")) == "b.bintree: '-4' is no number; write the bintree again");
-  CHECK(told("bintree 2\nresolution 2\ncube 0 0 0 1\n0") == "b.bintree: '1' is missing; write the bintree again");
-  CHECK(told("bintree 1\nsize 2\ncube 0 0 0 1\n0") == "b.bintree: 'resolution' is missing; write the bintree again");
-  CHECK(told("bintree 1\nresolution 2\nbox 0 0 0 1\n0") == "b.bintree: 'cube' is missing; write the bintree again");
-  CHECK(told("bintree 1\nresolution 2\ncube 0 0 0") == "b.bintree: '' is no number; write the bintree again");
-  CHECK(told("bintree 1\nresolution 2\ncube 0 0 0 1\n").find("the code is not that") != std::string::npos);
-  CHECK(told("bintree 1\nresolution 2\ncube 0 -inf 0 1\n0").find("no place or no size") != std::string::npos);
-  CHECK(told("bintree 1\nresolution 2\ncube 0 0 inf 1\n0").find("no place or no size") != std::string::npos);
+          "b.bintree: the resolution is not a power of two from 2 to 1024; create the bintree again");
+  CHECK(told(of_resolution("4x")) == "b.bintree: '4x' is not a number; create the bintree again");
+  CHECK(told(of_resolution("-4")) == "b.bintree: '-4' is not a number; create the bintree again");
+  CHECK(told("bintree 2\nresolution 2\ncube 0 0 0 1\n0") == "b.bintree: '1' is missing; create the bintree again");
+  CHECK(told("bintree 1\nsize 2\ncube 0 0 0 1\n0") == "b.bintree: 'resolution' is missing; create the bintree again");
+  CHECK(told("bintree 1\nresolution 2\nbox 0 0 0 1\n0") == "b.bintree: 'cube' is missing; create the bintree again");
+  CHECK(told("bintree 1\nresolution 2\ncube 0 0 0") == "b.bintree: '' is not a number; create the bintree again");
+  CHECK(told("bintree 1\nresolution 2\ncube 0 0 0 1\n").find("the code is not exactly one tree") != std::string::npos);
+  CHECK(told("bintree 1\nresolution 2\ncube 0 -inf 0 1\n0").find("the position or the size of the cube is invalid") !=
+        std::string::npos);
+  CHECK(told("bintree 1\nresolution 2\ncube 0 0 inf 1\n0").find("the position or the size of the cube is invalid") !=
+        std::string::npos);
   // Blanks of any kind, also within the code.
   const convert::Bintree read = convert::read_bintree("\tbintree 1 resolution 2\r\ncube 1 2 3 1e-3 ( 0\n1", "b");
   CHECK(read.code == "(01");

@@ -113,10 +113,11 @@ TEST_CASE("binary STL leaves out triangles whose corners are one in single preci
 TEST_CASE("binary STL refuses a model that single precision would change") {
   const convert::Surface far = testing::converted(
       "cube([2,2,2]);multmatrix([[1,0,0,3000000000],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube([2,2,2]);}");
-  CHECK_THROWS_WITH_AS(convert::format_of(".stl")->write(far, {}),
-                       "binary STL has single precision, which would change the volume of this model by more than a "
-                       "thousandth, since its coordinates reach 3e+09; write .off or .3mf, or an STL text with --ascii",
-                       InputError);
+  CHECK_THROWS_WITH_AS(
+      convert::format_of(".stl")->write(far, {}),
+      "binary STL has single precision, which would change the volume of this model by more than a "
+      "thousandth, because its coordinates reach 3e+09; write .off or .3mf, or a text STL with --ascii",
+      InputError);
   CHECK(convert::measure(far).volume == 16);
   CHECK(!convert::format_of(".stl")->write(far, {.is_text = true}).empty());
   CHECK(testing::volume_of(read_back(convert::format_of(".off")->write(far, {}), ".off")) == 16);
@@ -231,7 +232,7 @@ TEST_CASE("binary STL may change a volume by a thousandth, no more, along each a
       }
       const std::string told = testing::error_of([&] { convert::format_of(".stl")->write(surface, {}); });
       CHECK(told.empty() == (size > 900));
-      if (!told.empty()) CHECK(told.find("since its coordinates reach 1.68e+07;") != std::string::npos);
+      if (!told.empty()) CHECK(told.find("because its coordinates reach 1.68e+07;") != std::string::npos);
     }
   }
 }

@@ -36,7 +36,7 @@ TEST_CASE("faces brought together by other rotations in six digits are near but 
   const convex::NearFaces found =
       near_faces("difference() {\n" + once + thrice_turned("cube(size = [3, 5, 7], center = true);") + "}");
   CHECK(found.pairs == 1);
-  CHECK_FALSE(found.are_more);
+  CHECK_FALSE(found.is_incomplete);
   CHECK(found.first == std::array<std::uint32_t, 2>{0, 1});
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("pieces of one node are not held against each other") {
 TEST_CASE("many faces in near planes are given up on, and that is told") {
   std::string text;
   for (int i = 0; i < 1100; ++i) text += box(20 * i, 0, 0, 10) + box(20 * i, 50, 10.00001, 10);
-  CHECK(near_faces(text).are_more);
+  CHECK(near_faces(text).is_incomplete);
 }
 
 TEST_CASE("of many boxes those pairs are near that are near when the others are not there") {

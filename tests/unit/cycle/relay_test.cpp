@@ -51,7 +51,7 @@ TEST_CASE("a stripe's sum is cut on purpose: nothing is counted, and nothing ask
   stripe.opcode = Opcode::stripe;
   const isa::Program program = program_of({enable_all, stripe, enable_all});
   cycle::Relay relay(program, {});
-  CHECK(relay.keeps_after(0, 0) == Keep::nothing);
+  CHECK(relay.required_after(0, 0) == Keep::nothing);
   relay.after_instruction({.index = 0}, test::NumberView(0b1111'1111));
   CHECK(relay.overflows() == 0);
 }
@@ -59,10 +59,10 @@ TEST_CASE("a stripe's sum is cut on purpose: nothing is counted, and nothing ask
 TEST_CASE("of the machine is asked what the observers read and what the count of overflows needs") {
   const isa::Program program = program_of({enable_all, narrow, enable_all});
   cycle::Relay unobserved(program, {});
-  CHECK(unobserved.keeps_after(0, 0) == Keep::enable);
-  CHECK(unobserved.keeps_after(0, 1) == Keep::nothing);
-  CHECK(unobserved.keeps_after(0, 2) == Keep::nothing);
+  CHECK(unobserved.required_after(0, 0) == Keep::enable);
+  CHECK(unobserved.required_after(0, 1) == Keep::nothing);
+  CHECK(unobserved.required_after(0, 2) == Keep::nothing);
   Reader reader;
   engine::Observer* const observers[] = {&reader};
-  CHECK(cycle::Relay(program, observers).keeps_after(0, 2) == Keep::all);
+  CHECK(cycle::Relay(program, observers).required_after(0, 2) == Keep::all);
 }

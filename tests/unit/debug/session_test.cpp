@@ -52,7 +52,7 @@ struct Debugger {
   explicit Debugger(const char* text = two_primitives) : Debugger(isa::parse(text, "test")) {}
 
   std::string operator()(const std::string& line) {
-    return session.carry_out(debug::parse_command(line, "test", 1, program));
+    return session.execute(debug::parse_command(line, "test", 1, program));
   }
   std::string error(const std::string& line) {
     return error_of([&] { (*this)(line); });
@@ -87,10 +87,10 @@ TEST_CASE("a session tells where it is in Programs of one instruction and of non
 TEST_CASE("until goes to an instruction, a primitive, a clock, and says where nothing of the kind is ahead") {
   Debugger debug;
   CHECK(debug("until i4") == "i4\ni4 of 18: set_constant Z1, 40\n");
-  CHECK(debug.error("until i4") == "i4 is not ahead; go back first, with back N");
+  CHECK(debug.error("until i4") == "i4 is not ahead; step back first with back N");
   CHECK(debug.error("until i18") == "there is no instruction i18: the Program has 18");
   CHECK(debug("until primitive far") == "primitive p1 far\ni7 of 18: enable_all\n");
-  CHECK(debug("until primitive 1") == "primitive p1 far is not reached\n" + last);
+  CHECK(debug("until primitive 1") == "primitive p1 far was not reached\n" + last);
   CHECK(debug("back 100") == "i0 of 18: enable_all\n");
   CHECK(debug("until primitive p0") == "primitive p0 near\ni3 of 18: edge_not_negative x - 3 (w8)\n");
   CHECK(debug("until i15") == "i15\ni17 of 18: enable_store \"a b\"\n");  // which is skipped
@@ -99,17 +99,17 @@ TEST_CASE("until goes to an instruction, a primitive, a clock, and says where no
 TEST_CASE("until goes to the instruction that makes a condition at a pixel true") {
   Debugger debug;
   CHECK(debug("until Z2[5,1] == 40") == "Z2[5,1] == 40\ni6 of 18: set_constant colour, 12\n");
-  CHECK(debug("until Z2[5,1] <= 40") == "Z2[5,1] <= 40 holds already\ni6 of 18: set_constant colour, 12\n");
+  CHECK(debug("until Z2[5,1] <= 40") == "Z2[5,1] <= 40 already holds\ni6 of 18: set_constant colour, 12\n");
   CHECK(debug("until Z2[5,1] < 40") == "Z2[5,1] < 40\ni12 of 18: set_constant colour, 48\n");
   CHECK(debug("print Z2[5,1]") == "Z2[5,1] = 25 (0x19)\n");
   CHECK(debug("until not E[5,1]") == "E[5,1] == 0\ni14 of 18: skip_if_none 2\n");
-  CHECK(debug("until E[5,1]") == "E[5,1] != 0 is not reached\n" + last);
+  CHECK(debug("until E[5,1]") == "E[5,1] != 0 was not reached\n" + last);
   debug("back 100");
   CHECK(debug("until change Z2[1,0]") == "change Z2[1,0]\ni2 of 18: set_constant colour, 63\n");
   CHECK(debug("until change Z2[1,0]") == "change Z2[1,0]\ni12 of 18: set_constant colour, 48\n");
-  CHECK(debug("until change Z2[1,0]") == "change Z2[1,0] is not reached\n" + last);
+  CHECK(debug("until change Z2[1,0]") == "change Z2[1,0] was not reached\n" + last);
   debug("back 100");
-  CHECK(debug("until [16+:2][7,0] != 0x3") == "[16+:2][7,0] != 3 holds already\ni0 of 18: enable_all\n");
+  CHECK(debug("until [16+:2][7,0] != 0x3") == "[16+:2][7,0] != 3 already holds\ni0 of 18: enable_all\n");
   debug("step 3");
   CHECK(debug("until [16+:2][7,0] != 0x3") == "[16+:2][7,0] != 3\ni7 of 18: enable_all\n");
 }
@@ -144,16 +144,17 @@ TEST_CASE("printed are a pixel's fields, by name, with colours and what stands f
 TEST_CASE("errors show the column, and the nearest name") {
   Debugger debug;
   const std::array<std::pair<const char*, const char*>, 9> lines{{
-      {"  frobnicate", "test:1:3: unknown command; help lists those that there are"},
+      {"  frobnicate", "test:1:3: unknown command; help lists the commands"},
       {"print Z3[1,1]", "test:1:7: there is no field 'Z3'; the nearest is 'Z2'"},
       {"print Z2[8,1]", "test:1:12: there is no pixel 8,1 in a picture of 8 x 2"},
       {"print Z2", "test:1:9: expected a pixel of the field, as in Z2[100,20]"},
       {"until Z2[1,1] < ", "test:1:17: expected a number to compare with, as in 5000 or 0xff"},
       {"until primitive nera", "test:1:17: there is no primitive 'nera'; the nearest is 'near'"},
-      {"break", "test:1:6: expected where to stop: i123, clock N, primitive P, or a condition as Z2[100,20] < 5000"},
-      {"step 3 4", "test:1:8: unexpected text; end the line here, or begin a comment with #"},
+      {"break",
+       "test:1:6: expected a place to stop: i123, clock N, primitive P, or a condition such as Z2[100,20] < 5000"},
+      {"step 3 4", "test:1:8: unexpected text; end the line here or start a comment with #"},
       {"print [20+:5][0,0]",
-       "test:1:7: there is no such field; a pixel has 24 bits of memory, and a field 1 to 32 of them"},
+       "test:1:7: no such field; a pixel has 24 bits of memory, and a field takes 1 to 32 of them"},
   }};
   for (const auto& [line, error] : lines) CHECK(debug.error(line) == error);
   CHECK(debug("   # a comment") == "");
@@ -232,8 +233,8 @@ TEST_CASE("a condition is met at the instruction at which looking after each of 
     }
     std::vector<std::uint64_t> found;
     for (;;) {
-      const std::string told = debug.session.carry_out(debug::Until{condition});
-      if (told.find("is not reached") != std::string::npos) break;
+      const std::string told = debug.session.execute(debug::Until{condition});
+      if (told.find("was not reached") != std::string::npos) break;
       if (!debug.session.run().finished() || found.empty() || found.back() != debug.session.number())
         found.push_back(debug.session.number());
       if (debug.session.run().finished()) break;

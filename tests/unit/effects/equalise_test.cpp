@@ -91,7 +91,7 @@ TEST_CASE("every level becomes its rank among the samples, bit for bit") {
     CAPTURE(seed);
     const std::string model = testing::random_model(seed, 2 + static_cast<unsigned>(seed % 6));
     if (facet::make_geometry(read::read_csg_text(model, "model")).box.empty()) continue;
-    changed += check(model, {static_cast<std::int64_t>(2 + seed), 0}, isa::most_colour_bits, smooth);
+    changed += check(model, {static_cast<std::int64_t>(2 + seed), 0}, isa::max_colour_bits, smooth);
   }
   CHECK(changed > 1000);
 }
@@ -102,7 +102,7 @@ TEST_CASE("samples with a reach count for the pixels around them alone") {
     CAPTURE(seed);
     const std::string model = testing::random_model(seed, 2 + static_cast<unsigned>(seed % 6));
     if (facet::make_geometry(read::read_csg_text(model, "model")).box.empty()) continue;
-    changed += check(model, {7, static_cast<std::int64_t>(seed - 8)}, isa::most_colour_bits, smooth);
+    changed += check(model, {7, static_cast<std::int64_t>(seed - 8)}, isa::max_colour_bits, smooth);
   }
   CHECK(changed > 1000);
 }
@@ -120,11 +120,11 @@ TEST_CASE("where no sample shows anything the picture stays as it is") {
       "cube(size = [1, 1, 1]);"
       "multmatrix([[1, 0, 0, 90], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])"
       "{ cube(size = [1, 1, 1]); }";
-  CHECK(check(far_corners, {1, 0}, isa::most_colour_bits) == 0);
+  CHECK(check(far_corners, {1, 0}, isa::max_colour_bits) == 0);
 }
 
 TEST_CASE("a lattice of 64 x 64 is counted in full") {
-  CHECK(check("sphere($fn = 12, $fa = 12, $fs = 2, r = 5);", {64, 0}, isa::most_colour_bits, smooth) > 0);
+  CHECK(check("sphere($fn = 12, $fa = 12, $fs = 2, r = 5);", {64, 0}, isa::max_colour_bits, smooth) > 0);
 }
 
 TEST_CASE("a machine without a global OR over the whole picture is refused, and one that has it is named") {

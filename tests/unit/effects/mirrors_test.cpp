@@ -72,7 +72,7 @@ std::vector<testing::RayMirror> mirrors_of(const scene::Scene& scene, const test
   std::vector<testing::RayMirror> mirrors;
   for (std::uint32_t i = 0; i < compiled.tree.primitives.size(); ++i) {
     const model::Primitive& primitive = compiled.tree.primitives[i];
-    const double reflectance = lighting::finish_of(scene, primitive, false).material.mirror;
+    const double reflectance = lighting::make_finish(scene, primitive, false).material.mirror;
     if (reflectance == 0 || std::holds_alternative<model::Sphere>(primitive.shape)) continue;
     const auto* const cylinder = std::get_if<model::Cylinder>(&primitive.shape);
     if (cylinder == nullptr) {

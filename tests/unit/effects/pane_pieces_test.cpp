@@ -117,7 +117,7 @@ void judge(const Plate& plate, const testing::Setup& setup, Tally& tally) {
     ++tally.judged;
     tally.through += *count > 1 ? 1 : 0;
     const double level = 255 * (1 - std::pow(1 - alpha, static_cast<double>(*count)));
-    const double off = std::abs(isa::unpack_colour(frame.colour[i], isa::most_colour_bits)[0] - level);
+    const double off = std::abs(isa::unpack_colour(frame.colour[i], isa::max_colour_bits)[0] - level);
     const bool is_owner = frame.owner[i] == (*count > 0 ? 0 : observe::no_owner);
     if (off <= static_cast<double>(*count) && is_owner) continue;
     ++tally.wrong;

@@ -123,7 +123,7 @@ void compare(const std::string& model, const Pattern& pattern, const view::Camer
     } else {
       ++tally.plain;
     }
-    const std::array<std::uint8_t, 3> colour = isa::unpack_colour(frame.colour[i], isa::most_colour_bits);
+    const std::array<std::uint8_t, 3> colour = isa::unpack_colour(frame.colour[i], isa::max_colour_bits);
     if (is_rounded(colour[0], expected.r) && is_rounded(colour[1], expected.g) && is_rounded(colour[2], expected.b))
       continue;
     ++tally.wrong;

@@ -43,7 +43,7 @@ scene::Scene by_line(const std::vector<std::string>& sets) {
 std::vector<double> opacities_of(const scene::Scene& scene, const model::Tree& tree) {
   std::vector<double> opacities;
   for (const model::Primitive& one : tree.primitives)
-    opacities.push_back(lighting::finish_of(scene, one, false).opacity);
+    opacities.push_back(lighting::make_finish(scene, one, false).opacity);
   return opacities;
 }
 

@@ -54,7 +54,7 @@ glm::dvec3 blended(const std::vector<Pane>& panes, std::size_t layers) {
 }
 
 glm::dvec3 levels(std::uint32_t packed) {
-  const std::array<std::uint8_t, 3> colour = isa::unpack_colour(packed, isa::most_colour_bits);
+  const std::array<std::uint8_t, 3> colour = isa::unpack_colour(packed, isa::max_colour_bits);
   return {colour[0], colour[1], colour[2]};
 }
 

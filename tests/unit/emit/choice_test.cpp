@@ -13,7 +13,7 @@ using namespace csgsim;
 
 namespace {
 
-testing::Setup setup(emit::Strategy strategy, unsigned stack_bits = emit::fewest_stack_bits) {
+testing::Setup setup(emit::Strategy strategy, unsigned stack_bits = emit::min_stack_bits) {
   testing::Setup made;
   made.camera = {{60, -70, 90}, {0, 0, 0}, view::Projection::orthographic};
   made.sampling.width = 64;
@@ -67,7 +67,7 @@ TEST_CASE("auto takes no more clocks than any strategy and colouring, and says w
     CHECK(best.facts->compile.strategy != "auto");
     CHECK(best.facts->compile.colouring != "auto");
     for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
-      for (const emit::Strategy strategy : emit::usual_strategies()) {
+      for (const emit::Strategy strategy : emit::default_strategies()) {
         // One takes more memory, and one is not chosen from.
         if (strategy == emit::Strategy::stored || strategy == emit::Strategy::products) continue;
         for (const unsigned bits : {3U, 4U, 5U, 6U}) {

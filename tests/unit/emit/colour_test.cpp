@@ -16,7 +16,7 @@ TEST_CASE("few bits of colour go to green first, then to red") {
 }
 
 TEST_CASE("a colour is off by half a level of its width at most, and black and white stay what they are") {
-  for (unsigned bits = isa::fewest_colour_bits; bits <= isa::most_colour_bits; ++bits) {
+  for (unsigned bits = isa::minimum_colour_bits; bits <= isa::max_colour_bits; ++bits) {
     CAPTURE(bits);
     CHECK(isa::unpack_colour(isa::pack_colour({0, 0, 0}, bits), bits) == std::array<std::uint8_t, 3>{0, 0, 0});
     CHECK(isa::unpack_colour(isa::pack_colour({1, 1, 1}, bits), bits) == std::array<std::uint8_t, 3>{255, 255, 255});

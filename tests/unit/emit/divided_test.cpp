@@ -126,9 +126,10 @@ TEST_CASE("a machine that divides has prunings of its own") {
 TEST_CASE("a machine that divides has one strategy") {
   emit::Options options;
   options.strategy = emit::Strategy::list;
-  CHECK(error_of([&] {
-          divided(machine_with(1), options);
-        }).starts_with("the machine divides the model itself, and its divider supports only --strategy stack, not list"));
+  CHECK(
+      error_of([&] {
+        divided(machine_with(1), options);
+      }).starts_with("the machine divides the model itself, and its divider supports only --strategy stack, not list"));
   options.strategy = emit::Strategy::automatic;
   options.colouring = emit::Colouring::automatic;
   CHECK(divided(machine_with(1), options).facts->compile.strategy == "stack");

@@ -126,5 +126,5 @@ TEST_CASE("what is hidden is skipped, and what is left adds up") {
 
 TEST_CASE("the clocks of a run are those of the reference, skips and all") {
   const isa::Program program = testing::compile_text(behind_a_cube, setup()).program;
-  CHECK(functional::clocks_of_run(program, testing::machine_of(program.shape)) == run(program).result.clocks);
+  CHECK(functional::measure_clocks(program, testing::machine_of(program.shape)) == run(program).result.clocks);
 }

@@ -91,7 +91,7 @@ TEST_CASE(
     CHECK(three.facts->compile.depth_tests >= stack.facts->compile.depth_tests);
     CHECK(of_purpose(three, isa::Purpose::render) == of_purpose(stack, isa::Purpose::render));
     const machines::Machine machine = testing::machine_of(three.shape);
-    CHECK(functional::clocks_of_run(three, machine) <= functional::clocks_of_run(products, machine));
+    CHECK(functional::measure_clocks(three, machine) <= functional::measure_clocks(products, machine));
   }
 }
 

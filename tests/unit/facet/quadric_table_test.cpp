@@ -249,7 +249,7 @@ TEST_CASE("what is meant as a polygon is faceted, and everything is where exact 
   CHECK(quadrics_with(13, exact()) == 1);
   CHECK(quadrics_with(0, {}) == 0);
   facet::Faceting all = exact();
-  all.fewest_round = 0;
+  all.min_round_sides = 0;
   CHECK(quadrics_with(6, all) == 1);
   const model::Tree both = tree_of({at(model::Sphere{2, {}}), at(model::Sphere{3, {}})});
   facet::Faceting second = exact();

@@ -148,10 +148,10 @@ constexpr double stored = 16 + 8 + 6 + 10;                           // MOVE.L, 
 
 TEST_CASE("an instruction without operands is a number that is put into one word") {
   const isa::Instruction instruction{.opcode = isa::Opcode::enable_all};
-  CHECK(clocks_of(host::operations_of(instruction, 32)) == called + number + stored);
+  CHECK(clocks_of(host::count_operations(instruction, 32)) == called + number + stored);
   // A word of 16 bits is stored as a long is; one of 64 takes two.
-  CHECK(clocks_of(host::operations_of(instruction, 16)) == called + number + stored);
-  CHECK(clocks_of(host::operations_of(instruction, 64)) == called + number + 2 * stored);
+  CHECK(clocks_of(host::count_operations(instruction, 16)) == called + number + stored);
+  CHECK(clocks_of(host::count_operations(instruction, 64)) == called + number + 2 * stored);
 }
 
 TEST_CASE("a linear expression is moved to its corner, tested, made short, and packed in as many longs as it has") {
@@ -160,15 +160,15 @@ TEST_CASE("a linear expression is moved to its corner, tested, made short, and p
   constexpr double fitted = 6 * 8 + 5 * 6 + 10 * 8 + 3 * 8 + 24 * 2;
   isa::Instruction edge{.opcode = isa::Opcode::edge_not_negative, .linear = {1, 2, 3, 20, 0}};
   // The number of the command, 6 bits; width and shift, 6 each; A, B and C of 20: 78 bits.
-  CHECK(clocks_of(host::operations_of(edge, 32)) == called + 6 * number + moved + tested + fitted + 3 * stored);
+  CHECK(clocks_of(host::count_operations(edge, 32)) == called + 6 * number + moved + tested + fitted + 3 * stored);
   edge.linear.width = 40;  // two longs a coefficient, 138 bits
-  CHECK(clocks_of(host::operations_of(edge, 32)) == called + 9 * number + moved + tested + fitted + 5 * stored);
+  CHECK(clocks_of(host::count_operations(edge, 32)) == called + 9 * number + moved + tested + fitted + 5 * stored);
 }
 
 TEST_CASE("a field is two numbers") {
   const isa::Instruction copy{.opcode = isa::Opcode::copy, .fields = {isa::Field{3, 8}, isa::Field{20, 8}, {}}};
   // 6 bits, and 12 and 6 for each field: 42.
-  CHECK(clocks_of(host::operations_of(copy, 32)) == called + 5 * number + 2 * stored);
+  CHECK(clocks_of(host::count_operations(copy, 32)) == called + 5 * number + 2 * stored);
 }
 
 TEST_CASE("what is counted has a recipe each, that takes time") {
@@ -209,14 +209,14 @@ TEST_CASE("each recipe is counted by the number of a Program that has its name")
 TEST_CASE("what is written takes a call and its own number for each instruction, and the rest by what it has") {
   const Counts tested = expected_recipes.at("tests");
   const host::Written written{.instructions = 3, .numbers = 10, .linear = 2, .squares = 1, .longs = 7};
-  CHECK(counts_of(host::operations_of(written)) == sum_of({{3, &counts_called},
-                                                           {3 + 10, &counts_number},
-                                                           {2, &counts_moved},
-                                                           {2, &tested},
-                                                           {2, &counts_fitted},
-                                                           {1, &counts_squares},
-                                                           {7, &counts_stored}}));
-  CHECK(counts_of(host::of_model_long()) == sum_of({{2, &counts_number}, {1, &counts_stored}}));
+  CHECK(counts_of(host::count_operations(written)) == sum_of({{3, &counts_called},
+                                                              {3 + 10, &counts_number},
+                                                              {2, &counts_moved},
+                                                              {2, &tested},
+                                                              {2, &counts_fitted},
+                                                              {1, &counts_squares},
+                                                              {7, &counts_stored}}));
+  CHECK(counts_of(host::model_long_operations()) == sum_of({{2, &counts_number}, {1, &counts_stored}}));
 }
 
 TEST_CASE("an operand counts the numbers that the page gives it, and a coefficient a long for each 32 bits") {

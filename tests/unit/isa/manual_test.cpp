@@ -16,7 +16,7 @@ TEST_CASE("the tables of the manual have a row an instruction, a number of clock
            "| 12 | `linear_le` | source, linear | any | 36 + 3w | E := E and F <= s |\n",
            "| 18 | `set_constant` | target, constant | any | 24 + n | where E: t := k |\n",
            "| 23 | `bit_and` | target, source, source | equal | 60 | where E: t := s and r, bit by bit |\n",
-           "| 28 | `global_or` |  |  | 6 | the host is told whether E is 1 at any pixel |\n",
+           "| 28 | `global_or` |  |  | 6 | the host receives whether E is 1 at any pixel |\n",
            "| 31 | `add` | target, source | s no wider than t | 42 | where E: t := the low bits of t + s; the carry "
            "out of the "
            "top bit is lost |\n",

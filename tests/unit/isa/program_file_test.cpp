@@ -46,9 +46,9 @@ TEST_CASE("a file that cannot be written leaves nothing behind") {
   const Scratch scratch("unwritable");
   fs::create_directory(scratch / "p.csgt");
   fs::create_directory(scratch / "p.csgt" / "full");
-  CHECK(contains(refusal([&] { save_program(sample_program(), scratch / "p.csgt"); }), "cannot write it"));
+  CHECK(contains(refusal([&] { save_program(sample_program(), scratch / "p.csgt"); }), "cannot be written"));
   CHECK(scratch.files() == 1);
-  CHECK(contains(refusal([&] { save_program(sample_program(), scratch / "none/p.csgt"); }), "cannot write it"));
+  CHECK(contains(refusal([&] { save_program(sample_program(), scratch / "none/p.csgt"); }), "cannot be written"));
 }
 
 TEST_CASE("a file that cannot be read is told by name") {

@@ -178,7 +178,7 @@ TEST_CASE("a Program that asks is refused before it begins on a machine without 
   const std::array<Observer*, 1> observers{&recorder};
   CHECK_THROWS_WITH_AS(make_reference_engine(machine)->run(program, observers),
                        "segment 0, instruction 2: global_or needs a global OR, which the machine deaf does not have; "
-                       "compile the model for this machine, or take one whose global_or.present is 1",
+                       "compile the model for this machine, or use one with global_or.present = 1",
                        InputError);
   CHECK(recorder.steps.empty());
   program.segments = {{{0, 0, 8, 4}, {all, skip(1), all}}};

@@ -60,9 +60,11 @@ TEST_CASE("right after squares stands a linear expression of their width") {
   CHECK(error_of("enable_all\nsquares x*x (w35)") ==
         "t:4:1: squares are the last instruction of the segment; put one with a linear expression after them");
   CHECK(error_of("squares x*x (w35)\nenable_all\nedge_negative x (w35)") ==
-        "t:3:1: squares come before enable_all, which has no linear expression; put one that has right after them");
+        "t:3:1: squares come before enable_all, which has no linear expression; put an instruction that has one right "
+        "after them");
   CHECK(error_of("squares x*x (w35)\nsquares x*x (w35)\nedge_negative x (w35)") ==
-        "t:3:1: squares come before squares, which has no linear expression; put one that has right after them");
+        "t:3:1: squares come before squares, which has no linear expression; put an instruction that has one right "
+        "after them");
   CHECK(error_of("squares x*x (w35)\nedge_negative x (w34)") ==
         "t:3:1: squares of 35 bits come before a linear expression of 34; give them the same width");
   CHECK(
@@ -116,7 +118,7 @@ TEST_CASE("a field is wide where F is loaded or added, or a root is taken") {
   for (const char* other : {"keep_max [0+:33], x (w62)", "linear_ge [0+:33], x (w62)", "set_constant [0+:33], 1",
                             "copy [0+:33], [40+:33]", "bit_not [0+:33], [40+:33]"})
     CHECK(contains(error_of(other), "33 bits wide; a field has 1 to 32 bits"));
-  CHECK(contains(error_of("root [0+:40]"), "40 bits wide; give it an odd number of bits, 3 at least"));
+  CHECK(contains(error_of("root [0+:40]"), "40 bits wide; give it an odd number of bits, at least 3"));
   CHECK(contains(error_of("root [0+:1]"), "1 bits wide; give it an odd number"));
   CHECK(contains(error_of("root [0+:63]"), "63 bits wide; a field has 1 to 62 bits"));
 }

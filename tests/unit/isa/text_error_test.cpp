@@ -29,7 +29,8 @@ TEST_CASE("an unknown word is told with its place and the nearest known one") {
   CHECK(error_of(array + ".fild Z [0] depth") == "t:2:2: unknown directive 'fild'; the nearest is 'field'");
   CHECK(error_of(array + ".field Z [0] dpth") == "t:2:14: unknown field role 'dpth'; the nearest is 'depth'");
   CHECK(error_of(array + ".model file=\"a\" union=3") == "t:2:17: unknown key 'union'; the nearest is 'unions'");
-  CHECK(error_of(array + ".segment width=8 height=8\nenable_load a") == "t:3:13: unknown field 'a'; there is none yet");
+  CHECK(error_of(array + ".segment width=8 height=8\nenable_load a") ==
+        "t:3:13: unknown field 'a'; none is defined yet");
 }
 
 TEST_CASE("an error is one line, whatever it quotes of the input") {
@@ -137,11 +138,10 @@ TEST_CASE("what a host prepares for a frame is told where it is more than that, 
   constexpr const char* most = "281474976710656";
   const std::string segment = ".segment width=8 height=8\n";
   CHECK(error_of(array + ".prepare boxes=281474976710657\n" + segment) ==
-        std::string("t:2:1: boxes=281474976710657 is more than a host prepares for a frame, ") + most);
+        std::string("t:2:1: boxes=281474976710657 exceeds the limit for a frame, ") + most);
   CHECK_NOTHROW(parse(array + ".prepare boxes=" + most + "\n" + segment, "t"));
   CHECK(error_of(array + ".prepare boxes=" + most + "\n" + segment + ".prepare boxes=1\n") ==
-        std::string("t: all .prepare together: boxes=281474976710657 is more than a host prepares for a frame, ") +
-            most);
+        std::string("t: sum of all .prepare: boxes=281474976710657 exceeds the limit for a frame, ") + most);
 }
 
 TEST_CASE("directives come in order") {
@@ -149,7 +149,7 @@ TEST_CASE("directives come in order") {
   CHECK(error_of(".model unions=1\n" + array).starts_with("t:1:2: .model comes before .array"));
   CHECK(error_of(array + "enable_all").starts_with("t:2:1: the instruction is in no segment"));
   CHECK(error_of(header + ".field Q [9] stack").starts_with("t:5:2: .field comes after a .segment"));
-  CHECK(error_of(array + array).starts_with("t:2:2: .array stands twice"));
+  CHECK(error_of(array + array).starts_with("t:2:2: .array appears twice"));
   CHECK(error_of(array + ".field Q [9] stack\n.field Q [8] stack").starts_with("t:3:1: field \"Q\" is named twice"));
 }
 

@@ -140,7 +140,7 @@ TEST_CASE("a constant fits its target") {
 TEST_CASE("a skip leaves out one instruction at least, and none beyond its segment") {
   const auto skip = [](std::uint64_t count) { return Instruction{Opcode::skip_if_none, {}, {}, count, {}}; };
   CHECK(refusal_of(skip(1)).empty());
-  CHECK(refusal_of(skip(0)) == "skip_if_none 0 skips nothing; skip an instruction at least, or leave it out");
+  CHECK(refusal_of(skip(0)) == "skip_if_none 0 skips nothing; skip at least one instruction, or remove it");
   CHECK(refusal_of(skip(0xffffffffU)).empty());
   CHECK(contains(refusal_of(skip(0x100000000U)), "can skip 4294967295 instructions at most"));
   Program program = sample_program();

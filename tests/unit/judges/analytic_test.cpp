@@ -212,7 +212,7 @@ TEST_CASE("what the model means as a polygon is one in the true picture, unless 
     CHECK(truth_as({.tolerance = 0.1}).distance == round.distance);
     CHECK(truth_as({.fragments = 12}).distance == round.distance);
     CHECK(truth_as({.exact_curves = true}).distance == meant.distance);
-    CHECK(truth_as({.fewest_round = 3}).distance == round.distance);
+    CHECK(truth_as({.min_round_sides = 3}).distance == round.distance);
   }
 }
 

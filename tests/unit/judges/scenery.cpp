@@ -41,7 +41,7 @@ judges::Truth exact(const Scenery& scenery) {
 }
 
 judges::Truth analytic(const Scenery& scenery) {
-  return judges::analytic_truth(scenery.tree, {.fewest_round = 0}, scenery.camera, scenery.width, scenery.height,
+  return judges::analytic_truth(scenery.tree, {.min_round_sides = 0}, scenery.camera, scenery.width, scenery.height,
                                 depth_of(scenery));
 }
 

@@ -193,8 +193,8 @@ TEST_CASE("a machine file says how many bits the trees bring in a clock, no more
   const auto line = 1 + std::ranges::count(text.substr(0, text.find(trees)), '\n');
   CHECK(message_of_change(trees + "1", trees + "2") ==
         fmt::format(
-            "my.toml:{}:1: evaluator.bits is 2 and alu.bits 1: the ALU takes what the trees bring in a clock; make "
-            "evaluator.bits at most 1, or alu.bits at least 2",
+            "my.toml:{}:1: evaluator.bits is 2 and alu.bits 1: the ALU must process all bits that the trees deliver "
+            "in a clock; make evaluator.bits at most 1, or alu.bits at least 2",
             line));
   for (const std::string name : {"pixel-planes-4", "pixel-square", "pixel-planes-5", "pixel-powers"}) {
     CAPTURE(name);
@@ -252,12 +252,12 @@ TEST_CASE("a value out of range, a wrong unit and a wrong provenance are pointed
   CHECK(message_of_change("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 33")
             .ends_with("alu.bits is 33; it takes 1 to 32 bits"));
   CHECK(message_of_change("[memory.writes]\nvalue = 1", "[memory.writes]\nvalue = 2")
-            .ends_with("memory.writes is 2; the simulator knows 1 only"));
+            .ends_with("memory.writes is 2; the simulator supports only 1"));
   const std::string unit = changed("unit = \"Hz\"", "unit = \"MHz\"");
-  CHECK(message(unit) == testing::place_in(unit, "\"MHz\"") + ": unit 'MHz' of clock.frequency; it counts in 'Hz'");
+  CHECK(message(unit) == testing::place_in(unit, "\"MHz\"") + ": unit 'MHz' of clock.frequency; its unit is 'Hz'");
   const std::string provenance = changed("provenance = \"assumed\"", "provenance = \"guessed\"");
   CHECK(message(provenance) == testing::place_in(provenance, "\"guessed\"") +
-                                   ": provenance 'guessed' of memory.reads; say 'published' or 'assumed'");
+                                   ": provenance 'guessed' of memory.reads; write 'published' or 'assumed'");
 }
 
 TEST_CASE("a missing key is named") {
@@ -280,7 +280,7 @@ TEST_CASE("an unknown kind and an unknown order name those there are") {
   for (const machines::Kind* const one : kinds::all()) names += (names.empty() ? "" : ", ") + std::string(one->name);
   CHECK(names.starts_with("frame-buffer, scan-line, pixel-square"));
   const std::string kind = changed("\"frame-buffer\"", "\"frame\"");
-  CHECK(message(kind) == testing::place_in(kind, "\"frame\"") + ": unknown kind 'frame'; there are " + names);
+  CHECK(message(kind) == testing::place_in(kind, "\"frame\"") + ": unknown kind 'frame'; the kinds are " + names);
   std::string order = description_of("pixel-square");
   order.replace(order.find("value = \"rows\""), 14, "value = \"columns\"");
   CHECK(message(order) ==
@@ -333,7 +333,7 @@ TEST_CASE("figures can be changed behind a machine's name, which tells them, and
 
 TEST_CASE("a change that is none is told") {
   CHECK_THROWS_WITH_AS(kinds::load("pixel-square+divider.kin=host"),
-                       "pixel-square.toml: unknown figure 'divider.kin'; the nearest known is 'divider.kind'",
+                       "pixel-square.toml: unknown parameter 'divider.kin'; the nearest known is 'divider.kind'",
                        csgsim::InputError);
   CHECK_THROWS_AS(kinds::load("pixel-square+divider.kind=hots"), csgsim::InputError);
   CHECK_THROWS_AS(kinds::load("pixel-square+divider.kind"), csgsim::InputError);
@@ -354,8 +354,8 @@ TEST_CASE("a machine of degree 1 refuses a Program with squares and names one th
   CHECK_THROWS_WITH_AS(
       machines::check_runs_on(program, machine),
       "segment 0, instruction 1: squares needs quadratic expressions, which the machine pixel-planes-4 "
-      "does not have; compile the model for this machine, or take one whose evaluator.degree is 2, as "
-      "pixel-powers",
+      "does not have; compile the model for this machine, or use one with evaluator.degree = 2, such "
+      "as pixel-powers",
       InputError);
   for (const std::string name : {"pixel-powers", "pixel-planes-4+evaluator.degree=2"}) {
     machine = kinds::load(name);

@@ -175,7 +175,7 @@ TEST_CASE("the words read and sent at a moment after a jump count those that wer
   const std::vector<machines::Skip> skips{{0, 0}};
   std::vector<Instruction> instructions(5, {.opcode = Opcode::enable_all});
   instructions.front() = {.opcode = Opcode::skip_if_none, .constant = 3};
-  const pixel_planes::Moment moment = pixel_planes::moment_of(program_of(instructions), machine, skips, 0, 4);
+  const pixel_planes::Moment moment = pixel_planes::instruction_moment(program_of(instructions), machine, skips, 0, 4);
   CHECK(moment.clock == 30);
   CHECK(moment.words_read == 3 + 2 + 3 + 1);
   CHECK(moment.words_sent == 3 + 2 + 3 + 2);
@@ -325,12 +325,12 @@ TEST_CASE("a Program that draws where the picture before stands is refused") {
   CHECK_NOTHROW(check({.opcode = Opcode::set_constant, .fields = {{{20, 12}}}}, 8));
   CHECK_THROWS_WITH_AS(
       check({.opcode = Opcode::set_constant, .fields = {{{20, 13}}}}, 8),
-      "segment 0, instruction 1: set_constant meets the 8 bits from bit 32 on, from which mine shows a "
-      "picture while the next is drawn; compile the model for this machine, or take one whose "
-      "scan_out.buffers is 1",
+      "segment 0, instruction 1: set_constant overlaps the 8 bits from bit 32 on, from which mine displays a "
+      "picture while it draws the next; compile the model for this machine, or use a machine with "
+      "scan_out.buffers = 1",
       InputError);
   CHECK_THROWS_WITH_AS(check({.opcode = Opcode::enable_all}, 21),
-                       doctest::Contains("the colour field meets the 21 bits from bit 19 on"), InputError);
+                       doctest::Contains("the colour field overlaps the 21 bits from bit 19 on"), InputError);
   machine = with_buffers(machine, 1, ScanOutPort::own);
   CHECK_NOTHROW(check({.opcode = Opcode::set_constant, .fields = {{{20, 13}}}}, 21));
 }

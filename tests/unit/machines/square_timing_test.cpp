@@ -194,7 +194,7 @@ TEST_CASE("a machine that works on parts of the picture refuses questions, and s
     machine.name = "squares";
     CHECK(error_of([&] { machines::check_runs_on(program, machine); }) ==
           "segment 0, instruction 1: global_or needs a global OR, which the machine squares does not have; compile the "
-          "model for this machine, or take one whose global_or.present is 1");
+          "model for this machine, or use one with global_or.present = 1");
   }
   CHECK_NOTHROW(machines::check_runs_on(program, machines::blank(pixel_planes::kind)));
 }
@@ -227,5 +227,5 @@ TEST_CASE("a Program whose segments are not the machine's squares is refused") {
   std::swap(program.segments[0], program.segments[1]);
   CHECK(error_of([&] {
           machines::check_runs_on(program, machine);
-        }).starts_with("the Program's segments are not the 4 regions in which squares draws a picture of 4x4"));
+        }).starts_with("the Program's segments are not the 4 regions that squares uses for a picture of 4x4"));
 }

@@ -41,7 +41,7 @@ std::vector<isa::Instruction> any_list(const isa::Region& region, std::uint32_t 
   const std::uint32_t count = below(15);
   while (list.size() < count) {
     const isa::Instruction one = *test::arbitrary_instruction(shape, memory_bits, 0);
-    if (!isa::is_question(one.opcode)) list.push_back(one);
+    if (!isa::needs_global_or(one.opcode)) list.push_back(one);
     if (below(4) == 0) list.push_back(isa::Instruction{.opcode = isa::Opcode::enable_all});
   }
   return list;
@@ -65,7 +65,7 @@ void check_pixels(const multi_processor::PixelMemory& memory, const NodePixels& 
 /// What each pixel was told to go through, against the states that were kept and the clocks worked out.
 void check_moments(const std::vector<std::vector<multi_processor::PixelMoment>>& moments,
                    const std::vector<multi_processor::NodeState>& steps, const std::vector<isa::Instruction>& list,
-                   const NodePixels& own, const machines::MetPixels* met, const machines::Machine& machine) {
+                   const NodePixels& own, const machines::PixelActivity* met, const machines::Machine& machine) {
   const multi_processor::RenderingClocks clocks({.instructions = list, .met = met}, machine);
   for (std::uint32_t pixel = 0; pixel < moments.size(); ++pixel) {
     RC_ASSERT(moments[pixel].size() == list.size());
@@ -82,8 +82,8 @@ void check_moments(const std::vector<std::vector<multi_processor::PixelMoment>>&
 }
 
 /// Which pixels the list meets, as the reference has it; nothing for nodes that do not branch.
-std::vector<machines::MetPixels> met_by(const std::vector<isa::Instruction>& list, const isa::Region& region,
-                                        const machines::Machine& machine) {
+std::vector<machines::PixelActivity> met_by(const std::vector<isa::Instruction>& list, const isa::Region& region,
+                                            const machines::Machine& machine) {
   isa::Program program;
   program.segments.push_back({region, list});
   engine::MetRecorder recorder(program, machine);
@@ -106,8 +106,8 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
     if (list.empty()) return;
     const std::vector<systemc::Keep> keeps(list.size(), systemc::Keep::all);
     const isa::Field colour{0, static_cast<std::uint16_t>(1 + below(8))};
-    const std::vector<machines::MetPixels> all_met = met_by(list, region, machine);
-    const machines::MetPixels* const met = all_met.empty() ? nullptr : all_met.data();
+    const std::vector<machines::PixelActivity> all_met = met_by(list, region, machine);
+    const machines::PixelActivity* const met = all_met.empty() ? nullptr : all_met.data();
     for (std::uint32_t node = 0; node < machine.array.width * machine.array.height; ++node) {
       const NodePixels own =
           multi_processor::pixels_of(region, machine.array, node / machine.array.width, node % machine.array.width);
@@ -123,7 +123,7 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
         if (own.count() > 0) RC_ASSERT(renderer.steps()[i].clocks == multi_processor::pixel_clocks(list[i], machine));
       }
       RC_ASSERT(renderer.store_colours(colour).size() == own.count());
-      const auto clocks = [&](const machines::MetPixels* pixels) {
+      const auto clocks = [&](const machines::PixelActivity* pixels) {
         return multi_processor::RenderingClocks({.instructions = list, .met = pixels}, machine).all(own, colour);
       };
       RC_ASSERT(renderer.clocks() == clocks(met));
@@ -253,7 +253,7 @@ TEST_CASE("a node branches over what has no effect at a pixel: hand calculations
   const std::uint64_t look = 2 + 11;
   const auto clocks = [&](std::vector<isa::Instruction> before, const isa::Instruction& last) {
     before.push_back(last);
-    const std::vector<machines::MetPixels> met = met_by(before, region, machine);
+    const std::vector<machines::PixelActivity> met = met_by(before, region, machine);
     const isa::Segment segment{region, before};
     return multi_processor::all_pixel_clocks(segment, before.size() - 1, machine, met.data());
   };

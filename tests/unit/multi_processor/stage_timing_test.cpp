@@ -75,7 +75,7 @@ TEST_CASE("the node with the pixels that take most is waited for: a hand calcula
   const FrameAccount before = account_of(program, machine);
   figures(machine).branches = {.over = multi_processor::Branches::pixels, .taken = 101, .passed = 103};
   // Each node has a pixel of the first subsegment. E is 1 at that of the second when F is loaded.
-  std::vector<machines::MetPixels> met(program.segments.size());
+  std::vector<machines::PixelActivity> met(program.segments.size());
   met[0] = {.row_words = 1, .planes = {{}, {0b10, 0}}, .instructions = {{0, 0}, {1, 1}}};
   const FrameAccount account = multi_processor::time_stages(program, machine, met).account;
   CHECK(account.stages.rendering == before.stages.rendering + 103);

@@ -186,7 +186,8 @@ TEST_CASE("a name that is of no picture format is refused, with what to take") {
     CAPTURE(name);
     CHECK_THROWS_WITH_AS(
         observe::check_format(name),
-        (std::string(name) + ": no picture format for this name; end it in .png, .tif, .ppm, .exr or the like").c_str(),
+        (std::string(name) + ": unknown picture format; end the name in .png, .tif, .ppm, .exr or a similar extension")
+            .c_str(),
         InputError);
   }
 }

@@ -4,7 +4,7 @@
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
 #include "sim/observe/bound.h"
-#include "sim/observe/dearest.h"
+#include "sim/observe/primitive_costs.h"
 #include "sim/observe/knobs.h"
 #include "tests/support/drawing.h"
 #include "tests/support/test.h"
@@ -146,7 +146,7 @@ TEST_CASE("the part that bounds a frame is the one that a bottleneck is made of"
     CHECK(found->share > 0);
     CHECK(found->share <= 1);
     CHECK(found->by_host == (drawn.result.host_clocks > drawn.result.interval_clocks));
-    CHECK(found->sentence.starts_with("the host bounds the frame: it compiles") == found->by_host);
+    CHECK((found->sentence.find("The host needs ") != std::string::npos) == found->by_host);
     CHECK(found->sentence.find(found->part) != std::string::npos);
     return found->part;
   };
@@ -170,9 +170,9 @@ TEST_CASE("a figure is worth what a run on a machine with it takes") {
   for (const std::string& name : all_machines) {
     CAPTURE(name);
     const Drawn drawn = draw(name, "carburettor");
-    const std::vector<observe::Knob> knobs = observe::figure_knobs(drawn.program, drawn.machine, drawn.result, name);
+    const std::vector<observe::Knob> knobs = observe::parameter_knobs(drawn.program, drawn.machine, drawn.result, name);
     CHECK(!knobs.empty());
-    CHECK(knobs.size() <= observe::figures_to_try(drawn.machine));
+    CHECK(knobs.size() <= observe::parameters_to_try(drawn.machine));
     std::uint64_t before = 0;
     for (const observe::Knob& knob : knobs) {
       CAPTURE(knob.option);
@@ -191,7 +191,7 @@ TEST_CASE("a figure is worth what a run on a machine with it takes") {
 TEST_CASE("a figure that a machine's name changes already is changed in its place") {
   const std::string name = "scan-line+link.width=4+cells.ports=2";
   const Drawn drawn = draw(name, "thesis_fig_2_3");
-  const std::vector<observe::Knob> knobs = observe::figure_knobs(drawn.program, drawn.machine, drawn.result, name);
+  const std::vector<observe::Knob> knobs = observe::parameter_knobs(drawn.program, drawn.machine, drawn.result, name);
   REQUIRE(!knobs.empty());
   CHECK(std::ranges::count(knobs, "--machine scan-line+cells.ports=2+link.width=8", &observe::Knob::option) == 1);
 }

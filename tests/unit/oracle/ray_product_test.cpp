@@ -32,7 +32,7 @@ void compare(const testing::Compiled& compiled, const observe::Frame& frame,
     tally.covered += is_covered ? 1 : 0;
     tally.doubtful += pixel.is_certain ? 0 : 1;
     if (!pixel.is_certain) continue;
-    const std::array<std::uint8_t, 3> colour = isa::unpack_colour(frame.colour[i], isa::most_colour_bits);
+    const std::array<std::uint8_t, 3> colour = isa::unpack_colour(frame.colour[i], isa::max_colour_bits);
     const bool is_owner = frame.owner[i] == pixel.primitive;
     const bool is_right = is_owner && is_rounded(colour[0], pixel.colour.x) && is_rounded(colour[1], pixel.colour.y) &&
                           is_rounded(colour[2], pixel.colour.z);

@@ -18,7 +18,7 @@ plots::Plot chart_of(const std::string& plot, const plots::Names& names) {
 /// How a series is drawn in a plot.
 plots::palette::Look look_in(const plots::Plot& plot, const std::string& name) {
   const auto& chart = std::get<plots::Chart>(plot.content);
-  const plots::SeriesLooks looks = plots::looks_of(chart);
+  const plots::SeriesLooks looks = plots::series_looks(chart);
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     if (chart.series[i].name == name) return looks.looks[i];
   }
@@ -73,11 +73,32 @@ TEST_CASE("the key of a plot whose coloured series were chosen by another one do
   std::vector<plots::Plot> plots{chart_of("one", names), chart_of("other", {names.rbegin(), names.rend()})};
   plots::give_common_looks(plots);
   const auto last_of_key = [](const plots::Plot& plot) {
-    return plots::looks_of(std::get<plots::Chart>(plot.content)).key.back().text;
+    return plots::series_looks(std::get<plots::Chart>(plot.content)).key.back().text;
   };
-  CHECK(last_of_key(plots[0]) == "1 more, with smaller values: table.csv");
-  CHECK(last_of_key(plots[1]) == "1 more: table.csv");
+  CHECK(last_of_key(plots[0]) == "1 more, with smaller values (see table.csv)");
+  CHECK(last_of_key(plots[1]) == "1 more (see table.csv)");
   CHECK(look_in(plots[1], "a8").colour == plots::palette::background.colour);
+}
+
+TEST_CASE("charts that already share looks are unified with the other charts of their study") {
+  std::vector<plots::Plot> first{chart_of("one", {"octree", "exact"}), chart_of("two", {"exact", "run"})};
+  std::vector<plots::Plot> second{chart_of("three", {"run", "octree"}), chart_of("four", {"exact"})};
+  plots::give_common_looks(first);
+  plots::give_common_looks(second);
+  first.insert(first.end(), second.begin(), second.end());
+  plots::give_common_looks(first);
+  for (const char* const name : {"exact", "octree", "run"}) {
+    std::set<std::string_view> colours;
+    std::set<plots::palette::Mark> marks;
+    for (const plots::Plot& plot : first) {
+      const auto& series = std::get<plots::Chart>(plot.content).series;
+      if (std::ranges::find(series, name, &plots::Series::name) == series.end()) continue;
+      colours.insert(look_in(plot, name).colour);
+      marks.insert(look_in(plot, name).mark);
+    }
+    CHECK(colours.size() == 1);
+    CHECK(marks.size() == 1);
+  }
 }
 
 TEST_CASE("names for which no look is left have no place") {

@@ -81,7 +81,7 @@ class FakeGnuplot {
 
 std::string error_with(const std::string& gnuplot) {
   const FakeGnuplot fake(gnuplot);
-  return testing::error_of([&] { plots::drawn_for(png, of_text({"text", {100, 100}})); });
+  return testing::error_of([&] { plots::draw_png(png, of_text({"text", {100, 100}})); });
 }
 
 }  // namespace
@@ -89,10 +89,10 @@ std::string error_with(const std::string& gnuplot) {
 TEST_CASE("gnuplot has nothing to say of any plot, and draws it twice with the same bytes") {
   for (const plots::Plot& plot : samples::sample_plots()) {
     CAPTURE(plot.name);
-    const plots::Drawing drawing = plots::laid_out(plot);
-    const plots::Drawn drawn = plots::drawn_for(png, drawing);
-    CHECK(drawn.said == "");
-    CHECK(drawn.picture == plots::drawn_for(png, drawing).picture);
+    const plots::Drawing drawing = plots::lay_out(plot);
+    const plots::Drawn drawn = plots::draw_png(png, drawing);
+    CHECK(drawn.messages == "");
+    CHECK(drawn.picture == plots::draw_png(png, drawing).picture);
   }
 }
 
@@ -128,13 +128,13 @@ TEST_CASE("a text's ink is within the box that was kept for it") {
         texts.back().at = upright ? plots::Pixel{middle, 300} : plots::Pixel{300, middle};
         texts.back().is_upright = upright;
       }
-      const Picture picture = decoded(plots::drawn_for(png, of_texts(texts)).picture);
+      const Picture picture = decoded(plots::draw_png(png, of_texts(texts)).picture);
       for (const plots::Text& text : texts) {
         CAPTURE(text.text);
         const plots::Box ink =
             ink_of(picture, upright ? plots::Box{text.at.x - band / 2, 0, text.at.x + band / 2, 600}
                                     : plots::Box{0, text.at.y - band / 2, 600, text.at.y + band / 2});
-        plots::Box box = plots::box_of(text);
+        plots::Box box = plots::bounding_box(text);
         // An edge may fall within a pixel.
         box = {box.left - 1, box.top - 1, box.right + 1, box.bottom + 1};
         CHECK(plots::is_within(ink, box));
@@ -147,12 +147,12 @@ TEST_CASE("a text's ink is within the box that was kept for it") {
 TEST_CASE("marks and lines are drawn where they are") {
   plots::Drawing drawing{400, 300, {}, {}, {}, {}};
   drawing.marks.push_back({{100, 200}, plots::palette::Mark::square, "#000000", 9});
-  plots::Box ink = ink_of(decoded(plots::drawn_for(png, drawing).picture));
+  plots::Box ink = ink_of(decoded(plots::draw_png(png, drawing).picture));
   CHECK(plots::is_within(ink, plots::around({100, 200}, 6.5)));
   CHECK(plots::is_within(plots::around({100, 200}, 3), ink));
   drawing.marks.clear();
   drawing.lines.push_back({{{50, 60}, {350, 60}}, "#000000"});
-  ink = ink_of(decoded(plots::drawn_for(png, drawing).picture));
+  ink = ink_of(decoded(plots::draw_png(png, drawing).picture));
   CHECK(plots::is_within(ink, {48, 58, 352, 62}));
   CHECK(ink.right - ink.left > 298);
 }
@@ -160,7 +160,7 @@ TEST_CASE("marks and lines are drawn where they are") {
 TEST_CASE("a picture is as large as its drawing") {
   plots::Drawing drawing{321, 234, {}, {}, {}, {}};
   drawing.marks.push_back({{100, 200}, plots::palette::Mark::disc, "#000000"});
-  const Picture picture = decoded(plots::drawn_for(png, drawing).picture);
+  const Picture picture = decoded(plots::draw_png(png, drawing).picture);
   CHECK(picture.width == 321);
   CHECK(picture.height == 234);
 }
@@ -176,16 +176,16 @@ TEST_CASE("what gnuplot says of its script becomes one line of ours, without the
   const std::string error = error_with(
       "echo >&2; echo 'set terminal pngcairo size 600,600' >&2; echo '   ^' >&2;"
       "echo 'line 2: unknown or ambiguous terminal name; type just set terminal for a list' >&2; echo >&2; exit 1");
-  CHECK(error.find("plot.png: gnuplot did not draw; it says: unknown or ambiguous terminal name") == 0);
+  CHECK(error.find("plot.png: gnuplot drew no picture; gnuplot reports: unknown or ambiguous terminal name") == 0);
   CHECK(error.find("set terminal pngcairo") == std::string::npos);
   CHECK(error.find('\n') == std::string::npos);
   CHECK(error.find("--no-plots") != std::string::npos);
 }
 
 TEST_CASE("gnuplot that fails without a word, breaks off, or is ended is told") {
-  CHECK(error_with("exit 3").find("it ended with 3") != std::string::npos);
-  CHECK(error_with("printf '\\211PNG half'").find("its picture is not whole") != std::string::npos);
-  CHECK(error_with("kill -9 $$").find("it was ended by a signal: Killed") != std::string::npos);
+  CHECK(error_with("exit 3").find("exited with status 3") != std::string::npos);
+  CHECK(error_with("printf '\\211PNG half'").find("the picture is incomplete") != std::string::npos);
+  CHECK(error_with("kill -9 $$").find("it was killed by a signal: Killed") != std::string::npos);
 }
 
 TEST_CASE(
@@ -196,6 +196,6 @@ TEST_CASE(
         "a?b\u0416\u2026\u00b7\u207b");
   CHECK(plots::with_glyphs("10 < 20 \\ \n") == "10 < 20 \\ \\n");
   const plots::Drawing drawing = of_text({std::string("x") + unassigned, {300, 300}});
-  CHECK(plots::drawn_for(png, drawing).picture == plots::drawn_for(png, of_text({"x?", {300, 300}})).picture);
+  CHECK(plots::draw_png(png, drawing).picture == plots::draw_png(png, of_text({"x?", {300, 300}})).picture);
   CHECK(plots::svg_file(drawing).find(std::string("x") + unassigned) != std::string::npos);
 }

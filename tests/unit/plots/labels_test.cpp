@@ -10,7 +10,7 @@ namespace {
 constexpr plots::Box area{100, 50, 700, 400};
 
 struct Case {
-  std::vector<plots::LabelWish> wishes;
+  std::vector<plots::LabelRequest> requests;
   plots::Surroundings surroundings{area, {}, {}};
 };
 
@@ -24,14 +24,14 @@ Case random_case(std::mt19937& random) {
   const bool joined = random() % 2 == 0;
   for (std::size_t i = 1 + random() % 60; i > 0; --i) {
     const plots::Pixel at{400 + uniform(-heap, heap), 225 + uniform(-heap, heap) / 2};
-    if (joined && !one.wishes.empty()) one.surroundings.segments.push_back({one.wishes.back().at, at});
-    one.wishes.push_back({at, uniform(10, 150)});
+    if (joined && !one.requests.empty()) one.surroundings.segments.push_back({one.requests.back().at, at});
+    one.requests.push_back({at, uniform(10, 150)});
     one.surroundings.boxes.push_back(plots::around(at, 4.5));
   }
   return one;
 }
 
-plots::LabelWish wish(double x, double y) { return {{x, y}, 40}; }
+plots::LabelRequest request(double x, double y) { return {{x, y}, 40}; }
 
 }  // namespace
 
@@ -42,7 +42,7 @@ TEST_CASE("labels keep clear of each other, of marks, lines and leaders, and sta
   for (int round = 0; round < 300; ++round) {
     CAPTURE(round);
     const Case one = random_case(random);
-    const std::vector<plots::PlacedLabel> placed = plots::place_labels(one.wishes, one.surroundings);
+    const std::vector<plots::PlacedLabel> placed = plots::place_labels(one.requests, one.surroundings);
     for (std::size_t i = 0; i < placed.size(); ++i) {
       const plots::PlacedLabel& label = placed[i];
       CHECK(plots::is_within(label.box, area));
@@ -53,7 +53,7 @@ TEST_CASE("labels keep clear of each other, of marks, lines and leaders, and sta
       for (std::size_t j = 0; j < placed.size(); ++j) {
         if (j == i) continue;
         CHECK(!plots::overlap(label.box, placed[j].box));
-        CHECK(label.wish != placed[j].wish);
+        CHECK(label.request != placed[j].request);
         if (placed[j].leader) CHECK(!plots::meets(*placed[j].leader, label.box));
         if (label.leader && placed[j].leader) CHECK(!plots::cross(*label.leader, *placed[j].leader));
       }
@@ -67,16 +67,16 @@ TEST_CASE("the same labels have the same places") {
   std::mt19937 random(2);
   for (int round = 0; round < 20; ++round) {
     const Case one = random_case(random);
-    const auto first = plots::place_labels(one.wishes, one.surroundings);
-    const auto again = plots::place_labels(one.wishes, one.surroundings);
+    const auto first = plots::place_labels(one.requests, one.surroundings);
+    const auto again = plots::place_labels(one.requests, one.surroundings);
     REQUIRE(first.size() == again.size());
     for (std::size_t i = 0; i < first.size(); ++i) CHECK(first[i].box == again[i].box);
   }
 }
 
 TEST_CASE("a label alone stands to the right above its point, without a leader") {
-  const std::vector<plots::LabelWish> wishes{wish(400, 200)};
-  const auto placed = plots::place_labels(wishes, {area, {plots::around({400, 200}, 4)}, {}});
+  const std::vector<plots::LabelRequest> requests{request(400, 200)};
+  const auto placed = plots::place_labels(requests, {area, {plots::around({400, 200}, 4)}, {}});
   REQUIRE(placed.size() == 1);
   CHECK(placed[0].box.left > 400);
   CHECK(placed[0].box.bottom < 200);
@@ -85,16 +85,16 @@ TEST_CASE("a label alone stands to the right above its point, without a leader")
 }
 
 TEST_CASE("a label in a corner turns inwards") {
-  const std::vector<plots::LabelWish> wishes{wish(695, 55)};
-  const auto placed = plots::place_labels(wishes, {area, {}, {}});
+  const std::vector<plots::LabelRequest> requests{request(695, 55)};
+  const auto placed = plots::place_labels(requests, {area, {}, {}});
   REQUIRE(placed.size() == 1);
   CHECK(placed[0].box.right < 695);
 }
 
 TEST_CASE("where a text has no room its number stands, numbered from 1") {
   const plots::Box narrow{0, 0, 60, 60};
-  const std::vector<plots::LabelWish> wishes{{{30, 30}, 100}, {{30, 50}, 100}};
-  const auto placed = plots::place_labels(wishes, {narrow, {}, {}});
+  const std::vector<plots::LabelRequest> requests{{{30, 30}, 100}, {{30, 50}, 100}};
+  const auto placed = plots::place_labels(requests, {narrow, {}, {}});
   REQUIRE(placed.size() == 2);
   CHECK(placed[0].number == 1U);
   CHECK(placed[1].number == 2U);
@@ -102,6 +102,6 @@ TEST_CASE("where a text has no room its number stands, numbered from 1") {
 }
 
 TEST_CASE("labels that find no room at all are left out") {
-  const std::vector<plots::LabelWish> wishes(200, wish(20, 20));
-  CHECK(plots::place_labels(wishes, {{0, 0, 50, 50}, {}, {}}).size() < 20);
+  const std::vector<plots::LabelRequest> requests(200, request(20, 20));
+  CHECK(plots::place_labels(requests, {{0, 0, 50, 50}, {}, {}}).size() < 20);
 }

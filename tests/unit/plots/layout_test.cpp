@@ -14,10 +14,10 @@ void check_texts(const plots::Drawing& drawing) {
   for (std::size_t i = 0; i < drawing.texts.size(); ++i) {
     const plots::Text& text = drawing.texts[i];
     CAPTURE(text.text);
-    CHECK(plots::is_within(plots::box_of(text), picture));
+    CHECK(plots::is_within(plots::bounding_box(text), picture));
     for (std::size_t j = 0; j < i; ++j) {
       CAPTURE(drawing.texts[j].text);
-      CHECK(!plots::overlap(plots::box_of(text), plots::box_of(drawing.texts[j])));
+      CHECK(!plots::overlap(plots::bounding_box(text), plots::bounding_box(drawing.texts[j])));
     }
   }
 }
@@ -59,7 +59,7 @@ plots::Chart chart_of(std::size_t series) {
 TEST_CASE("no two texts of a plot overlap, and nothing leaves the picture") {
   for (const plots::Plot& plot : samples::sample_plots()) {
     CAPTURE(plot.name);
-    check(plots::laid_out(plot));
+    check(plots::lay_out(plot));
   }
 }
 
@@ -68,23 +68,23 @@ TEST_CASE("no two texts overlap in plots drawn by lot") {
   for (unsigned seed = 0; seed < seeds; ++seed) {
     CAPTURE(seed);
     std::mt19937 random(seed);
-    check(plots::laid_out(samples::random_chart(random)));
-    check(plots::laid_out(samples::random_bars(random)));
+    check(plots::lay_out(samples::random_chart(random)));
+    check(plots::lay_out(samples::random_bars(random)));
   }
 }
 
 TEST_CASE("the key names the series with the largest values, and how many others there are in which table") {
-  const plots::Drawing drawing = plots::laid_out(chart_of(20));
-  CHECK(with(drawing, "series ").size() == plots::palette::most_series);
+  const plots::Drawing drawing = plots::lay_out(chart_of(20));
+  CHECK(with(drawing, "series ").size() == plots::palette::max_series);
   for (const char* name :
        {"series 2", "series 6", "series 10", "series 14", "series 18", "series 19", "series 17", "series 16"})
     CHECK(with(drawing, name).size() == 1);
-  CHECK(with(drawing, "12 more") == std::vector<std::string>{"12 more, with smaller values: table.csv"});
-  CHECK(with(plots::laid_out(chart_of(8)), "more").empty());
+  CHECK(with(drawing, "12 more") == std::vector<std::string>{"12 more, with smaller values (see table.csv)"});
+  CHECK(with(plots::lay_out(chart_of(8)), "more").empty());
 }
 
 TEST_CASE("series in the key have different colours, and the others are grey") {
-  const plots::Drawing drawing = plots::laid_out(chart_of(20));
+  const plots::Drawing drawing = plots::lay_out(chart_of(20));
   std::multiset<std::string_view> colours;
   for (const plots::Mark& mark : drawing.marks) colours.insert(mark.colour);
   for (const plots::palette::Look& look : plots::palette::looks) CHECK(colours.count(look.colour) == 3);
@@ -92,27 +92,27 @@ TEST_CASE("series in the key have different colours, and the others are grey") {
 }
 
 TEST_CASE("the title of an upright axis stands in two lines where one is too long, with all its words") {
-  const plots::Drawing drawing = plots::laid_out(
+  const plots::Drawing drawing = plots::lay_out(
       plots::Chart{"title", {"across"}, {{"depth error, 99.9th percentile"}, {"up"}, {"also"}}, {{"s", 0}}, "t"});
   const std::vector<std::string> first = with(drawing, "depth");
   const std::vector<std::string> second = with(drawing, "percentile");
   REQUIRE(first.size() == 1);
   REQUIRE(second.size() == 1);
   CHECK(first[0] + " " + second[0] == "depth error, 99.9th percentile");
-  CHECK(plots::in_two_lines("one two", 1000) == std::vector<std::string>{"one two"});
-  CHECK(plots::in_two_lines("MMMMMMMMMMMM", 50).size() == 1);
+  CHECK(plots::split_lines("one two", 1000) == std::vector<std::string>{"one two"});
+  CHECK(plots::split_lines("MMMMMMMMMMMM", 50).size() == 1);
   check(drawing);
 }
 
 TEST_CASE("what stands above names is seen from 0 on") {
   plots::Chart chart{"title", {"machine", plots::Scale::linear, {{0, "a"}, {1, "b"}}, true}, {{"ms"}}, {}, "t"};
   chart.series.push_back({"", 0, plots::Trace::marks, {{0, 21.5}, {1, 22.8}}});
-  CHECK(with(plots::laid_out(chart), "0").front() == "0");
-  CHECK(with(plots::laid_out(chart), "21").empty());
+  CHECK(with(plots::lay_out(chart), "0").front() == "0");
+  CHECK(with(plots::lay_out(chart), "21").empty());
 }
 
 TEST_CASE("points stand in a panel as their values do, upwards and to the right, and ticks with them") {
-  const plots::Drawing drawing = plots::laid_out(
+  const plots::Drawing drawing = plots::lay_out(
       plots::Chart{"title", {"x"}, {{"y"}}, {{"", 0, plots::Trace::marks, {{0, 0}, {1, 3}, {4, 4}}}}, "t"});
   REQUIRE(drawing.marks.size() == 3);
   const plots::Pixel first{drawing.marks[1].at.x - drawing.marks[0].at.x,
@@ -137,7 +137,7 @@ TEST_CASE("points are joined by lines, by steps that hold until the next and the
   const auto joined = [](plots::Trace trace, bool is_backward = false) {
     plots::Chart chart{"title", {"x"}, {{"y"}}, {{"", 0, trace, {{0, 0}, {5, 10}, {10, 20}}}}, "t"};
     if (is_backward) std::ranges::reverse(chart.series.front().points);
-    for (const plots::Line& line : plots::laid_out(chart).lines) {
+    for (const plots::Line& line : plots::lay_out(chart).lines) {
       if (line.width == 2) return line.points;
     }
     return std::vector<plots::Pixel>();
@@ -166,7 +166,7 @@ TEST_CASE("labels of points at one place are one text") {
                            {{"up"}},
                            {{"s", 0, plots::Trace::marks, {{1, 1, "m = 5"}, {1, 1, "m = 6"}, {2, 3, "m = 7"}}}},
                            "t"};
-  const plots::Drawing drawing = plots::laid_out(chart);
+  const plots::Drawing drawing = plots::lay_out(chart);
   CHECK(with(drawing, "m = 5") == std::vector<std::string>{"m = 5, m = 6"});
   CHECK(with(drawing, "m = 7").size() == 1);
 }
@@ -177,8 +177,8 @@ TEST_CASE("every label is in the plot, or by its number in the key, or counted t
     chart.series[0].points.push_back(
         {static_cast<double>(i % 4), static_cast<double>(i) / 1000, "point " + std::to_string(i)});
   chart.series[0].points.push_back({0, 100, ""});
-  const plots::Drawing drawing = plots::laid_out(chart);
-  const std::vector<std::string> more = with(drawing, "labels more: table.csv");
+  const plots::Drawing drawing = plots::lay_out(chart);
+  const std::vector<std::string> more = with(drawing, "more labels in table.csv");
   REQUIRE(more.size() == 1);
   CHECK(with(drawing, ": point ").size() > 3);
   // Points that fall on one place share a label, which names all that fit.
@@ -194,7 +194,7 @@ TEST_CASE(
       chart.x.ticks.push_back({static_cast<double>(i), "machine " + std::to_string(i)});
       chart.series[0].points.push_back({static_cast<double>(i), 1});
     }
-    return plots::laid_out(chart);
+    return plots::lay_out(chart);
   };
   const auto upright = [](const plots::Drawing& drawing) {
     return std::ranges::count_if(drawing.texts,
@@ -209,11 +209,11 @@ TEST_CASE(
 
 TEST_CASE("bars beyond the most that are shown are counted") {
   plots::Bars bars{"title", {"bit"}, {}, {}, "table.csv"};
-  for (std::size_t i = 0; i < plots::most_bars + 7; ++i)
+  for (std::size_t i = 0; i < plots::max_bars + 7; ++i)
     bars.bars.push_back({"bar " + std::to_string(i), 8, {{"Z1", 0, 4}}});
-  const plots::Drawing drawing = plots::laid_out(bars);
-  CHECK(with(drawing, "bar ").size() == plots::most_bars);
-  CHECK(with(drawing, "7 bars more: table.csv").size() == 1);
+  const plots::Drawing drawing = plots::lay_out(bars);
+  CHECK(with(drawing, "bar ").size() == plots::max_bars);
+  CHECK(with(drawing, "7 more bars in table.csv").size() == 1);
 }
 
 TEST_CASE("names that are shortened still differ, and are no wider than they may be") {

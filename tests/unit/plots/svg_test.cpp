@@ -134,21 +134,21 @@ void check_all(const plots::Drawing& drawing) {
 TEST_CASE("every fill, line, mark and text of a drawing is in its SVG, in its place, colour and order") {
   for (const plots::Plot& plot : samples::sample_plots()) {
     CAPTURE(plot.name);
-    check_all(plots::laid_out(plot));
+    check_all(plots::lay_out(plot));
   }
   for (unsigned seed = 0; seed < 30; ++seed) {
     CAPTURE(seed);
     std::mt19937 random(seed);
-    check_all(plots::laid_out(samples::random_chart(random)));
-    check_all(plots::laid_out(samples::random_bars(random)));
+    check_all(plots::lay_out(samples::random_chart(random)));
+    check_all(plots::lay_out(samples::random_bars(random)));
   }
 }
 
 TEST_CASE("the same drawing gives the same bytes, as a file and as an element") {
   for (const plots::Plot& plot : samples::sample_plots()) {
-    const plots::Drawing drawing = plots::laid_out(plot);
+    const plots::Drawing drawing = plots::lay_out(plot);
     const std::string file = plots::svg_file(drawing);
-    CHECK(file == plots::svg_file(plots::laid_out(plot)));
+    CHECK(file == plots::svg_file(plots::lay_out(plot)));
     const std::string element = plots::svg_element(drawing, "class=\"plot\"");
     CHECK(element.substr(element.find('\n')) == file.substr(file.find('\n')));
   }

@@ -83,7 +83,7 @@ TEST_CASE("a tick's text is its value") {
 
 TEST_CASE("an axis has room for all its values, and 0 has a place below a logarithmic one") {
   const std::vector<double> values{0, 3, 40, 5'000};
-  const plots::Extent extent = plots::extent_of(values, plots::Scale::by_range, plots::Begin::near_zero);
+  const plots::Extent extent = plots::make_extent(values, plots::Scale::by_range, plots::Begin::near_zero);
   CHECK(extent.is_logarithmic);
   CHECK(extent.ticks(8).front() == plots::Tick{0, "0"});
   double before = 0;
@@ -96,22 +96,23 @@ TEST_CASE("an axis has room for all its values, and 0 has a place below a logari
 
 TEST_CASE("an axis is linear where its values are of one size, where one is negative, and where all are 0") {
   using Values = std::vector<double>;
-  CHECK(!plots::extent_of(Values{100, 1'900}, plots::Scale::by_range, plots::Begin::near_zero).is_logarithmic);
-  CHECK(plots::extent_of(Values{100, 2'100}, plots::Scale::by_range, plots::Begin::near_zero).is_logarithmic);
-  CHECK(!plots::extent_of(Values{-1, 100, 10'000}, plots::Scale::logarithmic, plots::Begin::near_zero).is_logarithmic);
-  CHECK(!plots::extent_of(Values{0, 0}, plots::Scale::logarithmic, plots::Begin::near_zero).is_logarithmic);
+  CHECK(!plots::make_extent(Values{100, 1'900}, plots::Scale::by_range, plots::Begin::near_zero).is_logarithmic);
+  CHECK(plots::make_extent(Values{100, 2'100}, plots::Scale::by_range, plots::Begin::near_zero).is_logarithmic);
+  CHECK(
+      !plots::make_extent(Values{-1, 100, 10'000}, plots::Scale::logarithmic, plots::Begin::near_zero).is_logarithmic);
+  CHECK(!plots::make_extent(Values{0, 0}, plots::Scale::logarithmic, plots::Begin::near_zero).is_logarithmic);
 }
 
 TEST_CASE("an axis that begins at 0 does so however near its values are to each other") {
   using Values = std::vector<double>;
   for (const Values& values : {Values{21.5, 22.8}, Values{7, 7}, Values{0, 3}, Values{0}}) {
-    const plots::Extent extent = plots::extent_of(values, plots::Scale::by_range, plots::Begin::at_zero);
+    const plots::Extent extent = plots::make_extent(values, plots::Scale::by_range, plots::Begin::at_zero);
     CHECK(extent.low == 0);
     CHECK(extent.ticks(6).front() == plots::Tick{0, "0"});
     CHECK(extent.along(values.back()) < 0.96);
   }
-  CHECK(plots::extent_of(Values{21.5, 22.8}, plots::Scale::by_range, plots::Begin::near_zero).low > 21);
-  CHECK(plots::extent_of(Values{-3, 5}, plots::Scale::by_range, plots::Begin::at_zero).low < -3);
+  CHECK(plots::make_extent(Values{21.5, 22.8}, plots::Scale::by_range, plots::Begin::near_zero).low > 21);
+  CHECK(plots::make_extent(Values{-3, 5}, plots::Scale::by_range, plots::Begin::at_zero).low < -3);
 }
 
 TEST_CASE("a number that rounds to 1,000 or more is told in groups, and a smaller one to four digits") {
@@ -125,7 +126,7 @@ TEST_CASE("a number that rounds to 1,000 or more is told in groups, and a smalle
 
 TEST_CASE("whole numbers have whole ticks") {
   using Values = std::vector<double>;
-  const plots::Extent extent = plots::extent_of(Values{2, 3}, plots::Scale::linear, plots::Begin::at_values);
+  const plots::Extent extent = plots::make_extent(Values{2, 3}, plots::Scale::linear, plots::Begin::at_values);
   CHECK(texts(extent.ticks(8, true)) == Words{"2", "3"});
   CHECK(texts(plots::logarithmic_ticks(0.4, 150, 6, true)) == Words{"1", "10", "100"});
 }
@@ -138,7 +139,7 @@ TEST_CASE("every value stands on its axis, and texts of ticks differ") {
     for (double& value : values)
       value = random() % 8 == 0 ? 0.0 : base * (1.0 + static_cast<double>(random() % 1000) / 100.0);
     const auto scale = static_cast<plots::Scale>(random() % 3);
-    const plots::Extent extent = plots::extent_of(values, scale, static_cast<plots::Begin>(random() % 3));
+    const plots::Extent extent = plots::make_extent(values, scale, static_cast<plots::Begin>(random() % 3));
     for (const double value : values) {
       CHECK(extent.along(value) >= 0);
       CHECK(extent.along(value) <= 1);
@@ -156,7 +157,7 @@ TEST_CASE("equal values, none, and the largest numbers have an axis with at leas
        {Values{}, Values{0}, Values{7, 7}, Values{-3}, Values{1e-300}, Values{1.7e308, -1.7e308}, Values{1e300}}) {
     for (const plots::Scale scale : {plots::Scale::by_range, plots::Scale::linear, plots::Scale::logarithmic}) {
       CAPTURE(values.size());
-      const plots::Extent extent = plots::extent_of(values, scale, plots::Begin::near_zero);
+      const plots::Extent extent = plots::make_extent(values, scale, plots::Begin::near_zero);
       CHECK(extent.ticks(6).size() >= 2);
       for (const double value : values) {
         CHECK(extent.along(value) >= 0);

@@ -61,8 +61,8 @@ TEST_CASE("slices of which no solid can have so many are refused before they are
 TEST_CASE("shapes whose sides cross more often than work is allowed are refused before they are combined") {
   CHECK(
       refusal("square(size = [1, 1], center = false);\n" + crossing_polygon(3000), 100'000'000) ==
-      "m.csg:2:1: polygon(): combining 2-D shapes takes more work than the limit of 100 million steps; give the model "
-      "fewer or coarser parts, or allow more by --limit");
+      "m.csg:2:1: polygon(): combining 2-D shapes takes more work than the limit of 100 million steps; use fewer or "\n
+      "coarser parts in the model, or raise --limit");
   CHECK(read_within(crossing_polygon(100)).primitives.size() > 100);
 }
 

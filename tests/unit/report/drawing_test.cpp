@@ -69,7 +69,7 @@ TEST_CASE("each step is what the reference engine has in memory and enable after
     CHECK(drawing.steps[i].enabled == enabled);
   }
   CHECK(run->finished());
-  CHECK(drawing.told.find("after each of the") != std::string::npos);
+  CHECK(drawing.summary.find("after each of the") != std::string::npos);
 }
 
 TEST_CASE("the last step is the picture on machines of every kind, however few steps are kept") {
@@ -97,8 +97,8 @@ TEST_CASE("a thinned drawing is told to be one, and its steps are some of the fu
   const report::Drawing full = report::record_drawing(model.program, machine);
   const std::vector<std::vector<std::uint32_t>> states = replayed(full);
   const report::Drawing few = report::record_drawing(model.program, machine, {10, 2000, 1500, 512});
-  CHECK(few.told.find("at most 10 instructions") != std::string::npos);
-  CHECK(few.told.find("fill at most 1,500 bytes") != std::string::npos);
+  CHECK(few.summary.find("at most 10 instructions") != std::string::npos);
+  CHECK(few.summary.find("and 1,500 bytes") != std::string::npos);
   CHECK(few.steps.size() < full.steps.size());
   const std::vector<std::vector<std::uint32_t>> kept = replayed(few);
   for (std::size_t i = 0; i < few.steps.size(); ++i) {
@@ -119,8 +119,8 @@ TEST_CASE("of a thinned drawing every so many steps are kept, from the first on,
     CAPTURE(bytes);
     const report::Drawing few = report::record_drawing(model.program, machine, {10, 2000, bytes, 512});
     std::size_t stride = 1;
-    const std::size_t told = few.told.find("One in ");
-    if (told != std::string::npos) stride = std::stoul(few.told.substr(told + 7));
+    const std::size_t told = few.summary.find("One in ");
+    if (told != std::string::npos) stride = std::stoul(few.summary.substr(told + 7));
     strides.insert(stride);
     std::vector<std::uint64_t> expected;
     for (std::size_t i = 0; i < all.steps.size(); ++i) {
@@ -139,7 +139,7 @@ TEST_CASE("of a large picture every second pixel of every second row is shown, a
   const report::Drawing drawing = report::record_drawing(model.program, machine, {2000, 2000, 700'000, 20});
   CHECK(drawing.width == 20);
   CHECK(drawing.height == 15);
-  CHECK(drawing.told.find("One pixel in 2") != std::string::npos);
+  CHECK(drawing.summary.find("One pixel in 2") != std::string::npos);
   const observe::Frame frame = testing::draw(model.program);
   const std::vector<std::uint32_t> last = replayed(drawing).back();
   for (std::uint32_t y = 0; y < 15; ++y)

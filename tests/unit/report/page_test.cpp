@@ -72,18 +72,18 @@ TEST_CASE("a study's page says why a point is none, and why there is no picture"
   report::Page page = report::begun_page("title", file, {{"csgsim sweep", {}}, "a.csg", {}, "too dark"});
   page.sections.push_back({"Points", {report::points_table(page.data, "/points", "All", columns)}});
   const std::string html = report::to_html(page);
-  CHECK(html.find("<th scope=col>why not</th>") != std::string::npos);
+  CHECK(html.find("<th scope=col>reason</th>") != std::string::npos);
   CHECK(html.find("no &lt;room&gt;") != std::string::npos);
   CHECK(count(html, ">bits</th>") == 1);  // the second point's strategy: no point has a key of that name
-  CHECK(html.find("There is no picture: too dark") != std::string::npos);
+  CHECK(html.find("No picture: too dark") != std::string::npos);
 }
 
 TEST_CASE("the page of effects has a plot of their clocks, with a mark for each bill of each effect") {
   const Json flat{{"effect", "flat"}, {"clocks", 51251}};
   const Json fog{{"effect", "fog"}, {"clocks", 1719}, {"alone_clocks", 1743}, {"together_clocks", 1743}};
   const std::string html = report::to_html(report::effects_page({{"effects", {flat, fog}}}, {}, {}));
-  for (const std::string tip : {"billed: effect flat, clocks 51,251", "billed: effect fog, clocks 1,719",
-                                "added alone: effect fog, clocks 1,743", "spared without it: effect fog, clocks 1,743"})
+  for (const std::string tip : {"charged: effect flat, clocks 51,251", "charged: effect fog, clocks 1,719",
+                                "added alone: effect fog, clocks 1,743", "saved without it: effect fog, clocks 1,743"})
     CHECK(count(html, "<title>" + tip + "</title>") == 1);
   CHECK(count(html, "<g class=\"pt\">") == 4);
 }
@@ -107,7 +107,7 @@ TEST_CASE("a study's configuration is its options and the figures of its machine
   const report::Section section = report::configuration_section(Json::object(), {"c", {{"--size", "8x8"}}, {machine}});
   REQUIRE(section.parts.size() == 2);
   const std::string html = report::table_html(std::get<report::Table>(section.parts[1]));
-  for (const std::string part : {"Figures of m", ">clock.hz<", ">5<", ">Hz<", ">assumed<"})
+  for (const std::string part : {"Parameters of m", ">clock.hz<", ">5<", ">Hz<", ">assumed<"})
     CHECK(html.find(part) != std::string::npos);
   CHECK(report::table_html(std::get<report::Table>(section.parts[0])).find(">8x8<") != std::string::npos);
 }

@@ -35,7 +35,7 @@ const plots::Plot bars{
 
 /// What a drawing's file holds but its root's attributes.
 std::string content_of_file(const plots::Plot& plot) {
-  const std::string file = plots::svg_file(plots::laid_out(plot));
+  const std::string file = plots::svg_file(plots::lay_out(plot));
   return file.substr(file.find('\n'));
 }
 
@@ -54,13 +54,13 @@ TEST_CASE("a page has the same drawing of a plot as its SVG file") {
 TEST_CASE(
     "a plot says what it shows to who does not see it, each mark what it stands for, and has its values in a table") {
   const std::string html = report::plot_html(chart_of({"a < b"}));
-  CHECK(html.find("role=\"img\" aria-label=\"title: y against x; the values are in the table below it\"") !=
+  CHECK(html.find("role=\"img\" aria-label=\"title: y against x; the table below has its values\"") !=
         std::string::npos);
   CHECK(html.find("<title>a &lt; b: x 0, y 1</title>") != std::string::npos);
   CHECK(html.find("<title>a &lt; b, point of a &lt; b: x 1, y 2.5</title>") != std::string::npos);
   CHECK(html.find("<td class=n>2.5</td><td>point of a &lt; b</td>") != std::string::npos);
   const std::string of_bars = report::plot_html(bars);
-  CHECK(of_bars.find("aria-label=\"which bits: bit; the values") != std::string::npos);
+  CHECK(of_bars.find("aria-label=\"which bits: bit; the table") != std::string::npos);
   CHECK(of_bars.find("<title>stack: Z1, bit 20 to 40</title>") != std::string::npos);
   CHECK(of_bars.find("<th scope=row>stack</th><td>Z1</td><td class=n title=\"20.0\">20</td>") != std::string::npos);
 }
@@ -91,7 +91,7 @@ TEST_CASE("a plot of more lines than can be told apart says so, and its values a
   names.reserve(15);
   for (int i = 0; i < 15; ++i) names.push_back("line " + std::to_string(i) + ";");
   const std::string html = report::plot_html(chart_of(names));
-  CHECK(html.find("7 more, with smaller values: t.csv") != std::string::npos);
+  CHECK(html.find("7 more, with smaller values (see t.csv)") != std::string::npos);
   CHECK(count(html, "<th scope=row>line 14;</th>") == 2);
   CHECK(count(html, "<g class=\"pt\">") == 2 * 15);
 }

@@ -63,7 +63,7 @@ TEST_CASE("a page holds the text of csgsim explain, each event with the first st
     report::Drawing drawing = report::record_drawing(program, machine, {.instructions = 10});
     report::add_stories({program}, machine, pixels_in(program), drawing);
     REQUIRE(drawing.stories.size() == program.shape.height);
-    CHECK(drawing.told.ends_with("Pixels whose stories the page holds: 30."));
+    CHECK(drawing.summary.ends_with("Pixels with a history on this page: 30."));
     const story::Teller teller(program, machine);
     const report::Json json = report::drawing_json(drawing)["stories"];
     std::size_t events = 0;

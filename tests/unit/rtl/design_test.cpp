@@ -61,10 +61,10 @@ TEST_CASE("figures of a machine's file are parameters of the Verilog") {
 TEST_CASE("what the Verilog does not have is refused with the mend") {
   CHECK(refusal("pixel-planes-4") == "");
   CHECK(refusal("scan-line") ==
-        "scan-line is of the kind scan-line, which is not there in Verilog; take one of the "
-        "kind frame-buffer, as pixel-planes-4");
+        "scan-line is of the kind scan-line, which has no Verilog; take a machine of the kind frame-buffer, "
+        "such as pixel-planes-4");
   CHECK(refusal("pixel-planes-4+alu.bits=2+evaluator.bits=2")
-            .ends_with("evaluator.bits is 2, and the Verilog has 1; add --set evaluator.bits=1"));
+            .ends_with("evaluator.bits is 2, but the Verilog supports only 1; add --set evaluator.bits=1"));
   CHECK(refusal("pixel-planes-4+evaluator.register_levels=2").ends_with("add --set evaluator.register_levels=1"));
 }
 

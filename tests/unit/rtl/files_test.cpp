@@ -171,7 +171,7 @@ TEST_CASE("a design's files say what it is, and make what it can") {
     CHECK(file_of(files, "Makefile").starts_with("# The design of " + machine.name + ", 8 x 8 pixels."));
   }
   CHECK(file_of(drawn, "system.v").starts_with("// " + machine.name + ", with a Program in the host's memory.\n"));
-  CHECK(file_of(bare, "system.v").starts_with("// " + machine.name + ", whose host is at the other end"));
+  CHECK(file_of(bare, "system.v").starts_with("// " + machine.name + ", with the host at the other end"));
   CHECK(has(file_of(bare, "system.v"), "  wire [32-1:0] word;\n"));
   CHECK(has(file_of(drawn, "system.v"), "  wire [32-1:0] word;\n"));
   CHECK(has(file_of(drawn, "Makefile"), "\nicarus: icarus.png\n"));

@@ -148,9 +148,10 @@ TEST_CASE("trees of several bits or with fewer registers are refused, each by it
     return testing::error_of([&] { rtl::parameters_of(kinds::load("pixel-planes-4" + changes)); });
   };
   CHECK(refusal("+alu.bits=3+evaluator.bits=3")
-            .ends_with("evaluator.bits is 3, and the Verilog has 1; add --set evaluator.bits=1"));
+            .ends_with("evaluator.bits is 3, but the Verilog supports only 1; add --set evaluator.bits=1"));
   CHECK(refusal("+evaluator.register_levels=3")
-            .ends_with("evaluator.register_levels is 3, and the Verilog has 1; add --set evaluator.register_levels=1"));
+            .ends_with("evaluator.register_levels is 3, but the Verilog supports only 1; add --set "
+                       "evaluator.register_levels=1"));
   CHECK(refusal("+alu.bits=3") == "");
 }
 

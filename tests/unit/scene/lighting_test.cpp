@@ -16,7 +16,7 @@ scene::Light towards(const glm::dvec3& direction, double intensity) {
 }
 
 glm::dvec3 lit(const scene::Scene& scene, const scene::Material& material, const lighting::SurfacePoint& at) {
-  return lighting::lit(lighting::lighting_of(scene, along_y), material, {1, 0.5, 0.25}, at);
+  return lighting::lit(lighting::make_lighting(scene, along_y), material, {1, 0.5, 0.25}, at);
 }
 
 /// Faces the eye.
@@ -82,7 +82,7 @@ TEST_CASE("materials hold for colours or lines, the last that does counts") {
   primitive.location = {5, 1};
   primitive.opacity = 0.5;
   scene::Scene scene;
-  CHECK(lighting::finish_of(scene, primitive, false).opacity == 0.5);
+  CHECK(lighting::make_finish(scene, primitive, false).opacity == 0.5);
   scene::MaterialRule green;
   green.of_colour = glm::dvec3(0, 1, 0);
   green.colour = glm::dvec3(1, 1, 0);
@@ -96,10 +96,10 @@ TEST_CASE("materials hold for colours or lines, the last that does counts") {
   elsewhere.to_line = 9;
   elsewhere.colour = glm::dvec3(0);
   scene.materials = {green, line, elsewhere};
-  const lighting::Finish finish = lighting::finish_of(scene, primitive, false);
+  const lighting::Finish finish = lighting::make_finish(scene, primitive, false);
   CHECK(finish.colour == glm::dvec3(1, 1, 0));
   CHECK(finish.opacity == 0.75);
   CHECK(finish.material.specular == 1);
   primitive.colour.reset();
-  CHECK(lighting::finish_of(scene, primitive, true).colour == lighting::default_cut_colour);
+  CHECK(lighting::make_finish(scene, primitive, true).colour == lighting::default_cut_colour);
 }

@@ -48,14 +48,14 @@ isa::Program compiled_box(const std::string& machine) {
 }  // namespace
 
 TEST_CASE("either a pixel or a point is explained, and of a Program a pixel alone") {
-  const std::string which = "explain: say which pixel, by --pixel x,y or by --point X,Y,Z";
+  const std::string which = "explain: name a pixel with --pixel x,y or --point X,Y,Z";
   CHECK(misuse({"a.csg"}) == which);
   CHECK(misuse({"a.csgt"}) == which);
   CHECK(misuse({"a.csg", "--pixel", "1,1"}) == "");
   CHECK(misuse({"a.csg", "--point", "1,1,1"}) == "");
   CHECK(misuse({"a.csgt", "--pixel", "1,1"}) == "");
   CHECK(misuse({"a.csgt", "--point", "1,1,1"}) ==
-        "--point: is for models; a Program does not tell its camera: take --pixel");
+        "--point: is for models; a Program does not record its camera: take --pixel");
   Parsed<ExplainRequest> both({"a.csg", "--pixel", "1,1"});
   both.options.point = "1,1,1";
   CHECK(usage_error_of([&] { session::refuse_misuse(both.options, both.list); }) == which);

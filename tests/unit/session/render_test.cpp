@@ -116,7 +116,7 @@ TEST_CASE("a picture is held against the exact one where that is asked for, and 
     const session::Compiled seen_through = session::compile(asked.options, studies::choose_bits, glass);
     const std::string error =
         testing::error_of([&] { static_cast<void>(session::judge_of(asked.options, seen_through)); });
-    CHECK((error.find("knows opaque solids alone") != std::string::npos) == is_checked);
+    CHECK((error.find("supports opaque solids only") != std::string::npos) == is_checked);
   }
 }
 
@@ -151,14 +151,15 @@ TEST_CASE("the bits that a number of wrong pixels allows are the cheapest that k
   CHECK(usual.options.model.fraction_bits == 12);
   // Nothing fits 20 bits of memory.
   Parsed<RenderRequest> small(house_words({"--max-wrong-pixels", "5", "--memory-bits", "20"}));
-  CHECK(testing::error_of([&] { static_cast<void>(session::compile(small.options, studies::choose_bits)); }) ==
-        "no choice of --z-bits and --fraction-bits that fits the machine has at most 5 wrong pixels; allow more, or "
-        "see csgsim accuracy");
+  CHECK(
+      testing::error_of([&] { static_cast<void>(session::compile(small.options, studies::choose_bits)); }) ==
+      "every choice of --z-bits and --fraction-bits that fits the machine has more than 5 wrong pixels; allow more, or "
+      "see csgsim accuracy");
   Parsed<RenderRequest> glass({"glass.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0", "--max-wrong-pixels", "5"});
   CHECK(testing::error_of([&] {
           static_cast<void>(session::compile(glass.options, studies::choose_bits,
                                              {.text = "color([1,0,0,0.5]) { cube(size=[8,6,4],center=true); }"}));
-        }).find("knows opaque solids alone") != std::string::npos);
+        }).find("supports opaque solids only") != std::string::npos);
 }
 
 TEST_CASE("advice is of the machine that was asked for, tries settings, and is given where it is asked for") {
@@ -169,7 +170,7 @@ TEST_CASE("advice is of the machine that was asked for, tries settings, and is g
     const session::Advice advice = session::advice_of(asked.options, compiled);
     CHECK(advice.machine == "pixel-planes-4+alu.bits=2");
     CHECK(advice.is_asked == is_asked);
-    CHECK(advice.ask.starts_with("csgsim render with --advice "));
+    CHECK(advice.ask.starts_with("csgsim render --advice "));
     REQUIRE(advice.commands.size() == 1);
     if (!is_asked) continue;
     const session::Drawn drawn = session::draw(compiled.model.program, compiled.machine);
@@ -179,7 +180,7 @@ TEST_CASE("advice is of the machine that was asked for, tries settings, and is g
 
 TEST_CASE("faces nearly in one plane are warned of") {
   const auto warnings = [](const char* text) {
-    const KeptLines told;
+    const CollectedLines told;
     Parsed<RenderRequest> asked({"m.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
     static_cast<void>(session::compile(asked.options, studies::choose_bits, {.text = text}));
     return told.lines().size();

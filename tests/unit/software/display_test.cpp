@@ -259,7 +259,7 @@ TEST_CASE("a ledger adds up what its phases counted, and nothing else") {
   software::DisplayCounts told;
   told.csg.points = told.csg.ties = 50;
   told.conflicts = 77;
-  ledger.tell(told);
+  ledger.add_counts(told);
   CHECK(told.csg.points == 111111);
   CHECK(told.csg.evaluations == 222222);
   CHECK(told.csg.precomputed == 333333);

@@ -104,5 +104,5 @@ TEST_CASE("a method or a coherence that is none is refused with those that are")
   CHECK(says(message(""), "there is no method ''"));
   CHECK(says(message("status/"), "there is no coherence ''"));
   CHECK(says(message("status/one-list/"), "there is no coherence 'one-list/'"));
-  CHECK(says(message("weave/one-list"), "method weave takes whole rays, and no coherence"));
+  CHECK(says(message("weave/one-list"), "method weave processes whole rays and takes no coherence"));
 }

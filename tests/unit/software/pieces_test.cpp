@@ -365,5 +365,5 @@ TEST_CASE("a wall that does not fit the numbers of machines is refused where it 
   CHECK(pieces() == 2);
   for (software::Piece& piece : polygons.cells[0].bucket)
     piece.cuts = {{static_cast<std::uint32_t>(polygons.canonical_planes), true}};
-  CHECK_THROWS_WITH_AS(pieces(), doctest::Contains("a plane that polygons are clipped by is too large"), InputError);
+  CHECK_THROWS_WITH_AS(pieces(), doctest::Contains("a plane that clips polygons is too large"), InputError);
 }

@@ -126,10 +126,10 @@ TEST_CASE("errors of a processor's file say where, and what to write instead") {
   text = changed("value = 8_000_000", "value = 0");
   CHECK(message(text) == testing::place_in(text, "0\n") + ": clock.frequency is 0; it takes 1 to 10000000000 Hz");
   text = changed("provenance = \"published\"", "provenance = \"fitted\"");
-  CHECK(message(text).find("provenance 'fitted' of price.load; say 'published' or 'assumed'") != std::string::npos);
+  CHECK(message(text).find("provenance 'fitted' of price.load; write 'published' or 'assumed'") != std::string::npos);
   text = changed("unit = \"clocks\"", "unit = \"seconds\"");
   CHECK(message(text) ==
-        testing::place_in(text, "\"seconds\"") + ": unit 'seconds' of price.load; it counts in 'clocks'");
+        testing::place_in(text, "\"seconds\"") + ": unit 'seconds' of price.load; its unit is 'clocks'");
   text = changed("value = 12\n", "value = 12.5\n");
   CHECK(message(text) ==
         testing::place_in(text, "12.5\n") + ": price.load is a number with a point; make it an integer");

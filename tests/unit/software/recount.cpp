@@ -308,7 +308,7 @@ software::Survey surveyed(const std::vector<RecordedRay>& rays) {
   for (const RecordedRay& ray : rays) {
     ++survey.rays;
     survey.points += ray.points.size();
-    survey.most_points = std::max<std::uint64_t>(survey.most_points, ray.points.size());
+    survey.max_points = std::max<std::uint64_t>(survey.max_points, ray.points.size());
     survey.hits += ray.hits ? 1U : 0U;
     if (ray.events.empty()) continue;
     ++survey.met;

@@ -70,7 +70,7 @@ void check_survey(const Counted& counted) {
   CHECK(found.sequences == expected.sequences);
   CHECK(found.different_sequences == expected.different_sequences);
   CHECK(found.combinations == expected.combinations);
-  CHECK(found.most_points == expected.most_points);
+  CHECK(found.max_points == expected.max_points);
 }
 
 /// Nodes that are looked at for cells: for each 16 rows the tree, then for each 16 columns what is left of it there.

@@ -27,7 +27,7 @@ struct Row {
   std::string machine;
   emit::Strategy strategy = emit::Strategy::stack;
   emit::Colouring colouring = emit::Colouring::rebroadcast;
-  unsigned stack_bits = emit::fewest_stack_bits;
+  unsigned stack_bits = emit::min_stack_bits;
 };
 
 constexpr std::uint32_t width = 26;
@@ -49,7 +49,7 @@ std::vector<Row> rows() {
        {"pixel-planes-4+array.memory_bits=160", "pixel-planes-4+array.memory_bits=160+global_or.present=0",
         "scan-line+cells.words=6", "pixel-square+array.memory_bits=160+divider.kind=host",
         "pixel-planes-5+divider.kind=host", "pixel-planes-5"}) {
-    for (const Strategy strategy : emit::usual_strategies()) {
+    for (const Strategy strategy : emit::default_strategies()) {
       all.push_back(
           {strategy == Strategy::stored ? with_more_memory(machine) : machine, strategy, Colouring::rebroadcast});
     }

@@ -162,8 +162,8 @@ TEST_CASE("what became of each surface, and each comparison on the way, is what 
   std::minstd_rand random(11);
   unsigned alone = 0;
   std::vector<std::pair<Strategy, unsigned>> all{{Strategy::bits, 4}, {Strategy::bits, 5}, {Strategy::bits, 6}};
-  for (const Strategy strategy : emit::usual_strategies())
-    if (strategy != Strategy::products) all.emplace_back(strategy, emit::fewest_stack_bits);
+  for (const Strategy strategy : emit::default_strategies())
+    if (strategy != Strategy::products) all.emplace_back(strategy, emit::min_stack_bits);
   for (const auto& chosen : all) {
     const Strategy strategy = chosen.first;
     const unsigned bits = chosen.second;

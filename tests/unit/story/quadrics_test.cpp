@@ -48,7 +48,7 @@ Drawn draw(const Row& row, const std::string& csg, view::Projection projection) 
   machines::Machine machine = kinds::load(row.machine);
   machines::set_picture_size(machine, {width, height});
   model::Tree tree = read::read_csg_text(csg, "random");
-  facet::Geometry scene = facet::make_geometry(tree, {.exact_curves = true, .fewest_round = 0});
+  facet::Geometry scene = facet::make_geometry(tree, {.exact_curves = true, .min_round_sides = 0});
   view::Sampling sampling;
   sampling.width = width;
   sampling.height = height;

@@ -143,7 +143,7 @@ TEST_CASE("of two boxes the farther one that comes later loses the depth test, b
 
 TEST_CASE(
     "through a hole nothing is seen: the front is in what is taken away, whose back is outside what it is taken from") {
-  for (const emit::Strategy strategy : emit::usual_strategies()) {
+  for (const emit::Strategy strategy : emit::default_strategies()) {
     CAPTURE(emit::name_of(strategy));
     const story::Story story = tell(through_hole, 3, 2, strategy).story();
     CHECK(story.owner == observe::no_owner);
@@ -232,7 +232,7 @@ TEST_CASE("boxes that an intersection joins are one solid, and the facet's box o
   const story::WhyNot answer = story::why_not(subject, story, 2);
   CHECK(answer.drawn_as == 1);
   CHECK(contains(text_of(subject, story, answer), "drawn with p1 cube"));
-  CHECK(contains(text_of(subject, story, answer), "the facet seen here is of p1"));
+  CHECK(contains(text_of(subject, story, answer), "the facet visible here belongs to p1"));
 }
 
 TEST_CASE("of boxes that an intersection joins JSON names the one whose facet is seen, and with which it is drawn") {
@@ -269,10 +269,10 @@ TEST_CASE(
   const std::string text = story::text_of(subject, story);
   CHECK(contains(text, "shows p2 cube"));
   CHECK(contains(text, "through   p1 cube"));
-  CHECK(contains(text, "merged; this is what is seen"));
+  CHECK(contains(text, "merged; this is the visible surface"));
   const story::WhyNot why_not = story::why_not(subject, story, 1);
   CHECK_FALSE(why_not.is_seen);
-  CHECK(contains(text_of(subject, story, why_not), "a part of the colour, but not the nearest seen"));
+  CHECK(contains(text_of(subject, story, why_not), "contributes to the colour, but is not the nearest"));
 }
 
 TEST_CASE("a pixel that glass alone is seen at shows the glass, with nothing behind it") {
@@ -320,7 +320,7 @@ TEST_CASE("clocks are those in which the pixel carries the instructions out, one
   const story::Story story = told.story();
   const isa::Program& program = told.compiled.program;
   const machines::RunRecord record = story::record_of(program, told.machine);
-  const machines::Timeline timeline = machines::timeline(program, told.machine, record.told());
+  const machines::Timeline timeline = machines::timeline(program, told.machine, record.outcome());
   const auto clocks = machines::at_pixel(timeline, program, told.machine, 0, 3, 2);
   std::uint64_t last = 0;
   for (const story::Event& event : story.events) {

@@ -159,19 +159,19 @@ TEST_CASE("facets as right as curved surfaces are those of the fewest clocks wit
                                          faceted("tolerance", "0.1", 60, 4),  faceted("tolerance", "0.01", 90, 0),
                                          faceted("curves", "facets", 30, 40), faceted("curves", "exact", 20, 5),
                                          faceted("z-bits", "24", 5, 0)};
-  const auto all = studies::facets_as_right(rows);
+  const auto all = studies::equally_accurate_facets(rows);
   REQUIRE(all.size() == 1);
   CHECK(all[0].curved.value == "exact");
   CHECK(all[0].facets.value == "0.1");
-  CHECK(all[0].as_right);
+  CHECK(all[0].is_as_accurate);
   rows[5].facet_wrong = 40;
-  CHECK(studies::facets_as_right(rows)[0].facets.value == "facets");
+  CHECK(studies::equally_accurate_facets(rows)[0].facets.value == "facets");
   rows[3].facet_wrong = 3;
   rows[5].facet_wrong = 2;
-  const auto nearest = studies::facets_as_right(rows);
+  const auto nearest = studies::equally_accurate_facets(rows);
   CHECK(nearest[0].facets.value == "0.01");
-  CHECK_FALSE(nearest[0].as_right);
-  CHECK(studies::facets_as_right(std::vector{rows[5]}).empty());
+  CHECK_FALSE(nearest[0].is_as_accurate);
+  CHECK(studies::equally_accurate_facets(std::vector{rows[5]}).empty());
 }
 
 TEST_CASE("curved surfaces without facets are right to the arithmetic, where facets are off by their tolerance") {

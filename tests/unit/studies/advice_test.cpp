@@ -27,7 +27,7 @@
 using namespace csgsim;
 using studies::AdviceRow;
 using studies::DesignPoint;
-using studies::Wish;
+using studies::Requirement;
 
 namespace {
 
@@ -113,7 +113,7 @@ studies::Job AdviceJobs::at(const DesignPoint& point) const {
   job.sampling.z_bits = point.z_bits;
   job.sampling.fraction_bits = point.fraction_bits;
   job.options.strategy = named(emit::strategies, point.strategy);
-  job.options.stack_bits = std::max(point.stack_bits, emit::fewest_stack_bits);
+  job.options.stack_bits = std::max(point.stack_bits, emit::min_stack_bits);
   job.options.colouring = named(emit::colourings, point.colouring);
   job.options.colour_bits = point.colour_bits;
   return job;
@@ -156,7 +156,8 @@ bool beats_or_equals(const AdviceRow& a, const AdviceRow& b) {
          a.point.alu_bits <= b.point.alu_bits;
 }
 
-const Wish every_wish[] = {Wish::bits, Wish::wrong_pixels, Wish::speed, Wish::colour};
+const Requirement every_wish[] = {Requirement::bits, Requirement::wrong_pixels, Requirement::speed,
+                                  Requirement::colour};
 
 }  // namespace
 
@@ -182,21 +183,21 @@ TEST_CASE("advice's front has what no other choice beats, colours and the ALU co
 TEST_CASE("a choice without a Program is neither on the front nor recommended") {
   AdviceRow refused = row(0, 0, 1);
   refused.reason = "it does not fit";
-  const studies::Wishes wishes{72, 10, 0, 24};
+  const studies::Requirements requirements{72, 10, 0, 24};
   const Rows rows{refused, row(66, 0, 100)};
   CHECK(studies::advice_front(rows) == Rows{rows[1]});
-  for (const studies::Recommendation& one : studies::recommend(rows, wishes)) CHECK(one.row == rows[1]);
-  CHECK(studies::nearest_choices(rows, wishes, 9) == Rows{rows[1]});
+  for (const studies::Recommendation& one : studies::recommend(rows, requirements)) CHECK(one.row == rows[1]);
+  CHECK(studies::nearest_choices(rows, requirements, 9) == Rows{rows[1]});
 }
 
 TEST_CASE("each recommendation is the best by its wish of those that meet the others") {
   // 1e7 / 400,000 is 25 frames a second.
-  const studies::Wishes wishes{64, 10, 25, 24};
+  const studies::Requirements requirements{64, 10, 25, 24};
   const Rows rows{row(60, 8, 390'000), row(64, 2, 400'000), row(64, 9, 300'000),    row(58, 11, 390'000),
                   row(58, 5, 410'000), row(72, 0, 200'000), row(64, 0, 390'000, 18)};
-  const std::vector<studies::Recommendation> all = studies::recommend(rows, wishes);
+  const std::vector<studies::Recommendation> all = studies::recommend(rows, requirements);
   REQUIRE(all.size() == 4);
-  CHECK(all[0].wish == Wish::bits);
+  CHECK(all[0].requirement == Requirement::bits);
   CHECK(all[0].row == rows[0]);
   CHECK(all[1].row == rows[1]);
   CHECK(all[2].row == rows[2]);
@@ -206,8 +207,8 @@ TEST_CASE("each recommendation is the best by its wish of those that meet the ot
 
 TEST_CASE("where nothing meets all wishes, a recommendation says by how much its wish is missed") {
   const Rows rows{row(70, 3, 300'000), row(64, 30, 300'000), row(60, 3, 500'000), row(50, 500, 600'000, 3)};
-  const studies::Wishes wishes{64, 10, 25, 24};
-  const std::vector<studies::Recommendation> all = studies::recommend(rows, wishes);
+  const studies::Requirements requirements{64, 10, 25, 24};
+  const std::vector<studies::Recommendation> all = studies::recommend(rows, requirements);
   REQUIRE(all.size() == 3);
   CHECK(all[0].row == rows[0]);
   CHECK(all[0].miss == 6);
@@ -216,15 +217,16 @@ TEST_CASE("where nothing meets all wishes, a recommendation says by how much its
   CHECK(all[2].row == rows[2]);
   CHECK(all[2].miss == doctest::Approx(5));
   // 6 of 64 bits are a smaller part than 20 of 10 pixels and 5 of 25 frames.
-  CHECK(studies::nearest_choices(rows, wishes, 2) == Rows{rows[0], rows[2]});
-  CHECK(std::none_of(rows.begin(), rows.end(), [&](const AdviceRow& one) { return studies::meets_all(one, wishes); }));
+  CHECK(studies::nearest_choices(rows, requirements, 2) == Rows{rows[0], rows[2]});
+  CHECK(std::none_of(rows.begin(), rows.end(),
+                     [&](const AdviceRow& one) { return studies::meets_all(one, requirements); }));
 }
 
 TEST_CASE("where no wrong pixel is wished, choices that miss it and another wish are told apart by both") {
-  const studies::Wishes wishes{60, 0, 0, 0};
+  const studies::Requirements requirements{60, 0, 0, 0};
   // 1 pixel and 6 of 60 bits are nearer than 3 pixels and 1 of 60 bits, though more bits are dearer.
   const Rows rows{row(61, 3, 100), row(66, 1, 100)};
-  CHECK(studies::nearest_choices(rows, wishes, 2) == Rows{rows[1], rows[0]});
+  CHECK(studies::nearest_choices(rows, requirements, 2) == Rows{rows[1], rows[0]});
 }
 
 TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and its answers with a plain search") {
@@ -246,29 +248,30 @@ TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and i
   }
   Rows front;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    bool is_beaten = false;
+    bool is_dominated = false;
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const bool is_same = beats_or_equals(rows[i], rows[k]);
-      is_beaten = is_beaten || (k != i && beats_or_equals(rows[k], rows[i]) && (!is_same || k < i));
+      is_dominated = is_dominated || (k != i && beats_or_equals(rows[k], rows[i]) && (!is_same || k < i));
     }
-    if (!is_beaten) front.push_back(rows[i]);
+    if (!is_dominated) front.push_back(rows[i]);
   }
   const Rows answer = studies::advice_front(rows);
   CHECK(answer.size() == front.size());
   for (const AdviceRow& one : front) CHECK(std::find(answer.begin(), answer.end(), one) != answer.end());
   CHECK(front.size() > 4);
-  const studies::Wishes wishes{static_cast<std::uint32_t>(front[front.size() / 2].used_bits),
-                               front[front.size() / 2].wrong, front[front.size() / 2].frames_per_second, 12};
-  for (const studies::Recommendation& one : studies::recommend(rows, wishes)) {
+  const studies::Requirements requirements{static_cast<std::uint32_t>(front[front.size() / 2].used_bits),
+                                           front[front.size() / 2].wrong, front[front.size() / 2].frames_per_second,
+                                           12};
+  for (const studies::Recommendation& one : studies::recommend(rows, requirements)) {
     for (const AdviceRow& other : rows) {
-      const bool is_eligible = std::all_of(std::begin(every_wish), std::end(every_wish), [&](Wish wish) {
-        return wish == one.wish || studies::miss(other, wish, wishes) == 0;
+      const bool is_eligible = std::all_of(std::begin(every_wish), std::end(every_wish), [&](Requirement requirement) {
+        return requirement == one.requirement || studies::miss(other, requirement, requirements) == 0;
       });
       if (!is_eligible) continue;
-      if (one.wish == Wish::bits) CHECK(one.row.used_bits <= other.used_bits);
-      if (one.wish == Wish::wrong_pixels) CHECK(one.row.wrong <= other.wrong);
-      if (one.wish == Wish::speed) CHECK(one.row.frames_per_second >= other.frames_per_second);
-      if (one.wish == Wish::colour) CHECK(one.row.point.colour_bits >= other.point.colour_bits);
+      if (one.requirement == Requirement::bits) CHECK(one.row.used_bits <= other.used_bits);
+      if (one.requirement == Requirement::wrong_pixels) CHECK(one.row.wrong <= other.wrong);
+      if (one.requirement == Requirement::speed) CHECK(one.row.frames_per_second >= other.frames_per_second);
+      if (one.requirement == Requirement::colour) CHECK(one.row.point.colour_bits >= other.point.colour_bits);
     }
     CHECK(one.miss == 0);
   }
@@ -276,8 +279,9 @@ TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and i
 
 TEST_CASE("the plot of advice has a staircase for each limit of wrong pixels that buys more than a stricter one") {
   const Rows rows{row(72, 0, 50'000), row(64, 7, 50'000), row(80, 0, 25'000), row(90, 3, 20'000), row(70, 800, 10'000)};
-  const studies::Wishes wishes{.max_bits = 80, .max_wrong_pixels = 5, .min_fps = 300, .min_colour_bits = 12};
-  const plots::Plot plot = studies::plot_of_advice(rows, wishes, {}, "m.csg");
+  const studies::Requirements requirements{
+      .max_bits = 80, .max_wrong_pixels = 5, .min_fps = 300, .min_colour_bits = 12};
+  const plots::Plot plot = studies::plot_of_advice(rows, requirements, {}, "m.csg");
   const auto& chart = std::get<plots::Chart>(plot.content);
   const auto steps = [&](std::size_t series) {
     std::vector<std::pair<double, double>> points;

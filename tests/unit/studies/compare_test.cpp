@@ -31,7 +31,7 @@ Words points_asked(const Words& words) {
   list.give_words(std::span(words).subspan(1));
   list.take();
   Words points;
-  for (const studies::Asked& one : command->study->ask()) points.push_back(one.cells);
+  for (const studies::PointRequest& one : command->study->request_points()) points.push_back(one.cells);
   return points;
 }
 

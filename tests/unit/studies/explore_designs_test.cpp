@@ -43,7 +43,7 @@ std::string design_error(const session::ModelRequest& base, const std::vector<Di
 }
 
 std::string dimension_error(const std::string& text) {
-  return testing::error_of([&] { static_cast<void>(studies::dimension_in(text)); });
+  return testing::error_of([&] { static_cast<void>(studies::parse_dimension(text)); });
 }
 
 /// Of numbers from `first` on.
@@ -105,30 +105,30 @@ TEST_CASE("after 64 cells in a row that were told, the rest comes in the order o
 }
 
 TEST_CASE("a range has both its ends, from 0 to 2,000,000,000, and 1,000 values at most") {
-  CHECK(studies::dimension_in("a=0..2").values == Texts{"0", "1", "2"});
-  CHECK(studies::dimension_in("a=5..5").values == Texts{"5"});
-  CHECK(studies::dimension_in("a=2000000000..2000000000").values == Texts{"2000000000"});
+  CHECK(studies::parse_dimension("a=0..2").values == Texts{"0", "1", "2"});
+  CHECK(studies::parse_dimension("a=5..5").values == Texts{"5"});
+  CHECK(studies::parse_dimension("a=2000000000..2000000000").values == Texts{"2000000000"});
   CHECK_FALSE(dimension_error("a=2000000000..2000000001").empty());
   CHECK_FALSE(dimension_error("a=2000000001..2000000001").empty());
-  CHECK(dimension_error("a=10..8") == "'10..8' runs backwards; take 8..10");
-  CHECK(studies::dimension_in("a=1..1000").values == numbers_from(1, 1000));
-  CHECK(dimension_error("a=1..1001") == "'1..1001' is more than 1000 values");
-  CHECK(studies::dimension_in("a=1..600,601..1000").values.size() == 1000);
-  CHECK(studies::dimension_in("a=1..600,500..1000").values.size() == 1000);
+  CHECK(dimension_error("a=10..8") == "range '10..8' is reversed; use 8..10");
+  CHECK(studies::parse_dimension("a=1..1000").values == numbers_from(1, 1000));
+  CHECK(dimension_error("a=1..1001") == "range '1..1001' has more than 1000 values");
+  CHECK(studies::parse_dimension("a=1..600,601..1000").values.size() == 1000);
+  CHECK(studies::parse_dimension("a=1..600,500..1000").values.size() == 1000);
   CHECK(dimension_error("a=1..600,601..1001") == "a has more than 1000 values");
   // What is no range of whole numbers is a value as it stands.
-  CHECK(studies::dimension_in("a=..5,1.5,a..b,7..x").values == Texts{"..5", "1.5", "a..b", "7..x"});
+  CHECK(studies::parse_dimension("a=..5,1.5,a..b,7..x").values == Texts{"..5", "1.5", "a..b", "7..x"});
   CHECK(dimension_error("a=1...3") != "");
   CHECK(dimension_error("a=1..") != "");
 }
 
 TEST_CASE("what is varied needs a key and an equals sign, and the first of these ends the key") {
-  const std::string words = " varies nothing; say KEY=a,b,c, as in alu.bits=1,2,4";
+  const std::string words = " has no values; use KEY=a,b,c, as in alu.bits=1,2,4";
   for (const char* const text : {"", "alu.bits", "=1", "=a=1"})
     CHECK(dimension_error(text) == "'" + std::string(text) + "'" + words);
   for (const char* const text : {"alu.bits=", "alu.bits=1,,2"}) CHECK(dimension_error(text) != "");
-  CHECK(studies::dimension_in("a=b=c,d") == Dimension{"a", {"b=c", "d"}});
-  CHECK(studies::dimension_in("z-bits=8..10,9,16") == Dimension{"z-bits", {"8", "9", "10", "16"}});
+  CHECK(studies::parse_dimension("a=b=c,d") == Dimension{"a", {"b=c", "d"}});
+  CHECK(studies::parse_dimension("z-bits=8..10,9,16") == Dimension{"z-bits", {"8", "9", "10", "16"}});
 }
 
 TEST_CASE("each option of render takes its own values, up to its limits") {
@@ -151,7 +151,7 @@ TEST_CASE("each option of render takes its own values, up to its limits") {
     for (const std::string& value : row.right) CHECK(option_error(row.key, value) == "");
     for (const std::string& value : row.wrong) CHECK(option_error(row.key, value) != "");
   }
-  CHECK(option_error("memory-bits", "1,2") == "'1,2' is no number");
+  CHECK(option_error("memory-bits", "1,2") == "'1,2' is not a number");
 }
 
 TEST_CASE("each option of render is given its value, and any other key is a figure of the machine") {
@@ -202,14 +202,14 @@ TEST_CASE("whoever says nothing else has all designs, or the sample of seed 1") 
 }
 
 TEST_CASE("a grid may have 10,000 cells, and one more has to be sampled") {
-  CHECK(studies::most_designs == 10'000);
+  CHECK(studies::max_designs == 10'000);
   const Texts tens(10, "20");
   std::vector<Dimension> dimensions{
       {"z-bits", tens}, {"fraction-bits", tens}, {"colour-bits", tens}, {"stack-bits", tens}};
   CHECK(studies::DesignGrid({}, dimensions, {}).designs().size() == 1);  // all draw alike
   dimensions[3].values.emplace_back("21");
   CHECK(design_error({}, dimensions) ==
-        "--vary: that are 11000 designs, 10,000 at most; take --points N for a sample of them");
+        "--vary: the grid has 11000 designs, the maximum is 10,000; use --points N to sample them");
   CHECK(design_error({}, dimensions, {1, 1}) == "");
 }
 
@@ -218,18 +218,18 @@ TEST_CASE("a grid of 10^18 cells may be sampled") { CHECK(design_error({}, nine_
 TEST_CASE("a grid of more than 10^18 cells may not be sampled") {
   std::vector<Dimension> dimensions = nine_hundreds();
   dimensions[8].values.emplace_back("field");
-  CHECK(design_error({}, dimensions, {1, 1}) == "--vary: that are more than 10^18 designs; vary fewer figures");
+  CHECK(design_error({}, dimensions, {1, 1}) == "--vary: the grid has more than 10^18 designs; vary fewer parameters");
 }
 
 TEST_CASE("an unknown key is told with the options there are, and the nearest of figures and options") {
   const std::string options =
       "size, memory-bits, z-bits, fraction-bits, colour-bits, strategy, stack-bits, colouring, curves, pruning";
   CHECK(design_error({}, {{"array.widt", {"1"}}}) ==
-        "--vary: 'array.widt' is neither a figure of pixel-planes-4 nor one of " + options +
-            "; the nearest known is 'array.width'");
-  CHECK(design_error({}, {{"curve", {"auto"}}}).find("the nearest known is 'curves'") != std::string::npos);
+        "--vary: 'array.widt' is neither a parameter of pixel-planes-4 nor one of " + options +
+            "; did you mean 'array.width'?");
+  CHECK(design_error({}, {{"curve", {"auto"}}}).find("did you mean 'curves'?") != std::string::npos);
   CHECK(design_error({}, {{"alu.bits", {"1"}}, {"alu.bits", {"2"}}}) ==
-        "--vary: 'alu.bits' is said twice; give all values at once");
+        "--vary: 'alu.bits' is given twice; list all its values once");
 }
 
 TEST_CASE("a value is wrong if it is possible neither by itself nor with the last values of other figures") {
@@ -250,8 +250,7 @@ TEST_CASE("a value is wrong if it is possible neither by itself nor with the las
 
 TEST_CASE("a figure that an option says otherwise is refused, for size and memory each, and as it says is not") {
   const auto error = [](const char* key, const char* value) {
-    return std::string("--vary: an option says otherwise than ") + key + "=" + value +
-           "; leave out --size, --memory-bits";
+    return std::string("--vary: an option overrides ") + key + "=" + value + "; omit --size or --memory-bits";
   };
   session::ModelRequest sized;
   sized.size = "64x48";

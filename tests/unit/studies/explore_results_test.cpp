@@ -84,7 +84,7 @@ TEST_CASE(
   rows[1].wrong = 7;
   CHECK(refusal_of(rows) == "");
   rows[1].unexplained = 1;
-  const std::string fault = "a picture is wrong beyond the bounds of docs/numbers.md; ";
+  const std::string fault = "the errors of a picture exceed the bounds of docs/numbers.md; ";
   CHECK(refusal_of(rows).starts_with(fault));
   CHECK(refusal_of(rows, true).starts_with(fault));
   CHECK(refusal_of(rows, true) != refusal_of(rows, false));
@@ -170,12 +170,12 @@ TEST_CASE("a page has a table of each front with its knee, and one of the comman
     }
     return all;
   };
-  CHECK(table(0).caption == "m.csg: designs that no other beats");
+  CHECK(table(0).caption == "m.csg: Pareto-optimal designs");
   CHECK(table(0).columns == Texts{"knee", "alu.bits", "time", "memory"});
   CHECK(values(table(0)) == Json::parse(R"([["knee",1,100.0,10.0],["",4,50.0,40.0]])"));
-  CHECK(table(1).caption == "n.csg: designs that no other beats");
+  CHECK(table(1).caption == "n.csg: Pareto-optimal designs");
   CHECK(values(table(1)) == Json::parse(R"([["knee",1,20.0,30.0]])"));
-  CHECK(table(2).caption == "All models: designs that no other beats");
+  CHECK(table(2).caption == "All models: Pareto-optimal designs");
   CHECK(values(table(2)) == Json::parse(R"([["knee",1,120.0,30.0],["",4,75.0,40.0]])"));
   const Json commands = values(table(3));
   REQUIRE(commands.size() == 4);
@@ -197,9 +197,9 @@ TEST_CASE("options that contradict each other are refused by name") {
   const Models models;
   const std::string cube = models / "cube.csg";
   CHECK(usage_error({cube, "--vary", "alu.bits=1,2", "--set", "alu.bits=4"}) ==
-        "--vary: 'alu.bits' is set besides; leave out one of both");
+        "--vary: 'alu.bits' is both varied and fixed; remove one");
   CHECK(usage_error({cube, "--vary", "alu.bits=1", "--set", "memory.reads=2"}) == "");
-  const std::string clock = "--vary: the clock follows from the process; leave out clock.frequency or --process";
+  const std::string clock = "--vary: the process determines the clock; remove clock.frequency or --process";
   CHECK(usage_error({cube, "--vary", "clock.frequency=1000000", "--process", "nmos-3um"}) == clock);
   CHECK(usage_error({cube, "--vary", "clock.frequency=1000000"}) == "");
   CHECK(usage_error({cube, "--vary", "alu.bits=1", "--process", "nmos-3um"}) == "");
@@ -222,13 +222,13 @@ TEST_CASE("options that contradict each other are refused by name") {
 
 TEST_CASE("designs are held against each other by four axes, in a process by five, or by those asked for") {
   studies::ExploreOptions options;
-  CHECK(options.asked_axes() == "time,area,memory,wrong");
+  CHECK(options.requested_axes() == "time,area,memory,wrong");
   CHECK_FALSE(options.loaded_process());
   options.process = "nmos-3um";
-  CHECK(options.asked_axes() == "time,silicon,energy,memory,wrong");
+  CHECK(options.requested_axes() == "time,silicon,energy,memory,wrong");
   CHECK(options.loaded_process()->name == "nmos-3um");
   options.axes = "time,wrong";
-  CHECK(options.asked_axes() == "time,wrong");
+  CHECK(options.requested_axes() == "time,wrong");
   const Texts own = studies::own_explore_options();
   CHECK(std::set<std::string>(own.begin(), own.end()) ==
         std::set<std::string>{"size",     "memory-bits", "z-bits",    "fraction-bits", "colour-bits",

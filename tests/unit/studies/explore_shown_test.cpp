@@ -51,7 +51,7 @@ ExploreRow refused_row(const std::string& model, const char* alu_bits, unsigned 
 
 std::vector<ShownGroup> shown_groups(const std::vector<ExploreRow>& rows, const std::string& axes) {
   std::vector<ShownGroup> shown;
-  for (studies::ExploreGroup& group : studies::groups_of(rows, studies::axes_in(axes)))
+  for (studies::ExploreGroup& group : studies::groups_of(rows, studies::parse_axes(axes)))
     shown.push_back({std::move(group), {}});
   return shown;
 }
@@ -134,7 +134,7 @@ TEST_CASE("each axis has its value of a row, none where there is no price, and w
     CHECK(axis.value(unpriced).has_value() == has_price);
   }
   // As they are listed, not as they are known.
-  const std::vector<studies::ExploreAxis> axes = studies::axes_in("wrong,time");
+  const std::vector<studies::ExploreAxis> axes = studies::parse_axes("wrong,time");
   REQUIRE(axes.size() == 2);
   CHECK(std::string(axes[0].name) == "wrong");
   CHECK(std::string(axes[1].name) == "time");
@@ -146,13 +146,13 @@ TEST_CASE("over two models silicon is the larger, energy the sum") {
   rows[1].machine_mm2 = 2;
   rows[0].frame_joules = 5;
   rows[1].frame_joules = 7;
-  const std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::axes_in("silicon,energy"));
+  const std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::parse_axes("silicon,energy"));
   REQUIRE(groups.size() == 3);
   CHECK(groups[2].values == std::vector<Values>{{3, 12}});
 }
 
 TEST_CASE("the knee looks at the front alone, however good or bad others are") {
-  const std::vector<studies::ExploreAxis> axes = studies::axes_in("time,memory");
+  const std::vector<studies::ExploreAxis> axes = studies::parse_axes("time,memory");
   // Of those that count, logarithms (0, 2), (1, 1), (2, 0) are stretched to (0, 1), (1/2, 1/2), (1, 0).
   const std::vector<Values> candidates{{0.001, 0.001}, {1, 100}, {10, 10}, {100, 1}, {1e6, 1e6}};
   CHECK(studies::knee_of(candidates, {false, true, true, true, false}, axes) == 2);
@@ -294,19 +294,19 @@ TEST_CASE("the text has a line for each design of the front, and names the knee 
   groups[0].group.unpriced = 1;
   std::vector<ShownGroup> first{groups[0], groups[1]};
   CHECK(printed(rows, first) ==
-        "m: 3 on the front of 5 designs; 1 without a price on an axis left out\n"
-        "  alu.bits  z-bits  ms from frame to frame  memory bits of the machine      \n"
-        "         4       8                      50                          40      \n"
-        "         1       8                     100                          10  knee\n"
-        "knee: alu.bits=1, z-bits=8; ms from frame to frame 100; memory bits of the machine 10\n"
+        "m: 3 on the front of 5 designs; 1 omitted for lack of a price on an axis\n"
+        "  alu.bits  z-bits  time between frames, ms  memory bits in total      \n"
+        "         4       8                       50                    40      \n"
+        "         1       8                      100                    10  knee\n"
+        "knee: alu.bits=1, z-bits=8; time between frames, ms 100; memory bits in total 10\n"
         "  draw m\n"
         "  draw it again\n"
         "\n"
         "n: 1 on the front of 3 designs; 1 cannot be drawn\n"
         "  alu.bits=4, z-bits=12 cannot be drawn: too large\n"
-        "  alu.bits  z-bits  ms from frame to frame  memory bits of the machine      \n"
-        "         1       8                      20                          30  knee\n"
-        "knee: alu.bits=1, z-bits=8; ms from frame to frame 20; memory bits of the machine 30\n");
+        "  alu.bits  z-bits  time between frames, ms  memory bits in total      \n"
+        "         1       8                       20                    30  knee\n"
+        "knee: alu.bits=1, z-bits=8; time between frames, ms 20; memory bits in total 30\n");
 }
 
 TEST_CASE("each reason is printed once, with its first design and the number of others of the group's model") {
@@ -314,7 +314,7 @@ TEST_CASE("each reason is printed once, with its first design and the number of 
                                refused_row("m", "2", 8, "no"),     refused_row("m", "2", 9, "no"),
                                refused_row("n", "1", 8, "no way"), shown_row("n", "1", 9, 10, 10)};
   const std::string text = printed(rows, shown_groups(rows, "time"));
-  CHECK(text.find("  alu.bits=1, z-bits=8 cannot be drawn, as do 2 other designs: no\n"
+  CHECK(text.find("  alu.bits=1, z-bits=8 and 2 other designs cannot be drawn: no\n"
                   "  alu.bits=1, z-bits=9 cannot be drawn: never\n\nn: ") != std::string::npos);
   CHECK(text.find("n: 1 on the front of 2 designs; 1 cannot be drawn\n"
                   "  alu.bits=1, z-bits=8 cannot be drawn: no way\n  alu.bits") != std::string::npos);
@@ -340,12 +340,12 @@ TEST_CASE("values have four digits, but whole ones and those from 10,000 on all,
     ExploreRow row = shown_row("m", "1", 8, 1, 1);
     ShownGroup shown;
     shown.group.model = "m";
-    shown.group.axes = studies::axes_in("time");
+    shown.group.axes = studies::parse_axes("time");
     shown.group.rows = {0};
     shown.group.values = {{value}};
     shown.group.front = {true};
     shown.group.knee = 0;
-    CHECK(printed({row}, {shown}).find("; ms from frame to frame " + text + "\n") != std::string::npos);
+    CHECK(printed({row}, {shown}).find("; time between frames, ms " + text + "\n") != std::string::npos);
   }
 }
 
@@ -380,8 +380,8 @@ TEST_CASE("a plot is of each group with two axes and a knee, under a name of its
   CHECK(plots[0].name == "m_front");
   CHECK(plots[1].name == "m-2_front");
   const auto& chart = std::get<plots::Chart>(plots[0].content);
-  CHECK(chart.title == "m: what time buys");
-  CHECK(std::get<plots::Chart>(plots[1].content).title == "m-2: what time buys");
+  CHECK(chart.title == "m: trade-offs against time");
+  CHECK(std::get<plots::Chart>(plots[1].content).title == "m-2: trade-offs against time");
   REQUIRE(chart.panels.size() == 2);
   CHECK(chart.panels[0].title == "memory bits of the machine");
   CHECK(chart.panels[1].title == "wrong pixels");
@@ -402,7 +402,7 @@ TEST_CASE("a plot is of each group with two axes and a knee, under a name of its
   const std::vector<plots::Plot> of_all = studies::plots_of_explore(shown_groups(rows, "time,memory"));
   REQUIRE(of_all.size() == 3);
   CHECK(of_all[2].name == "all_models_front");
-  CHECK(std::get<plots::Chart>(of_all[2].content).title == "all models: what time buys");
+  CHECK(std::get<plots::Chart>(of_all[2].content).title == "all models: trade-offs against time");
 }
 
 TEST_CASE("beaten designs are named in the first panel's legend alone") {
@@ -411,7 +411,7 @@ TEST_CASE("beaten designs are named in the first panel's legend alone") {
   REQUIRE(plots.size() == 1);
   const auto& chart = std::get<plots::Chart>(plots[0].content);
   REQUIRE(chart.series.size() == 8);
-  CHECK(chart.series[0].name == "another is better");
+  CHECK(chart.series[0].name == "dominated");
   CHECK(chart.series[4].name.empty());
   REQUIRE(chart.series[4].points.size() == 1);
   CHECK(chart.series[4].points[0].x == doctest::Approx(200));

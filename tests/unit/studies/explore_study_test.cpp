@@ -104,8 +104,8 @@ TEST_CASE("a process is part of each point, and every figure of it of what was m
     explored.ask();
     return explored.asked.front();
   };
-  const studies::Asked plain = asked({});
-  const studies::Asked made = asked({"--process", "nmos-3um"});
+  const studies::PointRequest plain = asked({});
+  const studies::PointRequest made = asked({"--process", "nmos-3um"});
   CHECK(studies::split_cells(plain.cells).at(2).empty());
   CHECK(studies::split_cells(made.cells).at(2) == "nmos-3um");
   CHECK(plain.inputs.machine_hash != made.inputs.machine_hash);
@@ -152,7 +152,7 @@ TEST_CASE("what lets light through is not held against an exact picture, on any 
   REQUIRE(rows.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) {
     CAPTURE(rows[i]);
-    CHECK((row_in(rows[i]).reason.find("knows opaque solids alone") != std::string::npos) == (i < 2));
+    CHECK((row_in(rows[i]).reason.find("supports opaque solids only") != std::string::npos) == (i < 2));
   }
 }
 
@@ -196,7 +196,7 @@ TEST_CASE("a row has the Program's and the run's figures, and wrong pixels, of t
     CHECK(*row.machine_mm2 == doctest::Approx(process::machine_mm2(machine, resources, process).value()));
     REQUIRE(row.frame_joules);
     studies::RunTimer timer;
-    const std::uint64_t pixel_clocks = process::pixel_clocks(program, machine, timer.told(program, machine).skips);
+    const std::uint64_t pixel_clocks = process::pixel_clocks(program, machine, timer.outcome(program, machine).skips);
     const double seconds = static_cast<double>(drawn.result.interval_clocks) / static_cast<double>(machine.clock_hz);
     CHECK(*row.frame_joules ==
           doctest::Approx(process::frame_joules(machine, resources, {pixel_clocks, seconds}, process).value()));
@@ -279,9 +279,9 @@ TEST_CASE(
                                                            "process", "size", "memory-bits", "z-bits", "fraction-bits",
                                                            "colour-bits", "strategy", "stack-bits", "colouring",
                                                            "curves", "pruning"});
-  CHECK_FALSE(explored.study().looks_further());
-  CHECK(Explored({"a.csg", "--vary", "z-bits=12", "--search", "1"}).study().looks_further());
-  CHECK(explored.study().page_title() == "The design space");
+  CHECK_FALSE(explored.study().is_adaptive());
+  CHECK(Explored({"a.csg", "--vary", "z-bits=12", "--search", "1"}).study().is_adaptive());
+  CHECK(explored.study().page_title() == "Design space");
   CHECK(explored.study().page_subject().name == "2 models");
   CHECK(explored.study().page_subject().model.model == "a.csg");
   CHECK(Explored({"a.csg", "a.csg", "--vary", "z-bits=12"}).study().page_subject().name.empty());
@@ -295,7 +295,7 @@ TEST_CASE("a search asks for neighbours of the front, round after round, until i
     std::vector<std::size_t> rounds{explored.ask().size()};
     explored.measure();
     for (int i = 0; i < 20; ++i) {
-      const std::vector<studies::Asked> more = explored.study().more();
+      const std::vector<studies::PointRequest> more = explored.study().more();
       if (more.empty()) break;
       rounds.push_back(more.size());
       explored.asked.insert(explored.asked.end(), more.begin(), more.end());
@@ -326,7 +326,7 @@ TEST_CASE("neighbours are of the front of all models, and are asked for each of 
                      "1", "--search", "9", "--axes", "time"});
   REQUIRE(explored.ask().size() == 2);
   explored.measure();
-  const std::vector<studies::Asked> more = explored.study().more();
+  const std::vector<studies::PointRequest> more = explored.study().more();
   // One or two z bits beside, of either model.
   CHECK(more.size() % 2 == 0);
   CHECK(more.size() >= 2);

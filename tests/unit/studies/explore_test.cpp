@@ -38,7 +38,7 @@ std::vector<Cell> cells_of(const std::vector<std::size_t>& sizes, std::uint64_t 
 }
 
 /// By the words alone: each is held against each other one.
-bool is_beaten(const std::vector<Values>& all, std::size_t one) {
+bool is_dominated(const std::vector<Values>& all, std::size_t one) {
   for (const Values& other : all) {
     bool is_nowhere_worse = true;
     bool is_somewhere_better = false;
@@ -73,12 +73,12 @@ TEST_CASE("the front is what no other beats, as holding each against each finds 
         rc::gen::container<Values>(axes, rc::gen::map(rc::gen::inRange(0, 6), [](int i) { return double(i); })));
     const std::vector<bool> front = studies::pareto_of(candidates);
     RC_ASSERT(front.size() == candidates.size());
-    for (std::size_t i = 0; i < candidates.size(); ++i) RC_ASSERT(front[i] != is_beaten(candidates, i));
+    for (std::size_t i = 0; i < candidates.size(); ++i) RC_ASSERT(front[i] != is_dominated(candidates, i));
   }));
 }
 
 TEST_CASE("the knee is the one nearest to the best of each axis, in logarithms stretched over the front") {
-  const std::vector<studies::ExploreAxis> time_memory = studies::axes_in("time,memory");
+  const std::vector<studies::ExploreAxis> time_memory = studies::parse_axes("time,memory");
   // Logarithms to base 10: (0, 3), (1, 1), (3, 0), stretched to (0, 1), (1/3, 1/3), (1, 0).
   const std::vector<Values> candidates{{1, 1000}, {10, 10}, {1000, 1}, {1, 1e9}};
   const std::vector<bool> front = studies::pareto_of(candidates);
@@ -90,7 +90,7 @@ TEST_CASE("the knee is the one nearest to the best of each axis, in logarithms s
   CHECK(studies::knee_of(alike, studies::pareto_of(alike), time_memory) == 0);
   // 0 wrong pixels: log(1 + n) is 0, log 10, log 100.
   const std::vector<Values> pixels{{1, 99}, {10, 9}, {100, 0}};
-  const std::vector<studies::ExploreAxis> time_wrong = studies::axes_in("time,wrong");
+  const std::vector<studies::ExploreAxis> time_wrong = studies::parse_axes("time,wrong");
   CHECK(studies::knee_of(pixels, studies::pareto_of(pixels), time_wrong) == 1);
   // log 2 / log 100 is 0.15, log 22.7 / log 100 is 0.68: 0.483, less than 0.5 of (10, 9).
   const std::vector<Values> near{{1, 99}, {10, 9}, {22.7, 1}, {100, 0}};
@@ -99,7 +99,7 @@ TEST_CASE("the knee is the one nearest to the best of each axis, in logarithms s
 
 TEST_CASE("the knee is on the front, wherever it is, and units do not matter to it") {
   CHECK(rc::check([] {
-    const auto axes = studies::axes_in("time,memory,area");
+    const auto axes = studies::parse_axes("time,memory,area");
     const auto candidates = *rc::gen::nonEmpty(rc::gen::container<std::vector<Values>>(
         rc::gen::container<Values>(3, rc::gen::map(rc::gen::inRange(1, 50), [](int i) { return double(i); }))));
     const std::vector<bool> front = studies::pareto_of(candidates);
@@ -206,16 +206,16 @@ TEST_CASE("designs that differ in any one option, or in one figure, are two") {
 TEST_CASE("what has no price on an axis is on no front, and what none has a price on is no axis") {
   const std::vector<ExploreRow> rows{row("m", "a", 10, 100, 0), row("m", "b", 20, 50, 0, std::nullopt),
                                      row("m", "c", 5, 200, 0)};
-  std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::axes_in("time,area,memory"));
+  std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::parse_axes("time,area,memory"));
   REQUIRE(groups.size() == 1);
   CHECK(groups[0].unpriced == 1);
   CHECK(groups[0].rows == std::vector<std::size_t>{0, 2});
   CHECK(groups[0].front == std::vector<bool>{true, false});
-  groups = studies::groups_of(rows, studies::axes_in("time,memory"));
+  groups = studies::groups_of(rows, studies::parse_axes("time,memory"));
   CHECK(groups[0].unpriced == 0);
   CHECK(groups[0].front == std::vector<bool>{false, true, false});
   const std::vector<ExploreRow> none{row("m", "a", 10, 100, 0, std::nullopt), row("m", "b", 20, 150, 0, std::nullopt)};
-  groups = studies::groups_of(none, studies::axes_in("time,area,memory"));
+  groups = studies::groups_of(none, studies::parse_axes("time,area,memory"));
   CHECK(groups[0].axes.size() == 2);
   CHECK(groups[0].front == std::vector<bool>{true, true});
 }
@@ -224,7 +224,7 @@ TEST_CASE("of all models times and wrong pixels add up, and what is built is the
   std::vector<ExploreRow> rows{row("m", "a", 10, 100, 1), row("m", "b", 20, 50, 2), row("m", "c", 1000, 1, 0),
                                row("n", "a", 50, 300, 4), row("n", "b", 5, 20, 8),  row("n", "c", 1000, 1, 0)};
   rows[5].reason = "it does not fit";
-  const std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::axes_in("time,memory,wrong"));
+  const std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::parse_axes("time,memory,wrong"));
   REQUIRE(groups.size() == 3);
   CHECK(groups[0].values.size() == 3);
   CHECK(groups[1].refused == 1);
@@ -244,7 +244,7 @@ TEST_CASE("a plot has every design once a panel, on the front or not, the front 
   const std::vector<ExploreRow> rows{row("a/m.csg", "a", 10, 100, 0), row("a/m.csg", "b", 20, 200, 4),
                                      row("a/m.csg", "c", 5, 300, 0), row("a/m.csg", "d", 40, 150, 9)};
   std::vector<studies::ShownGroup> shown;
-  for (studies::ExploreGroup& group : studies::groups_of(rows, studies::axes_in("time,memory,wrong")))
+  for (studies::ExploreGroup& group : studies::groups_of(rows, studies::parse_axes("time,memory,wrong")))
     shown.push_back({std::move(group), {}});
   const std::vector<plots::Plot> plots = studies::plots_of_explore(shown);
   REQUIRE(plots.size() == 1);
@@ -262,7 +262,7 @@ TEST_CASE("a plot has every design once a panel, on the front or not, the front 
   using Points = std::vector<std::pair<double, double>>;
   // d is faster and smaller than b, but more wrong; c is beaten by a.
   CHECK(points("Pareto front", 0) == Points{{100, 100}, {50, 200}, {25, 150}});
-  CHECK(points("another is better", 0) == Points{{200, 300}});
+  CHECK(points("dominated", 0) == Points{{200, 300}});
   CHECK(points("front of the two axes", 0) == Points{{25, 150}, {100, 100}});
   CHECK(points("front of the two axes", 1) == Points{{25, 9}, {50, 4}, {100, 0}});
   CHECK(points("knee", 0).size() == 1);

@@ -45,7 +45,7 @@ struct Models {
 struct Explored {
   session::OptionList list{"explore"};
   std::shared_ptr<studies::StudyCommand> command = studies::describe_for_caller(list, studies::explore_row);
-  std::vector<studies::Asked> asked{};
+  std::vector<studies::PointRequest> asked{};
 
   explicit Explored(const Texts& words) {
     list.give_words(words);
@@ -55,12 +55,12 @@ struct Explored {
   [[nodiscard]] studies::Study& study() const { return *command->study; }
 
   Texts ask() {
-    asked = study().ask();
+    asked = study().request_points();
     return cells();
   }
   [[nodiscard]] Texts cells() const {
     Texts all;
-    for (const studies::Asked& one : asked) all.push_back(one.cells);
+    for (const studies::PointRequest& one : asked) all.push_back(one.cells);
     return all;
   }
 

@@ -58,7 +58,7 @@ TEST_CASE("a sweep's x axis is what it varies most, numbers before names, and th
   CHECK(tick_texts(studies::SweepAxis(stack_bits).axis()) == Words{"3", "4"});
   const Rows prunings{row(point("bits", 3, "all"), 1), row(point("bits", 3, "no-sets"), 2),
                       row(point("bits", 4, "none"), 3)};
-  CHECK(studies::SweepAxis(prunings).axis().title == "prunings that are done");
+  CHECK(studies::SweepAxis(prunings).axis().title == "pruning");
   CHECK(studies::SweepAxis(prunings).axis().is_names);
   CHECK(studies::SweepAxis(prunings).others(prunings[2].point) == "bits, m = 4");
   const Rows strategies{row(point("stack", 0), 1), row(point("list", 0), 2)};
@@ -249,15 +249,15 @@ TEST_CASE("a comparison shows the time from frame to frame first, and that of dr
   }
   const std::vector<plots::Plot> all = studies::plots_of_comparison(rows, {64, 64}, "a");
   const plots::Chart machines = chart_named(all, "compare_machines");
-  CHECK(machines.panels[0].title == "from frame to frame, ms");
-  CHECK(machines.panels[1].title == "drawing alone, ms");
+  CHECK(machines.panels[0].title == "time between frames, ms");
+  CHECK(machines.panels[1].title == "drawing time, ms");
   CHECK(machines.series[0].points[0].y == 1000.0 / 64);
   CHECK(machines.series[0].points[1].y == 5);
   CHECK(machines.series[1].points[0].y == 3);
   CHECK(machines.series[1].points[1].y == 4);
   const plots::Chart growth = chart_named(all, "compare_halfspaces");
-  CHECK(growth.panels[0].title == "from frame to frame, ms");
-  CHECK(growth.panels[1].title == "drawing alone, ms");
+  CHECK(growth.panels[0].title == "time between frames, ms");
+  CHECK(growth.panels[1].title == "drawing time, ms");
   REQUIRE(growth.series.size() == 4);
   for (const plots::Series& series : growth.series) {
     const bool is_planes = series.name == "pixel-planes-4";
@@ -279,8 +279,8 @@ TEST_CASE(
   const std::vector<plots::Plot> all = studies::plots_of_corpus(rows);
   const plots::Chart clocks = chart_named(all, "corpus_clocks");
   REQUIRE(clocks.panels.size() == 2);
-  CHECK(clocks.panels[0].title == "clocks from frame to frame");
-  CHECK(clocks.panels[1].title == "clocks of drawing alone");
+  CHECK(clocks.panels[0].title == "clocks between frames");
+  CHECK(clocks.panels[1].title == "drawing clocks");
   REQUIRE(clocks.series.size() == 4);
   for (const plots::Series& series : clocks.series) CHECK(series.points[0].y == (series.panel == 0 ? 1500 : 300));
   CHECK(!clocks.looks.empty());
@@ -299,7 +299,7 @@ TEST_CASE("what accuracy adds up over views is said to be a sum, and a percentil
   const std::vector<plots::Plot> all = studies::plots_of_accuracy(rows, {"a", 4});
   const plots::Chart z_bits = chart_named(all, "z-bits");
   CHECK(z_bits.panels[0].title == "wrong pixels, sum of 4 views");
-  CHECK(z_bits.panels[1].title == "depth error, 99.9th percentile");
+  CHECK(z_bits.panels[1].title == "depth error (p99.9), model units");
   CHECK(z_bits.panels[2].title == "clocks, sum of 4 views");
   for (const char* name : {"pareto", "curves"}) {
     const plots::Chart chart = chart_named(all, name);

@@ -152,7 +152,7 @@ TEST_CASE("a memory map comes back from a table, whatever its names hold but bla
 TEST_CASE("a line of a table that an editor ended with CR LF is refused") {
   const std::string line = studies::to_line(row_of(small_points()[1], "")) + "\r";
   CHECK_THROWS_WITH_AS(studies::from_line<studies::SweepRow>(line),
-                       "a line break within the line, maybe of an editor that ends lines with CR LF", InputError);
+                       "the line contains a line break, perhaps from an editor that ends lines with CR LF", InputError);
 }
 
 TEST_CASE("names of points say what varies") {

@@ -45,7 +45,7 @@ std::string row(const std::string& value, double number, const studies::Inputs& 
   return studies::to_line(TestRow{"a, b", value, inputs, number});
 }
 
-studies::Asked asked(const std::string& value, const studies::Inputs& inputs = TestRow().inputs) {
+studies::PointRequest asked(const std::string& value, const studies::Inputs& inputs = TestRow().inputs) {
   return {"\"a, b\"," + value, inputs};
 }
 

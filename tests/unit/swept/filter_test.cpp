@@ -368,7 +368,7 @@ TEST_CASE("between patches no vertex is on a side that does not have it, by eith
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(5, 6, 40));
     const auto way = *rc::gen::element(swept::Repair::filter, swept::Repair::quadtree);
-    const swept::Patchwork made = swept::patchwork_of(*surface, {1.0}, way);
+    const swept::Patchwork made = swept::make_patchwork(*surface, {1.0}, way);
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const auto& element : made.elements) {
       for (std::size_t i = 0; i < element.size(); ++i)

@@ -39,7 +39,7 @@ Curve function(std::uint32_t degree, const std::vector<double>& values) {
 Sweep block() { return {square(1), line(10)}; }
 
 std::string making(const Sweep& sweep) {
-  return testing::error_of([&] { swept::solid_of(sweep, {0.1}); });
+  return testing::error_of([&] { swept::make_swept_solid(sweep, {0.1}); });
 }
 
 std::size_t leaves_of(const Sweep& sweep, std::size_t column, const swept::Accuracy& accuracy) {
@@ -180,7 +180,7 @@ TEST_CASE("a twist to one side and back to the other within a segment is not tak
   // At both ends and in the middle the rotation is 0.
   Sweep sweep = block();
   sweep.rotation = function(3, {0, 300, -300, 0});
-  const swept::SweptSolid solid = swept::solid_of(sweep, {0.05});
+  const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.05});
   CHECK(solid.mesh.points.size() > 100);
   double most = 0;
   for (const glm::dvec3& point : solid.mesh.points) {
@@ -203,7 +203,7 @@ TEST_CASE("the rims of cones are within the tolerance, whether they open or clos
     const glm::dvec3 tip(0, 0, 0);
     const glm::dvec3 rim(1, 1, 0);
     sweep.scale = {1, false, {opens ? tip : rim, opens ? rim : tip}};
-    const swept::SweptSolid solid = swept::solid_of(sweep, {tolerance});
+    const swept::SweptSolid solid = swept::make_swept_solid(sweep, {tolerance});
     const double height = opens ? 10 : 0;
     std::vector<double> angles;
     for (const glm::dvec3& point : solid.mesh.points) {

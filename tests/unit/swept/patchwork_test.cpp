@@ -64,7 +64,7 @@ class DrawnSurface : public swept::Surface {
 
 Patchwork patchwork(std::size_t columns, const std::vector<std::string>& patches, Repair repair) {
   DrawnSurface surface(columns, patches);
-  return swept::patchwork_of(surface, {}, repair);
+  return swept::make_patchwork(surface, {}, repair);
 }
 
 using Ring = std::vector<std::array<double, 3>>;
@@ -285,13 +285,14 @@ TEST_CASE("one patch has no wire frame; several have their corners' vertices in 
 
 TEST_CASE("a block's patches share their vertices around and, where the trajectory closes, along") {
   const swept::Curve square{1, true, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
-  const swept::SweptSolid block = swept::solid_of({square, {1, false, {{0, 0, 0}, {0, 0, 3}, {0, 0, 7}}}}, {0.1});
+  const swept::SweptSolid block =
+      swept::make_swept_solid({square, {1, false, {{0, 0, 0}, {0, 0, 3}, {0, 0, 7}}}}, {0.1});
   CHECK(block.patchwork.wire_vertices == 12);
   CHECK(block.patchwork.elements.size() == 8);
   CHECK(block.mesh.points.size() == 12);
   CHECK(block.mesh.faces.size() == 8 + 2);
   const swept::SweptSolid frame =
-      swept::solid_of({square, {1, true, {{0, 0, 0}, {9, 0, 0}, {9, 0, 9}, {0, 0, 9}}}}, {0.1});
+      swept::make_swept_solid({square, {1, true, {{0, 0, 0}, {9, 0, 0}, {9, 0, 9}, {0, 0, 9}}}}, {0.1});
   CHECK(frame.patchwork.wire_vertices == 16);
   CHECK(frame.mesh.points.size() == 16);
   CHECK(frame.mesh.faces.size() == 16);
@@ -305,7 +306,7 @@ TEST_CASE("a bent element of four corners is cut along its shorter diagonal") {
     CAPTURE(degrees);
     swept::Sweep sweep{{1, true, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}, {1, false, {{0, 0, 0}, {0, 0, 3}}}};
     sweep.rotation = {1, false, {{0, 0, 0}, {degrees, 0, 0}}};
-    const swept::SweptSolid solid = swept::solid_of(sweep, {10, swept::Flatness::plane});
+    const swept::SweptSolid solid = swept::make_swept_solid(sweep, {10, swept::Flatness::plane});
     CHECK(swept_test::open_edge(solid.mesh.faces).empty());
     REQUIRE(solid.mesh.faces.size() == 2 + 2 * 4);
     CHECK(solid.mesh.points.size() == 8);

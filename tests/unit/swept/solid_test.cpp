@@ -39,7 +39,7 @@ std::string fault_of(const swept::SweptSolid& solid) {
 }
 
 double volume_of(const Sweep& sweep, double tolerance) {
-  const swept::SweptSolid solid = swept::solid_of(sweep, {tolerance});
+  const swept::SweptSolid solid = swept::make_swept_solid(sweep, {tolerance});
   CHECK(fault_of(solid) == "");
   return volume(solid.mesh);
 }
@@ -51,12 +51,12 @@ TEST_CASE("a square along a line is a block, whichever way its contour runs") {
   CHECK(volume_of(sweep, 0.1) == doctest::Approx(80));
   std::ranges::reverse(sweep.contour.points);
   CHECK(volume_of(sweep, 0.1) == doctest::Approx(80));
-  CHECK(swept::solid_of(sweep, {0.1}).mesh.faces.size() == 6);
+  CHECK(swept::make_swept_solid(sweep, {0.1}).mesh.faces.size() == 6);
 }
 
 TEST_CASE("a contour along the z axis is as it is drawn: u is x, v is y") {
   const Sweep sweep{{1, true, {{1, 0, 0}, {5, 0, 0}, {5, 2, 0}}}, line({0, 0, 0}, {0, 0, 1})};
-  const swept::SweptSolid solid = swept::solid_of(sweep, {0.1});
+  const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.1});
   const auto has = [&](const glm::dvec3& point) {
     return std::ranges::any_of(solid.mesh.points, [&](const auto& one) { return glm::distance(one, point) < 1e-12; });
   };
@@ -68,7 +68,7 @@ TEST_CASE("a contour along the z axis is as it is drawn: u is x, v is y") {
 TEST_CASE("along the y axis v points back, as on a trajectory that rises towards it; the other way forth") {
   for (const double up : {1.0, -1.0}) {
     const Sweep sweep{{1, true, {{0, 0, 0}, {1, 0, 0}, {0, 3, 0}}}, line({0, 0, 0}, {0, up, 0})};
-    const swept::SweptSolid solid = swept::solid_of(sweep, {0.1});
+    const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.1});
     const bool found = std::ranges::any_of(solid.mesh.points, [&](const auto& one) {
       return glm::distance(one, {0, 0, -3 * up}) < 1e-12;
     });
@@ -80,7 +80,7 @@ TEST_CASE("a scale that ends at 0 makes a cone, with a third of the volume and o
   Sweep sweep{square(3), line({0, 0, 0}, {0, 0, 5})};
   sweep.scale = {1, false, {{1, 1, 0}, {0, 0, 0}}};
   CHECK(volume_of(sweep, 0.1) == doctest::Approx(60));
-  CHECK(swept::solid_of(sweep, {0.1}).mesh.points.size() == 5);
+  CHECK(swept::make_swept_solid(sweep, {0.1}).mesh.points.size() == 5);
   sweep.contour = circle(3, 24);
   CHECK(volume_of(sweep, 0.001) == doctest::Approx(pi * 9 * 5 / 3).epsilon(0.001));
 }
@@ -94,7 +94,7 @@ TEST_CASE("a twisted square keeps its volume") {
 TEST_CASE("whole turns within one segment are not taken for none, nor scales that come back to where they began") {
   Sweep sweep{square(1), line({0, 0, 0}, {0, 0, 40})};
   sweep.rotation = {1, false, {{0, 0, 0}, {720, 0, 0}}};
-  CHECK(swept::solid_of(sweep, {0.1}).mesh.points.size() > 100);
+  CHECK(swept::make_swept_solid(sweep, {0.1}).mesh.points.size() > 100);
   CHECK(volume_of(sweep, 0.02) == doctest::Approx(160).epsilon(0.02));
   sweep.rotation = {0, false, {{0, 0, 0}}};
   sweep.scale = {1, false, {{1, 1, 0}, {2, 2, 0}, {1, 1, 0}, {2, 2, 0}, {1, 1, 0}}};
@@ -107,7 +107,7 @@ TEST_CASE("turned and scaled evenly along a line, points are on the contour when
   sweep.rotation = {1, false, {{0, 0, 0}, {120, 0, 0}}};
   sweep.scale = {1, false, {{1, 1, 0}, {3, 2, 0}}};
   constexpr double tolerance = 0.01;
-  const swept::SweptSolid solid = swept::solid_of(sweep, {tolerance});
+  const swept::SweptSolid solid = swept::make_swept_solid(sweep, {tolerance});
   double most_off = 0;
   for (const glm::dvec3& point : solid.mesh.points) {
     const double part = point.z / 9;
@@ -124,7 +124,7 @@ TEST_CASE("turned and scaled evenly along a line, points are on the contour when
 TEST_CASE("rotation and scale go by the length of the trajectory, not by its parameter") {
   Sweep sweep{square(1), {1, false, {{0, 0, 0}, {0, 0, 1}, {0, 0, 10}}}};
   sweep.scale = {1, false, {{1, 1, 0}, {2, 2, 0}}};
-  const swept::SweptSolid solid = swept::solid_of(sweep, {0.01});
+  const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.01});
   for (const glm::dvec3& point : solid.mesh.points)
     CHECK(std::max(std::abs(point.x), std::abs(point.y)) == doctest::Approx(1 + point.z / 10));
 }
@@ -137,7 +137,7 @@ TEST_CASE(
 
 TEST_CASE("a straight part along the y axis is turned over evenly, as the rule has it, and does not cross itself") {
   const Sweep sweep{square(1), {1, true, {{14, 14, 0}, {-14, 14, 0}, {-14, -14, 0}, {14, -14, 0}}}};
-  const swept::SweptSolid solid = swept::solid_of(sweep, {0.02});
+  const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.02});
   CHECK(fault_of(solid) == "");
   CHECK(!solids::check(solid.mesh, 1e-9).crossing);
   CHECK(volume(solid.mesh) == doctest::Approx(4 * 4 * 28).epsilon(0.02));
@@ -146,7 +146,7 @@ TEST_CASE("a straight part along the y axis is turned over evenly, as the rule h
 TEST_CASE("a circle along a circle is a torus: its volume, and how far points are off it, are within the tolerance") {
   const Sweep sweep{circle(2, 16), circle(7, 24, true)};
   for (const double tolerance : {0.2, 0.05, 0.01}) {
-    const swept::SweptSolid solid = swept::solid_of(sweep, {tolerance});
+    const swept::SweptSolid solid = swept::make_swept_solid(sweep, {tolerance});
     CHECK(fault_of(solid) == "");
     const double surface = 4 * pi * pi * 2 * 7;
     CHECK(std::abs(volume(solid.mesh) - 2 * pi * pi * 4 * 7) < surface * tolerance);
@@ -171,7 +171,7 @@ TEST_CASE("the thesis's test takes the flat side of a ring for one element a pat
   // How far vertices are inside the hole, whose radius is 7.
   const auto inside = [&](swept::Flatness flatness) {
     double most = 0;
-    for (const glm::dvec3& point : swept::solid_of(ring, {0.01, flatness}).mesh.points)
+    for (const glm::dvec3& point : swept::make_swept_solid(ring, {0.01, flatness}).mesh.points)
       most = std::max(most, 7 - std::hypot(point.x, point.z));
     return most;
   };
@@ -182,13 +182,13 @@ TEST_CASE("the thesis's test takes the flat side of a ring for one element a pat
 TEST_CASE("a trajectory that passes the y axis is turned over where it does, and stays a solid") {
   const Sweep sweep{{3, true, {{1, 0, 0}, {0, 0.4, 0}, {-1, 0, 0}, {0, -0.4, 0}}},
                     {3, false, {{-8, 0, 0}, {-8, 6, 0}, {0, 12, 0}, {8, 6, 1}, {8, 0, 0}}}};
-  CHECK(fault_of(swept::solid_of(sweep, {0.05})) == "");
+  CHECK(fault_of(swept::make_swept_solid(sweep, {0.05})) == "");
 }
 
 TEST_CASE("a ring that stands up is turned over at both places where it runs along the y axis, and keeps its volume") {
   Sweep sweep{circle(1, 12), circle(9, 16)};
   for (glm::dvec3& point : sweep.contour.points) point.x *= 0.5;
-  const swept::SweptSolid solid = swept::solid_of(sweep, {0.02});
+  const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.02});
   CHECK(fault_of(solid) == "");
   CHECK(!solids::check(solid.mesh, 1e-9).crossing);
   CHECK(volume(solid.mesh) == doctest::Approx(2 * pi * 9 * pi * 0.5).epsilon(0.02));
@@ -214,10 +214,10 @@ TEST_CASE("any sweep is closed and runs outwards, and its elements are the quadt
       sweep.rotation = {1, false, {{0, 0, 0}, {static_cast<double>(*rc::gen::inRange(-200, 200)), 0, 0}}};
     }
     RC_ASSERT(swept::fault_of(sweep).empty());
-    const swept::SweptSolid solid = swept::solid_of(sweep, {0.1});
+    const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.1});
     RC_ASSERT(open_edge(solid.mesh.faces).empty());
     RC_ASSERT(volume(solid.mesh) > 0);
-    const swept::SweptSolid other = swept::solid_of(sweep, {0.1}, swept::Repair::quadtree);
+    const swept::SweptSolid other = swept::make_swept_solid(sweep, {0.1}, swept::Repair::quadtree);
     RC_ASSERT(other.mesh.faces.size() == solid.mesh.faces.size());
     RC_ASSERT(std::abs(volume(other.mesh) - volume(solid.mesh)) < 1e-9 * volume(solid.mesh));
     RC_ASSERT(open_edge(other.mesh.faces).empty());
@@ -242,11 +242,11 @@ TEST_CASE("sweeps that cannot be say what to do") {
   CHECK(swept::fault_of(many) == "contour and trajectory make more than 100000 patches; remove points");
   Sweep back = good;
   back.trajectory.points = {{0, 0, 0}, {0, 0, 4}, {0, 0, 1}};
-  CHECK(testing::error_of([&] { swept::solid_of(back, {0.1}); }) ==
+  CHECK(testing::error_of([&] { swept::make_swept_solid(back, {0.1}); }) ==
         "the trajectory reverses at the end of its segment 1; move that point");
   Sweep turned{square(1), circle(9, 8, true)};
   turned.rotation = {1, false, {{0, 0, 0}, {90, 0, 0}}};
-  CHECK(testing::error_of([&] { swept::solid_of(turned, {0.1}); }) ==
+  CHECK(testing::error_of([&] { swept::make_swept_solid(turned, {0.1}); }) ==
         "the contour does not match itself where the trajectory closes; change the rotation to a multiple of "
         "360 degrees in total, and end the scale at its initial value");
 }

@@ -59,7 +59,7 @@ TEST_CASE("a program that is not done in its time is ended, with what it has beg
   limits.time = std::chrono::seconds(1);
   const system::ChildEnd ended = run_shell("sleep 300 & echo $!; wait", limits);
   CHECK(ended.exceeded == system::Exceeded::time);
-  CHECK(system::why_failed(ended, limits) == "it is not done after 1 s");
+  CHECK(system::why_failed(ended, limits) == "it did not finish within 1 s");
   CHECK(::kill(std::stoi(ended.output), 0) != 0);
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("the most memory of a program's processes is told") {
 
 TEST_CASE("a program that a signal ends is told as such") {
   const system::ChildEnd ended = run_shell("kill -SEGV $$");
-  CHECK(system::why_failed(ended, usual) == "it was ended by a signal: Segmentation fault");
+  CHECK(system::why_failed(ended, usual) == "it was killed by a signal: Segmentation fault");
 }
 
 TEST_CASE("a program that is not there is told from one that fails") {

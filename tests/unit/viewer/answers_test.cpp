@@ -264,12 +264,12 @@ TEST_CASE("a wish that is refused reports what is wrong with it") {
     const Answer answer = ask(session, "tree", {{"knobs", knobs}});
     return std::to_string(answer.status) + " " + answer.json.value("error", "");
   };
-  CHECK(error({{"scene", "x"}}) == "400 there is no knob 'scene'");
-  CHECK(error({{"size", 3}}) == "400 size has to be a text");
-  CHECK(error({{"set", "x"}}) == "400 set has to be an array of texts");
-  CHECK(error({{"set", {1}}}) == "400 set has to be a text");
+  CHECK(error({{"scene", "x"}}) == "400 there is no setting 'scene'");
+  CHECK(error({{"size", 3}}) == "400 size must be a text");
+  CHECK(error({{"set", "x"}}) == "400 set must be an array of texts");
+  CHECK(error({{"set", {1}}}) == "400 set must be a text");
   CHECK(error({{"machine", "other.toml"}}) ==
-        "400 machine: other.toml is a file; begin csgsim view with it: --machine other.toml");
+        "400 machine: other.toml is a file; start csgsim view with --machine other.toml");
   CHECK(error({{"machine", "other.toml+alu.bits=2"}}).starts_with("400 "));
   // The one that the session began with is read, if there is one.
   CHECK(error({{"machine", "own.toml"}}).starts_with("422 "));
@@ -310,7 +310,7 @@ TEST_CASE("a session that ends takes back what is asked, and what is asked from 
   for (int i = 0; i < 2; ++i) {
     const Answer answer = ask(session, "wave", box_wish());
     CHECK(answer.status == 503);
-    CHECK(answer.json == Json{{"error", "csgsim view ends"}});
+    CHECK(answer.json == Json{{"error", "csgsim view is stopping"}});
   }
 }
 
@@ -333,8 +333,8 @@ TEST_CASE("a model whose evaluation takes too long is refused with the limit") {
   watch.join();
   CHECK(late.status == 422);
   CHECK(late.json == Json{{"error", CSGSIM_SOURCE_DIR
-                           "/tests/models/carburettor.csg: evaluating it takes longer than 0 s; make the "
-                           "model simpler, or begin csgsim view with more time, --evaluation-time SECONDS"}});
+                           "/tests/models/carburettor.csg: evaluating it takes longer than 0 s; simplify the "
+                           "model, or start csgsim view with a longer --evaluation-time SECONDS"}});
 }
 
 TEST_CASE("what is recorded is asked for by the pixel, the window and the probes, and none where there are none") {

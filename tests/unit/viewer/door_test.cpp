@@ -124,9 +124,9 @@ TEST_CASE("whatever is refused is told why") {
   const auto told = [](const std::string& status, const std::string& why) {
     return status + " {\"error\":\"csgsim view " + why + "\"}\n";
   };
-  CHECK(refusal(&viewer::Request::host, "h") == told("403", "answers 127.0.0.1 and localhost alone"));
-  CHECK(refusal(&viewer::Request::origin, "o") == told("403", "answers its own page alone"));
-  CHECK(refusal(&viewer::Request::site, "cross-site") == told("403", "answers its own page alone"));
-  CHECK(refusal(&viewer::Request::path, "/x/") == told("403", "asks for the whole address that it printed"));
-  CHECK(refusal(&viewer::Request::content_type, "text/plain") == told("415", "takes application/json"));
+  CHECK(refusal(&viewer::Request::host, "h") == told("403", "only accepts requests to 127.0.0.1 and localhost"));
+  CHECK(refusal(&viewer::Request::origin, "o") == told("403", "only accepts requests from its own page"));
+  CHECK(refusal(&viewer::Request::site, "cross-site") == told("403", "only accepts requests from its own page"));
+  CHECK(refusal(&viewer::Request::path, "/x/") == told("403", "requires the complete address that it printed"));
+  CHECK(refusal(&viewer::Request::content_type, "text/plain") == told("415", "only accepts application/json"));
 }

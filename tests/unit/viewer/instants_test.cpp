@@ -110,7 +110,7 @@ TEST_CASE("a primitive's first instruction is the first whose origin names it") 
         std::string::npos);
   CHECK(testing::error_of([&] {
           (void)instants.at({.number = 0, .field = "Z3"});
-        }).starts_with("there is no field 'Z3'; there are E, "));
+        }).starts_with("there is no field 'Z3'; the fields are E, "));
 }
 
 TEST_CASE("clocks at an instant are those in which the instruction is issued, or why there are none") {
@@ -279,6 +279,6 @@ TEST_CASE(
   CHECK(instants.fields() == names);
   const nlohmann::ordered_json colour = instants.at({.number = 0, .field = {}});
   CHECK(colour["fields"] == names);
-  CHECK(colour["scale"] == "the colour, in its colours");
+  CHECK(colour["scale"] == "colour");
   CHECK(instants.at({.number = 0, .field = "Z1"})["scale"] != colour["scale"]);
 }

@@ -25,7 +25,7 @@ TEST_CASE("brackets in brackets are counted, of arrays and of objects") {
     const session::JsonLimits limits{.depth = static_cast<int>(depth)};
     CHECK(error_of(nested(depth), limits) == "");
     CHECK(error_of(nested_objects(depth), limits) == "");
-    CHECK(error_of(nested(depth + 1), limits) == "too many brackets in brackets, more than " + std::to_string(depth));
+    CHECK(error_of(nested(depth + 1), limits) == "brackets are nested deeper than " + std::to_string(depth));
     CHECK(error_of(nested_objects(depth + 1), limits) != "");
     CHECK(error_of("[" + nested_objects(depth) + "]", limits) != "");
   }
@@ -36,7 +36,7 @@ TEST_CASE("brackets in brackets are counted, of arrays and of objects") {
 
 TEST_CASE("values are counted: keys, values and brackets") {
   CHECK(error_of(R"([1,2,3])", {.values = 4}) == "");
-  CHECK(error_of(R"([1,2,3])", {.values = 3}) == "too many values, more than 3");
+  CHECK(error_of(R"([1,2,3])", {.values = 3}) == "it has more than 3 values");
   CHECK(error_of(R"({"a":1,"b":{}})", {.values = 5}) == "");
   CHECK(error_of(R"({"a":1,"b":{}})", {.values = 4}) != "");
 }

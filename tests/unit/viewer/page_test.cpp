@@ -124,9 +124,9 @@ TEST_CASE("a missing or null member of a wish is empty; one of another type is r
                                     wish_error([&] { static_cast<void>(viewer::object_in(wish, key)); })};
   };
   const auto all = [](const std::string& key) {
-    return std::vector<std::string>{key + " has to be a text", key + " has to be an array of texts",
-                                    key + " has to be a number", key + " has to be true or false",
-                                    key + " has to be an object"};
+    return std::vector<std::string>{key + " must be a text", key + " must be an array of texts",
+                                    key + " must be a number", key + " must be true or false",
+                                    key + " must be an object"};
   };
   const std::vector<std::pair<std::string, std::size_t>> right{
       {"text", 0}, {"texts", 1}, {"number", 2}, {"flag", 3}, {"object", 4}};
@@ -135,9 +135,9 @@ TEST_CASE("a missing or null member of a wish is empty; one of another type is r
     expected[own].clear();
     CHECK(errors(key.c_str()) == expected);
   }
-  CHECK(errors("less")[2] == "less has to be a number");
-  CHECK(errors("part")[2] == "part has to be a number");
-  CHECK(errors("mixed")[1] == "mixed has to be an array of texts");
+  CHECK(errors("less")[2] == "less must be a number");
+  CHECK(errors("part")[2] == "part must be a number");
+  CHECK(errors("mixed")[1] == "mixed must be an array of texts");
 }
 
 TEST_CASE("what is sent is on one line, and bytes that are no UTF-8 are replaced") {

@@ -45,16 +45,15 @@ TEST_CASE("csgsim wave gets the options between its own, and the Program from it
 
 TEST_CASE("a recording that fails says why, and what to do where it took too much") {
   CHECK(recording_error("echo 'csgsim: no such pixel' >&2; exit 1").find("no such pixel") != std::string::npos);
-  CHECK(recording_error("echo 'csgsim: no such pixel' >&2; exit 1").find("make the picture smaller") ==
-        std::string::npos);
+  CHECK(recording_error("echo 'csgsim: no such pixel' >&2; exit 1").find("use a smaller picture") == std::string::npos);
   system::ChildLimits small = viewer::wave_limits;
   small.output = 10;
   CHECK(recorded_with("printf 0123456789", small) == "0123456789");
   const std::string error = recording_error("printf 0123456789a", small);
   CHECK(error.starts_with("csgsim wave: "));
-  CHECK(error.ends_with("; make the picture smaller, or record it with csgsim wave and a --window"));
+  CHECK(error.ends_with("; use a smaller picture, or record it with csgsim wave and a --window"));
   CHECK(testing::error_of([] { static_cast<void>(viewer::recorded_by("/nosuch/csgsim", {}, {})); }) ==
-        "csgsim wave cannot be run: its program has been moved");
+        "cannot run csgsim wave: the program file has been moved");
 }
 
 TEST_CASE("a recording may take three minutes, and print 512 MB and 64 KB of errors") {

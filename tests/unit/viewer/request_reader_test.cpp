@@ -191,9 +191,9 @@ TEST_CASE("what refuses a body says what to send") {
   const auto error = [](std::string_view bytes) {
     return nlohmann::json::parse(read(bytes).refusal().body).at("error").get<std::string>();
   };
-  CHECK(error("PUT / HTTP/1.1\r\n\r\n") == "csgsim view answers GET and POST");
+  CHECK(error("PUT / HTTP/1.1\r\n\r\n") == "csgsim view accepts GET and POST only");
   CHECK(error(post("Content-Length: 11\r\n", "")) == "the body has more than 10 bytes");
-  CHECK(error("GET / HTTP/1.1\r\nContent-Length: 1\r\n\r\n") == "a GET has no body");
-  CHECK(error("GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n") == "the request has two header fields Host");
-  CHECK(error("GET\r\n\r\n") == "this is no request of HTTP/1.1");
+  CHECK(error("GET / HTTP/1.1\r\nContent-Length: 1\r\n\r\n") == "a GET must not have a body");
+  CHECK(error("GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n") == "the request repeats the header field Host");
+  CHECK(error("GET\r\n\r\n") == "not an HTTP/1.1 request");
 }

@@ -164,7 +164,7 @@ TEST_CASE("a request that takes too long is refused, a connection without one is
   for (Client* const late : {&slow, &body}) {
     const std::string reply = late->rest();
     CHECK(reply.starts_with("HTTP/1.1 408 Request Timeout\r\n"));
-    CHECK(reply.ends_with("{\"error\":\"the request is not complete after 0 s\"}\n"));
+    CHECK(reply.ends_with("{\"error\":\"the request was not complete after 0 s\"}\n"));
     CHECK(late->is_at_end());
   }
 }
@@ -381,7 +381,7 @@ TEST_CASE("a port in use cannot be had, and one whose server has ended can at on
     viewer::Serving second = serving();
     second.port = port;
     CHECK(testing::error_of([&] { const RunningServer other(second); }) ==
-          "port " + std::to_string(port) + " of 127.0.0.1 cannot be had; is it in use?");
+          "port " + std::to_string(port) + " of 127.0.0.1 is not available; choose another one with --port");
     // The server closes this connection first, and its system remembers that for a minute.
     Client client(port);
     client.send(get("/a", "Connection: close\r\n"));

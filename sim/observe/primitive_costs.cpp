@@ -1,4 +1,4 @@
-#include "sim/observe/dearest.h"
+#include "sim/observe/primitive_costs.h"
 
 #include <algorithm>
 #include <array>
@@ -16,11 +16,11 @@ namespace csgsim::observe {
 
 namespace {
 
-/// A half-space or a quadric as it stands in the picture, wherever a segment's corner is: the place of its primitive
-/// among the dearest, the coefficients of x^2, x*y, y^2, x, y and 1, and the shift.
+/// A half-space or quadric in picture coordinates, independent of a segment's origin: the rank of its primitive among
+/// the most expensive, the coefficients of x^2, x*y, y^2, x, y and 1, and the shift.
 using PictureSurface = std::tuple<std::uint32_t, std::array<std::uint64_t, 6>, std::uint16_t>;
 
-/// Coefficients may wrap: they do so alike in every segment.
+/// Coefficients may wrap around; they wrap alike in every segment.
 PictureSurface in_picture(std::uint32_t place, const isa::Linear& squares, const isa::Linear& linear,
                           const isa::Region& region) {
   const auto number = [](std::int64_t value) { return static_cast<std::uint64_t>(value); };
@@ -35,13 +35,13 @@ PictureSurface in_picture(std::uint32_t place, const isa::Linear& squares, const
   return {place, {xx, xy, yy, a - 2 * xx * x - xy * y, b - xy * x - 2 * yy * y, c}, linear.shift};
 }
 
-/// A side of the rectangle of pixels that a surface is cut to first, or a half-space that is no more than that.
+/// Whether it is a side of the rectangle of pixels to which a surface is clipped first, or a half-space equal to one.
 bool is_pixel_edge(const isa::Linear& linear) {
   return linear.shift == 0 && std::abs(linear.a) + std::abs(linear.b) == 1;
 }
 
-/// Whether it scan-converts a half-space of a surface that is drawn, or with the squares before it a quadric. What a
-/// root is added to, or taken from, is the quadric's too.
+/// Whether the instruction scan-converts a half-space of a drawn surface or, with the squares before it, a quadric. An
+/// expression that a root is added to or subtracted from also belongs to the quadric.
 bool is_halfspace(const isa::Instruction& one) {
   const isa::Origin& origin = one.origin;
   const bool is_other = one.opcode == isa::Opcode::squares || one.opcode == isa::Opcode::linear_plus ||
@@ -50,16 +50,16 @@ bool is_halfspace(const isa::Instruction& one) {
          origin.primitive != isa::no_primitive && origin.effect == isa::no_effect;
 }
 
-constexpr std::uint32_t not_dear = ~std::uint32_t{0};
+constexpr std::uint32_t not_listed = ~std::uint32_t{0};
 
-/// Of each primitive its place among the dearest.
+/// Rank of each primitive among the most expensive.
 std::vector<std::uint32_t> places_of(const std::vector<PrimitiveCost>& dearest, std::size_t primitives) {
-  std::vector<std::uint32_t> places(primitives, not_dear);
+  std::vector<std::uint32_t> places(primitives, not_listed);
   for (std::uint32_t i = 0; i < dearest.size(); ++i) places[dearest[i].primitive] = i;
   return places;
 }
 
-/// A half-space is counted once, in however many segments and pieces' surfaces it is.
+/// Counts each half-space once, no matter how many segments and pieces have it.
 void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& dearest) {
   const std::vector<std::uint32_t> places = places_of(dearest, program.facts->primitives.size());
   std::vector<PictureSurface> found;
@@ -69,7 +69,7 @@ void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& d
       const isa::Instruction* const squares = isa::pending_squares(segment, i);
       if (!is_halfspace(one) || (squares == nullptr && is_pixel_edge(one.linear))) continue;
       const std::uint32_t place = places[isa::primitive_of(*program.facts, one.origin.primitive)];
-      if (place != not_dear)
+      if (place != not_listed)
         found.push_back(
             in_picture(place, squares == nullptr ? isa::Linear{} : squares->linear, one.linear, segment.region));
     }
@@ -113,7 +113,7 @@ ClockShares clock_shares(const isa::Program& program, const engine::RunResult& r
   shares.whole = stats.total.clocks + result.latency_clocks;
   const std::vector<Cost>& costs = stats.plain_by_primitive;
   const std::vector<std::uint32_t> order = by_clocks(costs);
-  const std::size_t shown = std::min(order.size(), most_dearest);
+  const std::size_t shown = std::min(order.size(), max_listed_primitives);
   for (std::size_t i = 0; i < shown; ++i) {
     const std::uint32_t index = order[i];
     const std::string name = printable(program.facts->primitives[index]);
