@@ -126,7 +126,7 @@ def tab_to(page, what, failures):
             seen = page.evaluate("getComputedStyle(document.activeElement).outlineStyle") != "none"
             failures.check(seen, f"{what} does not show that it has the focus")
             return True
-    failures.check(False, f"the tabulator does not come to {what}")
+    failures.check(False, f"the tab key does not reach {what}")
     return False
 
 
@@ -135,21 +135,21 @@ def check_keys_of_render(page, stats, failures):
     if tab_to(page, "tr[data-p] button", failures):
         page.press("Enter")
         told = page.evaluate("document.querySelector('.price').textContent")
-        failures.check(f"{dearest[0]['clocks']:,}" in told, f"the price of the dearest is not told: {told!r}")
+        failures.check(f"{dearest[0]['clocks']:,}" in told, f"the cost of the most expensive primitive is not shown: {told!r}")
         page.press("ArrowDown")
         told = page.evaluate("document.querySelector('#told').textContent")
-        failures.check(f"clocks {dearest[1]['clocks']:,}" in told, f"the next primitive is not told: {told!r}")
+        failures.check(f"clocks {dearest[1]['clocks']:,}" in told, f"the next primitive is not shown: {told!r}")
     if tab_to(page, "input[type=range]", failures):
         page.press("Home")
         first = page.evaluate("document.querySelector('.state').textContent")
-        failures.check("0 instructions" in first, f"Home does not go to the beginning: {first!r}")
+        failures.check("0 instructions" in first, f"Home does not go to the first step: {first!r}")
         page.press("ArrowRight")
         page.press("ArrowRight")
         failures.check("Step 2 of" in page.evaluate("document.querySelector('.state').textContent"), "arrow keys do not step")
         page.press("End")
         last = page.evaluate("document.querySelector('.state').textContent")
         every = stats["instructions"]["total"] + stats["instructions"]["skipped"]
-        failures.check(f"{every:,} instructions" in last, f"the last step is not the last: {last!r}")
+        failures.check(f"{every:,} instructions" in last, f"End does not go to the last step: {last!r}")
 
 
 DRAWN_DIFFERENCE = """(async () => {
@@ -168,7 +168,7 @@ DRAWN_DIFFERENCE = """(async () => {
 
 
 def check_pointer_of_render(page, stats, failures):
-    failures.check(page.evaluate(DRAWN_DIFFERENCE) == 0, "the drawing's last step is not the picture")
+    failures.check(page.evaluate(DRAWN_DIFFERENCE) == 0, "the last step of the drawing differs from the picture")
     x, y = page.evaluate("""(() => {
       scrollTo(0, 0);
       const box = document.querySelector('.stage canvas').getBoundingClientRect();
@@ -176,11 +176,11 @@ def check_pointer_of_render(page, stats, failures):
     })()""")
     page.point(x, y, click=True)
     chosen = page.evaluate("Number(document.querySelector('tr.chosen')?.dataset.p ?? -1)")
-    failures.check(chosen >= 0, "a click on the picture chooses no primitive")
+    failures.check(chosen >= 0, "a click on the picture selects no primitive")
     if chosen >= 0:
         told = page.evaluate("document.querySelector('.price').textContent")
-        failures.check(f"{stats['by_primitive'][chosen]['clocks']:,}" in told, f"the price is another's: {told!r}")
-    failures.check(page.evaluate("!document.querySelector('.tip').hidden"), "pointing at the picture tells nothing")
+        failures.check(f"{stats['by_primitive'][chosen]['clocks']:,}" in told, f"the cost of another primitive is shown: {told!r}")
+    failures.check(page.evaluate("!document.querySelector('.tip').hidden"), "pointing at the picture shows no tooltip")
 
 
 # Texts of a plot that overlap or leave it, with the fonts that there are, and marks that leave it.
@@ -255,16 +255,16 @@ def check_files_of_plots(page, folder, failures):
     for i, name in enumerate(names):
         own, others = difference(name, name), difference(name, names[i - 1])
         failures.check(own < 0.2, f"{name}.png and {name}.svg differ by {own:.3f}")
-        failures.check(others > 1.5 * own, f"{name}.png is as near to {names[i - 1]}.svg ({others:.3f}) as to its own ({own:.3f})")
+        failures.check(others > 1.5 * own, f"{name}.png is as close to {names[i - 1]}.svg ({others:.3f}) as to its own ({own:.3f})")
 
 
 def check_keys_of_plots(page, failures):
     if tab_to(page, "svg.plot", failures):
         titles = page.evaluate("document.activeElement.closest('figure').querySelectorAll('tbody tr').length")
-        failures.check(titles > 0, "a plot has no values beside it")
+        failures.check(titles > 0, "a plot has no table of values")
         page.press("ArrowRight")
         told = page.evaluate("document.querySelector('#told').textContent")
-        failures.check(told != "" and told in page.evaluate("document.querySelector('.tip').textContent"), "a point does not tell its values")
+        failures.check(told != "" and told in page.evaluate("document.querySelector('.tip').textContent"), "a point does not show its values")
 
 
 def check_without_scripts(page, path, least, failures):
@@ -282,7 +282,7 @@ def check_without_scripts(page, path, least, failures):
 
 def check_names(page, failures):
     """What somebody is told who does not see the page."""
-    failures.check(page.evaluate("[...document.images].every(image => image.alt)"), "a picture without a text")
+    failures.check(page.evaluate("[...document.images].every(image => image.alt)"), "an image without alternative text")
     failures.check(page.evaluate("[...document.querySelectorAll('table')].every(table => table.tHead && table.querySelector('th[scope=col]'))"),
                    "a table without headers")
     failures.check(page.evaluate("new Set([...document.querySelectorAll('[id]')].map(one => one.id)).size === document.querySelectorAll('[id]').length"),
@@ -292,7 +292,7 @@ def check_names(page, failures):
 def check_quiet(page, failures, harmless=()):
     """Nothing is asked of elsewhere, and the console has no problem but those with a harmless word."""
     elsewhere = [url for url in page.requests if not url.startswith(("file:", "data:"))]
-    failures.check(not elsewhere, f"the page asks for {elsewhere}")
+    failures.check(not elsewhere, f"the page requests {elsewhere}")
     for problem in page.problems:
         failures.check(any(word in problem for word in harmless), problem)
 

@@ -59,7 +59,7 @@ def check_choices(page, failures):
     for i in range(page.evaluate("csgsimDrawings[0].why.stories.length")):
         page.evaluate(f"(() => {{ const {{choice}} = csgsimDrawings[0].why; choice.value = {i}; choice.dispatchEvent(new Event('change')); }})()")
         shown, held = page.evaluate(SHOWN), page.evaluate(HELD % i)
-        failures.check(shown == held, f"story {i} is shown otherwise:\n{shown}\nfor\n{held}")
+        failures.check(shown == held, f"story {i} differs:\n{shown}\nfor\n{held}")
         failures.check(spoken(page).startswith("pixel "), "a screen reader does not read the story")
         wrong = page.evaluate("""[...document.querySelectorAll('.why .events')][0] && [...document.querySelector('.why .events').querySelectorAll('button')].filter(button => {
             button.click();
@@ -86,7 +86,7 @@ def check_keys(page, failures):
         return
     for key in ("ArrowRight", "ArrowDown", "ArrowDown"):
         page.press(key)
-    failures.check(spoken(page).startswith("21, 22: #"), f"the cursor is not told: {spoken(page)!r}")
+    failures.check(spoken(page).startswith("21, 22: #"), f"the cursor's pixel is not announced: {spoken(page)!r}")
     x, y = page.evaluate("(({x, y}) => [x, y])(csgsimDrawings[0].why.stories[1])")
     page.evaluate(f"csgsimDrawings[0].moveTo({x}, {y - 2})")
     page.press("ArrowDown")
@@ -104,7 +104,7 @@ def check_keys(page, failures):
     page.evaluate("document.querySelector('.ask button').focus()")
     if pages_test.tab_to(page, ".events button", failures):
         page.press("Enter")
-        failures.check(page.evaluate("document.activeElement.getAttribute('aria-current')") == "step", "an event is no link to its step")
+        failures.check(page.evaluate("document.activeElement.getAttribute('aria-current')") == "step", "an event does not link to its step")
 
 
 def check_pointer(page, failures):
@@ -121,8 +121,8 @@ def check_pointer(page, failures):
       return [box.left + box.width * ({pixel[0]} + 0.5) / csgsimDrawings[0].width, box.top + box.height * ({pixel[1]} + 1.5) / csgsimDrawings[0].height];
     }})()""")
     page.point(x, y, click=True)
-    failures.check(page.evaluate(SHOWN).startswith(f"pixel {pixel[0]},{pixel[1]} shows"), "a click does not show the story of the pixel beside it")
-    failures.check(page.evaluate("document.querySelector('.tip').textContent").startswith(f"{pixel[0]}, {pixel[1] + 1}: #"), "the pixel under the pointer is not told")
+    failures.check(page.evaluate(SHOWN).startswith(f"pixel {pixel[0]},{pixel[1]} shows"), "a click does not show the story of the nearest pixel")
+    failures.check(page.evaluate("document.querySelector('.tip').textContent").startswith(f"{pixel[0]}, {pixel[1] + 1}: #"), "the tooltip does not name the pixel under the pointer")
 
 
 def check_looks(page, failures):
@@ -131,7 +131,7 @@ def check_looks(page, failures):
     pages_test.check_colours(page, failures)
     unnamed = page.evaluate("""[...document.querySelectorAll('button, input, select, canvas[tabindex]')].filter(element =>
         !element.textContent.trim() && !element.getAttribute('aria-label') && !element.closest('label')).map(element => element.outerHTML.slice(0, 120))""")
-    failures.check(unnamed == [], f"without a name for who does not see them: {unnamed}")
+    failures.check(unnamed == [], f"elements without an accessible name: {unnamed}")
     page.window(pages_test.WIDE, 900)
 
 
@@ -139,23 +139,23 @@ def check_two(page, csgsim, path, failures):
     """The page of two machines: the counts are those of each alone, and one click asks both."""
     failures.where = "two"
     done = subprocess.run([csgsim, "diff", *THESIS, "--machine-b", "pixel-planes-5", "--no-stories", "--report", path], text=True, capture_output=True)
-    failures.check(done.returncode == 1 and os.path.exists(path), f"no page of two: {done.stderr}")
+    failures.check(done.returncode == 1 and os.path.exists(path), f"no page for two runs: {done.stderr}")
     data = {side: json.loads(subprocess.run([csgsim, "render", *THESIS, *machine, "--stats", "-"], check=True, text=True, capture_output=True).stdout)
             for side, machine in (("a", []), ("b", ["--machine", "pixel-planes-5"]))}
     page.open(path)
     pages_test.check_numbers(page, data, 30, failures)
     texts = page.evaluate("[...document.querySelectorAll('p')].map(element => element.textContent)")
     first, pictures = (next(line for line in done.stdout.split("\n") if part in line) for part in ("first instruction that differs", "the pictures differ"))
-    failures.check(any(text.startswith(f"The first instruction that differs is {first.split()[0]}:") for text in texts), f"the first other instruction is not told: {texts[:6]}")
+    failures.check(any(text.startswith(f"The first instruction that differs is {first.split()[0]}:") for text in texts), f"the first differing instruction is not shown: {texts[:6]}")
     differ = int(pictures.split(" differ at ")[1].split()[0].replace(",", ""))
-    failures.check(any(f" differ at {differ:,} pixels" in text for text in texts), f"how many pixels differ is not told: {texts[:6]}")
+    failures.check(any(f" differ at {differ:,} pixels" in text for text in texts), f"the number of differing pixels is not shown: {texts[:6]}")
     marked, others = page.evaluate(MARKED)
     found = page.evaluate("JSON.parse(document.querySelector('#data').textContent).difference.pixels")
-    failures.check(0 < others <= found <= differ and marked == found, f"{others} pixels have another colour, {found} are said to differ, {marked} are marked, {differ} differ in any way")
+    failures.check(0 < others <= found <= differ and marked == found, f"{others} pixels differ in colour, the page states {found} and marks {marked}, and {differ} differ in any way")
     pixel = pictures.split("first ")[1].strip(":")
     page.evaluate(f"document.dispatchEvent(new CustomEvent('pixel', {{detail: {{pixel: [{pixel}]}}}}))")
     shown = page.evaluate("[...document.querySelectorAll('.shows')].map(element => element.textContent)")
-    failures.check(len(shown) == 2 and all(text.startswith(f"pixel {pixel} shows") for text in shown), f"not both are asked: {shown}")
+    failures.check(len(shown) == 2 and all(text.startswith(f"pixel {pixel} shows") for text in shown), f"not both runs are explained: {shown}")
     check_looks(page, failures)
 
 
