@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of what docs/lessons.md is worked out by, on numbers that paper gives."""
+"""Tests of the computations behind docs/lessons.md, on numbers calculated on paper."""
 
 import unittest
 
@@ -26,13 +26,13 @@ def hand():
 
 class Camera(unittest.TestCase):
     def test_the_eye_looks_along_a_triple_of_pythagoras(self):
-        # From 30,-24,36 to 6,6,4 it is -24, 30, -32: 576 + 900 + 1024 is 50 squared.
+        # The vector from 30,-24,36 to 6,6,4 is -24, 30, -32: 576 + 900 + 1024 is 50 squared.
         self.assertEqual(by_hand.DISTANCE, 50)
         for part, hundredths in zip(by_hand.FORWARD, (-48, 60, -64)):
             self.assertAlmostEqual(part, hundredths / 100)
 
     def test_depths_reach_from_a_corner_of_b_to_one_of_a(self):
-        # Of the eye -0.48 x + 0.6 y - 0.64 z is -51.84, of 4,0,10 it is -8.32, of 0,12,0 it is 7.2.
+        # -0.48 x + 0.6 y - 0.64 z is -51.84 at the eye, -8.32 at 4,0,10, and 7.2 at 0,12,0.
         self.assertAlmostEqual(by_hand.NEAR, 43.52)
         self.assertAlmostEqual(by_hand.FAR, 59.04)
 
@@ -88,7 +88,7 @@ class Rules(unittest.TestCase):
 
 
 class Held(unittest.TestCase):
-    """What is worked out is held against what csgsim debug prints."""
+    """Computed values are compared with the output of csgsim debug."""
 
     PRINTED = ("> print 0,0\n  E            1\n  Z2           166 (0xa6)\n  Z1           128 (0x80)\n"
                "  colour       5476311 (0x538fd7), #538fd7\n  mask         0\n")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of the maker of pages, on pages and commands of their own."""
+"""Tests of the page generator, with separate pages and commands."""
 
 import pathlib
 import tempfile

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The site of docs/book: it builds without a warning, its links and files exist, and its search finds pages. Skips (77) without Sphinx."""
+"""Checks the site of docs/book: it builds without a warning, its links and files exist, and its search finds pages.
+Skips (77) without Sphinx."""
 
 import html.parser
 import json
@@ -15,7 +16,7 @@ import urllib.parse
 from runs import ROOT
 
 BOOK = ROOT / "docs/book/book.py"
-PYTHON = "/usr/bin/python3"  # Debian's, which has Debian's Sphinx
+PYTHON = "/usr/bin/python3"  # Debian's Python, which finds Debian's Sphinx
 MODULES = "import sphinx, furo, myst_parser"
 
 sys.path.insert(0, str(BOOK.parent))
@@ -89,7 +90,7 @@ class Site(unittest.TestCase):
             self.assertEqual(re.findall(r"""@import[^;]*|url\(["']?(?:https?:|/)[^)]*""", text), [], sheet.name)
 
     def test_scripts_are_not_modules(self):
-        """Browsers load no modules from file://, where the site is read."""
+        """Browsers load no modules from file://, from where the site may be read."""
         script = (self.folder / "_static/scripts/furo.js").read_text(encoding="utf-8")
         self.assertIn("Gumshoe", script)
         self.assertEqual(re.findall(r"(?m)^(?:import|export)\b.*", script), [])
@@ -116,6 +117,6 @@ class Site(unittest.TestCase):
 
 if __name__ == "__main__":
     if subprocess.run([PYTHON, "-c", MODULES], capture_output=True, check=False).returncode != 0:
-        print("there is no Sphinx with furo and myst-parser; ./setup.sh site installs them")
+        print("Sphinx with furo and myst-parser is not installed; run ./setup.sh site")
         sys.exit(77)
     unittest.main()

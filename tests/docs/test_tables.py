@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of the tables: what they ask csgsim for, and how they cite."""
+"""Tests of the tables: their calls of csgsim, and their citations."""
 
 import re
 import unittest
@@ -13,7 +13,7 @@ RATES = ("simulated_seconds", "frames_per_second", "hosted_frames_per_second", "
 
 
 class Compared:
-    """Answers to `csgsim compare` without running it: a point for each machine that is named, and what was asked for."""
+    """Answers `csgsim compare` without running it: a point for each named machine, and a record of the commands."""
 
     def __init__(self):
         self.commands = []
@@ -29,7 +29,7 @@ class Compared:
 
 
 def model_of(command):
-    """The model's words in a command."""
+    """The arguments of the model in a command."""
     known = [words for words in MODELS.values() if words in command]
     return known[0] if known else re.search(r"tests/\S+\.csg", command)[0]
 

@@ -1,7 +1,7 @@
 """Stories on pages of --report, and the page of two runs, in a headless Chromium, with the pointer and with keys.
 explain_test.py compares the texts with those of `csgsim explain`.
 
-Usage: story_test.py CSGSIM SOURCE_FOLDER. Exit code 77 where there is no Chromium."""
+Usage: story_test.py CSGSIM SOURCE_FOLDER. Exit code 77 without Chromium."""
 
 import json
 import os
@@ -15,7 +15,7 @@ import pages_test
 
 THESIS = ["tests/models/thesis_fig_2_3.csg", "--size", "64x48"]
 
-# What is shown of the first drawing's stories: all words but the blanks between them, as `csgsim explain` has them.
+# The visible text of the first drawing's story, normalized to the words of `csgsim explain`.
 SHOWN = """(() => {
   const story = document.querySelector('.why .story');
   return [...story.querySelectorAll('strong, .facts li, .events li')].map(item => {
@@ -24,10 +24,11 @@ SHOWN = """(() => {
   }).join(' ').replace(/⇒/g, '=>').replace(/\\s+/g, ' ');
 })()"""
 
-# The same of what the page holds for a pixel.
+# The text of a story in the page's data, normalized in the same way.
 HELD = """csgsimDrawings[0].why.stories[%d].parts.map(part => typeof part === 'string' ? part : part[0]).join('').replace(/\\n +clocks\\n/g, ' ').replace(/\\s+/g, ' ').trim()"""
 
-# In the gallery of two runs: pixels of the third picture that are no grey, and those of other colours in the first two.
+# In the gallery of two runs: number of coloured pixels in the third picture, and of pixels that differ between the
+# first two.
 MARKED = """(async () => {
   const [a, b, difference] = await Promise.all([...document.querySelectorAll('.gallery img')].map(async image => {
     await image.decode();
@@ -46,7 +47,7 @@ def until(page, expression, seconds=60):
     end = time.monotonic() + seconds
     while not page.evaluate(expression):
         if time.monotonic() > end:
-            raise RuntimeError(f"never came: {expression}; {page.problems}")
+            raise RuntimeError(f"timeout waiting for: {expression}; {page.problems}")
         time.sleep(0.02)
 
 
@@ -55,7 +56,7 @@ def spoken(page):
 
 
 def check_choices(page, failures):
-    """Each story can be chosen in the form, and is shown whole; each event leads to its step."""
+    """Each story can be selected in the form and is shown completely; each event leads to its step."""
     for i in range(page.evaluate("csgsimDrawings[0].why.stories.length")):
         page.evaluate(f"(() => {{ const {{choice}} = csgsimDrawings[0].why; choice.value = {i}; choice.dispatchEvent(new Event('change')); }})()")
         shown, held = page.evaluate(SHOWN), page.evaluate(HELD % i)
@@ -80,7 +81,7 @@ def check_rows(page, failures):
 
 
 def check_keys(page, failures):
-    """By keys alone: the cursor moves, Enter asks, and the form does."""
+    """With keys alone: moves the cursor, opens a story with Enter, and uses the form."""
     page.evaluate("document.activeElement.blur(); csgsimDrawings[0].moveTo(20, 20)")
     if not pages_test.tab_to(page, ".drawing canvas", failures):
         return
@@ -108,7 +109,7 @@ def check_keys(page, failures):
 
 
 def check_pointer(page, failures):
-    # What is under the pointer is looked up where the last drawn frame has it: two frames after scrolling it is drawn.
+    # The pointer is located in the last drawn frame: two frames after scrolling, that frame is current.
     page.evaluate("""(() => {
       document.querySelector('.drawing canvas').scrollIntoView({block: 'center', behavior: 'instant'});
       window.isScrolled = false;
@@ -136,7 +137,7 @@ def check_looks(page, failures):
 
 
 def check_two(page, csgsim, path, failures):
-    """The page of two machines: the counts are those of each alone, and one click asks both."""
+    """The page of two machines: the counts equal those of each alone, and one click explains both."""
     failures.where = "two"
     done = subprocess.run([csgsim, "diff", *THESIS, "--machine-b", "pixel-planes-5", "--no-stories", "--report", path], text=True, capture_output=True)
     failures.check(done.returncode == 1 and os.path.exists(path), f"no page for two runs: {done.stderr}")
@@ -163,7 +164,7 @@ def main():
     csgsim = os.path.abspath(sys.argv[1])
     chromium = browser.find()
     if chromium is None:
-        print("skipped: there is no Chromium here; ./setup.sh report-test installs it")
+        print("skipped: Chromium is not installed; run ./setup.sh report-test")
         return 77
     failures = pages_test.Failures()
     failures.where = "story"
@@ -181,7 +182,7 @@ def main():
             check_pointer(page, failures)
             check_looks(page, failures)
             check_two(page, csgsim, path, failures)
-            pages_test.check_quiet(page, failures, harmless=["willReadFrequently"])  # it is the test that reads
+            pages_test.check_quiet(page, failures, harmless=["willReadFrequently"])  # caused by the test's reads
         finally:
             page.close()
     print(f"2 pages, {failures.count} failures")
