@@ -12,7 +12,7 @@ namespace {
 struct Difference {
   int silhouette = 0;  ///< pixels covered in one picture only
   int covered = 0;     ///< pixels covered in both
-  int deep = 0;        ///< of these, where depths differ by more than a thousandth of the model's diagonal
+  int deep = 0;        ///< covered pixels whose depths differ by more than a thousandth of the model's diagonal
 };
 
 Difference compare(const std::string& name, const view::Camera& camera) {
@@ -60,7 +60,7 @@ TEST_CASE("the terrain vehicle agrees with OpenSCAD's geometry") {
 TEST_CASE("the Rietveld house agrees with OpenSCAD's geometry") {
   check("rietveld_house", {3430, -2900, 1950}, {590, 230, 220});
 }
-TEST_CASE("unions, intersections and differences of a cube and a sphere agree with OpenSCAD's geometry") {
+TEST_CASE("set operations on a cube and a sphere agree with OpenSCAD's geometry") {
   check("basics_csg", {70, -152, 92}, {-1, 0, 0});
 }
 TEST_CASE("a drilled cube cut to a cone agrees with OpenSCAD's geometry") {

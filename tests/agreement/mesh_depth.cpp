@@ -11,7 +11,7 @@ namespace csgsim::testing {
 
 namespace {
 
-/// A corner in the picture: column and row in pixels, and what is linear over the picture (depth, or its reciprocal).
+/// A corner in the picture: column and row in pixels, and a value linear over the picture (depth or its reciprocal).
 struct Corner {
   double x;
   double y;

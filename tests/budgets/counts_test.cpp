@@ -7,34 +7,34 @@
 
 using namespace csgsim;
 
-// The judge of every count is a sum by hand of what docs/instruction-set.md says an instruction takes: a clock for one
-// on the enable register, the width of a linear expression for each time that it is streamed, the width of a field for
-// one with one source, twice that for two sources.
+// Every count is checked against a sum by hand of the clocks in docs/instruction-set.md: one for an instruction on the
+// enable register, the width of a linear expression for each time it is streamed, the width of a field for one source,
+// twice that for two sources.
 
 namespace {
 
 constexpr std::uint64_t enable = 1;
 
-constexpr std::uint64_t edge_bits = 21;       // 12 of a coefficient, 9 of a coordinate of 0 to 511
-constexpr std::uint64_t depth_bits = 33;      // 20 of depth, 12 of fraction, a sign
-constexpr std::uint64_t component_bits = 19;  // 8 of a component, 10 of fraction, a sign
+constexpr std::uint64_t edge_bits = 21;       // 12 for a coefficient, 9 for a coordinate of 0 to 511
+constexpr std::uint64_t depth_bits = 33;      // 20 for depth, 12 for fraction, a sign
+constexpr std::uint64_t component_bits = 19;  // 8 for a component, 10 for fraction, a sign
 
 constexpr std::uint64_t triangle = enable + 3 * edge_bits + 2 * depth_bits + 3 * component_bits;
 constexpr std::uint64_t shadow = enable + (1 + 3) * depth_bits + 2 * enable;
 
-/// Adding to a field: enable from one bit, xor the other, pass the carry on, invert the sum. The last bit passes no
-/// carry on, and where the addend is 0 there is nothing to xor.
+/// Clocks of adding to a field: enable from one bit, xor the other, propagate the carry, invert the sum. The last bit
+/// propagates no carry, and an addend bit of 0 needs no xor.
 constexpr std::uint64_t sum(std::uint64_t bits, std::uint64_t of_addend) { return 4 * bits - 1 - (bits - of_addend); }
 
 constexpr std::uint64_t circle_bits = 20;
 constexpr std::uint64_t sphere_depth = 15;
 constexpr std::uint64_t component = 8;
 
-/// The sum moved up by a bit under the circle's enable, a carry of 0 below it, and Q once more.
+/// Clocks of shifting the sum up by a bit under the circle's enable, clearing the carry below it, and adding Q again.
 constexpr std::uint64_t sum_again(std::uint64_t bits) { return enable + bits + 1 + sum(bits, bits); }
 
-/// A sphere whose linear expressions have so many bits in depth and in components, and of whose depth so many meet the
-/// quadratic field.
+/// Clocks of a sphere, given the widths of its linear expressions for depth and for components, and the number of bits
+/// of its depth that overlap the quadratic field.
 constexpr std::uint64_t sphere(std::uint64_t depth_expression, std::uint64_t of_addend, std::uint64_t expression = 18,
                                bool twice = false) {
   const std::uint64_t clear_carry = 1;
@@ -47,7 +47,7 @@ constexpr std::uint64_t sphere(std::uint64_t depth_expression, std::uint64_t of_
   return circle + depth + merge + 3 * shade;
 }
 
-/// Clocks of a primitive's instructions, from the table alone.
+/// Clocks of a primitive's instructions, computed from the instruction table.
 std::uint64_t listed(const isa::Program& program, std::uint32_t primitive) {
   const machines::Machine machine = kinds::load("pixel-planes-4");
   std::uint64_t total = 0;
@@ -70,22 +70,22 @@ void check(const std::string& name, const std::vector<std::uint64_t>& by_hand) {
 
 }  // namespace
 
-TEST_CASE("a smooth-shaded Z-buffered triangle takes 187 clocks: three edges, depth twice, three components") {
+TEST_CASE("a smooth-shaded Z-buffered triangle takes 187 clocks") {
   static_assert(triangle == 187);
   check("triangle.csgt", {triangle, triangle, triangle});
 }
 
-TEST_CASE("its shadow takes 135 clocks more: its plane, three sides, and the bit that keeps it") {
+TEST_CASE("the shadow of a triangle takes 135 more clocks") {
   static_assert(shadow == 135);
   check("shadow.csgt", {triangle + shadow, triangle + shadow, triangle + shadow});
 }
 
-TEST_CASE("a sphere takes 326 or 327 clocks: a circle, depth and three components, each with a sum in pixel memory") {
+TEST_CASE("a sphere takes 326 or 327 clocks for its circle and depth and three components") {
   static_assert(sphere(18, 15) == 327 && sphere(18, 14) == 326 && sphere(19, 13) == 326);
   check("sphere.csgt", {sphere(18, 15), sphere(18, 14), sphere(18, 14), sphere(19, 13)});
 }
 
-TEST_CASE("a sphere whose radius is no power of two takes 537 clocks: Q is added twice to depth and to components") {
+TEST_CASE("a sphere whose radius is no power of two takes 537 clocks to add Q twice") {
   static_assert(sphere(21, 14, 21, true) == 537);
   check("sphere_radius.csgt", {sphere(21, 14, 21, true)});
 }

@@ -23,7 +23,7 @@ std::string row_of_page(const std::string& name) {
 }
 
 void check_row(const std::string& name, double published, std::uint64_t ours) {
-  INFO("if the change is meant: tests/budgets/table.py build/release/csgsim, and docs/performance.md");
+  INFO("if the change is intended, run tests/budgets/table.py build/release/csgsim and update docs/performance.md");
   CHECK(row_of_page(name) == fmt::format(" {} | {} | {:.2f} |",
                                          with_commas(static_cast<std::uint64_t>(published + 0.5)), with_commas(ours),
                                          static_cast<double>(ours) / published));

@@ -13,7 +13,7 @@ constexpr double published_expression = 7.5e-3 * 1e7 / 1'900;
 /// The first row of docs/performance.md that begins with that name, without the name.
 std::string row_of_page(const std::string& name);
 
-/// Fails the test if the page has other clocks in that row.
+/// Fails the test if that row of the page states other clocks.
 void check_row(const std::string& name, double published, std::uint64_t ours);
 
 }  // namespace csgsim::budgets

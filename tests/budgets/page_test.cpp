@@ -11,7 +11,7 @@ using namespace csgsim;
 namespace {
 
 void check_expressions(const std::string& name, double ours) {
-  INFO("if the change is meant: tests/budgets/table.py build/release/csgsim, and docs/performance.md");
+  INFO("if the change is intended, run tests/budgets/table.py build/release/csgsim and update docs/performance.md");
   CHECK(budgets::row_of_page("an expression of " + name) == fmt::format(" {:.1f} | {:.1f} | {:.2f} |",
                                                                         budgets::published_expression, ours,
                                                                         ours / budgets::published_expression));
@@ -27,14 +27,14 @@ isa::Program compiled(const std::string& path, const view::Camera& camera) {
 
 }  // namespace
 
-TEST_CASE("the page of budgets has what the Programs of triangles and spheres take") {
+TEST_CASE("docs/performance.md states the measured clocks of triangles and spheres") {
   budgets::check_row("triangle", budgets::published_triangle, run("triangle.csgt"));
   budgets::check_row("triangle with shadow", budgets::published_shadow, run("shadow.csgt"));
   budgets::check_row("sphere", budgets::published_sphere, run("sphere.csgt"));
   budgets::check_row("sphere of another radius", budgets::published_sphere, run("sphere_radius.csgt"));
 }
 
-TEST_CASE("the page of budgets has what spheres of facets take") {
+TEST_CASE("docs/performance.md states the measured clocks of spheres of facets") {
   const view::Camera camera = testing::camera({0, -1286.98, 0}, {0, 0, 0}, view::Projection::orthographic);
   for (const int facets : {16, 32}) {
     const isa::Program program = compiled(budgets::place(fmt::format("sphere_{}.csg", facets)), camera);
@@ -43,7 +43,7 @@ TEST_CASE("the page of budgets has what spheres of facets take") {
   }
 }
 
-TEST_CASE("the page of budgets has what a linear expression of the models takes") {
+TEST_CASE("docs/performance.md states the measured clocks of a linear expression") {
   for (const testing::ThesisObject& object : testing::thesis_objects(view::Projection::orthographic)) {
     if (object.name == "thesis_fig_2_3") continue;
     const isa::Program program = compiled(testing::model_path(object.name), object.camera);

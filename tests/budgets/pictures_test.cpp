@@ -3,8 +3,8 @@
 #include "tests/budgets/measure.h"
 #include "tests/support/test.h"
 
-// The judge of the pictures is geometry in doubles: rays through pixel centres against the triangles and spheres whose
-// numbers stand here again. It knows nothing of instructions.
+// The pictures are checked with geometry in doubles: rays through pixel centres against triangles and spheres whose
+// parameters are repeated here, independent of any instructions.
 
 using namespace csgsim;
 using budgets::Triangle;
@@ -25,7 +25,7 @@ struct Point {
   double x, y, z;
 };
 
-/// Inside, outside, or so close to the boundary (a hundredth of the triangle) that nobody is asked.
+/// Inside, outside, or so close to the boundary (a thousandth of the triangle) that the pixel is not checked.
 enum class Side : std::uint8_t { inside, outside, close };
 
 Side side_of(const Triangle& triangle, double x, double y) {
@@ -44,7 +44,7 @@ struct Seen {
   double z = far_away;
 };
 
-/// What the ray through (x, y) meets first; nothing if that is too close to tell.
+/// The first triangle that the ray through (x, y) meets; empty if that is too close to call.
 std::optional<Seen> look(double x, double y) {
   Seen seen{triangles.size(), far_away};
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -58,13 +58,13 @@ std::optional<Seen> look(double x, double y) {
   return seen;
 }
 
-/// Whether another triangle is between the point and the light; nothing if that is too close to tell.
+/// Whether another triangle is between the point and the light; empty if that is too close to call.
 std::optional<bool> shadowed(const Point& point, std::size_t own) {
   const Point light{0.6, 0.4, 1};
   bool found = false;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (i == own) continue;
-    // Along the way back to the light the distance behind the triangle's plane falls linearly.
+    // Back towards the light, the distance behind the triangle's plane decreases linearly.
     const auto behind = [&](double way) {
       const double x = point.x - way * light.x;
       const double y = point.y - way * light.y;
@@ -79,13 +79,13 @@ std::optional<bool> shadowed(const Point& point, std::size_t own) {
   return found;
 }
 
-/// Whether the pixel has the colour that is linear between the corners, or half of it.
+/// Whether the pixel has the colour interpolated between the corners, or half of it.
 bool colour_is(std::uint32_t colour, const Triangle& triangle, double x, double y, bool dark) {
   const std::array<std::uint8_t, 3> levels = isa::unpack_colour(colour, 24);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const double full =
         budgets::between(triangle, {triangle[0].colour[i], triangle[1].colour[i], triangle[2].colour[i]}, x, y);
-    // Rounded coefficients: half a level at most; the floor: a level, here and where half is taken.
+    // Tolerance: half a level for rounded coefficients, and one level for each floor, here and in halving.
     const double off = levels[i] - (dark ? full / 2 : full);
     if (off > 0.5 || off < (dark ? -1.25 : -1.5)) return false;
   }
@@ -125,11 +125,11 @@ Tally judge_triangles(const std::string& name, bool with_shadows) {
 }
 
 struct Sphere {
-  int column, row, front;                 ///< pixels
-  double radius;                          ///< pixels
-  std::array<double, 3> front_levels;     ///< of a component where the sphere is nearest
-  std::array<double, 3> levels_a_radius;  ///< darker at the limb, and half of that to the right and down
-  int terms = 1;                          ///< numbers that are rounded down beside the linear expression
+  int column, row, front;                 ///< in pixels
+  double radius;                          ///< in pixels
+  std::array<double, 3> front_levels;     ///< levels of the components where the sphere is nearest
+  std::array<double, 3> levels_a_radius;  ///< decrease at the limb, and half of that to the right and down
+  int terms = 1;                          ///< rounded-down terms in addition to the linear expression
 };
 
 const std::vector<Sphere> spheres{{176, 296, 100, 128, {120, 120, 225}, {64, 64, 128}},
@@ -138,8 +138,8 @@ const std::vector<Sphere> spheres{{176, 296, 100, 128, {120, 120, 225}, {64, 64,
                                   {266, 286, 95, 32, {120, 225, 62}, {64, 128, 32}}};
 const Sphere of_another_radius{276, 226, 100, 51.2, {225, 120, 62}, {102.4, 51.2, 25.6}, 2};
 
-/// Depth of the paraboloid that touches the sphere in front and at the limb, in whole steps of a 64th of a pixel;
-/// nothing outside.
+/// Depth of the paraboloid that touches the sphere in front and at the limb, in whole steps of a 64th of a pixel; empty
+/// outside.
 std::optional<int> depth_of(const Sphere& sphere, int x, int y) {
   const int dx = x - sphere.column;
   const int dy = y - sphere.row;
@@ -154,7 +154,7 @@ double level(const Sphere& sphere, std::size_t component, int x, int y) {
   return sphere.front_levels.at(component) - sphere.levels_a_radius.at(component) * (dx * dx + dy * dy + (dx + dy) / 2);
 }
 
-/// 255 minus numbers that were rounded down, by less than a level each.
+/// Whether each component is 255 minus terms that were rounded down by less than a level each.
 bool shaded_right(const Sphere& sphere, std::uint32_t colour, int x, int y) {
   const std::array<std::uint8_t, 3> levels = isa::unpack_colour(colour, 24);
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -191,23 +191,23 @@ std::uint32_t wrong_pixels(const std::string& name, const std::vector<Sphere>& d
 
 }  // namespace
 
-TEST_CASE("the triangles are where geometry has them, at its depth, in colours linear between the corners") {
+TEST_CASE("triangles have the position and depth and interpolated colours of the geometry") {
   const Tally tally = judge_triangles("triangle.csgt", false);
   CHECK(tally.wrong == 0);
   CHECK(tally.judged > side * side * 97 / 100);
 }
 
-TEST_CASE("a pixel is in shadow where the way from what it shows to the light meets another triangle") {
+TEST_CASE("a pixel is in shadow if the ray from its surface to the light meets a triangle") {
   const Tally tally = judge_triangles("shadow.csgt", true);
   CHECK(tally.wrong == 0);
   CHECK(tally.judged > side * side * 97 / 100);
   CHECK(tally.dark > 5000);
 }
 
-TEST_CASE("the spheres are exact circles, to the step as deep as their paraboloids, and shaded within two levels") {
+TEST_CASE("spheres are exact circles with paraboloid depth and shades within two levels") {
   CHECK(wrong_pixels("sphere.csgt", spheres) == 0);
 }
 
-TEST_CASE("the sphere of another radius is an exact circle, and as deep as its paraboloid but for a step") {
+TEST_CASE("a sphere of another radius is an exact circle and within a step in depth") {
   CHECK(wrong_pixels("sphere_radius.csgt", {of_another_radius}) == 0);
 }

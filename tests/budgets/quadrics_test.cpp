@@ -14,19 +14,19 @@
 
 using namespace csgsim;
 
-// Spheres and a part without facets, on Pixel-Powers. As in counts_test.cpp, the judge of what can be summed by hand is
-// such a sum.
+// Spheres and a part without facets, on Pixel-Powers. As in counts_test.cpp, totals are checked against a sum by hand
+// where possible.
 
 namespace {
 
 struct Drawn {
   isa::Program program;
   machines::Machine machine;
-  std::uint64_t clocks;  ///< of the array, with clearing, latency, and waiting for the link
+  std::uint64_t clocks;  ///< clocks of the array, with clearing, latency, and waiting for the link
   observe::Stats stats;
 };
 
-/// As `csgsim render tests/models/NAME.csg --machine MACHINE --view-all` draws it.
+/// Draws like `csgsim render tests/models/NAME.csg --machine MACHINE --view-all`.
 Drawn draw(const std::string& name, const std::string& machine, unsigned z_bits = 20) {
   const model::Tree tree = read::read_csg_file(testing::model_path(name));
   const facet::Box box = convex::extent(facet::make_geometry(tree), csg::make_positive(tree));
@@ -58,9 +58,9 @@ std::size_t count(const isa::Program& program, isa::Opcode opcode) {
 
 constexpr std::uint64_t enable = 1;
 constexpr std::uint64_t depth = 20;
-constexpr std::uint64_t root = 19;  // bits: the radius is 2^19 depth steps but two
+constexpr std::uint64_t root = 19;  // bits: the radius is 2^19 - 2 depth steps
 
-/// Enable, squares, the discriminant, its root, and the middle less the root, whose top bit is 0.
+/// Clocks of enable, squares, the discriminant, its root, and the middle minus the root, whose top bit is 0.
 constexpr std::uint64_t surface(std::uint64_t root_clocks) {
   constexpr std::uint64_t discriminant = 42;
   return enable + 1 + discriminant + root_clocks + 1 + (depth + 1);
@@ -68,7 +68,7 @@ constexpr std::uint64_t surface(std::uint64_t root_clocks) {
 
 }  // namespace
 
-TEST_CASE("a sphere without facets takes 993 clocks of Pixel-Powers, 773 of them its own, and 88 bits") {
+TEST_CASE("a sphere without facets takes 993 clocks of Pixel-Powers and 88 bits") {
   const Drawn sphere = draw("sphere", "pixel-powers");
   static_assert(root * root + 2 * root == 399);
   static_assert(surface(399) == 465);
@@ -77,14 +77,14 @@ TEST_CASE("a sphere without facets takes 993 clocks of Pixel-Powers, 773 of them
   CHECK(clocks_for(sphere, isa::Purpose::merge) == 2 * depth + enable + depth);
   CHECK(clocks_for(sphere, isa::Purpose::shade) == 247);
   CHECK(sphere.stats.by_primitive.at(0).clocks == 465 + 61 + 247);
-  CHECK(sphere.clocks == 993);  // the promise is 1,000; what takes fewer is to be explained too
+  CHECK(sphere.clocks == 993);  // the budget is 1,000; a decrease needs an explanation too
   unsigned bits = 0;
   for (const isa::NamedField& one : sphere.program.facts->fields)
     bits = std::max<unsigned>(bits, one.field.base + one.field.width);
   CHECK(bits == 88);
 }
 
-TEST_CASE("a second read port takes 246 clocks from a sphere, 171 of them of the root") {
+TEST_CASE("a second read port saves 246 clocks of a sphere; 171 of them in the root") {
   static_assert((root * root + 5 * root) / 2 == 399 - 171);
   const Drawn sphere = draw("sphere", "pixel-powers+memory.reads=2");
   CHECK(clocks_for(sphere, isa::Purpose::render) == surface(399 - 171));
@@ -93,7 +93,7 @@ TEST_CASE("a second read port takes 246 clocks from a sphere, 171 of them of the
   CHECK(sphere.clocks == 993 - 246);
 }
 
-TEST_CASE("the page of budgets has what spheres without facets take") {
+TEST_CASE("docs/performance.md states the measured clocks of spheres without facets") {
   const auto own = [](const Drawn& drawn) { return drawn.stats.by_primitive.at(0).clocks; };
   budgets::check_row("sphere without facets", budgets::published_sphere, own(draw("sphere", "pixel-powers")));
   const std::string two = "pixel-powers+memory.reads=2";
@@ -101,7 +101,7 @@ TEST_CASE("the page of budgets has what spheres without facets take") {
   budgets::check_row("the same, 14 bits of depth", budgets::published_sphere, own(draw("sphere", two, 14)));
 }
 
-TEST_CASE("the page of budgets has what the connecting rod takes") {
+TEST_CASE("docs/performance.md states the measured clocks of the connecting rod") {
   const Drawn rod = draw("connecting_rod", "pixel-powers");
   CHECK(rod.program.facts->primitives.size() == 24);
   CHECK(count(rod.program, isa::Opcode::squares) == 132);

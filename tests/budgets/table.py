@@ -27,7 +27,7 @@ def dearest_primitive(report):
 
 
 def an_expression(report):
-    """Instruction clocks, without latency, over instructions with a linear expression."""
+    """Instruction clocks, without latency, divided by the number of instructions with a linear expression."""
     counts = report["instructions"]["by_name"]
     return sum(row["clocks"] for row in counts.values()) / sum(
         row["count"] for name, row in counts.items() if name.startswith(LINEAR)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""write.py: writes the Programs of docs/performance.md here; write.py --check: fails if they are not what it writes.
+"""write.py: writes the Programs of docs/performance.md into this folder; write.py --check: fails if they are outdated.
 
 Pixels are 512 x 512 with centres at half-integers, y down. Distances along z are in pixels too, 0 to 512.
 """
@@ -55,10 +55,10 @@ class Program:
 # ---- triangles ----------------------------------------------------------------------------------------------------
 
 Z_BITS = 20
-STEPS = Fraction(2**Z_BITS - 4, SIDE)  # depth steps a pixel
-EDGE_WIDTH = 21  # 12 bits of a coefficient in quarters of a pixel, and log2 512
-PLANE_WIDTH, PLANE_SHIFT = 33, 12  # 20 bits of depth, 12 of fraction, a sign
-SHADE_WIDTH, SHADE_SHIFT = 19, 10  # 8 bits of a component, 10 of fraction, a sign
+STEPS = Fraction(2**Z_BITS - 4, SIDE)  # depth steps per pixel
+EDGE_WIDTH = 21  # 12 bits for a coefficient in quarters of a pixel, and log2 512
+PLANE_WIDTH, PLANE_SHIFT = 33, 12  # 20 bits for depth, 12 for fraction, a sign
+SHADE_WIDTH, SHADE_SHIFT = 19, 10  # 8 bits for a component, 10 for fraction, a sign
 
 # Corners x, y, z, red, green, blue; x and y in whole quarters of a pixel.
 TRIANGLES = (
@@ -66,7 +66,7 @@ TRIANGLES = (
     ("wall", ((200.5, 60, 250, 220, 180, 60), (420, 180, 260, 240, 120, 40), (330, 420.25, 270, 150, 60, 30))),
     ("blade", ((120, 150.5, 60, 230, 40, 40), (300.75, 190, 80, 40, 60, 230), (190, 330, 50, 240, 230, 60))),
 )
-LIGHT = (Fraction(3, 5), Fraction(2, 5), Fraction(1))  # where the light goes
+LIGHT = (Fraction(3, 5), Fraction(2, 5), Fraction(1))  # direction of the light
 
 
 def exact(values):
@@ -86,12 +86,12 @@ def dot(a, b):
 
 
 def at_centres(a, b, c):
-    """a*X + b*Y + c of the pixel centre X, Y as an expression of the pixel x, y."""
+    """The plane a*X + b*Y + c at pixel centres X, Y as an expression of the pixel x, y."""
     return a, b, c + (a + b) / 2
 
 
 def solve(corners, values):
-    """a, b, c with a*x + b*y + c = value at the three corners."""
+    """Coefficients a, b, c with a*x + b*y + c = value at the three corners."""
     normal = cross(
         minus([*corners[1][:2], values[1]], [*corners[0][:2], values[0]]),
         minus([*corners[2][:2], values[2]], [*corners[0][:2], values[0]]),
@@ -101,7 +101,7 @@ def solve(corners, values):
 
 
 def rounded(plane, width, shift):
-    """A and B to nearest, C so that the plane is most exact in the middle of the picture."""
+    """Rounds A and B to the nearest, and C so that the plane is most exact in the middle of the picture."""
     a, b, c = at_centres(*plane)
     middle = SIDE // 2
     scaled_a, scaled_b = round(a * 2**shift), round(b * 2**shift)
@@ -110,7 +110,7 @@ def rounded(plane, width, shift):
 
 
 def edges(corners):
-    """Not negative inside, boundary included: flooring C leaves the sign at pixels as it is."""
+    """An edge that is not negative inside and on the boundary: rounding C down preserves the sign at pixels."""
     (x, y), (p, q) = minus(corners[1], corners[0])[:2], minus(corners[2], corners[0])[:2]
     inside = 1 if x * q > y * p else -1
     for start, end in zip(corners, corners[1:] + corners[:1]):
@@ -138,8 +138,8 @@ def draw_triangle(program, index, name, corners):
 
 
 def side_plane(start, end, inside):
-    """The depth at which a line of sight passes the plane through an edge and along the light; as large a fraction as
-    33 bits hold at every pixel."""
+    """The depth at which a line of sight passes the plane through an edge and along the light; with as many fraction
+    bits as fit into 33 bits at every pixel."""
     normal = cross(minus(end, start), LIGHT)
     if dot(minus(inside, start), normal) < 0:
         normal = [-part for part in normal]
@@ -152,7 +152,7 @@ def side_plane(start, end, inside):
 
 def cast_shadow(program, index, name, corners):
     a, b, _ = solve(corners, [corner[2] for corner in corners])
-    assert dot((-a, -b, 1), LIGHT) > 0  # what is behind the triangle for the eye is so for the light
+    assert dot((-a, -b, 1), LIGHT) > 0  # points behind the triangle for the eye are behind it for the light
     program.begin(f"effect p{index}", f"{name}: what is behind it as the light sees it is in its shadow")
     program.add("enable_all", f"linear_lt Z, {depth(corners)}")
     ends = corners[1:] + corners[:1]
@@ -194,9 +194,9 @@ SUM = 56
 DISK_WIDTH, SUM_WIDTH = 20, 18
 MIDDLE = SIDE // 2
 
-# Centre in pixels from the picture's middle (column, row), front's depth in pixels, log2 of r/s, log2 of s times how many
-# levels darker the limb is than the middle in red, green and blue, without the light from one side; and s, where the
-# radius r is no power of two: a sum of powers of two, as their logarithms.
+# Centre in pixels from the picture's middle (column, row), depth of the front in pixels, log2 of r/s, log2 of s times
+# the number of levels by which the limb is darker than the middle in red, green and blue, without the light from one
+# side; and s, if the radius r is no power of two: a sum of powers of two, as their logarithms.
 SPHERES = (
     ("large", (-80, 40), 100, 7, (6, 6, 7)),
     ("red", (50, -60), 120, 6, (7, 6, 5)),
@@ -204,16 +204,16 @@ SPHERES = (
     ("small", (10, 30), 95, 5, (6, 7, 5)),
 )
 SPHERE_OF_ANOTHER_RADIUS = ("radius 51.2", (20, -30), 100, 6, (7, 6, 5), (0, -2))
-LEVEL_AT_FRONT = {5: 62, 6: 120, 7: 225}  # of a component whose limb is that much darker
+LEVEL_AT_FRONT = {5: 62, 6: 120, 7: 225}  # level of a component, by the log2 of how much darker the limb is
 
 
 def add_bits(program, carry, addend, mask=None):
-    """Adds the bits of pixel memory at the places `addend` (None: a 0), where there is a `mask` only at pixels where
-    that bit is 1, to the field as wide that begins at carry + 1. The sum is left at `carry`, whose bit has to be 0.
-    Works at every pixel; enable is lost.
+    """Adds the bits of pixel memory at the places `addend` (None: a 0) to the field of equal width that begins at
+    carry + 1; with a `mask`, only at pixels where that bit is 1. The sum begins at `carry`, whose bit must be 0 before.
+    Works at every pixel; enable is overwritten.
 
-    Where the two bits differ the carry goes on and the sum is its inverse; where they are equal the next carry is the
-    field's bit, which is in the next carry's place already, and the sum is the carry."""
+    Where the two bits differ, the carry propagates and the sum is its inverse; where they are equal, the next carry is
+    the field's bit, which is already in the next carry's place, and the sum is the carry."""
     for bit, place in enumerate(addend):
         own = carry + bit + 1
         if place is None:
@@ -229,23 +229,23 @@ def add_bits(program, carry, addend, mask=None):
 
 
 def multiply(program, place, factor, next_factor):
-    """m * (m + 1) of the fields m of 8 bits at `factor` and m + 1 of 9 bits at `next_factor`, from the highest bit of m
-    down: twice the sum so far, and m + 1 where the bit is 1. Begins at `place`, drifts down by 14 bits; returns where
-    the product's 16 bits begin."""
+    """Computes m * (m + 1) from the fields m of 8 bits at `factor` and m + 1 of 9 bits at `next_factor`, from the
+    highest bit of m down: doubles the sum, and adds m + 1 where the bit is 1. Begins at `place`, moves down by 14 bits;
+    returns where the product's 16 bits begin."""
     addend = [next_factor + i for i in range(9)]
     program.add("enable_all", f"set_constant [{place}+:9], 0", f"enable_load [{factor + 7}]")
     program.add(f"copy [{place}+:9], [{next_factor}+:9]")
     for bit in reversed(range(7)):
         addend.append(None)
-        place -= 2  # the carry, and above it the 0 that doubling brings
+        place -= 2  # the carry, and above it the 0 from doubling
         program.add("enable_all", f"set_constant [{place}+:2], 0")
         add_bits(program, place, addend, factor + bit)
     return place
 
 
 def set_up_quadratic(program):
-    """The field `quadratic` := m(m + 1)/2 + n(n + 1)/2, m and n the whole pixels between a pixel and the middle of the
-    picture, by column and by row."""
+    """Sets the field `quadratic` to m(m + 1)/2 + n(n + 1)/2, where m and n are the whole pixels between a pixel and the
+    middle of the picture, by column and by row."""
     factor, next_factor = 55, 63
     for axis in ("x", "y"):
         program.begin("setup", f"m, pixels from the middle in {axis}; and m + 1")
@@ -267,27 +267,27 @@ def set_up_quadratic(program):
 
 
 def shifted(bits, shift):
-    """The bits of the quadratic field, times 2^shift, that a sum of so many bits meets."""
+    """Bits of the quadratic field, times 2^shift, that overlap a sum of a number of bits."""
     places = [QUADRATIC + i - shift for i in range(bits)]
     return [place if QUADRATIC <= place < QUADRATIC + QUADRATIC_BITS else None for place in places]
 
 
 def load_sum(program, expression, bits, shifts):
-    """Leaves the expression and the quadratic field times 2^shift for each shift at SUM, whatever enable is there."""
+    """Stores the expression plus the quadratic field times 2^shift for each shift at SUM, for any enable."""
     program.add(f"set_constant [{SUM}], 0", f"load_linear [{SUM + 1}+:{bits}], {expression}")
     for further, shift in enumerate(shifts):
-        if further:  # up by a bit, for a carry below
+        if further:  # shift up by a bit to make room for the carry
             program.add("enable_load disk", *[f"copy [{SUM + i + 1}], [{SUM + i}]" for i in reversed(range(bits))])
             program.add(f"set_constant [{SUM}], 0")
         add_bits(program, SUM, shifted(bits, shift))
 
 
 def draw_sphere(program, index, name, centre, front, log_size, darker, terms=(0,)):
-    """With Q the quadratic field and d the distance from the sphere's axis in pixels, d^2 = 2Q + a*x + b*y + c."""
+    """Draws a sphere: d^2 = 2Q + a*x + b*y + c, with the quadratic field Q and the pixel's distance d from its axis."""
     column, row = MIDDLE + centre[0], MIDDLE + centre[1]
     a, b = 2 * MIDDLE - 1 - 2 * column, 2 * MIDDLE - 1 - 2 * row
     c = column**2 + row**2 - 2 * MIDDLE * (MIDDLE - 1)
-    fraction = -min(terms)  # bits of s
+    fraction = -min(terms)  # fraction bits of s
     s = sum(2 ** (term + fraction) for term in terms)  # in units of its last bit
     radius = Fraction(2 ** (log_size + fraction), s)
     width = SUM_WIDTH + (s - 1).bit_length()
@@ -296,7 +296,7 @@ def draw_sphere(program, index, name, centre, front, log_size, darker, terms=(0,
     program.add("enable_all", f"linear_gt quadratic, {linear(-a, -b, ceil(radius**2) - c + 1, DISK_WIDTH, 1)}")
     program.add("enable_store disk")
     program.begin(f"render p{index}", "depth of a paraboloid: front + d^2 / r pixels, 64 steps each")
-    scale = 6 - log_size  # log2 of depth steps a unit of d^2, but for s
+    scale = 6 - log_size  # log2 of depth steps per unit of d^2, without s
     above, below = s * 2 ** max(scale, 0), fraction + max(-scale, 0)
     base = (1 + 64 * front) * 2**below
     plane = linear(a * above, b * above, c * above + base, width + max(scale, 0), below)
@@ -306,8 +306,8 @@ def draw_sphere(program, index, name, centre, front, log_size, darker, terms=(0,
     program.add("enable_load disk", f"field_lt {depth_sum}, Z", f"copy Z, {depth_sum}", "enable_store disk")
     program.begin(f"shade p{index}", "a component is 255 - (L + Q * 2^k), lit from the upper left")
     for component, log_drop in zip(COMPONENTS, reversed(darker)):
-        drop = log_drop - 2 * log_size  # log2 of levels a unit of d^2, but for s
-        # Half of that brighter a radius to the left, and to the top.
+        drop = log_drop - 2 * log_size  # log2 of levels per unit of d^2, without s
+        # A component gains half of that per radius to the left, and to the top.
         tilt = 2 ** (log_size - 1 + fraction)
         at_centre = (255 - LEVEL_AT_FRONT[log_drop]) * 2 ** (fraction - drop) - tilt * (column + row)
         program.add("enable_load disk")
@@ -341,7 +341,7 @@ def main():
         if sys.argv[1:] != ["--check"]:
             path.write_text(program.text())
         elif path.read_text() != program.text():
-            sys.exit(f"{path} is not what write.py writes; run it")
+            sys.exit(f"{path} is outdated; run write.py")
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ namespace {
 
 const std::string narrow = " --size 64x48 --z-bits 12,14,16 --fraction-bits 2,6 --stack-bits 3,5 ";
 
-/// Runs the command that advice gives and holds what comes out against what was said.
+/// Runs the recommended command and compares bits, clocks, rate and wrong pixels with the recommendation.
 void check_command(const nlohmann::json& recommended, const Folder& folder) {
   std::string command = recommended["command"];
   CAPTURE(command);
@@ -27,7 +27,7 @@ void check_command(const nlohmann::json& recommended, const Folder& folder) {
   CHECK(stats["accuracy"]["wrong"] == point["wrong"]);
 }
 
-/// All that is recommended for the model, as advise.json has it.
+/// All recommendations for the model, from advise.json.
 nlohmann::json advice(const std::string& words, const Folder& folder) {
   succeeded(run("advise " + model("old_example011") + words + " --no-plots -o " + (folder / "a")));
   return json(folder / "a/advise.json")["recommendations"];
@@ -35,7 +35,7 @@ nlohmann::json advice(const std::string& words, const Folder& folder) {
 
 }  // namespace
 
-TEST_CASE("the commands that advise recommends draw with the bits, clocks and wrong pixels that it says") {
+TEST_CASE("advise recommends commands that draw with the stated cost and accuracy") {
   const Folder folder;
   const nlohmann::json all = advice(narrow +
                                         "--projection perspective --alu-bits 1,4 --edge-on 0.01 --view-all "
@@ -49,13 +49,13 @@ TEST_CASE("the commands that advise recommends draw with the bits, clocks and wr
   }
 }
 
-TEST_CASE("advise that was asked quietly recommends commands that say what they draw") {
+TEST_CASE("advise: commands recommended with --quiet still print what they draw") {
   const Folder folder;
   for (const nlohmann::json& one : advice(narrow + "--max-wrong-pixels 1000 --quiet", folder))
     CHECK(one["command"].get<std::string>().find("--quiet") == std::string::npos);
 }
 
-TEST_CASE("the commands on advise's page draw what the page says of them") {
+TEST_CASE("the commands in docs/design-space.md draw what the page states") {
   const Folder folder;
   std::istringstream page(content(std::string(CSGSIM_SOURCE_DIR) + "/docs/design-space.md"));
   std::string figures;
@@ -80,7 +80,7 @@ TEST_CASE("the commands on advise's page draw what the page says of them") {
   CHECK(commands == 6);
 }
 
-TEST_CASE("advise asks every machine, and its commands draw the same there") {
+TEST_CASE("advise covers every machine and its commands reproduce the recommendation there") {
   for (const std::string machine : {"scan-line", "pixel-square", "pixel-square+divider.kind=host", "multi-processor",
                                     "pixel-planes-4+scan_out.buffers=2"}) {
     CAPTURE(machine);
@@ -96,7 +96,7 @@ TEST_CASE("advise asks every machine, and its commands draw the same there") {
   }
 }
 
-TEST_CASE("where no choice meets all wishes, advise says what is in the way and how far the nearest is") {
+TEST_CASE("advise names the conflicting wish and the nearest choice if no choice meets all") {
   const Folder folder;
   const std::string ask = "advise " + model("old_example011") + narrow + " --no-plots --max-wrong-pixels 1000 ";
   const Outcome fast = run(ask + "--min-fps 1e6 -o " + (folder / "a"));
@@ -108,7 +108,7 @@ TEST_CASE("where no choice meets all wishes, advise says what is in the way and 
   CHECK(recommended[0]["what"] == "fastest");
   CHECK(recommended[0]["meets_all"] == false);
   check_command(recommended[0], folder);
-  // Two wishes at once that nothing meets leave none to recommend by.
+  // No choice meets either of the two wishes, so there is no recommendation.
   const Outcome both = run(ask + "--min-fps 1e6 --max-bits 47 -o " + (folder / "a"));
   CHECK(both.code == 1);
   const nlohmann::json answer = json(folder / "a/advise.json");
@@ -116,7 +116,7 @@ TEST_CASE("where no choice meets all wishes, advise says what is in the way and 
   CHECK(answer["meets_all"] == false);
   CHECK(both.out.find("nearest: ") != std::string::npos);
   check_command(answer["nearest"], folder);
-  // 12 bits of each depth, 24 of colour and the mask.
+  // 12 bits for each of two depths, 24 for colour and 1 for the mask.
   const Outcome tight = run(ask + "--max-bits 47");
   fails(tight, 1, {"2 bits too many"});
   CHECK(
@@ -126,7 +126,7 @@ TEST_CASE("where no choice meets all wishes, advise says what is in the way and 
   succeeded(run(ask + "--max-bits 49"));
 }
 
-TEST_CASE("advise measures nothing twice, whatever is wished") {
+TEST_CASE("advise reuses its measurements when the wishes change") {
   const Folder folder;
   const std::string ask =
       "advise " + model("old_example011") + narrow + "--colour-bits 12,24 --max-wrong-pixels 1000 -o " + (folder / "a");
@@ -137,7 +137,7 @@ TEST_CASE("advise measures nothing twice, whatever is wished") {
   CHECK(fs::file_size(folder / "a/advise.svg") > 1000);
   const std::string table = content(folder / "a/advise.csv");
   const std::string answer = content(folder / "a/advise.json");
-  // As if interrupted: some lines are gone, one of them halfway. What is left has a mark, and keeps it.
+  // Simulates an interruption: removes some lines, one of them partly. The marked line must stay unchanged.
   const std::string measured = ",24,rebroadcast,stack,";
   std::string marked = table;
   const std::size_t at = marked.find(measured);
@@ -157,13 +157,13 @@ TEST_CASE("advise measures nothing twice, whatever is wished") {
   CHECK(run(ask + " --projection perspective").code == 1);
 }
 
-TEST_CASE("rows that say something else than what is drawn are told, and nobody is blamed for them") {
+TEST_CASE("advise reports rows that differ from the drawn picture without blaming csgsim") {
   const Folder folder;
   const std::string ask =
       "advise " + model("old_example011") + narrow + "--max-wrong-pixels 1000 --no-plots -o " + (folder / "a");
   succeeded(run(ask));
   std::string table = content(folder / "a/advise.csv");
-  // Each line of a choice ends in its clocks, wrong pixels and the like: every picture has a pixel more that is wrong.
+  // Adds a wrong pixel to each row: a row ends with its clocks, wrong pixels and related counts.
   std::size_t changed = 0;
   for (std::size_t at = table.find(",0,0,"); at != std::string::npos; at = table.find(",0,0,", at + 1)) {
     table[at + 1] = '1';
@@ -176,7 +176,7 @@ TEST_CASE("rows that say something else than what is drawn are told, and nobody 
          "may have been changed"});
 }
 
-TEST_CASE("advise without a folder leaves no file behind") {
+TEST_CASE("advise without an output folder leaves no file behind") {
   const Folder folder;
   const Outcome outcome = succeeded(run_words({"advise", model("old_example011"), "--size", "32x32", "--z-bits", "16",
                                                "--fraction-bits", "6", "--max-wrong-pixels", "1000"},
@@ -185,7 +185,7 @@ TEST_CASE("advise without a folder leaves no file behind") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("wishes and ranges of advise that make no sense are refused before anything is done") {
+TEST_CASE("advise rejects impossible wishes and ranges before it measures") {
   const Folder folder;
   const std::string ask = "advise " + model("old_example011") + " -o " + (folder / "a") + " ";
   misused(ask + "--max-bits 0", "--max-bits");

@@ -18,7 +18,7 @@ Outcome measure(std::vector<std::string> words) {
 
 }  // namespace
 
-TEST_CASE("bench measures in turn, tells what was measured and by which command, and says what is not installed") {
+TEST_CASE("bench reports each measurement with its command and names missing programs") {
   const Folder folder;
   ::setenv("PATH", folder.path().c_str(), 1);
   const Outcome outcome =
@@ -36,7 +36,7 @@ TEST_CASE("bench measures in turn, tells what was measured and by which command,
           doctest::Approx(row["simulated_seconds"].get<double>() / row["wall_seconds"].get<double>()));
     CHECK(row["command"].get<std::string>().starts_with("csgsim run "));
   }
-  // Functional and cycle are of one Program.
+  // The functional and the cycle level run the same Program.
   CHECK(bench["speed"][0]["clocks"] == bench["speed"][1]["clocks"]);
   REQUIRE(bench["dense"].size() == 3);
   CHECK(bench["dense"][0]["clocks"] == bench["speed"][0]["clocks"]);
@@ -47,7 +47,7 @@ TEST_CASE("bench measures in turn, tells what was measured and by which command,
   fails(measure({"--parts", "speeds", "-o", folder / "c"}), 2, {"speed"});
 }
 
-TEST_CASE("bench measures another build beside this one, and tells the ratio") {
+TEST_CASE("bench measures another build alongside this one and reports the ratio") {
   const Folder folder;
   ::setenv("PATH", folder.path().c_str(), 1);
   const Outcome outcome = succeeded(measure(
@@ -58,7 +58,7 @@ TEST_CASE("bench measures another build beside this one, and tells the ratio") {
   REQUIRE(bench["speed"].size() == 2);
   REQUIRE(bench["works"].size() == 1);
   for (const nlohmann::json& row : {bench["speed"][0], bench["speed"][1], bench["works"][0]}) {
-    // Of one round.
+    // The median ratio of one round is the ratio of its two times.
     CHECK(row["other_over_this"].get<double>() ==
           doctest::Approx(row["other_wall_seconds"].get<double>() / row["wall_seconds"].get<double>()));
   }
@@ -76,7 +76,7 @@ TEST_CASE("bench measures another build beside this one, and tells the ratio") {
   }
 }
 
-TEST_CASE("bench counts what a Program takes, the same each time") {
+TEST_CASE("bench counts the work of a Program reproducibly") {
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3_squares.csgt";
   const Outcome outcome = succeeded(bench({"count", program}));
   CHECK(outcome.out.starts_with("segments "));
@@ -86,7 +86,7 @@ TEST_CASE("bench counts what a Program takes, the same each time") {
   CHECK(bench({"count", std::string(CSGSIM_SOURCE_DIR) + "/README.md"}).code == 1);
 }
 
-TEST_CASE("bench fits what growth costs, and draws it") {
+TEST_CASE("bench fits the cost of growth and plots it") {
   const Folder folder;
   succeeded(measure({"--size", "64x64", "--seconds", "0", "--parts", "growth", "-o", folder / "b"}));
   const nlohmann::json growth = json(folder / "b/bench.json")["growth"];

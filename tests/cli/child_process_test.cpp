@@ -16,7 +16,7 @@ namespace {
 
 const std::string program = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
 
-/// Draws source by that stand-in for OpenSCAD. Ends by itself within some seconds, or with code 124.
+/// Draws source with a stand-in for OpenSCAD; terminated after a minute, with code 124.
 Outcome draw_source(const std::string& commands, const std::vector<std::string>& more = {}) {
   const Folder folder;
   stand_in(folder, "openscad", commands);
@@ -29,14 +29,14 @@ Outcome draw_source(const std::string& commands, const std::vector<std::string>&
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
-/// Until the condition holds, for some seconds.
+/// Waits up to 10 seconds for the condition and returns whether it holds.
 template <class Condition>
 bool comes_true(Condition condition) {
   for (int i = 0; i < 1000 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   return condition();
 }
 
-/// The numbers in a file, as many as there are whole lines.
+/// The numbers in a file, one for each complete line.
 std::vector<pid_t> numbers_in(const std::string& file) {
   std::istringstream text(content(file));
   std::vector<pid_t> numbers;
@@ -45,15 +45,15 @@ std::vector<pid_t> numbers_in(const std::string& file) {
 }
 
 bool is_running(pid_t process) {
-  // One that ends between the opening of its file and the reading leaves nothing to read.
+  // If the process ends after its file was opened, reading returns nothing.
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string status;
   std::getline(file, status);
-  // One that has ended, and that nobody has asked about yet, does nothing more.
+  // A zombie has ended, though its parent has not waited for it yet.
   return !status.empty() && !contains(status, ") Z ");
 }
 
-/// Begins to draw the source in the folder.
+/// Starts a csgsim that draws the source in the folder.
 pid_t begin_drawing(const Folder& folder) {
   const pid_t process = ::fork();
   REQUIRE(process >= 0);
@@ -70,7 +70,7 @@ pid_t begin_drawing(const Folder& folder) {
 
 }  // namespace
 
-TEST_CASE("whatever signal ends csgsim, nothing of what it runs lives on") {
+TEST_CASE("ending csgsim by any signal also ends its child processes") {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGKILL}) {
     for (const bool is_group : {false, true}) {
       CAPTURE(signal);
@@ -91,7 +91,7 @@ TEST_CASE("whatever signal ends csgsim, nothing of what it runs lives on") {
   }
 }
 
-TEST_CASE("OpenSCAD that says more than it may is ended, and that is told") {
+TEST_CASE("terminates and reports an OpenSCAD that prints more than the limit") {
   const Outcome outcome = draw_source("exec yes 'ECHO: \"much\"' >&2");
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);
@@ -99,7 +99,7 @@ TEST_CASE("OpenSCAD that says more than it may is ended, and that is told") {
         "part.scad: OpenSCAD was stopped: it wrote more than 16 MiB of messages; move its echo() out of loops\n");
 }
 
-TEST_CASE("OpenSCAD that takes longer than it may is ended, and that is told") {
+TEST_CASE("terminates and reports an OpenSCAD that runs longer than the limit") {
   const Outcome outcome = draw_source("sleep 300", {"--openscad-time", "1"});
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);
@@ -108,7 +108,7 @@ TEST_CASE("OpenSCAD that takes longer than it may is ended, and that is told") {
         "--openscad-time SECONDS\n");
 }
 
-TEST_CASE("OpenSCAD has 8 GiB of memory at most, and less where csgsim has less") {
+TEST_CASE("limits OpenSCAD to 8 GiB of memory or to the lower limit of csgsim") {
   const std::string tells = "echo \"WARNING: $(ulimit -v)\" >&2; echo 'cube(size = [8, 6, 4]);'";
   CHECK(draw_source(tells).err == "openscad: WARNING: 8388608\n");
   const Folder folder;
@@ -118,12 +118,12 @@ TEST_CASE("OpenSCAD has 8 GiB of memory at most, and less where csgsim has less"
       "sh",
       {"-c", "ulimit -v 4000000 && exec env " + path_with(folder) + " " + program + " render part.scad --size 16x16"},
       folder.path());
-  // The sanitizer's own memory is more.
+  // The sanitizer's own memory exceeds this limit.
   if (CSGSIM_ADDRESS_SANITIZER == 0) CHECK(less.err == "openscad: WARNING: 4000000\n");
 }
 
-TEST_CASE("OpenSCAD has no file of csgsim's but its standard ones") {
-  // Besides, the shell has its script. A pipe of its own would be one more file while it is read.
+TEST_CASE("OpenSCAD inherits no open file except the standard streams") {
+  // The shell also has its script open. A pipe would be one more open file, so a temporary file holds the links.
   const Outcome outcome = succeeded(
       draw_source("links=$(mktemp); readlink /proc/$$/fd/* > $links; sed 's/^/WARNING: /' $links >&2; rm $links; "
                   "echo 'cube(size = [8, 6, 4]);'"));

@@ -14,8 +14,7 @@ std::string classify(const std::string& more) {
 
 }  // namespace
 
-TEST_CASE(
-    "classify counts by every method and prices it, all methods see the same surfaces, and nothing is done twice") {
+TEST_CASE("classify counts and prices every method; all see the same surfaces") {
   const Folder folder;
   const Outcome first = succeeded(run(classify(" -o " + (folder / "c"))));
   CHECK(first.out.find("All methods see the same surfaces") != std::string::npos);
@@ -30,7 +29,7 @@ TEST_CASE(
   }
   CHECK(surfaces.size() == 1);
   CHECK(fs::file_size(folder / "c/classify_balanced_none.svg") > 1000);
-  // As if interrupted: the last line is gone, and half of the one before.
+  // Simulates an interruption: removes the last line and half of the one before.
   const std::string table = content(folder / "c/classify.csv");
   const std::size_t last = table.rfind('\n', table.size() - 2);
   write(folder / "c/classify.csv", table.substr(0, table.rfind('\n', last - 1) + 30));
@@ -39,7 +38,7 @@ TEST_CASE(
   CHECK(again.substr(0, last - 200) == table.substr(0, last - 200));
 }
 
-TEST_CASE("prices are applied to what was counted, so that other processors measure nothing anew") {
+TEST_CASE("classify applies prices to stored counts: another processor needs no new run") {
   const Folder folder;
   succeeded(run(classify(few + " --no-plots -o " + (folder / "c"))));
   const std::string table = content(folder / "c/classify.csv");
@@ -53,7 +52,7 @@ TEST_CASE("prices are applied to what was counted, so that other processors meas
   CHECK(dear.begin().key() == "mc68000+price.load=24");
 }
 
-TEST_CASE("shapes and reduced trees see the same surfaces, and what a traversal cannot do is a row that says why") {
+TEST_CASE("shapes and reductions see the same surfaces; an unsupported traversal says why") {
   const Folder folder;
   const Outcome outcome =
       run(classify(" --shapes written,left-deep,balanced --reduced none,cells,inside --no-plots "
@@ -79,7 +78,7 @@ TEST_CASE("shapes and reduced trees see the same surfaces, and what a traversal 
   CHECK(one_line(alone.err));
 }
 
-TEST_CASE("shards of classify are gathered to the table of one run") {
+TEST_CASE("gathering shards of classify gives the table of a single run") {
   const Folder folder;
   const std::string common = few + " --no-plots --progress none -o ";
   succeeded(run(classify(common + (folder / "s") + " --shard 1/2")));
@@ -88,7 +87,7 @@ TEST_CASE("shards of classify are gathered to the table of one run") {
   CHECK(json(folder / "s/classify.json")["points"].size() == 5);
 }
 
-TEST_CASE("classify refuses what it does not know, with the nearest that there is") {
+TEST_CASE("classify rejects unknown names and suggests the nearest") {
   misused("classify " + model("thesis_fig_2_3") + " --methods standrd", "did you mean standard");
   misused("classify " + model("thesis_fig_2_3") + " --coherences onelist", "did you mean one-list");
   misused("classify " + model("thesis_fig_2_3") + " --shapes round", "balanced");
@@ -97,7 +96,7 @@ TEST_CASE("classify refuses what it does not know, with the nearest that there i
   misused("compare " + model("thesis_fig_2_3") + " --with mc68000:weave/one-list", "no coherence");
 }
 
-TEST_CASE("compare sets software beside machines, which see the same surfaces, and says what bounds it") {
+TEST_CASE("compare lists software next to machines with equal surfaces and the bottleneck") {
   const Folder folder;
   const Outcome outcome =
       succeeded(run("compare " + model("thesis_fig_2_3") +
@@ -116,7 +115,7 @@ TEST_CASE("compare sets software beside machines, which see the same surfaces, a
   CHECK(points[6]["simulated_seconds"] > points[0]["simulated_seconds"]);
 }
 
-TEST_CASE("the manual tells of all processors, of those that are named, and refuses others") {
+TEST_CASE("the manual lists all processors or the named one and rejects unknown names") {
   const Outcome all = succeeded(run("manual processors all"));
   CHECK(all.out.find("mc68000\n") != std::string::npos);
   CHECK(all.out.find("i486dx2\n") != std::string::npos);
@@ -127,7 +126,7 @@ TEST_CASE("the manual tells of all processors, of those that are named, and refu
   CHECK(run("manual methods").out.find("csg-buffer") != std::string::npos);
 }
 
-TEST_CASE("the rays that classify writes give its counts when they are counted again") {
+TEST_CASE("the rays exported by classify reproduce its counts") {
   const Folder folder;
   succeeded(run(classify(few + " --json " + (folder / "rays.json") + " -o " + (folder / "c"))));
   const nlohmann::json point = json(folder / "c/classify.json")["points"][0];

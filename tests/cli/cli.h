@@ -10,7 +10,7 @@ namespace csgsim::testing::cli {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test, gone afterwards.
+/// A separate folder for each test, removed afterwards.
 class Folder {
  public:
   Folder() {
@@ -40,26 +40,26 @@ struct Outcome {
 
 std::string content(const std::string& path);
 void write(const std::string& path, const std::string& text);
-/// Runs csgsim with words that need no quoting.
+/// Runs csgsim with words that need no quoting, separated by blanks.
 Outcome run(const std::string& words);
-/// Runs csgsim with these words, whatever they are, in the folder, with files for its output.
+/// Runs csgsim with these arguments, passed unchanged, in the folder; its output goes to files.
 Outcome run_words(const std::vector<std::string>& words, const fs::path& where = ".");
-/// The same with another program than csgsim, found as the shell would find it.
+/// Runs another program in the same way; it is found through PATH.
 Outcome run_program(const std::string& program, const std::vector<std::string>& words, const fs::path& where = ".");
-/// A program of that name in the folder, which does what the shell commands say.
+/// Writes an executable of that name into the folder; it runs the shell commands.
 void stand_in(const Folder& folder, const std::string& name, const std::string& commands);
-/// Runs csgsim in the folder, whose programs stand for those of their names.
+/// Runs csgsim in the folder, whose programs come first in PATH.
 Outcome run_beside(const Folder& folder, const std::vector<std::string>& words);
-/// `PATH=...` for env: the folder's programs come before all others.
+/// `PATH=...` for env, with the folder first.
 std::string path_with(const Folder& folder);
 std::string model(const std::string& name);
 nlohmann::json json(const std::string& path);
 bool one_line(const std::string& text);
-/// The outcome, whose exit code has to be 0.
+/// Returns the outcome after a check that its exit code is 0.
 Outcome succeeded(Outcome outcome);
-/// A run that ended with this exit code and one line of error that contains the texts.
+/// Checks that a run ended with this exit code and one line of error that contains the texts.
 void fails(const Outcome& outcome, int code, const std::vector<std::string>& texts);
-/// A model that cannot be drawn: exit code 1, one line that contains the text, no file left behind.
+/// Checks that a model is rejected: exit code 1, one line of error that contains the text, no file left behind.
 void refuses(const std::string& path, const std::string& text);
 void refuses_text(const std::string& csg, const std::string& text);
 void misused(const std::string& words, const std::string& text);

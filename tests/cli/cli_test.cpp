@@ -4,7 +4,7 @@
 
 using namespace csgsim::testing::cli;
 
-TEST_CASE("render writes a picture, a depth picture, an owner picture and the stats, and prints a summary") {
+TEST_CASE("render writes pictures and stats and prints a summary") {
   const Folder folder;
   const Outcome outcome =
       run("render " + model("old_example003") + " --size 64x48 -o " + (folder / "p.png") + " --depth " +
@@ -18,7 +18,7 @@ TEST_CASE("render writes a picture, a depth picture, an owner picture and the st
   CHECK(folder.files() == 4);
 }
 
-TEST_CASE("the stats have the keys that the documentation lists, and their accounts add up") {
+TEST_CASE("the stats have the documented keys and their accounts add up") {
   const Folder folder;
   succeeded(run("render " + model("carburettor") + " --size 64x64 --stats " + (folder / "s.json")));
   const nlohmann::json stats = json(folder / "s.json");
@@ -74,7 +74,7 @@ TEST_CASE("the stats have the keys that the documentation lists, and their accou
   CHECK(stats["memory"]["memory_bits"] == 72);
 }
 
-TEST_CASE("all levels give the same picture, depth, owner and counts") {
+TEST_CASE("all levels give the same pictures and counts") {
   const Folder folder;
   for (const std::string level : {"functional", "cycle", "reference"}) {
     succeeded(run("render " + model("thesis_fig_2_3") + " --size 40x30 --projection perspective --level " + level +
@@ -91,7 +91,7 @@ TEST_CASE("all levels give the same picture, depth, owner and counts") {
   }
 }
 
-TEST_CASE("a sequence of frames is the same at both levels, begins with the picture of one, and tells its pace") {
+TEST_CASE("both levels draw the same frames of a sequence and report its frame rate") {
   const Folder folder;
   const std::string options = model("thesis_fig_2_3") + " --size 40x30 --view-all --frames 3 --turn 20 ";
   const auto functional = run("render " + options + "-o " + (folder / "f.png"));
@@ -109,7 +109,7 @@ TEST_CASE("a sequence of frames is the same at both levels, begins with the pict
   CHECK(run("render " + options + "--stats " + (folder / "s.json")).code == 2);
 }
 
-TEST_CASE("a Program runs from its file, in either form, to the picture and the counts of its render") {
+TEST_CASE("running a compiled Program in either form reproduces render's picture and counts") {
   const Folder folder;
   const std::string options = model("old_example002") + " --size 60x50 --camera 65,-95,60,0,0,-2 ";
   succeeded(run("render " + options + "-o " + (folder / "a.png") + " --stats " + (folder / "a.json")));
@@ -129,7 +129,7 @@ TEST_CASE("a Program runs from its file, in either form, to the picture and the 
   }
 }
 
-TEST_CASE("wave records the window of clocks that was asked for, and a view for GTKWave") {
+TEST_CASE("wave records the requested window of clocks and writes a view for GTKWave") {
   const Folder folder;
   const std::string options = "wave " + model("old_example011") + " --size 16x16 --probe 8,8 --probe 0,15 ";
   succeeded(run(options + "--window 50:80 -o " + (folder / "w.vcd")));
@@ -144,12 +144,12 @@ TEST_CASE("wave records the window of clocks that was asked for, and a view for 
   CHECK(last <= 82 * 100'000ULL);
   const std::string view = content(folder / "w.gtkw");
   CHECK(view.find("frame_buffer.pixel_8_8.Z1[19:0]") != std::string::npos);
-  // What was probed is seen without scrolling.
+  // Probed signals come first, so that they are visible without scrolling.
   CHECK(view.rfind("frame_buffer.pixel_") < view.find("frame_buffer.host."));
   CHECK(folder.files() == 3);
 }
 
-TEST_CASE("a wave of no pixel, of no clock or under another name is refused and leaves no file") {
+TEST_CASE("wave rejects an empty window or probe or a wrong name and leaves no file") {
   const Folder folder;
   const std::string options = "wave " + model("old_example011") + " --size 16x16 -o " + (folder / "w.vcd ");
   CHECK(run(options + "--probe 16,0").code == 2);
@@ -163,7 +163,7 @@ TEST_CASE("a wave of no pixel, of no clock or under another name is refused and 
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("strategy, colouring, prunings and threads change counts, not pictures") {
+TEST_CASE("strategy and colouring and pruning change counts but not pictures") {
   const Folder folder;
   const std::string draw = "render " + model("old_example002") + " --size 90x70 --memory-bits 100 ";
   succeeded(run(draw + "-o " + (folder / "p.png")));
@@ -179,7 +179,7 @@ TEST_CASE("strategy, colouring, prunings and threads change counts, not pictures
   }
 }
 
-TEST_CASE("early out is asked for where the machine has a global OR, and runs nowhere else") {
+TEST_CASE("a Program with early out is compiled for and runs on machines with a global OR") {
   const Folder folder;
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
   const std::string present = "[global_or.present]\nvalue = 1";
@@ -211,7 +211,7 @@ TEST_CASE("early out is asked for where the machine has a global OR, and runs no
   }
 }
 
-TEST_CASE("colours of few bits are near those of 24") {
+TEST_CASE("colours of few bits are near those of 24 bits") {
   const Folder folder;
   const std::string draw = "render " + model("old_example003") + " --size 40x30 ";
   succeeded(run(draw + "-o " + (folder / "fine.ppm")));
@@ -227,7 +227,7 @@ TEST_CASE("colours of few bits are near those of 24") {
   CHECK(worst <= 9);
 }
 
-TEST_CASE("a tolerance in pixels becomes one in model units, finer for a finer picture") {
+TEST_CASE("converts a tolerance in pixels to model units that are finer for larger pictures") {
   const std::string draw = "render " + model("basics_csg") + " --size ";
   const Outcome coarse = run(draw + "64x64 --tolerance 0.5px");
   const Outcome fine = run(draw + "256x256 --tolerance 0.5px");
@@ -247,7 +247,7 @@ TEST_CASE("every command has help with an example") {
   }
 }
 
-TEST_CASE("the manual has a short list of machines, and says where each figure of one comes from") {
+TEST_CASE("the manual lists the machines briefly and gives the source of each parameter") {
   const Outcome list = succeeded(run("manual machines"));
   CHECK(std::ranges::count(list.out, '\n') < 14);
   for (const char* const name : {"pixel-planes-4 ", "scan-line ", "multi-processor "})
@@ -261,15 +261,15 @@ TEST_CASE("the manual has a short list of machines, and says where each figure o
   CHECK(outcome.out.find("assumed") != std::string::npos);
 }
 
-TEST_CASE("the instruction set's page in docs is the one that csgsim prints") {
+TEST_CASE("the documented instruction set equals the printed manual page") {
   CHECK(run("manual instructions").out == content(std::string(CSGSIM_SOURCE_DIR) + "/docs/instruction-set.md"));
 }
 
-TEST_CASE("the page of scene files in docs is the one that csgsim prints") {
+TEST_CASE("the documentation of scene files equals the printed manual page") {
   CHECK(run("manual scenes").out == content(std::string(CSGSIM_SOURCE_DIR) + "/docs/scene-files.md"));
 }
 
-TEST_CASE("bad usage ends with exit code 2 and one line") {
+TEST_CASE("wrong usage ends with exit code 2 and one line of error") {
   misused("", "subcommand");
   misused("rendr x.csg", "rendr");
   misused("render", "MODEL");
@@ -282,7 +282,7 @@ TEST_CASE("bad usage ends with exit code 2 and one line") {
   misused("compile m.csg", "--output");
 }
 
-TEST_CASE("a missing file, a directory, an empty file and a syntax error are refused in one line") {
+TEST_CASE("rejects missing and empty files and directories and syntax errors in one line") {
   const Folder folder;
   refuses(folder / "none.csg", "none.csg");
   fs::create_directory(folder / "dir.csg");
@@ -293,12 +293,12 @@ TEST_CASE("a missing file, a directory, an empty file and a syntax error are ref
   refuses_text("sphere(r = 1e999);", "m.csg:1:");
 }
 
-TEST_CASE("a node that cannot be turned into half-spaces is named with its place") {
+TEST_CASE("names the place of a node that cannot be converted to half-spaces") {
   refuses_text("union() {\n  roof(method = \"voronoi\") { square(size = 2); }\n}", "m.csg:2:3: roof()");
   refuses_text("union() {\n  fill() { square(size = 2); }\n}", "m.csg:2:3: fill()");
 }
 
-TEST_CASE("a hundred megabytes of brackets are refused quickly") {
+TEST_CASE("rejects a hundred megabytes of brackets quickly") {
   const Folder folder;
   for (const std::string bracket : {"{", "(", "[", "group(){", "cube([", "}"}) {
     std::string text;
@@ -309,13 +309,13 @@ TEST_CASE("a hundred megabytes of brackets are refused quickly") {
   }
 }
 
-TEST_CASE("a machine that cannot hold the picture says what is missing") {
+TEST_CASE("states what a machine lacks to hold the picture") {
   refuses(model("old_example002") + " --memory-bits 40", "--memory-bits");
   misused("render " + model("old_example002") + " --z-bits 31", "--z-bits: '31' is not a whole number from 4 to 30");
   misused("render " + model("old_example002") + " --machine pixel-plane-4", "pixel-planes-4");
 }
 
-TEST_CASE("a broken Program file is refused") {
+TEST_CASE("rejects a broken Program file") {
   const Folder folder;
   write(folder / "p.csgt", "CSGT but not really");
   CHECK(run("run " + (folder / "p.csgt")).code == 1);
@@ -323,13 +323,13 @@ TEST_CASE("a broken Program file is refused") {
   CHECK(run("run " + (folder / "none.csgt")).code == 1);
 }
 
-TEST_CASE("a model of nothing gives an empty picture") {
+TEST_CASE("an empty model gives an empty picture") {
   const Folder folder;
   write(folder / "m.csg", "cube(size = 0);");
   succeeded(run("render " + (folder / "m.csg") + " --size 16x16 -o " + (folder / "p.png")));
 }
 
-TEST_CASE("a Program that overflows is refused at every level, with the same count") {
+TEST_CASE("every level rejects a Program that overflows with the same count") {
   const Folder folder;
   std::string text = run("disasm " + std::string(CSGSIM_SOURCE_DIR) + "/traces/old_example002.csgt").out;
   const std::string wide = "(w34 >> 12)";
@@ -351,7 +351,7 @@ TEST_CASE("a Program that overflows is refused at every level, with the same cou
   CHECK(folder.files() == 1);
 }
 
-TEST_CASE("models and Programs are told from each other by name") {
+TEST_CASE("distinguishes models and Programs by file name") {
   const Folder folder;
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
   CHECK(run("render " + program).err.find("use csgsim run") != std::string::npos);
@@ -362,7 +362,7 @@ TEST_CASE("models and Programs are told from each other by name") {
   succeeded(run("wave " + (folder / "M.CSG") + " --size 16x16 --probe 1,1 -o " + (folder / "w.vcd")));
 }
 
-TEST_CASE("a machine's folder and a clock too fast are refused") {
+TEST_CASE("rejects a folder as machine file and a clock that is too fast") {
   const Folder folder;
   fs::create_directory(folder / "m.toml");
   CHECK(run("manual machines " + (folder / "m.toml")).code == 1);
@@ -373,7 +373,7 @@ TEST_CASE("a machine's folder and a clock too fast are refused") {
   CHECK(run("manual machines " + (folder / "fast.toml")).code == (at == std::string::npos ? 0 : 1));
 }
 
-TEST_CASE("a word that is like no known one gets no suggestion") {
+TEST_CASE("suggests nothing for a word that resembles no known one") {
   misused("rendr x.csg", "did you mean render?");
   CHECK(run("xyzzy").err.find("did you mean") == std::string::npos);
   CHECK(run("render m.csg --xylophone").err.find("did you mean") == std::string::npos);

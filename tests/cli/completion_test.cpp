@@ -6,7 +6,7 @@ using namespace csgsim::testing::cli;
 
 namespace {
 
-/// The program's completion for the shells, and two models.
+/// The shell completion scripts of csgsim, and a folder with two models.
 class Shells {
  public:
   Shells() {
@@ -17,7 +17,7 @@ class Shells {
 
   [[nodiscard]] std::string file(const std::string& name) const { return folder_ / name; }
 
-  /// What bash offers for the last of these words.
+  /// Completions that bash offers for the last of these words.
   [[nodiscard]] std::vector<std::string> bash(const std::vector<std::string>& words) const {
     std::vector<std::string> command{
         "-c", "source \"$0\"; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); _csgsim; printf '%s\\n' \"${COMPREPLY[@]}\"",
@@ -26,7 +26,7 @@ class Shells {
     return offered("bash", command);
   }
 
-  /// What fish offers at the end of the line, without what it says of it.
+  /// Completions that fish offers at the end of the line, without their descriptions.
   [[nodiscard]] std::vector<std::string> fish(const std::string& line) const {
     std::vector<std::string> lines =
         offered("fish", {"--no-config", "-c", "source '" + file("csgsim.fish") + "'; complete -C '" + line + "'"});
@@ -34,9 +34,9 @@ class Shells {
     return lines;
   }
 
-  /// The words that csgsim gets when this and a tabulator are typed at a terminal.
+  /// The arguments that csgsim receives after this text and a tab are typed at a terminal.
   [[nodiscard]] std::string zsh(const std::string& typed) const {
-    // Zsh in a terminal of its own; csgsim is a function there, which prints its words.
+    // Zsh runs in a pseudo-terminal; csgsim is a function there that prints its arguments.
     constexpr const char* script = R"zsh(
       zmodload zsh/zpty
       zpty inner zsh -f -i
@@ -84,7 +84,7 @@ bool has(const std::vector<std::string>& words, const std::string& word) {
   return std::ranges::find(words, word) != words.end();
 }
 
-/// Options of a command's help, every long name.
+/// Every long name of an option in a command's help.
 std::vector<std::string> long_names(const std::string& command) {
   std::vector<std::string> names;
   for (const std::string& head : option_heads(command)) {
@@ -96,14 +96,14 @@ std::vector<std::string> long_names(const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("the shells find nothing wrong in the files of their completion") {
+TEST_CASE("the shells accept the syntax of the completion files") {
   const Shells shells;
   succeeded(run_program("bash", {"-n", shells.file("csgsim.bash")}));
   succeeded(run_program("zsh", {"-n", shells.file("_csgsim")}));
   succeeded(run_program("fish", {"-n", shells.file("csgsim.fish")}));
 }
 
-TEST_CASE("bash completes commands, options, words, machines and files") {
+TEST_CASE("bash completes commands and options and their values") {
   const Shells shells;
   CHECK(shells.bash({"csgsim", "ren"}) == Words{"render"});
   CHECK(shells.bash({"csgsim", "--ver"}) == Words{"--version"});
@@ -121,7 +121,7 @@ TEST_CASE("bash completes commands, options, words, machines and files") {
   CHECK(shells.bash({"csgsim", "nothing", "o"}).empty());
 }
 
-TEST_CASE("fish completes commands, options, words, machines and files") {
+TEST_CASE("fish completes commands and options and their values") {
   const Shells shells;
   CHECK(shells.fish("csgsim ren") == Words{"render"});
   CHECK(shells.fish("csgsim render --strat") == Words{"--strategy"});
@@ -132,7 +132,7 @@ TEST_CASE("fish completes commands, options, words, machines and files") {
   CHECK(shells.fish("csgsim render -o tw") == Words{"two.csg"});
 }
 
-TEST_CASE("zsh completes what is typed before the tabulator: commands, options, words, machines and files") {
+TEST_CASE("zsh completes commands and options and values before the tab") {
   const Shells shells;
   CHECK(shells.zsh("csgsim ren") == "render");
   CHECK(shells.zsh("csgsim render --strat") == "render --strategy");
@@ -144,7 +144,7 @@ TEST_CASE("zsh completes what is typed before the tabulator: commands, options, 
   CHECK(shells.zsh("csgsim render -o tw") == "render -o two.csg");
 }
 
-TEST_CASE("every command is completed, and of each every option that its help has") {
+TEST_CASE("completion covers every command and every option in its help") {
   const Shells shells;
   const std::string zsh = content(shells.file("_csgsim"));
   const std::vector<std::string> first = shells.bash({"csgsim", ""});

@@ -20,7 +20,7 @@ std::string import_of(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("a model that was converted is imported again with the same volume and shape") {
+TEST_CASE("importing a converted model gives the same volume and shape") {
   for (const char* const ending : {"stl", "off", "3mf"}) {
     CAPTURE(ending);
     const Folder folder;
@@ -36,7 +36,7 @@ TEST_CASE("a model that was converted is imported again with the same volume and
   }
 }
 
-TEST_CASE("STL is binary, or text if it is asked for; both say what was converted") {
+TEST_CASE("writes binary STL by default and text on request; both report the conversion") {
   const Folder folder;
   const Outcome outcome = succeeded(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.stl")));
   CHECK(outcome.out.find("3 primitives, 0 unions, 1 difference, 1 intersection") != std::string::npos);
@@ -46,17 +46,17 @@ TEST_CASE("STL is binary, or text if it is asked for; both say what was converte
   CHECK(content(folder / "b.stl").find("solid csgsim\nfacet normal ") == 0);
 }
 
-TEST_CASE("a block model tells its blocks, and its volume comes near the mesh's") {
+TEST_CASE("a block model reports its blocks and its volume is near that of the mesh") {
   const Folder folder;
   const double volume = converted(folder, model("thesis_fig_2_3"), "a.off")["volume"];
   succeeded(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.bintree") + " --resolution 64 --stats " +
                 (folder / "s.json")));
   CHECK(content(folder / "a.bintree").find("bintree 1\nresolution 64\ncube ") == 0);
-  // Half a cell along the surface is 9 %.
+  // Half a cell along the surface is 9 % of the volume.
   CHECK(json(folder / "s.json")["volume"].get<double>() == doctest::Approx(volume).epsilon(0.05));
 }
 
-TEST_CASE("what cannot be converted is told, and nothing is written") {
+TEST_CASE("reports what cannot be converted and writes nothing") {
   const Folder folder;
   write(folder / "flat.csg", "square(size = [1, 2], center = false);");
   const std::string output = " -o " + (folder / "a.stl");
@@ -76,7 +76,7 @@ TEST_CASE("what cannot be converted is told, and nothing is written") {
   CHECK(folder.files() == 1);
 }
 
-TEST_CASE("a model too thin for the coordinates of a mesh is refused") {
+TEST_CASE("rejects a model too thin for the coordinates of a mesh") {
   const Folder folder;
   fails(run("convert " + std::string(CSGSIM_SOURCE_DIR) + "/tests/unit/convert/models/sheet.csg -o " +
             (folder / "a.off")),
@@ -84,7 +84,7 @@ TEST_CASE("a model too thin for the coordinates of a mesh is refused") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("what is too much work to convert is refused") {
+TEST_CASE("rejects a conversion that exceeds the work limit") {
   const Folder folder;
   fails(run("convert " + model("molecule") + " --limit 1 -o " + (folder / "a.stl")), 1,
         {"converting the model to a boundary"});

@@ -11,7 +11,7 @@ namespace {
 const std::string cube = "cube(size = [8, 6, 4], center = true);\n";
 const std::string broken = "cube(size = [8, 6, 4], center = true;\n";
 
-/// Models that can be drawn, one that cannot be read, one with nothing in it, and what is passed over.
+/// Models that can be drawn, an unreadable one, an empty one, and files that corpus skips.
 void make_models(const Folder& folder) {
   fs::create_directories(folder.path() / "models/deeper");
   write(folder / "models/a.csg", cube);
@@ -29,7 +29,7 @@ nlohmann::json points(const Folder& folder) { return json(folder / "out/corpus.j
 
 }  // namespace
 
-TEST_CASE("corpus goes on past models that cannot be drawn, says why, and ends with 1") {
+TEST_CASE("corpus skips models that it cannot draw and states the reasons and ends with 1") {
   const Folder folder;
   make_models(folder);
   const Outcome outcome = run_words(words, folder.path());
@@ -57,12 +57,12 @@ TEST_CASE("corpus goes on past models that cannot be drawn, says why, and ends w
   CHECK(clocks["median"] == three[1]);
   CHECK(clocks["third_quartile"].get<double>() == doctest::Approx((three[1] + three[2]) / 2));
   CHECK(clocks["maximum"] == three[2]);
-  // A model of nothing is an empty picture.
+  // An empty model gives an empty picture.
   CHECK(all[6]["primitives"] == 0);
   CHECK(all[6]["render"] == 0);
 }
 
-TEST_CASE("a point of a corpus is what render counts for it") {
+TEST_CASE("a point of a corpus equals the counts of render") {
   const Folder folder;
   make_models(folder);
   run_words(words, folder.path());
@@ -85,7 +85,7 @@ TEST_CASE("a point of a corpus is what render counts for it") {
   }
 }
 
-TEST_CASE("a model that one machine refuses is drawn by another, and is not a failure") {
+TEST_CASE("a model that one machine rejects but another draws is not a failure") {
   const Folder folder;
   write(folder / "m.csg", cube);
   const Outcome outcome =
@@ -99,28 +99,28 @@ TEST_CASE("a model that one machine refuses is drawn by another, and is not a fa
   CHECK(all[1]["clocks"] > 0);
 }
 
-TEST_CASE("a corpus that was interrupted, or whose models change, goes on: what failed is tried again") {
+TEST_CASE("an interrupted corpus or one with changed models resumes and retries failures") {
   const Folder folder;
   make_models(folder);
   run_words(words, folder.path());
   const std::string whole = content(folder / "out/corpus.csv");
   const std::string report = content(folder / "out/corpus.json");
-  // Some lines less, and part of one: the same table again.
+  // Removes some lines and part of one: the same table must result.
   write(folder / "out/corpus.csv", whole.substr(0, whole.find("models/deeper/c.csg,scan-line") + 20));
   CHECK(run_words(words, folder.path()).code == 1);
   CHECK(content(folder / "out/corpus.csv") == whole);
   CHECK(content(folder / "out/corpus.json") == report);
-  // The broken model is mended, and nothing becomes something.
+  // Repairs the broken model, and replaces the empty one.
   write(folder / "models/b_broken.csg", cube);
   write(folder / "models/nothing.csg", cube);
-  const Outcome mended = succeeded(run_words(words, folder.path()));
-  CHECK(mended.err.find("measured again") != std::string::npos);
+  const Outcome repaired = succeeded(run_words(words, folder.path()));
+  CHECK(repaired.err.find("measured again") != std::string::npos);
   const nlohmann::json all = points(folder);
   CHECK(all[2]["clocks"] == all[0]["clocks"]);
   CHECK(all[7]["clocks"] == all[1]["clocks"]);
 }
 
-TEST_CASE("a folder without models is refused") {
+TEST_CASE("rejects a folder without models") {
   const Folder folder;
   fs::create_directories(folder.path() / "empty");
   fails(run_words({"corpus", "empty", "-o", "out"}, folder.path()), 1, {"empty: contains no .csg, .scad or .jan file"});
@@ -137,7 +137,7 @@ TEST_CASE("corpus draws its plots") {
   }
 }
 
-TEST_CASE("sweep goes on past a model that cannot be read, ends with 1, and tries it again when it changed") {
+TEST_CASE("sweep skips an unreadable model and ends with 1 and retries it after a change") {
   const Folder folder;
   write(folder / "a.csg", cube);
   write(folder / "b.csg", broken);
@@ -163,9 +163,7 @@ TEST_CASE("sweep goes on past a model that cannot be read, ends with 1, and trie
   CHECK(all[6]["clocks"] == all[0]["clocks"]);
 }
 
-TEST_CASE(
-    "columns of a corpus's table end where their heading does, whatever a machine is called and however much it "
-    "takes") {
+TEST_CASE("columns of the corpus table align with their headings for any name and value") {
   const Folder folder;
   write(folder / "a.csg", cube);
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
@@ -191,7 +189,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("cells of a table in columns have two blanks between them, and a line alone runs on") {
+TEST_CASE("separates table cells by two blanks and lets a single-cell row overflow") {
   const std::vector<std::vector<std::string>> rows{{"name", "n", "why"},
                                                    {"a line that is alone in its row"},
                                                    {"\u00e4", "123,456,789,012,345,678", "x"},

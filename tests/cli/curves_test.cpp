@@ -9,7 +9,7 @@ const std::string carburettor = model("carburettor") + " --camera 220,-255,135,2
 
 }  // namespace
 
-TEST_CASE("the dearest primitives count a quadric once, whether it is drawn in one piece or square by square") {
+TEST_CASE("the most expensive primitives count a quadric once for any number of pieces") {
   const Folder folder;
   for (const std::string machine :
        {"pixel-powers", "pixel-square+evaluator.degree=2+divider.kind=host+array.memory_bits=128"}) {
@@ -23,7 +23,7 @@ TEST_CASE("the dearest primitives count a quadric once, whether it is drawn in o
   }
 }
 
-TEST_CASE("studies of several machines draw curved surfaces where a machine can, and facets where it cannot") {
+TEST_CASE("studies draw exact curved surfaces where the machine can and facets elsewhere") {
   const Folder folder;
   const std::string machines = "pixel-powers,pixel-planes-4";
   const Outcome corpus =
@@ -43,13 +43,13 @@ TEST_CASE("studies of several machines draw curved surfaces where a machine can,
   CHECK(points[0]["picture"] != points[2]["picture"]);
   succeeded(run("sweep " + carburettor + "--curves exact --strategy stack --machines " + machines + " --no-plots -o " +
                 (folder / "e")));
-  const auto one_of_two = json(folder / "e/sweep.json")["points"];
-  CHECK(one_of_two[0]["halfspaces"] < 100);
-  CHECK(one_of_two[1]["reason"].get<std::string>().find("pixel-planes-4 evaluates only linear expressions") !=
+  const auto exact = json(folder / "e/sweep.json")["points"];
+  CHECK(exact[0]["halfspaces"] < 100);
+  CHECK(exact[1]["reason"].get<std::string>().find("pixel-planes-4 evaluates only linear expressions") !=
         std::string::npos);
 }
 
-TEST_CASE("a sweep varies how curved surfaces are drawn, and what that takes of memory and clocks") {
+TEST_CASE("a sweep varies the drawing of curved surfaces and reports memory and clocks") {
   const Folder folder;
   const Outcome sweep = succeeded(run(
       "sweep " + carburettor + "--machines pixel-powers --strategy stack --curves facets,exact -o " + (folder / "s")));
@@ -67,7 +67,7 @@ TEST_CASE("a sweep varies how curved surfaces are drawn, and what that takes of 
   CHECK(run("sweep " + carburettor + "--curves exactly -o " + (folder / "t")).code == 2);
 }
 
-TEST_CASE("compare, which draws the same facets on all machines, has no option for curves") {
+TEST_CASE("compare has no option for curves because it draws the same facets everywhere") {
   const Folder folder;
   fails(run("compare " + carburettor + "--curves exact -o " + (folder / "c")), 2, {"--curves"});
 }
@@ -80,7 +80,7 @@ TEST_CASE("subdivide counts quadrics among the half-spaces as render does") {
   CHECK(json(folder / "s/subdivide.json")["points"][0]["halfspaces"] == json(folder / "r.json")["model"]["halfspaces"]);
 }
 
-TEST_CASE("every level, a compiled Program and its text draw the same picture of curved surfaces") {
+TEST_CASE("all levels and both forms of a Program draw the same curved surfaces") {
   const Folder folder;
   const std::string powers = carburettor + "--machine pixel-powers ";
   succeeded(run("render " + powers + "-o " + (folder / "a.png")));
@@ -98,7 +98,7 @@ TEST_CASE("every level, a compiled Program and its text draw the same picture of
   succeeded(run("levels " + powers));
 }
 
-TEST_CASE("advice for a machine with quadratic expressions can be followed: it fits, and is as right as it says") {
+TEST_CASE("advice for a machine with quadratic expressions fits and has the stated accuracy") {
   const Folder folder;
   const Outcome outcome =
       succeeded(run("advise " + model("thesis_fig_2_3") + " --camera 42,-38,41,10,5.5,2 --size 64x64 " +

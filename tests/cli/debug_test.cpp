@@ -18,7 +18,7 @@ namespace {
 
 std::string trace(const std::string& name) { return std::string(CSGSIM_SOURCE_DIR) + "/traces/" + name + ".csgt"; }
 
-/// Begins csgsim with these words, and kills it as soon as the file is there.
+/// Starts csgsim with these words, and kills it as soon as the file exists.
 void kill_when_there(const std::vector<std::string>& words, const std::string& file, int signal) {
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
@@ -48,7 +48,7 @@ nlohmann::json without_wall(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("a run that is killed goes on from its checkpoint, to the same pictures and counts") {
+TEST_CASE("resuming a killed run from its checkpoint gives the same pictures and counts") {
   const Folder folder;
   const std::string program = trace("old_example002_lines");
   const auto outputs = [&](const std::string& name) {
@@ -72,7 +72,7 @@ TEST_CASE("a run that is killed goes on from its checkpoint, to the same picture
   }
 }
 
-TEST_CASE("checkpoints that cannot be are refused in one line, and leave nothing") {
+TEST_CASE("rejects impossible checkpoints in one line and leaves no file") {
   const Folder folder;
   const std::string run_it = "run " + trace("thesis_fig_2_3");
   const std::string file = folder / "c.csgs";
@@ -88,7 +88,7 @@ TEST_CASE("checkpoints that cannot be are refused in one line, and leave nothing
     const Outcome outcome = run(words);
     CAPTURE(outcome.err);
     CHECK(outcome.code == 1);
-    // A machine that the Program was not compiled for is told in a line before.
+    // A line before warns about a machine that the Program was not compiled for.
     const std::size_t end = outcome.err.find(": warning: ") == std::string::npos ? 0 : outcome.err.find('\n') + 1;
     CHECK(one_line(outcome.err.substr(end)));
     CHECK(outcome.err.find(text) != std::string::npos);
@@ -102,7 +102,7 @@ TEST_CASE("checkpoints that cannot be are refused in one line, and leave nothing
 
 namespace {
 
-/// Each pixel gets a colour, those from column `from` on another one.
+/// A Program that gives each pixel a colour, and another one from column `from` on.
 std::string two_colours(int from) {
   return ".array width=8 height=2 memory_bits=16\n.machine name=\"pixel-planes-4\"\n"
          ".frame colour_base=8 colour_bits=6\n.field Z2 [0+:8] depth\n.field colour [8+:6] colour\n"
@@ -113,7 +113,7 @@ std::string two_colours(int from) {
 
 }  // namespace
 
-TEST_CASE("diff tells the first instruction and pixel where two Programs differ, and the stories there") {
+TEST_CASE("diff finds the first differing instruction and pixel with the history of both") {
   const Folder folder;
   write(folder / "a.txt", two_colours(5));
   write(folder / "b.txt", two_colours(4));
@@ -132,7 +132,7 @@ TEST_CASE("diff tells the first instruction and pixel where two Programs differ,
   CHECK(outcome.out.find("\nB  pixel 4,0 shows") != std::string::npos);
 }
 
-TEST_CASE("diff finds levels and machines equal, and refuses what it cannot compare") {
+TEST_CASE("diff finds levels and machines equal and rejects Programs it cannot compare") {
   const std::string model_64 = "diff " + model("old_example011") + " --size 16x16 ";
   const Outcome levels = succeeded(run(model_64 + "--level-b cycle"));
   CHECK(levels.out.find("the states are equal after 26 instructions\nthe pictures are equal\n") != std::string::npos);
@@ -145,7 +145,7 @@ TEST_CASE("diff finds levels and machines equal, and refuses what it cannot comp
         {"A draws 512 x 512 pixels and B 200 x 150"});
 }
 
-TEST_CASE("a script shows each command and what it tells, and ends at its first error") {
+TEST_CASE("a debugger script echoes each command with its output and stops at an error") {
   const Folder folder;
   write(folder / "p.txt", two_colours(5));
   write(folder / "s", "step 2\n\nuntil colour[6,1] == 48  # the second\nprint colour[6,1]\nprint color[6,1]\nstep\n");
@@ -160,10 +160,10 @@ TEST_CASE("a script shows each command and what it tells, and ends at its first 
   const Outcome quit = succeeded(run("debug " + (folder / "p.txt") + " -x " + (folder / "s")));
   CHECK(quit.out == "> step\ni1 of 5: set_constant Z2, 255\n> quit\n");
   misused("debug " + (folder / "p.txt") + " --strategy list", "for models");
-  CHECK(run("debug " + model("old_example011") + " --size 16x16").code == 0);  // which reads /dev/null
+  CHECK(run("debug " + model("old_example011") + " --size 16x16").code == 0);  // reads /dev/null
 }
 
-TEST_CASE("at a terminal words are completed, lines edited, and errors do not end the session") {
+TEST_CASE("the interactive debugger completes and edits lines and survives errors") {
   const Folder folder;
   write(folder / "p.txt", two_colours(5));
   int terminal = -1;
@@ -185,8 +185,8 @@ TEST_CASE("at a terminal words are completed, lines edited, and errors do not en
     if (got > 0) shown.append(buffer, static_cast<std::size_t>(got));
     return got > 0;
   };
-  // A line's keys are the editor's only when it has taken the terminal over, which it does after it has drawn the
-  // prompt after the answer to the line before; until then they are the terminal's, which echoes them and erases.
+  // The editor receives the keys of a line only after it has switched the terminal to raw mode, after the prompt. Until
+  // then the terminal echoes and erases them.
   const auto is_taken_over = [&] {
     termios mode{};
     return ::tcgetattr(terminal, &mode) == 0 && (mode.c_lflag & ICANON) == 0;

@@ -9,13 +9,13 @@ namespace {
 
 const std::string source = CSGSIM_SOURCE_DIR;
 
-/// A command of the page, and lines that it says are printed, in that order, among others.
+/// A command of the page with the output lines shown for it, in order; other lines may come between.
 struct Shown {
   std::string command;
   std::vector<std::string> lines;
 };
 
-/// Commands are indented; what they print stands between fences.
+/// Reads the commands of a page: commands are indented, their output is between fences.
 std::vector<Shown> commands_of(const std::string& page) {
   std::vector<Shown> all;
   bool is_fenced = false;
@@ -33,7 +33,7 @@ std::vector<Shown> commands_of(const std::string& page) {
   return all;
 }
 
-/// In a folder that looks like the repository's root, with csgsim on the PATH.
+/// Runs a command in a folder laid out as the repository's root, with csgsim on the PATH.
 Outcome in_shell(const Folder& root, const std::string& command) {
   write(root / "command.sh", "set -o pipefail\n" + command + "\n");
   const std::string shell =
@@ -46,7 +46,7 @@ Outcome in_shell(const Folder& root, const std::string& command) {
 
 namespace {
 
-/// Runs the commands of a page and returns how many of the lines that it shows were printed, which has to be all.
+/// Runs a page's commands, checks that they print every line shown there, and returns the number of lines.
 std::size_t check_page(const Folder& root, const std::string& page) {
   for (const std::string name : {"tests", "traces", "docs"})
     fs::create_symlink(fs::path(source) / name, root.path() / name);
@@ -72,7 +72,7 @@ std::size_t check_page(const Folder& root, const std::string& page) {
 
 }  // namespace
 
-TEST_CASE("the commands of docs/debugging.md run as written and print what it says") {
+TEST_CASE("the commands of docs/debugging.md run as written and print the lines shown") {
   const Folder root;
   CHECK(check_page(root, "debugging.md") >= 60);
   const auto picture = [](const fs::path& folder, const std::string& name) {

@@ -12,7 +12,7 @@ std::string display(const std::string& more) {
 
 }  // namespace
 
-TEST_CASE("display counts by every method with more and more polygons, and all exact ones see the same surfaces") {
+TEST_CASE("display counts every method for growing models; exact ones see the same surfaces") {
   const Folder folder;
   const Outcome outcome = succeeded(run(display(" --fragments 12,24 -o " + (folder / "d"))));
   CHECK(outcome.out.find("Exact methods see the same surfaces") != std::string::npos);
@@ -37,7 +37,7 @@ TEST_CASE("display counts by every method with more and more polygons, and all e
   CHECK(fs::file_size(folder / "d/display.svg") > 1000);
 }
 
-TEST_CASE("display facets by tolerances, with buckets of several sizes, and measures nothing twice") {
+TEST_CASE("display varies tolerances and bucket sizes and reuses its measurements") {
   const Folder folder;
   const std::string few = " --methods list-priority,scan-line --tolerances 2,0.5 --no-plots -o " + (folder / "d");
   succeeded(run(display(few + " --bucket-sizes 6,24")));
@@ -52,7 +52,7 @@ TEST_CASE("display facets by tolerances, with buckets of several sizes, and meas
   CHECK(content(folder / "d/display.csv") == table);
 }
 
-TEST_CASE("display tells how many pixels list priority draws wrong where faces coincide") {
+TEST_CASE("display counts the wrong pixels of list priority for coincident faces") {
   const Folder folder;
   write(folder / "level.csg",
         "difference() { cube(size = [4, 4, 4], center = true); cube(size = [2, 2, 4], center = true); }");
@@ -69,7 +69,7 @@ TEST_CASE("display tells how many pixels list priority draws wrong where faces c
   CHECK(outcome.out.find("coincident faces") != std::string::npos);
 }
 
-TEST_CASE("shards of display are gathered to the table of one run, and what it does not know is refused") {
+TEST_CASE("gathers shards of display into the table of one run and rejects unknown names") {
   const Folder folder;
   const std::string common = " --methods scan-line,depth-lists --no-plots --progress none -o " + (folder / "s");
   succeeded(run(display(common + " --shard 1/2")));

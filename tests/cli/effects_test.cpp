@@ -6,7 +6,7 @@ namespace {
 
 const std::string small = " --camera 65,-95,60,0,0,-2 --size 48x32 ";
 
-/// Two effects beside flat shading, with room for both.
+/// Options for two effects in addition to flat shading, with enough memory for both.
 std::string two_effects(const Folder& folder) {
   write(folder / "scene.toml", "[effects.smooth]\n[effects.shadows]\n");
   return "--scene " + (folder / "scene.toml") + " --memory-bits 256 ";
@@ -21,7 +21,7 @@ bool draws_the_same(const Folder& folder, const std::string& with) {
 
 }  // namespace
 
-TEST_CASE("the bill has a row an effect, adds up, and has the picture without each") {
+TEST_CASE("the cost table adds up over the effects and has a picture without each of them") {
   const Folder folder;
   const Outcome outcome =
       run("effects " + model("old_example002") + small + two_effects(folder) + "-o " + (folder / "bill"));
@@ -42,7 +42,7 @@ TEST_CASE("the bill has a row an effect, adds up, and has the picture without ea
   CHECK(content(folder / "bill/all.png") != content(folder / "bill/without_smooth.png"));
 }
 
-TEST_CASE("what a bill calls the frame without an effect is what render draws with it off") {
+TEST_CASE("the cost table's frame without an effect equals render with the effect off") {
   const Folder folder;
   const std::string options = model("old_example002") + small + two_effects(folder);
   succeeded(run("effects " + options + "-o " + (folder / "bill")));
@@ -54,7 +54,7 @@ TEST_CASE("what a bill calls the frame without an effect is what render draws wi
   CHECK(content(folder / "bill/without_shadows.png") == content(folder / "p.png"));
 }
 
-TEST_CASE("effects draw the same picture at each level and on each machine whose host divides") {
+TEST_CASE("effects draw the same picture at each level and on machines whose host divides") {
   const Folder folder;
   CHECK(draws_the_same(folder, "--level cycle"));
   CHECK(draws_the_same(folder, "--level reference"));
@@ -64,7 +64,7 @@ TEST_CASE("effects draw the same picture at each level and on each machine whose
   CHECK(draws_the_same(folder, "--machine pixel-planes-5 --level cycle"));
 }
 
-TEST_CASE("a scene that is wrong ends with its place and exit code 1, what is set wrongly with exit code 2") {
+TEST_CASE("an error in a scene file ends with its place and code 1; an option with code 2") {
   const Folder folder;
   write(folder / "scene.toml", "[effects.shadow]\n");
   const std::string render = "render " + model("old_example002") + small;
@@ -75,7 +75,7 @@ TEST_CASE("a scene that is wrong ends with its place and exit code 1, what is se
   misused(render + "--set ambient.intensity=7", "ambient.intensity");
 }
 
-TEST_CASE("a machine that lacks something says what, and which one has it") {
+TEST_CASE("an error names what a machine lacks and a machine that has it") {
   const Folder folder;
   const std::string render = "render " + model("old_example002") + small + "--set effects.shadows.on=true ";
   fails(run(render + "--machine pixel-square"), 1, {"pixel-planes-4", "--set effects.shadows.on=false"});
@@ -85,7 +85,7 @@ TEST_CASE("a machine that lacks something says what, and which one has it") {
         1, {"global OR"});
 }
 
-TEST_CASE("alpha in a model calls for transparency by itself, and can be told not to") {
+TEST_CASE("alpha in a model enables transparency automatically unless switched off") {
   const Folder folder;
   write(folder / "m.csg", "color([1,0,0,0.5]){cube(size=[4,4,4],center=true);}cube(size=[9,1,9],center=true);");
   const std::string render = "render " + (folder / "m.csg") + " --size 32x32 --memory-bits 256 --stats " +
@@ -99,14 +99,14 @@ TEST_CASE("alpha in a model calls for transparency by itself, and can be told no
 
 namespace {
 
-/// A red pane before a wall, in a row with one before nothing.
+/// A red pane in front of a wall, next to a pane in front of the background.
 const std::string panes =
     "color([1,0,0,0.5]){cube(size=[4,4,4],center=true);}\n"
     "multmatrix([[1,0,0,0],[0,1,0,9],[0,0,1,0],[0,0,0,1]]){cube(size=[3,1,3],center=true);}\n"
     "color([-1,-1,-1,0.25]){multmatrix([[1,0,0,9],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}}\n";
 const std::string from_front = " --size 48x32 --camera 4,-50,0,4,0,0 ";
 
-/// The number behind the first --memory-bits of a message.
+/// The number after the first --memory-bits of a message.
 std::string bits_in(const std::string& message) {
   const std::string option = "--memory-bits ";
   const std::size_t at = message.find(option);
@@ -117,7 +117,7 @@ std::string bits_in(const std::string& message) {
 
 }  // namespace
 
-TEST_CASE("colours with alpha are drawn by screen-door where layers have no room, with a warning of what they need") {
+TEST_CASE("falls back to screen-door with a warning if memory is too small for layers") {
   const Folder folder;
   write(folder / "m.csg", panes);
   const std::string render = "render " + (folder / "m.csg") + from_front;
@@ -139,7 +139,7 @@ TEST_CASE("colours with alpha are drawn by screen-door where layers have no room
         std::string::npos);
 }
 
-TEST_CASE("where a scene has a say in what is seen through, layers without room are refused") {
+TEST_CASE("rejects layers without memory if the scene sets transparency itself") {
   const Folder folder;
   write(folder / "m.csg", panes);
   write(folder / "s.toml", "[[materials]]\nfrom_line = 2\nopacity = 0.5\n");
@@ -153,7 +153,7 @@ TEST_CASE("where a scene has a say in what is seen through, layers without room 
   }
 }
 
-TEST_CASE("--depth and --owner tell the nearest surface, glass or not, or by --surface opaque what is behind glass") {
+TEST_CASE("--depth and --owner show the nearest surface or the opaque one with --surface") {
   const Folder folder;
   write(folder / "m.csg", panes);
   const auto draw = [&](const std::string& name, const std::string& options) {
@@ -185,7 +185,7 @@ TEST_CASE("--depth and --owner tell the nearest surface, glass or not, or by --s
   }
 }
 
-TEST_CASE("a run with glass that is stopped and goes on tells the same surfaces") {
+TEST_CASE("a resumed run with transparent surfaces gives the same depth and owners") {
   const Folder folder;
   write(folder / "m.csg", panes);
   const std::string program = (folder / "m.csgt");

@@ -1,5 +1,5 @@
-// The same mistake ends with the same exit code in every command that it can be made in: 2 for what is typed, 1 for
-// what a file holds (docs/command-line.md).
+// A mistake ends with the same exit code in every command: 2 for a mistake in the arguments, 1 for one in a file
+// (docs/command-line.md).
 
 #include "hw/base/text.h"
 #include "tests/cli/cli.h"
@@ -8,7 +8,7 @@ using namespace csgsim::testing::cli;
 
 namespace {
 
-/// Commands that take a model, with what each needs besides.
+/// Commands that take a model, each with its required arguments.
 std::vector<std::string> commands_of(const std::string& model, const Folder& folder) {
   const std::string out = " -o " + (folder / "out");
   return {"render " + model,
@@ -27,7 +27,7 @@ std::vector<std::string> commands_of(const std::string& model, const Folder& fol
 
 }  // namespace
 
-TEST_CASE("what is typed wrongly ends with exit code 2, whatever command it is") {
+TEST_CASE("every command ends with exit code 2 for wrong arguments") {
   const Folder folder;
   for (const std::string& command : commands_of(model("sphere"), folder)) {
     for (const std::string mistake :
@@ -42,7 +42,7 @@ TEST_CASE("what is typed wrongly ends with exit code 2, whatever command it is")
   }
 }
 
-TEST_CASE("what a file holds wrongly, and one that is not there, end with exit code 1, whatever command it is") {
+TEST_CASE("every command ends with exit code 1 for a wrong or missing file") {
   const Folder folder;
   write(folder / "machine.toml", "x = 1\n");
   write(folder / "scene.toml", "[lamps]\n");
@@ -63,7 +63,7 @@ TEST_CASE("what a file holds wrongly, and one that is not there, end with exit c
   }
 }
 
-TEST_CASE("lists of machines are of the command line too, and a list can be of none") {
+TEST_CASE("lists of machines are command-line arguments; lists of numbers may be empty") {
   const Folder folder;
   const std::string out = " -o " + (folder / "out");
   for (const std::string study : {"compare ", "sweep ", "corpus "}) {
@@ -77,14 +77,14 @@ TEST_CASE("lists of machines are of the command line too, and a list can be of n
   CHECK(content(folder / "none/compare.csv") == content(folder / "empty/compare.csv"));
 }
 
-TEST_CASE("help calls what -o names a folder where several files are written") {
+TEST_CASE("help names the operand of -o FOLDER where a command writes several files") {
   for (const std::string command : {"render", "compile", "run", "rerun", "disasm", "wave"})
     CHECK(run(command + " --help").out.find("-o, --output FILE") != std::string::npos);
   for (const std::string command : {"effects", "accuracy", "advise", "sweep", "corpus", "compare", "gather"})
     CHECK(run(command + " --help").out.find("-o, --output FOLDER") != std::string::npos);
 }
 
-TEST_CASE("printed shares are percentages, printed counts have their digits in groups; JSON has neither") {
+TEST_CASE("prints shares as percentages and groups digits; JSON does neither") {
   const Folder folder;
   const std::string of = " " + model("sphere") + " --size 64x64";
   const Outcome drawn = succeeded(run("render" + of + " --check --stats " + (folder / "s.json")));

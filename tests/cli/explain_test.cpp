@@ -4,7 +4,7 @@ using namespace csgsim::testing::cli;
 
 namespace {
 
-/// Columns 1 to 4 and rows 1 to 4 of 8 x 6 show the first box, columns 3 to 6 and rows 2 and 3 the second, before it.
+/// The first box covers columns 1 to 4 and rows 1 to 4 of 8 x 6, the second, nearer one columns 3 to 6, rows 2 and 3.
 const std::string two_boxes =
     "union(){multmatrix([[1,0,0,1],[0,1,0,2],[0,0,1,-5],[0,0,0,1]]){cube(size=[4,3,4],center=false);}\n"
     "multmatrix([[1,0,0,3],[0,1,0,0],[0,0,1,-4],[0,0,0,1]]){cube(size=[4,1,2],center=false);}}\n";
@@ -24,7 +24,7 @@ struct Subject {
 
 }  // namespace
 
-TEST_CASE("explain tells the owner with its line, and what a Program tells of it a model tells too") {
+TEST_CASE("explain names the owner and its line for a Program as for its model") {
   const Subject subject;
   const Outcome of_model = succeeded(run("explain " + subject.model + front + "--pixel 4,2"));
   CHECK(of_model.out.starts_with("pixel 4,2 shows p1 cube@2:56, line 2 of "));
@@ -37,13 +37,13 @@ TEST_CASE("explain tells the owner with its line, and what a Program tells of it
   CHECK(nothing.out.starts_with("pixel 0,0 shows nothing\n"));
 }
 
-TEST_CASE("explain takes a point of the model for the pixel that shows it") {
+TEST_CASE("explain accepts a point of the model in place of its pixel") {
   const Subject subject;
   const Outcome outcome = succeeded(run("explain " + subject.model + front + "--point 4.4,0,-2.6"));
   CHECK(outcome.out.starts_with("point 4.4,0,-2.6 is 15.082 model units from the eye\npixel 4,2 shows p1 "));
 }
 
-TEST_CASE("explain says why another primitive is not seen, by its index, its name or its line") {
+TEST_CASE("explain says why another primitive is hidden; named by index or name or line") {
   const Subject subject;
   for (const std::string name : {"0", "p0", "cube@1:64", "cube@1", "@1"}) {
     CAPTURE(name);
@@ -52,7 +52,7 @@ TEST_CASE("explain says why another primitive is not seen, by its index, its nam
   }
 }
 
-TEST_CASE("explain names instructions by the numbers that disasm shows") {
+TEST_CASE("explain numbers instructions as disasm does") {
   const Subject subject;
   succeeded(run("explain " + subject.program + " --pixel 4,2 --json " + (subject.folder / "s.json")));
   const nlohmann::json story = json(subject.folder / "s.json");
@@ -70,7 +70,7 @@ TEST_CASE("explain names instructions by the numbers that disasm shows") {
   CHECK(decisions >= 4);
 }
 
-TEST_CASE("a story as JSON goes to standard output too, and has why not") {
+TEST_CASE("writes the explanation as JSON to standard output with the reason for hiding") {
   const Subject subject;
   const Outcome outcome =
       succeeded(run("explain " + subject.model + front + "--pixel 2,2 --why-not 1 --json /dev/stdout"));
@@ -81,7 +81,7 @@ TEST_CASE("a story as JSON goes to standard output too, and has why not") {
   CHECK(story["surfaces"][0]["fate"] == "seen");
 }
 
-TEST_CASE("explain refuses pixels, points and primitives that are not there, and says what is") {
+TEST_CASE("explain rejects nonexistent pixels or points or primitives and states the range") {
   const Subject subject;
   const std::string program = "explain " + subject.program + " ";
   const std::string model = "explain " + subject.model + front;
@@ -102,12 +102,12 @@ TEST_CASE("explain refuses pixels, points and primitives that are not there, and
   misused(program + "--pixel 1,1 --json " + subject.program, "the same file");
 }
 
-TEST_CASE("an owner picture for ordinary tools has its legend beside it, and both or none are written") {
+TEST_CASE("writes an owner picture together with its legend or neither") {
   const Subject subject;
   const Folder& folder = subject.folder;
   succeeded(run("run " + subject.program + " --owner " + (folder / "o.png")));
   const nlohmann::json legend = json(folder / "o.json");
-  // 4 x 4 pixels of the first box, but for 2 x 2 that the second hides; 4 x 2 of the second.
+  // 4 x 4 pixels of the first box without 2 x 2 hidden by the second; 4 x 2 of the second.
   CHECK(legend["primitives"][0]["pixels"] == 12);
   CHECK(legend["primitives"][1]["pixels"] == 8);
   CHECK(legend["nothing"]["pixels"] == 48 - 20);

@@ -8,7 +8,7 @@ namespace {
 const std::string small = " --size 48x48 --progress none";
 const std::string vary = " --vary alu.bits=1,4 --vary z-bits=8,16 --vary strategy=stack,list";
 
-/// The words of a command that csgsim printed without quotes, but for csgsim itself.
+/// The arguments of a command that csgsim printed without quotes.
 std::string words_of(const std::string& command) {
   REQUIRE(command.starts_with("csgsim "));
   REQUIRE(command.find_first_of("'\"\\") == std::string::npos);
@@ -26,7 +26,7 @@ std::string without_line(const std::string& table, std::size_t number) {
 
 }  // namespace
 
-TEST_CASE("explore measures every design on every model, marks the front and draws it") {
+TEST_CASE("explore measures every design on every model and plots the front") {
   const Folder folder;
   const Outcome outcome = succeeded(run("explore " + model("old_example011") + " " + model("thesis_fig_2_3") + small +
                                         vary + " --report " + (folder / "p.html") + " -o " + (folder / "e")));
@@ -49,7 +49,7 @@ TEST_CASE("explore measures every design on every model, marks the front and dra
   CHECK(content(folder / "p.html").find("Commands that draw the knees") != std::string::npos);
 }
 
-TEST_CASE("a design's row tells what render tells of it, and wrong pixels as accuracy counts them") {
+TEST_CASE("a design's row equals the counts of render and the wrong pixels of accuracy") {
   const Folder folder;
   const std::string of = model("rietveld_house") + " --size 64x64 --camera 3430,-2900,1950,590,230,220";
   succeeded(run("explore " + of + " --vary memory.reads=1,2 --vary z-bits=8,20 --no-plots --progress none -o " +
@@ -75,7 +75,7 @@ TEST_CASE("a design's row tells what render tells of it, and wrong pixels as acc
   CHECK(wrong.at(8) > wrong.at(20));
 }
 
-TEST_CASE("the command of the knee draws the knee") {
+TEST_CASE("the command of the knee reproduces its counts") {
   const Folder folder;
   const std::string scene = " --camera 42,-38,41,10,5.5,2 --set background.colour=0,0,0.5";
   REQUIRE(run("explore " + model("thesis_fig_2_3") + small + scene + vary + " --no-plots -o " + (folder / "e")).code ==
@@ -96,7 +96,7 @@ TEST_CASE("the command of the knee draws the knee") {
   CHECK(knees == 1);
 }
 
-TEST_CASE("the commands of a knee for several models have memory for each of them, whichever is first") {
+TEST_CASE("knee commands for several models reserve memory for each in any order") {
   const Folder folder;
   const std::string words = small + " --vary z-bits=16 --vary strategy=stack --no-plots -o ";
   const auto bits_of = [&](const std::string& models, const std::string& output) {
@@ -116,7 +116,7 @@ TEST_CASE("the commands of a knee for several models have memory for each of the
   CHECK(bits_of(one + " " + other, "a") == bits_of(other + " " + one, "b"));
 }
 
-TEST_CASE("a figure of a process file that is edited under the same name is asked for again, each of them") {
+TEST_CASE("remeasures after each edited parameter of a process file of the same name") {
   const Folder folder;
   std::string process = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/process/nmos-3um.toml");
   process.replace(process.find("\"nmos-3um\""), 10, "\"mine\"");
@@ -146,18 +146,18 @@ TEST_CASE("a figure of a process file that is edited under the same name is aske
     differ += again == before ? 0U : 1U;
   }
   CHECK(edits == 13);
-  CHECK(differ > 10);  // a small machine may be the same with another fan-in
+  CHECK(differ > 10);  // another fan-in may not change a small machine
   write(folder / "p.toml", process);
   CHECK(measured("kept") == before);
 }
 
-TEST_CASE("explore goes on where it was, and with other values measures what is new") {
+TEST_CASE("explore resumes an interrupted run and measures only new values") {
   const Folder folder;
   const std::string command =
       "explore " + model("old_example011") + small + " --no-plots -o " + (folder / "e") + " --vary z-bits=";
   succeeded(run(command + "8,12,16"));
   const std::string table = content(folder / "e/explore.csv");
-  // As if interrupted; what is there has a mark, and keeps it.
+  // Simulates an interruption; the marked line must stay unchanged.
   std::string marked = table;
   const std::string csgsim = json(folder / "e/explore.json")["points"][0]["csgsim"];
   const std::string measured = "," + csgsim + ",";
@@ -172,7 +172,7 @@ TEST_CASE("explore goes on where it was, and with other values measures what is 
   CHECK(run(command + "8 --projection perspective").code == 1);
 }
 
-TEST_CASE("the shards of explore are joined to what one process makes") {
+TEST_CASE("gathering shards of explore gives the results of one process") {
   const Folder folder;
   const std::string command =
       "explore " + model("old_example011") + " " + model("sphere") + small + vary + " --no-plots";
@@ -184,7 +184,7 @@ TEST_CASE("the shards of explore are joined to what one process makes") {
     CHECK(content(folder.path() / "parts" / file) == content(folder.path() / "whole" / file));
 }
 
-TEST_CASE("a sample of a grid is as large as it was asked for, and a longer one goes on from it") {
+TEST_CASE("a sample of the grid has the requested size and grows to a larger sample") {
   const Folder folder;
   const std::string command = "explore " + model("sphere") + small + " --no-plots -o " + (folder / "e") +
                               " --vary z-bits=4..30 --vary fraction-bits=0..16 --vary link.width=8,16,32 "
@@ -199,7 +199,7 @@ TEST_CASE("a sample of a grid is as large as it was asked for, and a longer one 
   for (std::size_t i = 0; i < few.size(); ++i) CHECK(more[i]["design"] == few[i]["design"]);
 }
 
-TEST_CASE("designs that cannot draw the model say why, and do not stop the others") {
+TEST_CASE("designs that cannot draw the model give a reason and do not stop the others") {
   const Folder folder;
   const Outcome outcome = succeeded(run("explore " + model("carburettor") + small + " --no-plots -o " + (folder / "e") +
                                         " --vary array.memory_bits=20,72"));
@@ -219,14 +219,14 @@ TEST_CASE("designs that cannot draw the model say why, and do not stop the other
   CHECK(one_line(none.err));
 }
 
-TEST_CASE("explore writes nothing where no model can be read") {
+TEST_CASE("explore writes nothing if no model can be read") {
   const Folder folder;
   const std::string words = small + " --vary z-bits=8,16 --no-plots -o " + (folder / "e");
   fails(run("explore " + (folder / "nosuch.csg") + words), 1, {"nosuch.csg: cannot be read"});
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("machines whose pixels have no price have no area, and their fronts do without") {
+TEST_CASE("machines without pixel prices have no area axis in their fronts") {
   const Folder folder;
   succeeded(run("explore " + model("thesis_fig_2_3") + small +
                 " --machine scan-line --vary chains.count=1,4 --no-plots -o " + (folder / "e")));
@@ -235,7 +235,7 @@ TEST_CASE("machines whose pixels have no price have no area, and their fronts do
   CHECK(file["fronts"][0]["axes"] == nlohmann::json{"time", "memory", "wrong"});
 }
 
-TEST_CASE("figures that do not fit the machine but each other are varied together, and what does not fit says so") {
+TEST_CASE("varies dependent parameters together and gives a reason for invalid combinations") {
   const Folder folder;
   succeeded(run("explore " + model("thesis_fig_2_3") + small +
                 " --vary evaluator.bits=1,4 --vary alu.bits=1,4 --no-plots -o " + (folder / "e")));
@@ -257,7 +257,7 @@ TEST_CASE("figures that do not fit the machine but each other are varied togethe
         clocks.at("pixel-planes-4+evaluator.bits=1+alu.bits=4"));
 }
 
-TEST_CASE("what is wrong with --vary and --axes is told in a line, with what to say instead") {
+TEST_CASE("reports errors in --vary and --axes in one line with a suggestion") {
   const Folder folder;
   const std::string command = "explore " + model("sphere") + small + " -o " + (folder / "e");
   misused(command, "--vary");
@@ -275,7 +275,7 @@ TEST_CASE("what is wrong with --vary and --axes is told in a line, with what to 
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("in a process a machine has the clock that it leaves, and the knee's command says it") {
+TEST_CASE("a process determines the clock of a machine and the knee's command states it") {
   const Folder folder;
   succeeded(run("explore " + model("thesis_fig_2_3") + small +
                 " --process cmos-45nm --vary alu.bits=1,8 --vary z-bits=8,20" + " --no-plots -o " + (folder / "e")));
@@ -298,7 +298,7 @@ TEST_CASE("in a process a machine has the clock that it leaves, and the knee's c
   CHECK(file["points"][0]["clock_hz"] > file["points"][2]["clock_hz"]);
 }
 
-TEST_CASE("a process does not price what has not been synthesised, and measures anew when its figures change") {
+TEST_CASE("a process gives no price without synthesis and remeasures after a changed value") {
   const Folder folder;
   const std::string command = "explore " + model("thesis_fig_2_3") + small + " --no-plots -o " + (folder / "e");
   succeeded(run(command + " --machine scan-line --process nmos-3um --vary chains.count=1,4"));
@@ -321,7 +321,7 @@ TEST_CASE("a process does not price what has not been synthesised, and measures 
           "the process determines the clock");
 }
 
-TEST_CASE("a search tries every neighbour of the front, goes on where it was interrupted, and is not shared out") {
+TEST_CASE("a search tries every neighbour of the front and resumes and is not sharded") {
   const Folder folder;
   const std::string search = "explore " + model("old_example011") + small +
                              " --vary z-bits=8..20 --vary fraction-bits=0..12 --axes memory,wrong --no-plots -o " +

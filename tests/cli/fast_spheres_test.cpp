@@ -19,7 +19,7 @@ std::uint64_t clocks_of(const Folder& folder, const std::string& options) {
 
 }  // namespace
 
-TEST_CASE("--curves fast draws a sphere on a machine of linear expressions, in a tenth of the clocks of its facets") {
+TEST_CASE("--curves fast draws a sphere in a tenth of the clocks on a linear machine") {
   const Folder folder;
   const std::string options = written(folder, ball) + " --view-all --memory-bits 128 --curves ";
   const std::uint64_t fast = clocks_of(folder, options + "fast");
@@ -27,29 +27,32 @@ TEST_CASE("--curves fast draws a sphere on a machine of linear expressions, in a
   CHECK(run("render --help").out.find("fast (spheres as circles and paraboloids") != std::string::npos);
 }
 
-TEST_CASE("what is no sphere of an orthographic picture stays facets, and is told of once") {
+TEST_CASE("solids other than orthographic spheres stay facets with a single warning") {
   const Folder folder;
-  const auto told = [&](const std::string& csg, const std::string& options) {
+  const auto warnings = [&](const std::string& csg, const std::string& options) {
     const Outcome outcome =
         run("render " + written(folder, csg) + small + "--curves fast " + options + " -o " + (folder / "p.png"));
     CAPTURE(outcome.err);
     CHECK(outcome.code == 0);
     return outcome.err;
   };
-  CHECK(told(ball, "").empty());
-  CHECK(told("cube(size=[1,2,3]);\n", "").empty());
+  CHECK(warnings(ball, "").empty());
+  CHECK(warnings("cube(size=[1,2,3]);\n", "").empty());
   const std::string three = ball + "multmatrix([[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) {\n" + ball + "}\n" +
                             "cylinder($fn=0,$fa=12,$fs=2,h=30,r1=4,r2=4,center=true);\n";
-  const std::string of_three = told(three, "");
-  CHECK(one_line(of_three));
-  CHECK(of_three.find("model.csg:3:1: warning: ") != std::string::npos);
-  CHECK(of_three.find("this is an ellipsoid and is drawn in facets, as is 1 more curved solid") != std::string::npos);
-  CHECK(told(ball, "--projection p").find("is an ellipse in a perspective picture and is drawn as facets") !=
+  const std::string three_warnings = warnings(three, "");
+  CHECK(one_line(three_warnings));
+  CHECK(three_warnings.find("model.csg:3:1: warning: ") != std::string::npos);
+  CHECK(three_warnings.find("this is an ellipsoid and is drawn in facets, as is 1 more curved solid") !=
         std::string::npos);
-  CHECK(told("sphere($fn=5,$fa=12,$fs=2,r=10);\n", "").empty());
+  CHECK(warnings(ball, "--projection p").find("is an ellipse in a perspective picture and is drawn as facets") !=
+        std::string::npos);
+  CHECK(warnings(ball, "--projection p").find("is an ellipse in a perspective picture and is drawn in facets") !=
+        std::string::npos);
+  CHECK(warnings("sphere($fn=5,$fa=12,$fs=2,r=10);\n", "").empty());
 }
 
-TEST_CASE("without a sphere that can be fast, --curves fast makes the very Program of --curves facets") {
+TEST_CASE("--curves fast without a fast sphere compiles the Program of --curves facets") {
   const Folder folder;
   const auto program = [&](const std::string& curves, const std::string& csg, const std::string& options) {
     succeeded(run("compile " + written(folder, csg) + small + options + " --curves " + curves + " -o " +
@@ -62,7 +65,7 @@ TEST_CASE("without a sphere that can be fast, --curves fast makes the very Progr
   CHECK(program("fast", ball, "") != program("facets", ball, ""));
 }
 
-TEST_CASE("fast spheres and facets see a model from the same place") {
+TEST_CASE("fast spheres and facets are seen by the same camera") {
   const Folder folder;
   const auto box = [&](const std::string& curves) {
     succeeded(run("render " + written(folder, ball) + " --size 256x256 --view-all --memory-bits 128 --curves " +
@@ -72,7 +75,7 @@ TEST_CASE("fast spheres and facets see a model from the same place") {
   CHECK(box("fast") == box("facets"));
 }
 
-TEST_CASE("the 72 bits of Pixel-planes 4 hold 18 bits of depth and of colour for spheres that are joined alone") {
+TEST_CASE("72 bits of Pixel-planes 4 hold 18 bits of depth and colour for joined spheres") {
   const Folder folder;
   const std::string options = "render " + model("molecule") + " --view-all --curves fast --z-bits 18 -o " +
                               (folder / "p.png") + " --colour-bits ";
@@ -80,7 +83,7 @@ TEST_CASE("the 72 bits of Pixel-planes 4 hold 18 bits of depth and of colour for
   CHECK(run(options + "19").code == 1);
 }
 
-TEST_CASE("where the bits of a machine do not hold the squares, or it divides the model itself, what to do is told") {
+TEST_CASE("suggests facets if memory is too small for squares or the machine divides models") {
   const Folder folder;
   const std::string options = "render " + written(folder, ball) + " --view-all --curves fast -o " + (folder / "p.png");
   fails(run(options), 1, {"17 squares", "--curves facets"});

@@ -11,13 +11,13 @@ using Words = std::vector<std::string>;
 
 const std::string small_cube = "cube(size = [8, 6, 4]);\n";
 
-/// A folder with a model, m.csg, and its Program, p.csgt.
+/// Writes a model, m.csg, and its Program, p.csgt, into the folder.
 void fill(const Folder& folder) {
   write(folder / "m.csg", small_cube);
   succeeded(run_words({"compile", "m.csg", "--size", "16x16", "-o", "p.csgt", "-q"}, folder.path()));
 }
 
-/// csgsim that ends by itself within some seconds, or with code 124.
+/// Runs csgsim and terminates it after some seconds, with code 124.
 Outcome run_soon(Words words, const fs::path& where) {
   words.insert(words.begin(), {"--kill-after=1", "20", std::string(CSGSIM_BINARY_DIR) + "/csgsim"});
   return run_program("timeout", words, where);
@@ -27,7 +27,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 }  // namespace
 
-TEST_CASE("the debugger replaces no file that it reads, by whatever name") {
+TEST_CASE("the debugger overwrites none of its input files under any name") {
   const Folder folder;
   fill(folder);
   write(folder / "half.svg", "<svg><rect width=\"10\" height=\"20\"/></svg>");
@@ -64,7 +64,7 @@ TEST_CASE("the debugger replaces no file that it reads, by whatever name") {
   refused({"p.csgt", "--config", "settings.toml"}, "checkpoint settings.toml", "settings.toml");
 }
 
-TEST_CASE("the debugger writes a checkpoint and a picture again where it wrote them") {
+TEST_CASE("the debugger rewrites a checkpoint and a picture in place") {
   const Folder folder;
   fill(folder);
   write(folder / "commands",
@@ -72,7 +72,7 @@ TEST_CASE("the debugger writes a checkpoint and a picture again where it wrote t
   succeeded(run_words({"debug", "p.csgt", "-x", "commands"}, folder.path()));
 }
 
-TEST_CASE("no command replaces what a model imports") {
+TEST_CASE("no command overwrites a file that the model imports") {
   const Folder folder;
   write(folder / "m.csg", "linear_extrude(height = 2) { import(file = \"half.svg\"); }\n");
   fs::create_symlink("half.svg", folder / "link.json");
@@ -91,7 +91,7 @@ TEST_CASE("no command replaces what a model imports") {
   }
 }
 
-TEST_CASE("standard input that is a file is not replaced by what is made of it") {
+TEST_CASE("does not overwrite a file that is its standard input") {
   const Folder folder;
   write(folder / "m.csg", small_cube);
   const std::string program = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
@@ -101,7 +101,7 @@ TEST_CASE("standard input that is a file is not replaced by what is made of it")
   CHECK(content(folder / "m.csg") == small_cube);
 }
 
-TEST_CASE("a study writes through no link and waits for no pipe in its folder") {
+TEST_CASE("a study follows no link and waits for no pipe in its folder") {
   const Folder folder;
   write(folder / "m.csg", small_cube);
   const auto refused = [&](const std::string& name, const auto& make) {
@@ -133,7 +133,7 @@ TEST_CASE("a study writes through no link and waits for no pipe in its folder") 
   refused("sweep.json", link);
 }
 
-TEST_CASE("a shard that is a pipe or a device is refused at once") {
+TEST_CASE("rejects a shard that is a pipe or a device at once") {
   const Folder folder;
   const std::string shard = "study/shards/sweep-1-of-2.0000000000000000.csv";
   fs::create_directories(folder / "study/shards");
@@ -150,7 +150,7 @@ TEST_CASE("a shard that is a pipe or a device is refused at once") {
   refused();
 }
 
-TEST_CASE("a checkpoint that is a pipe is refused at once") {
+TEST_CASE("rejects a checkpoint that is a pipe at once") {
   const Folder folder;
   fill(folder);
   REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
@@ -163,7 +163,7 @@ TEST_CASE("a checkpoint that is a pipe is refused at once") {
   }
 }
 
-TEST_CASE("an import that is a pipe or a device is refused at once") {
+TEST_CASE("rejects an import that is a pipe or a device at once") {
   const Folder folder;
   for (const std::string node :
        {"import(file = \"f.stl\");", "import(file = \"f.svg\");", "surface(file = \"f.dat\");",
@@ -181,7 +181,7 @@ TEST_CASE("an import that is a pipe or a device is refused at once") {
   }
 }
 
-TEST_CASE("an import that is missing is warned of at its place, and the rest is drawn") {
+TEST_CASE("warns about a missing import at its place and draws the rest") {
   const Folder folder;
   fs::create_symlink("nowhere.stl", folder / "dangling.stl");
   for (const std::string node :
@@ -199,7 +199,7 @@ TEST_CASE("an import that is missing is warned of at its place, and the rest is 
   }
 }
 
-TEST_CASE("a link in the model's folder leads to no import outside of it") {
+TEST_CASE("a link in the model's folder does not import a file outside it") {
   const Folder folder;
   fs::create_directories(folder / "model/below");
   fs::create_directory(folder / "outside");
@@ -228,7 +228,7 @@ TEST_CASE("a link in the model's folder leads to no import outside of it") {
   for (const std::string file : {"in.svg", "absolute_in.svg", "below/plate.svg"}) CHECK(drawn(file).code == 0);
 }
 
-TEST_CASE("imports are looked for in the model's folder, then in the folder that is named") {
+TEST_CASE("searches imports in the model's folder and then in the --imports-from folder") {
   const Folder folder;
   fs::create_directories(folder / "models");
   fs::create_directories(folder / "parts/below");
@@ -240,12 +240,12 @@ TEST_CASE("imports are looked for in the model's folder, then in the folder that
     const Outcome outcome = succeeded(run_words(words, folder.path()));
     return std::pair(content(folder / "p.csgt"), outcome.err);
   };
-  const auto [there, told] = compiled({"models/m.csg", "--imports-from", "parts"});
-  CHECK(told.empty());
+  const auto [there, warnings] = compiled({"models/m.csg", "--imports-from", "parts"});
+  CHECK(warnings.empty());
   const auto [missing, warned] = compiled({"models/m.csg"});
   CHECK(contains(warned, "below/plate.svg does not exist"));
   CHECK(missing.size() < there.size());
-  // One in the model's own folder goes before.
+  // A file in the model's own folder takes precedence.
   fs::create_directory(folder / "models/below");
   write(folder / "models/below/plate.svg", "<svg><rect width=\"30\" height=\"5\"/></svg>");
   const auto [own, nothing] = compiled({"models/m.csg"});

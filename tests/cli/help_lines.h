@@ -5,13 +5,13 @@
 
 namespace csgsim::testing::cli {
 
-/// Lines of a text without their ends.
+/// The lines of a text, without line ends.
 std::vector<std::string> lines_of(const std::string& text);
 
-/// Commands as `csgsim --help` lists them.
+/// The commands listed by `csgsim --help`.
 std::vector<std::string> commands();
 
-/// How a command's help begins the lines of its options: `-o, --output FILE`.
+/// The first part of each option's help, such as `-o, --output FILE`.
 std::vector<std::string> option_heads(const std::string& command);
 
 }  // namespace csgsim::testing::cli

@@ -8,29 +8,29 @@ using namespace csgsim::testing::cli;
 
 namespace {
 
-/// Options as a command's help lists them: what is said of each, on one line, by its last name.
+/// A command's options by their last name, with the help text of each on one line.
 std::map<std::string, std::string> options_of(const std::string& command) {
   std::map<std::string, std::string> options;
-  std::string* told = nullptr;
+  std::string* text = nullptr;
   for (const std::string& line : lines_of(run(command + " --help").out)) {
     const std::size_t begin = line.find_first_not_of(' ');
     if (begin == 2 && line[2] == '-') {
       const std::size_t name = line.find("--");
-      told = &options[line.substr(name, line.find_first_of(" ,", name) - name)];
+      text = &options[line.substr(name, line.find_first_of(" ,", name) - name)];
     } else if (begin != 26) {
-      told = nullptr;
+      text = nullptr;
     }
-    if (told != nullptr) *told += " " + line.substr(begin);
+    if (text != nullptr) *text += " " + line.substr(begin);
   }
   return options;
 }
 
-/// The longest of the words that help says an option takes; empty if it takes any.
-std::string longest_word(const std::string& told) {
-  const std::size_t begin = told.find("Words: ");
+/// The longest of the words that help lists for an option; empty if any text is allowed.
+std::string longest_word(const std::string& text) {
+  const std::size_t begin = text.find("Words: ");
   if (begin == std::string::npos) return {};
   const std::size_t first = begin + std::string("Words: ").size();
-  std::string list = told.substr(first, told.find(" [", first) - first);
+  std::string list = text.substr(first, text.find(" [", first) - first);
   std::ranges::replace(list, ',', '\n');
   std::string longest;
   for (const std::string& word : lines_of(list)) {
@@ -42,7 +42,7 @@ std::string longest_word(const std::string& told) {
 
 }  // namespace
 
-TEST_CASE("no line of any help is longer than 80 columns") {
+TEST_CASE("no line of any help exceeds 80 columns") {
   REQUIRE(commands().size() >= 18);
   std::vector<std::string> helps{run("--help").out};
   for (const std::string& command : commands()) helps.push_back(run(command + " --help").out);
@@ -55,7 +55,7 @@ TEST_CASE("no line of any help is longer than 80 columns") {
   }
 }
 
-TEST_CASE("remarks of a help are filled: no line breaks where the next word has room") {
+TEST_CASE("remarks in help are filled: lines break only if the next word does not fit") {
   for (const std::string& command : commands()) {
     const std::vector<std::string> lines = lines_of(run(command + " --help").out);
     const auto example = std::ranges::find(lines, "Example:");
@@ -70,7 +70,7 @@ TEST_CASE("remarks of a help are filled: no line breaks where the next word has 
   }
 }
 
-TEST_CASE("help has the options by subject, and none is left for the last resort") {
+TEST_CASE("help groups options by subject and leaves none under further options") {
   const std::string help = run("render --help").out;
   std::size_t at = 0;
   for (const std::string subject : {"Model and scene:", "View:", "Machine:", "Algorithm and pixel memory:", "Accuracy:",
@@ -88,19 +88,19 @@ TEST_CASE("help has the options by subject, and none is left for the last resort
   }
 }
 
-TEST_CASE("the commands of the examples in help go on behind a backslash, as a shell takes them") {
+TEST_CASE("examples in help continue after a backslash as in a shell") {
   const std::string help = run("render --help").out;
   CHECK(help.find("--camera 220,-255,135,2,0,5 \\\n      --stats carburettor.json\n") != std::string::npos);
 }
 
-TEST_CASE("whatever word an option takes, a wrong one is told with the nearest and all that there are") {
-  std::map<std::string, std::string> asked;
+TEST_CASE("a wrong word of any option is reported with the nearest and all valid words") {
+  std::map<std::string, std::string> tested;
   for (const std::string& command : commands()) {
-    for (const auto& [name, told] : options_of(command)) {
-      const std::string& option = name;  // clang cannot capture a part of a pair
-      const std::string word = longest_word(told);
+    for (const auto& [name, text] : options_of(command)) {
+      const std::string& option = name;  // clang cannot capture a structured binding
+      const std::string word = longest_word(text);
       if (word.empty()) continue;
-      asked[option] = command;
+      tested[option] = command;
       std::string wrong = word;
       std::swap(wrong[1], wrong[2]);
       CAPTURE(command);
@@ -113,11 +113,11 @@ TEST_CASE("whatever word an option takes, a wrong one is told with the nearest a
   for (const std::string option : {"--strategy", "--colouring", "--level", "--levels", "--projection", "--progress",
                                    "--pruning", "--pruning-a", "--colour-scheme", "--strategy-b"}) {
     CAPTURE(option);
-    CHECK(asked.count(option) == 1);
+    CHECK(tested.count(option) == 1);
   }
 }
 
-TEST_CASE("names that are not fixed words are told alike: machines, effects, settings of effects, fields") {
+TEST_CASE("unknown machines and effects and settings and fields are reported alike") {
   const Outcome machine = run("render " + model("old_example003") + " --machine scanline");
   fails(machine, 2, {"there is no machine 'scanline'; did you mean scan-line? The machines are pixel-planes-4, "});
   misused("manual machines foo", "there is no machine 'foo'; the machines are pixel-planes-4, ");
@@ -130,7 +130,7 @@ TEST_CASE("names that are not fixed words are told alike: machines, effects, set
   CHECK(field.code == 2);
 }
 
-TEST_CASE("--quiet: nothing is printed, but errors and warnings are") {
+TEST_CASE("--quiet prints nothing except errors and warnings") {
   const Folder folder;
   const std::string draw = model("old_example011") + " --size 16x16 ";
   for (const std::string& words :

@@ -12,7 +12,7 @@ std::string machine_text() { return content(std::string(CSGSIM_SOURCE_DIR) + "/h
 
 }  // namespace
 
-TEST_CASE("no command writes over what it reads, by whatever name") {
+TEST_CASE("no command overwrites its own input under any name") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());
@@ -50,7 +50,7 @@ TEST_CASE("no command writes over what it reads, by whatever name") {
   CHECK(content(folder / "p.csgt") == program);
 }
 
-TEST_CASE("two outputs of one run cannot be one file, through links either") {
+TEST_CASE("rejects two outputs that are the same file through any link") {
   const Folder folder;
   write(folder / "m.csg", cube);
   fs::create_symlink("one.exr", folder / "other.exr");
@@ -62,14 +62,14 @@ TEST_CASE("two outputs of one run cannot be one file, through links either") {
   CHECK_FALSE(fs::exists(folder / "one.exr"));
 }
 
-TEST_CASE("an input without an end is refused at its limit, and not for the picture's sake") {
+TEST_CASE("rejects an endless input at its size limit and names that limit") {
   const Folder folder;
   fs::create_symlink("/dev/zero", folder / "mine.toml");
   write(folder / "m.csg", cube);
   const Outcome machine = run_words({"render", "m.csg", "--machine", "mine.toml"}, folder.path());
   CHECK(machine.code == 1);
   CHECK(machine.err == "mine.toml: longer than 1 MiB; a machine file is much shorter\n");
-#if !CSGSIM_ADDRESS_SANITIZER  // which is slow to fill a GiB
+#if !CSGSIM_ADDRESS_SANITIZER  // slow to fill a GiB
   for (const std::string command : {"run", "disasm", "render"}) {
     const Outcome outcome = run_words({command, "/dev/zero"}, folder.path());
     CHECK(outcome.code == 1);
@@ -78,7 +78,7 @@ TEST_CASE("an input without an end is refused at its limit, and not for the pict
 #endif
 }
 
-TEST_CASE("empty names and negative counts are no options") {
+TEST_CASE("rejects empty file names and negative counts") {
   const Folder folder;
   write(folder / "m.csg", cube);
   for (const std::vector<std::string>& words :
@@ -103,7 +103,7 @@ TEST_CASE("empty names and negative counts are no options") {
   CHECK(folder.files() == 1);
 }
 
-TEST_CASE("a near plane too near for any depth is refused with one that would do") {
+TEST_CASE("rejects a near plane too near for any depth and suggests a valid one") {
   const Folder folder;
   write(folder / "m.csg", cube);
   for (const std::string near : {"4.9e-324", "1e-300", "1e-17"}) {
@@ -116,8 +116,7 @@ TEST_CASE("a near plane too near for any depth is refused with one that would do
                       folder.path()));
 }
 
-TEST_CASE(
-    "a model that takes more work than --limit allows is refused with its place, by every command that reads one") {
+TEST_CASE("every command that reads a model rejects one that exceeds --limit with its place") {
   const Folder folder;
   write(
       folder / "twisted.csg",
@@ -139,7 +138,7 @@ TEST_CASE(
   CHECK(run_words({"compile", "twisted.csg", "-o", "t.csgt", "--limit", "0"}, folder.path()).code == 2);
 }
 
-TEST_CASE("a tree in which each primitive is seen or not by all others is refused before it fills memory") {
+TEST_CASE("rejects a tree with exponential visibility conditions before it fills memory") {
   const Folder folder;
   std::string text;
   for (int i = 0; i < 8'000; ++i) text += "difference() { cube(size = [9, 9, 9], center = true);\n";
@@ -149,7 +148,7 @@ TEST_CASE("a tree in which each primitive is seen or not by all others is refuse
         {"from this primitive on, comparing primitives with others takes more work than", "deep.csg:"});
 }
 
-TEST_CASE("compiling takes no more work than --limit says, whatever asks for it") {
+TEST_CASE("limits the work of compiling by --limit in every command") {
   const Folder folder;
   std::string text;
   for (int i = 0; i < 100; ++i) {

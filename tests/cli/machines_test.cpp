@@ -5,7 +5,7 @@ using namespace csgsim::testing::cli;
 
 namespace {
 
-/// The text of a built-in machine with some of its figures replaced: `key value`.
+/// The file of a built-in machine after some of its parameters were replaced: `key value`.
 std::string machine_file(const Folder& folder, const std::string& name, const std::vector<std::string>& changes) {
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/" + name + ".toml");
   for (const std::string& change : changes) {
@@ -44,7 +44,7 @@ std::uint64_t sum(const nlohmann::json& clocks) {
 
 }  // namespace
 
-TEST_CASE("every machine draws the same picture at both levels, and counts the clocks that are worked out") {
+TEST_CASE("both levels of every machine draw the same picture and predict the same clocks") {
   const Folder folder;
   const Drawn whole = draw(folder, "--machine pixel-planes-4");
   for (const std::string& machine :
@@ -74,7 +74,7 @@ TEST_CASE("every machine draws the same picture at both levels, and counts the c
   }
 }
 
-TEST_CASE("parts whose lists do not fit the nodes of a multi-processor are drawn on it in passes") {
+TEST_CASE("draws parts that exceed a multi-processor's node memory in several passes") {
   const Folder folder;
   for (const char* const part : {"bolt_and_nut", "vase"}) {
     CAPTURE(part);
@@ -91,7 +91,7 @@ TEST_CASE("parts whose lists do not fit the nodes of a multi-processor are drawn
   }
 }
 
-TEST_CASE("each part of the pixel-square machine has an account of all clocks of the frame") {
+TEST_CASE("each unit of the pixel-square machine accounts for all clocks of the frame") {
   const Folder folder;
   const Drawn drawn = draw(folder, "--machine " + machine_file(folder, "pixel-square", {"renderers.count 2"}));
   const nlohmann::json& account = drawn.stats["account"];
@@ -104,7 +104,7 @@ TEST_CASE("each part of the pixel-square machine has an account of all clocks of
   CHECK(drawn.stats["segments"]["drawn"] == account["squares_drawn"]);
 }
 
-TEST_CASE("a Program for one kind of machine is refused by another, with what to do") {
+TEST_CASE("rejects a Program for another kind of machine and suggests a fix") {
   const Folder folder;
   const std::string program = folder / "p.csgt";
   succeeded(run("compile " + model("carburettor") + " --size 64x48 --machine pixel-square -o " + program));
@@ -114,7 +114,7 @@ TEST_CASE("a Program for one kind of machine is refused by another, with what to
         {"600 pixels exceeds the 512 cells"});
 }
 
-TEST_CASE("compare draws a model on several machines and goes on after an interruption") {
+TEST_CASE("compare draws a model on several machines and resumes after an interruption") {
   const Folder folder;
   const std::string command = "compare " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 48x40 -o " +
                               (folder / "c") + " --fragments 6,12 --sides 24,32";
@@ -143,7 +143,7 @@ TEST_CASE("compare draws a model on several machines and goes on after an interr
   CHECK(run(command + " --machines nothing").code == 2);
 }
 
-TEST_CASE("compare names the one figure of a machine that is worth most if it is ideal") {
+TEST_CASE("compare names the parameter whose ideal value helps a machine most") {
   const Folder folder;
   const Outcome outcome =
       run("compare " + model("carburettor") + " --size 32x32 --machines pixel-planes-4 --ideal -o " + (folder / "c"));
@@ -162,7 +162,7 @@ TEST_CASE("compare names the one figure of a machine that is worth most if it is
   CHECK(outcome.out.find("pixel-planes-4: ideal " + best + " gives ") != std::string::npos);
 }
 
-TEST_CASE("subdivide tells what is left in squares of half the side: fewer half-spaces, less each level") {
+TEST_CASE("subdivide reports fewer remaining half-spaces at each smaller square") {
   const Folder folder;
   succeeded(run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
                 (folder / "s") + " --subdivisions 2,4,6 --no-plots"));
@@ -187,7 +187,7 @@ TEST_CASE("subdivide tells what is left in squares of half the side: fewer half-
         {"use a machine of kind pixel-square or multi-processor"});
 }
 
-TEST_CASE("subdivide goes on where it was, measures other levels and tolerances besides, and has plots and a page") {
+TEST_CASE("subdivide resumes and adds levels and tolerances and writes plots and a page") {
   const Folder folder;
   const std::string subdivide = "subdivide " + model("carburettor") + " --size 64x64 -o " + (folder / "s");
   succeeded(run(subdivide + " --subdivisions 2 --tolerances 1,0.5 --no-plots"));
@@ -206,7 +206,7 @@ TEST_CASE("subdivide goes on where it was, measures other levels and tolerances 
   CHECK(content(folder / "p.html").find("data-at=\"/points/1/subsegments/clocks\"") != std::string::npos);
 }
 
-TEST_CASE("subdivide tells the times of a multi-processor's stages, which add up but for barriers") {
+TEST_CASE("subdivide's stage times of a multi-processor add up except for barriers") {
   const Folder folder;
   const std::string options = model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128";
   const Outcome outcome =
@@ -226,7 +226,7 @@ TEST_CASE("subdivide tells the times of a multi-processor's stages, which add up
     CHECK(sum > 0.99 * seconds("total"));
     CHECK(seconds("scan_conversion") + seconds("classification") + seconds("depth_sort") < seconds("rendering"));
     CHECK(stages["first_halfspace_tests"] <= stages["halfspaces_touching"]);
-    // Segments and subsegments are those of any machine that cuts the picture so.
+    // Every machine that divides the picture in this way has the same segments and subsegments.
     for (const char* part : {"segments", "subsegments"}) {
       CHECK(columns[i][part]["count"] == squares[i][part]["count"]);
       CHECK(columns[i][part]["halfspaces_mean"] == squares[i][part]["halfspaces_mean"]);

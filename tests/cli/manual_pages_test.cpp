@@ -7,7 +7,7 @@ using namespace csgsim::testing::cli;
 
 namespace {
 
-/// As man shows it, in lines that are long enough for every option.
+/// The page as man shows it, in lines long enough for every option.
 std::string shown(const std::string& page) {
   ::setenv("MANWIDTH", "150", 1);
   ::setenv("LC_ALL", "C.UTF-8", 1);
@@ -24,7 +24,7 @@ std::vector<std::string> pages() {
 
 }  // namespace
 
-TEST_CASE("there is a manual page for the program and each command, of which neither groff nor mandoc warns") {
+TEST_CASE("groff and mandoc accept the manual pages of the program and each command") {
   const Folder folder;
   succeeded(run_words({"--describe", folder.path().string()}));
   REQUIRE(pages().size() >= 20);
@@ -39,7 +39,7 @@ TEST_CASE("there is a manual page for the program and each command, of which nei
   }
 }
 
-TEST_CASE("a command's page has every option that its help has, with the same value") {
+TEST_CASE("a command's page has every option of its help with the same value") {
   const Folder folder;
   succeeded(run_words({"--describe", folder.path().string()}));
   const std::string all = shown(folder / "csgsim.1");
@@ -57,7 +57,7 @@ TEST_CASE("a command's page has every option that its help has, with the same va
   }
 }
 
-TEST_CASE("pages and completion are the same bytes each time, and a folder that cannot be made is told") {
+TEST_CASE("writes the same pages and completions each time and reports unwritable folders") {
   const Folder folder;
   for (const std::string name : {"a", "b"}) REQUIRE(run_words({"--describe", folder / name}).code == 0);
   succeeded(run_program("diff", {"-r", folder / "a", folder / "b"}));

@@ -11,7 +11,7 @@ std::string commands(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("mesh tells what the filter and the quadtree hold of one mesh, and measures nothing twice") {
+TEST_CASE("mesh compares filter and quadtree on one mesh and reuses its measurements") {
   const Folder folder;
   const std::string words = "mesh " + commands("thesis_fig_3_9") + " -o " + (folder / "m");
   const Outcome first = succeeded(run(words + " --tolerances 0.1,0.05"));
@@ -35,7 +35,7 @@ TEST_CASE("mesh tells what the filter and the quadtree hold of one mesh, and mea
   CHECK(json(folder / "m/mesh.json")["points"].size() == 6);
 }
 
-TEST_CASE("a surface that a tolerance is too fine for is a row that says so, and an error where it is alone") {
+TEST_CASE("a tolerance too fine for a surface gives a reason; it is an error if alone") {
   const Folder folder;
   const std::string words = "mesh " + commands("jug") + " --repairs filter --flatness sides ";
   const Outcome both = succeeded(run(words + "--tolerances 1,1e-12 -o " + (folder / "m")));
@@ -43,7 +43,7 @@ TEST_CASE("a surface that a tolerance is too fine for is a row that says so, and
   fails(run(words + "--tolerances 1e-12"), 1, {"use a coarser tolerance"});
 }
 
-TEST_CASE("mesh refuses what it does not know, and files without a surface") {
+TEST_CASE("mesh rejects unknown names and files without a surface") {
   misused("mesh " + commands("jug") + " --flatness flat", "the flatness tests are");
   misused("mesh " + commands("jug") + " --repairs filtre", "did you mean filter");
   misused("mesh " + commands("jug") + " --tolerances 0", "is not a tolerance");
@@ -53,7 +53,7 @@ TEST_CASE("mesh refuses what it does not know, and files without a surface") {
         {"sphere.csg: only sweeps and patches of command files (.jan) can be meshed"});
 }
 
-TEST_CASE("files of commands are drawn as their .csg, and their errors tell the place") {
+TEST_CASE("a .jan command file draws as its .csg and its errors name their place") {
   const Folder folder;
   const std::string view = " --camera 42,-38,41,10,5.5,2 --size 96x96 -o ";
   succeeded(run("render " + commands("thesis_fig_2_3") + view + (folder / "one.png")));
@@ -64,7 +64,7 @@ TEST_CASE("files of commands are drawn as their .csg, and their errors tell the 
         {"bad.jan:1:14: expected a block's length along z, found the end of the line"});
 }
 
-TEST_CASE("the mesh that mesh writes has the vertices and elements that are counted, and each edge twice at most") {
+TEST_CASE("an exported mesh has the counted vertices and elements and no edge used 3 times") {
   const Folder folder;
   succeeded(run("mesh " + commands("thesis_fig_3_9") + " --tolerances 0.1 --repairs filter --json " +
                 (folder / "m.json") + " -o " + (folder / "m")));
@@ -84,7 +84,8 @@ TEST_CASE("the mesh that mesh writes has the vertices and elements that are coun
   }
   CHECK(used.size() == point["vertices"]);
   CHECK(used.size() == mesh["vertices"].size());
-  // A patch is a disc: vertices less edges and elements are one. With a vertex on a side that is none, they are not.
+  // A patch is a disc: vertices - edges + elements = 1. A vertex on an element's side without being its corner would
+  // break this.
   CHECK(used.size() - edges.size() + mesh["elements"].size() == 1);
   for (const auto& [edge, elements] : edges) CHECK(elements <= 2);
 }

@@ -9,7 +9,7 @@ namespace {
 
 const std::string cube = "cube(size = [8, 6, 4], center = true);\n";
 
-/// A study of one or two points with plots.
+/// The arguments of a study of one or two points with plots.
 std::vector<std::string> study(const std::string& command, const std::string& model, const std::string& folder) {
   std::vector<std::string> words{command, model, "--size", "16x16"};
   if (!folder.empty()) words.insert(words.end(), {"-o", folder});
@@ -32,7 +32,7 @@ bool is_there(const fs::path& folder, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("no name of a model or a folder runs a command") {
+TEST_CASE("no name of a model or a folder runs a shell command") {
   for (const std::string name :
        {"|touch PWNED;", "a';system('touch PWNED')#", "a\";system(\"touch PWNED\")\n#", "a\nsystem(\"touch PWNED\")\n",
         "`touch PWNED`", "$(touch PWNED)", "a\\", "@x", "%s%n%99999d", "EOD\nsystem(\"touch PWNED\")"}) {
@@ -49,7 +49,7 @@ TEST_CASE("no name of a model or a folder runs a command") {
   }
 }
 
-TEST_CASE("accuracy draws its plots for a model whose name has quotes, line breaks and commands in it") {
+TEST_CASE("accuracy draws plots for a model whose name has quotes and line breaks") {
   const Folder folder;
   const std::string name = "a'\"\n`touch PWNED`\n%d {}_^ <b>.csg";
   write(folder / name, cube);
@@ -59,7 +59,7 @@ TEST_CASE("accuracy draws its plots for a model whose name has quotes, line brea
   CHECK_FALSE(is_there(folder.path(), "PWNED"));
 }
 
-TEST_CASE("names are bytes: those that are not UTF-8, and long ones, are read, written, and stored escaped") {
+TEST_CASE("names are bytes: invalid UTF-8 and long names are read and stored escaped") {
   const Folder folder;
   for (const std::string& name :
        {std::string("Geh\xe4use.csg"), std::string("\xff\xfe.csg"), std::string(246, 'n') + ".csg"}) {
@@ -94,7 +94,7 @@ TEST_CASE("names are bytes: those that are not UTF-8, and long ones, are read, w
   }
 }
 
-TEST_CASE("a picture's name too long for a file is refused before anything is simulated") {
+TEST_CASE("rejects a picture's name that is too long before it simulates") {
   const Folder folder;
   write(folder / "m.csg", cube);
   const Outcome outcome =
@@ -104,7 +104,7 @@ TEST_CASE("a picture's name too long for a file is refused before anything is si
   CHECK(outcome.out == "");
 }
 
-TEST_CASE("a table that a spreadsheet opens calculates nothing") {
+TEST_CASE("a table opened in a spreadsheet contains no formulas") {
   const Folder folder;
   write(folder / "=1+1.csg", cube);
   succeeded(run_words(study("sweep", "=1+1.csg", "out"), folder.path()));
@@ -113,7 +113,7 @@ TEST_CASE("a table that a spreadsheet opens calculates nothing") {
   CHECK(table.find("\n=") == std::string::npos);
 }
 
-TEST_CASE("messages are one line without control characters, whatever names and keys they are about") {
+TEST_CASE("messages are one line without control characters for any name or key") {
   const Folder folder;
   const std::string bad = "x\x1b[31m\ny";
   write(folder / (bad + ".csg"), "cube(");
@@ -141,7 +141,7 @@ TEST_CASE("messages are one line without control characters, whatever names and 
   }
 }
 
-TEST_CASE("what a machine file says of itself is shown without control characters") {
+TEST_CASE("escapes control characters in the description of a machine file") {
   const Folder folder;
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
   text.replace(text.find("description = \""), 15, "description = \"\\u001b[2J\\u202e");
@@ -151,7 +151,7 @@ TEST_CASE("what a machine file says of itself is shown without control character
   CHECK(outcome.out.find("\\x1b[2J\\xe2\\x80\\xae") != std::string::npos);
 }
 
-TEST_CASE("a waveform's name cannot write lines into the file for GTKWave") {
+TEST_CASE("a waveform's name cannot inject lines into the file for GTKWave") {
   const Folder folder;
   write(folder / "m.csg", cube);
   const std::string name = "w\"\n@200\n-x.vcd";

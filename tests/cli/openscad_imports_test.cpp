@@ -9,13 +9,13 @@ using namespace csgsim::testing::cli;
 
 namespace {
 
-/// Of a mesh, what has to be the same of another of the same solid.
+/// Volume and bounding box of a mesh, for comparison with another mesh of the same solid.
 struct Extent {
   double volume = 0;
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 
-  /// A triangle: the volume between it and the origin counts.
+  /// Adds a triangle and the volume between it and the origin.
   void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     volume += glm::dot(a, glm::cross(b, c)) / 6.0;
     for (const glm::dvec3& corner : {a, b, c}) {
@@ -25,7 +25,7 @@ struct Extent {
   }
 };
 
-/// Of an OFF file as OpenSCAD writes it.
+/// The extent of an OFF file written by OpenSCAD.
 Extent extent_of(const std::string& path) {
   const csgsim::testing::Mesh mesh = csgsim::testing::read_off(path);
   Extent extent;
@@ -38,7 +38,7 @@ Extent extent_of(const std::string& path) {
 
 bool is_installed() { return run_program("openscad", {"--version"}).code == 0; }
 
-/// What OpenSCAD makes of a text; its polyhedra have to be manifolds.
+/// The extent of OpenSCAD's evaluation of a source text; its polyhedra must be manifolds.
 Extent evaluated(const Folder& folder, const std::string& scad) {
   write(folder / "judge.scad", scad);
   const Outcome outcome = succeeded(run_program("openscad", {"-o", "judge.off", "judge.scad"}, folder.path()));
@@ -52,7 +52,7 @@ Extent evaluated(const Folder& folder, const std::string& scad) {
 
 void compare(const Extent& one, const Extent& other) {
   const double size = glm::length(other.high - other.low);
-  CHECK(one.volume == doctest::Approx(other.volume).epsilon(2e-5));  // coordinates of six digits
+  CHECK(one.volume == doctest::Approx(other.volume).epsilon(2e-5));  // coordinates have six digits
   CHECK(glm::distance(one.low, other.low) < 1e-5 * size);
   CHECK(glm::distance(one.high, other.high) < 1e-5 * size);
 }
@@ -62,12 +62,11 @@ constexpr std::array names{"seams",       "lattice", "extrude_twist_far", "mesh_
 
 }  // namespace
 
-// Of solids that touch themselves it cannot import its own meshes either: extrude_twist_full does at its apex.
-// A cube about all of it makes OpenSCAD evaluate the mesh, by CGAL's Nef polyhedra, which are closed or refused.
-TEST_CASE(
-    "OpenSCAD imports meshes of all formats, and finds manifolds of the volumes and extents that it makes itself") {
+// OpenSCAD cannot import its own meshes of solids that touch themselves either, such as extrude_twist_full at its apex.
+// A surrounding cube makes OpenSCAD evaluate the mesh with CGAL's Nef polyhedra, which rejects meshes that are open.
+TEST_CASE("OpenSCAD imports our meshes as manifolds of the volume and extent it computes") {
   if (!is_installed()) {
-    MESSAGE("skipped: there is no openscad");
+    MESSAGE("skipped: openscad is not installed");
     return;
   }
   for (const char* const name : names) {

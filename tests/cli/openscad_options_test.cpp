@@ -14,7 +14,7 @@ struct Mask {
     return x >= 0 && y >= 0 && x < width && y < height && seen[static_cast<std::size_t>(y * width + x)];
   }
 
-  /// The pixel or one beside it differs from another of them.
+  /// Whether a neighbour of the pixel has another value.
   [[nodiscard]] bool is_edge(int x, int y) const {
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx)
@@ -23,7 +23,7 @@ struct Mask {
   }
 };
 
-/// A plain PBM.
+/// Reads a plain PBM.
 Mask mask_of_pbm(const std::string& path) {
   std::ifstream file(path);
   Mask mask;
@@ -36,7 +36,7 @@ Mask mask_of_pbm(const std::string& path) {
 
 using Colour = std::array<std::uint8_t, 3>;
 
-/// The pixels of a binary PPM.
+/// Reads the pixels of a binary PPM.
 std::vector<Colour> pixels_of(const std::string& ppm) {
   std::istringstream header(ppm);
   std::string kind;
@@ -59,7 +59,7 @@ const std::string cameras = std::string(CSGSIM_SOURCE_DIR) + "/tests/cli/cameras
 
 }  // namespace
 
-TEST_CASE("a camera of six or seven numbers sees what OpenSCAD's sees, but for pixels on the outline") {
+TEST_CASE("a camera of six or seven numbers matches OpenSCAD except on the outline") {
   std::ifstream list(cameras + "cameras.txt");
   int count = 0;
   for (std::string name, projection, camera; list >> name >> projection >> camera; ++count) {
@@ -85,7 +85,7 @@ TEST_CASE("a camera of six or seven numbers sees what OpenSCAD's sees, but for p
   CHECK(count == 10);
 }
 
-TEST_CASE("the letters of a projection are its words, and commas in a size are an x") {
+TEST_CASE("accepts OpenSCAD's letters of projections and commas in sizes and --viewall") {
   const std::string part = cameras + "part.csg ";
   CHECK(drawn(part + "--size 40x30 --projection p") == drawn(part + "--imgsize 40,30 --projection perspective"));
   CHECK(drawn(part + "--size 40x30 --projection o") == drawn(part + "--size 40x30"));
@@ -95,7 +95,7 @@ TEST_CASE("the letters of a projection are its words, and commas in a size are a
   misused("render " + part + "--camera 1,2,3,4,5,6,7,8", "ex,ey,ez,cx,cy,cz or x,y,z,rx,ry,rz,d");
 }
 
-TEST_CASE("a turned camera keeps the roll of its seven numbers from frame to frame") {
+TEST_CASE("a turned camera of seven numbers keeps its roll from frame to frame") {
   const Folder folder;
   const std::string part = "render " + cameras + "part.csg --size 40x30 --camera=";
   succeeded(run(part + "0,0,5,70,30,210,100 --frames 2 --turn 25 -o " + (folder / "f.png")));
@@ -103,12 +103,12 @@ TEST_CASE("a turned camera keeps the roll of its seven numbers from frame to fra
   CHECK(content(folder / "f_001.png") == content(folder / "p.png"));
 }
 
-TEST_CASE("a colour scheme has OpenSCAD's colours of the background and of faces without a colour") {
+TEST_CASE("a colour scheme has OpenSCAD's colours of background and uncoloured faces") {
   const std::string part = cameras + "part.csg --size 40x30 ";
   CHECK(drawn(part + "--colour-scheme Cornfield") == drawn(part));
   const std::vector<Colour> night = drawn(part + "--colorscheme 'Tomorrow Night'");
   CHECK(night.front() == Colour{0x1d, 0x1f, 0x21});
-  // A face straight before the light has all of its colour: white light of 0.3 and 0.7 on #16a085.
+  // A face perpendicular to the light shows its colour unchanged: white light of 0.3 and 0.7 on #16a085.
   const Folder folder;
   write(folder / "s.toml",
         "[ambient]\nintensity = 1\n[[lights]]\nkind = \"directional\"\ndirection = [0, 0, -1]\nintensity = 0\n");

@@ -11,7 +11,7 @@
 
 using namespace csgsim::testing::cli;
 
-TEST_CASE("a picture's name without a format, or in no folder, is refused and nothing is left behind") {
+TEST_CASE("rejects a picture name without format or folder and leaves no file") {
   const Folder folder;
   const std::string options = "render " + model("old_example011") + " --size 16x16 ";
   CHECK(run(options + "-o " + (folder / "picture.xyz")).code == 2);
@@ -20,7 +20,7 @@ TEST_CASE("a picture's name without a format, or in no folder, is refused and no
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("csgsim without its module of picture formats writes PNG, and says what other formats need") {
+TEST_CASE("csgsim without its picture module writes PNG and names the missing package") {
   const Folder folder;
   fs::copy_file(CSGSIM_BINARY_DIR "/csgsim", folder / "csgsim");
   const auto draw = [&](const std::string& picture) {
@@ -48,7 +48,7 @@ TEST_CASE("csgsim without its module of picture formats writes PNG, and says wha
   CHECK(content(folder / "p.tif").starts_with("II*"));
 }
 
-TEST_CASE("an output that is a symbolic link stays one, and what it leads to is written") {
+TEST_CASE("writes through an output that is a symbolic link and keeps the link") {
   const Folder folder;
   fs::create_directory(folder / "real");
   write(folder / "real/old.png", "old");
@@ -63,7 +63,7 @@ TEST_CASE("an output that is a symbolic link stays one, and what it leads to is 
   CHECK(folder.files() == 3);
 }
 
-TEST_CASE("an output that is a pipe stays one and gets the whole file") {
+TEST_CASE("writes the whole file into an output that is a pipe") {
   const Folder folder;
   REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
   for (const std::string& words : {"render " + model("old_example011") + " --size 16x16 --stats ",
@@ -80,14 +80,14 @@ TEST_CASE("an output that is a pipe stays one and gets the whole file") {
   CHECK(folder.files() == 1);
 }
 
-TEST_CASE("standard output can be an output, of which the summary is no part") {
+TEST_CASE("writes an output to standard output without the summary") {
   const Outcome outcome = succeeded(run("render " + model("old_example011") + " --size 16x16 --stats /dev/stdout"));
   CHECK(outcome.out.find("\"by_purpose\"") != std::string::npos);
   CHECK(nlohmann::json::accept(outcome.out));
   CHECK(outcome.err.find("simulated in") != std::string::npos);
 }
 
-TEST_CASE("a folder is no output") {
+TEST_CASE("rejects a folder as output") {
   const Folder folder;
   fs::create_directory(folder / "d.png");
   const Outcome outcome = run("render " + model("old_example011") + " --size 16x16 -o " + (folder / "d.png"));
@@ -96,7 +96,7 @@ TEST_CASE("a folder is no output") {
   CHECK(folder.files() == 1);
 }
 
-TEST_CASE("outputs that cannot be are told before anything is simulated, and leave nothing") {
+TEST_CASE("reports impossible outputs before it simulates and leaves no file") {
   const Folder folder;
   const std::string wave = "wave " + model("old_example011") + " --size 16x16 --probe 1,1 -o ";
   const Outcome no_folder = run(wave + (folder / "none/w.vcd"));
@@ -112,7 +112,7 @@ TEST_CASE("outputs that cannot be are told before anything is simulated, and lea
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("standard output that cannot be written is told") {
+TEST_CASE("reports a standard output that cannot be written") {
   if (!fs::exists("/dev/full")) return;
   const Folder folder;
   const std::string binary = std::string(CSGSIM_BINARY_DIR) + "/csgsim ";
@@ -125,11 +125,11 @@ TEST_CASE("standard output that cannot be written is told") {
   }
 }
 
-#if !CSGSIM_ADDRESS_SANITIZER  // which reserves more address space than the limit
+#if !CSGSIM_ADDRESS_SANITIZER  // it reserves more address space than the limit
 
 namespace {
 
-/// What a command says on both streams under a limit of address space; it has to end with exit code 1.
+/// Both output streams of a command under a limit of address space; it must end with exit code 1.
 std::string said_within(int kilobytes, const std::string& words) {
   const std::string command =
       "ulimit -v " + std::to_string(kilobytes) + "; " + CSGSIM_BINARY_DIR + "/csgsim " + words + " 2>&1";
@@ -143,7 +143,7 @@ std::string said_within(int kilobytes, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("a picture that memory does not hold is told with its size") {
+TEST_CASE("reports the size of a picture that exceeds the memory") {
   const Folder folder;
   const std::string text =
       said_within(600000, "render " + model("old_example011") + " --size 12000x11000 -o " + (folder / "p.png"));
@@ -154,10 +154,10 @@ TEST_CASE("a picture that memory does not hold is told with its size") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("half-spaces that memory does not hold are told with their number, however small the picture") {
+TEST_CASE("reports the number of half-spaces that exceed memory for any picture size") {
   const Folder folder;
   {
-    // 10,000 spheres beside each other, of 62 half-spaces each.
+    // 10,000 disjoint spheres with 62 half-spaces each.
     std::ofstream file(folder / "many.csg");
     for (int i = 0; i < 10000; ++i) {
       file << "multmatrix([[1,0,0," << i % 100 << "],[0,1,0," << i / 100

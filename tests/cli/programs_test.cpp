@@ -27,7 +27,7 @@ nlohmann::json stats_of(const Folder& folder, const std::string& words) {
   return json(folder / "stats.json");
 }
 
-/// What a machine does, not what for.
+/// Checks that removing facts and comments from a Program changes neither its clocks nor its picture.
 void check_same_at_cycle_level(const std::string& path) {
   CAPTURE(path);
   const Folder folder;
@@ -45,7 +45,7 @@ void check_same_at_cycle_level(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("with stepped trees a golden Program has the picture and counts of trees that are worked out") {
+TEST_CASE("stepped and computed trees give the picture and counts of a golden Program") {
   const Folder folder;
   for (const std::string name : {"thesis_fig_2_3", "thesis_fig_2_3_squares"}) {
     CAPTURE(name);
@@ -62,20 +62,19 @@ TEST_CASE("with stepped trees a golden Program has the picture and counts of tre
   }
 }
 
-TEST_CASE("stepped trees are refused at other levels and on machines without any") {
+TEST_CASE("rejects stepped trees at other levels and on machines without trees") {
   misused("run " + trace("thesis_fig_2_3") + " --evaluator stepped", "add --level cycle");
   fails(run("run " + trace("thesis_fig_2_3_nodes") + " --level cycle --evaluator stepped"), 1,
         {"a machine of kind multi-processor has no multiplier trees that can be stepped"});
 }
 
-TEST_CASE("at the cycle level too a golden Program without facts and comments is the same to its machine") {
+TEST_CASE("cycle level: facts and comments of a golden Program change nothing") {
   for (const char* name : {"thesis_fig_2_3", "carburettor", "terrain_vehicle", "old_example002", "old_example002_lines",
                            "thesis_fig_2_3_squares", "thesis_fig_2_3_nodes"})
     check_same_at_cycle_level(trace(name));
 }
 
-TEST_CASE(
-    "a Program runs on the machine that it was compiled for, with its figures, and takes the clocks of its render") {
+TEST_CASE("a Program runs on its own machine with its parameters and render's clocks") {
   const Folder folder;
   for (const std::string machine : {"scan-line", "pixel-square", "multi-processor", "pixel-powers",
                                     "pixel-planes-4+alu.bits=4+array.memory_bits=96"}) {
@@ -93,7 +92,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a Program of a machine from a file runs without the file") {
+TEST_CASE("a Program compiled for a machine file runs without the file") {
   const Folder folder;
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/scan-line.toml");
   text.replace(text.find("name = \"scan-line\""), 18, "name = \"my lines\"");
@@ -108,7 +107,7 @@ TEST_CASE("a Program of a machine from a file runs without the file") {
   CHECK(ran["clocks"] == named["clocks"]);
 }
 
-TEST_CASE("a Program is refused by a machine of another kind, or with less memory, and told what another one has") {
+TEST_CASE("rejects a Program on another kind or smaller machine and names the differences") {
   const Folder folder;
   const std::string lines = compiled(folder, "lines.csgt", "--machine scan-line");
   const std::string output = " -o " + (folder / "out.png");
@@ -129,15 +128,15 @@ TEST_CASE("a Program is refused by a machine of another kind, or with less memor
   CHECK(run("run " + wide + " --machine pixel-planes-4" + output).err.empty());
   refused("run " + wide + " --machine pixel-planes-4+alu.bits=4" + output,
           "needs 96 memory bits per pixel, and pixel-planes-4+alu.bits=4 has 72");
-  const Outcome told =
+  const Outcome warned =
       succeeded(run("run " + wide + " --machine pixel-planes-4+alu.bits=4+array.memory_bits=100" + output));
-  CHECK(one_line(told.err));
-  CHECK(told.err.find("was compiled for pixel-planes-4; ") != std::string::npos);
-  CHECK(told.err.find("alu.bits 4 instead of 1") != std::string::npos);
-  CHECK(told.err.find("array.memory_bits 100 instead of 72") != std::string::npos);
+  CHECK(one_line(warned.err));
+  CHECK(warned.err.find("was compiled for pixel-planes-4; ") != std::string::npos);
+  CHECK(warned.err.find("alu.bits 4 instead of 1") != std::string::npos);
+  CHECK(warned.err.find("array.memory_bits 100 instead of 72") != std::string::npos);
 }
 
-TEST_CASE("of a Program that names no machine it is said which one is assumed") {
+TEST_CASE("warns which machine is assumed for a Program that names none") {
   const Folder folder;
   isa::Program program = isa::load_program(trace("old_example002"));
   program.machine = {};
@@ -159,7 +158,7 @@ TEST_CASE("of a Program that names no machine it is said which one is assumed") 
   fails(run("run " + (folder / "p.csgt") + output), 1, {"'no-such-machine'"});
 }
 
-TEST_CASE("disasm --row-commands shows what a machine does to rows, and says of which Programs it cannot") {
+TEST_CASE("disasm --row-commands lists commands of rows and rejects other machines") {
   const Folder folder;
   const std::string rows = compiled(folder, "rows.csgt", "--machine simdram-ddr4");
   const Outcome text = succeeded(run("disasm " + rows + " --row-commands"));

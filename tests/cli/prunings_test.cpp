@@ -4,7 +4,7 @@ using namespace csgsim::testing::cli;
 
 namespace {
 
-/// The Program of a model with those options.
+/// The Program of a model compiled with those options.
 std::string compiled(const std::string& options) {
   const Folder folder;
   REQUIRE(run("compile " + model("old_example002") + " --size 60x50 " + options + " -o " + (folder / "p.csgt")).code ==
@@ -14,7 +14,7 @@ std::string compiled(const std::string& options) {
 
 }  // namespace
 
-TEST_CASE("--pruning says what is done or what is not") {
+TEST_CASE("--pruning lists the prunings to apply or to omit") {
   CHECK(compiled("--pruning all") == compiled(""));
   CHECK(compiled("--pruning none") != compiled(""));
   CHECK(compiled("--pruning space+picture+separation+halfspaces+near") ==
@@ -22,13 +22,13 @@ TEST_CASE("--pruning says what is done or what is not") {
   CHECK(compiled("--pruning early-out") != compiled("--pruning none"));
 }
 
-TEST_CASE("prunings that make no sense together are refused") {
+TEST_CASE("rejects contradictory and unknown prunings") {
   misused("render m.csg --pruning space+no-sets", "mixes prunings to apply and prunings to leave out");
   misused("render m.csg --pruning space+", "there is no pruning ''");
   misused("render m.csg --pruning no-spice", "did you mean no-space?");
 }
 
-TEST_CASE("a sweep and a comparison of two runs say prunings by the same words") {
+TEST_CASE("sweep and diff use the same names for prunings") {
   const Folder folder;
   const std::string part = model("old_example011") + " --size 16x16 ";
   succeeded(run("sweep " + part + "--strategy stack --pruning all,none,no-sets+no-hidden,space --no-plots -o " +

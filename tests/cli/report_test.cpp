@@ -8,7 +8,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// What stands between two texts, from a place on, which goes on behind it. Empty if there is none.
+/// The text between two texts, searched from `at`, which moves behind it; empty if not found.
 std::string between(const std::string& text, const std::string& begin, const std::string& end, std::size_t& at) {
   const std::size_t from = text.find(begin, at);
   if (from == std::string::npos) return "";
@@ -39,8 +39,7 @@ std::string digits(const std::string& text) {
   return kept;
 }
 
-/// Holds each cell of the page's tables that says where its value stands against a file; returns how many whole numbers
-/// there are.
+/// Compares each table cell of the page that names its source value with a file; returns the number of whole numbers.
 std::size_t hold_cells(const std::string& html, const Json& file) {
   std::size_t whole = 0;
   for (std::size_t at = 0;;) {
@@ -56,7 +55,7 @@ std::size_t hold_cells(const std::string& html, const Json& file) {
   }
 }
 
-/// Nothing that a browser would fetch.
+/// Checks that the page loads nothing from elsewhere.
 void asks_for_nothing(const std::string& html) {
   for (const std::string part : {"http://", "https://", "src=\"/", "src=//", "url(", "@import", "<link rel=stylesheet"})
     CHECK(html.find(part) == std::string::npos);
@@ -64,7 +63,7 @@ void asks_for_nothing(const std::string& html) {
 
 }  // namespace
 
-TEST_CASE("the page of a render has the numbers of its stats, and the same run gives the same page") {
+TEST_CASE("the page of a render shows the numbers of its stats and is reproducible") {
   const Folder folder;
   const std::string command = "render " + model("old_example011") + " --size 64x48 --view-all --stats " +
                               (folder / "s.json") + " --report " + (folder / "r.html");
@@ -117,7 +116,7 @@ TEST_CASE("the page of each study has the numbers of its file") {
   }
 }
 
-TEST_CASE("the page of advice has the front, what is recommended and its commands, and not all that was searched") {
+TEST_CASE("the page of advise has the front and recommended commands but not all choices") {
   const Folder folder;
   const std::string of =
       "advise " + model("old_example011") + " --size 32x32 --z-bits 12,14 --fraction-bits 2,6 --no-plots ";
@@ -145,7 +144,7 @@ TEST_CASE("the page of advice has the front, what is recommended and its command
   }
 }
 
-TEST_CASE("a page changes neither the title of a study's table nor what is measured again") {
+TEST_CASE("writing a page changes neither a study's table title nor its stored points") {
   const Folder folder;
   const std::string command =
       "sweep " + model("old_example011") + " --size 16x16 --strategy stack --no-plots -o " + (folder / "s");
@@ -155,7 +154,7 @@ TEST_CASE("a page changes neither the title of a study's table nor what is measu
   CHECK(content(folder / "s/sweep.csv") == table);
 }
 
-TEST_CASE("a page that is an input, another output, or no .html is refused, and a run that fails leaves none") {
+TEST_CASE("rejects a page that is an input or another output or not .html") {
   const Folder folder;
   fs::copy_file(model("old_example011"), folder / "m.csg");
   fs::create_symlink("m.csg", folder / "m.html");
@@ -170,10 +169,10 @@ TEST_CASE("a page that is an input, another output, or no .html is refused, and 
   CHECK_FALSE(fs::exists(folder / "a.html"));
 }
 
-TEST_CASE("the page of a model with a hostile name has no markup of its own") {
+TEST_CASE("the page of a model with a hostile name contains no injected markup") {
   const Folder folder;
   const std::string name = "</script><img src=x onerror=alert(1)>'\"&.csg";
-  // A slash ends a folder's name.
+  // A folder's name cannot contain the slash of a closing tag.
   fs::create_directory(folder / "<");
   fs::copy_file(model("old_example011"), folder / name);
   succeeded(run_words({"render", name, "--size", "16x16", "--report", "r.html"}, folder.path()));

@@ -12,7 +12,7 @@ nlohmann::json counts(const std::string& path) {
   return stats;
 }
 
-/// Runs the words with a picture and stats, and then the stats again: the same bytes.
+/// Runs the words with a picture and stats, then repeats the run from the stats: both files must be identical.
 void runs_again(const Folder& folder, std::vector<std::string> words) {
   words.insert(words.end(), {"-o", "a.png", "--depth", "a.exr", "--stats", "a.json"});
   succeeded(run_words(words, folder.path()));
@@ -26,7 +26,7 @@ void runs_again(const Folder& folder, std::vector<std::string> words) {
   CHECK(content(folder / "b.png") == content(folder / "a.png"));
   CHECK(content(folder / "b.exr") == content(folder / "a.exr"));
   CHECK(counts(folder / "b.json") == counts(folder / "a.json"));
-  // What was run again can be run again, and says so in the same words.
+  // The repeated run records the same configuration, so it can be repeated in turn.
   const nlohmann::json one = json(folder / "a.json")["configuration"];
   const nlohmann::json other = json(folder / "b.json")["configuration"];
   for (const std::string key : {"machine", "camera", "model", "inputs", "picture", "version"})
@@ -36,7 +36,7 @@ void runs_again(const Folder& folder, std::vector<std::string> words) {
 
 void refused(const Outcome& outcome, const std::string& message) { fails(outcome, 1, {message}); }
 
-/// A model that imports a mesh of that height.
+/// Writes a model that imports a mesh of that height.
 void write_imported(const Folder& folder, int height) {
   write(folder / "m.csg",
         "import(file = \"part.off\", layer = \"\", origin = [0, 0], scale = 1, convexity = 1, $fn = 0, $fa = 12, $fs = "
@@ -47,7 +47,7 @@ void write_imported(const Folder& folder, int height) {
 
 }  // namespace
 
-TEST_CASE("a render runs again from its stats, byte for byte, on every kind of machine") {
+TEST_CASE("repeats a render from its stats byte for byte on every kind of machine") {
   const Folder folder;
   for (const std::string machine :
        {"pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5", "multi-processor"}) {
@@ -56,7 +56,7 @@ TEST_CASE("a render runs again from its stats, byte for byte, on every kind of m
   }
 }
 
-TEST_CASE("a render with many options runs again, whichever way they were said") {
+TEST_CASE("repeats a render with options from all sources") {
   const Folder folder;
   write(folder / "look.toml", "[ambient]\nintensity = 0.6\n[[lights]]\ndirection = [0, 1, -1]\n");
   write(folder / "s.toml",
@@ -83,17 +83,17 @@ TEST_CASE("a render with many options runs again, whichever way they were said")
   CHECK(configuration["machine"]["figures"]["array.width"]["value"] == 40);
   CHECK(configuration["camera"]["projection"] == "perspective");
   CHECK(configuration["camera"]["near"] == 1.25);
-  // The settings are in the options: their file is needed no more.
+  // The options include the settings, so their file is no longer needed.
   fs::remove(folder / "s.toml");
   succeeded(run_words({"rerun", "a.json"}, folder.path()));
 }
 
-TEST_CASE("the best settings that a render chose are chosen again") {
+TEST_CASE("repeats the choice of the best settings of a render") {
   const Folder folder;
   runs_again(folder, {"render", model("thesis_fig_2_3"), "--size", "24x24", "--max-wrong-pixels", "40"});
 }
 
-TEST_CASE("a run of a Program runs again, and so does one that went on from a checkpoint") {
+TEST_CASE("repeats the run of a Program and one resumed from a checkpoint") {
   const Folder folder;
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/old_example002_lines.csgt";
   runs_again(folder, {"run", program, "--machine", "scan-line", "--set", "cells.words=6"});
@@ -103,7 +103,7 @@ TEST_CASE("a run of a Program runs again, and so does one that went on from a ch
   CHECK(!fs::exists(folder / "c.csgs"));
 }
 
-TEST_CASE("a run at the cycle level runs again at the cycle level") {
+TEST_CASE("repeats a run of the cycle level at the cycle level") {
   const Folder folder;
   runs_again(folder, {"render", model("thesis_fig_2_3"), "--size", "24x24", "--level", "cycle"});
   CHECK(json(folder / "b.json")["level"] == "cycle");
@@ -112,7 +112,7 @@ TEST_CASE("a run at the cycle level runs again at the cycle level") {
   CHECK(json(folder / "b.json")["configuration"]["options"]["evaluator"] == "stepped");
 }
 
-TEST_CASE("relative names are those of the folder that the run was asked for in") {
+TEST_CASE("resolves relative names in the folder of the original run") {
   const Folder folder;
   fs::create_directory(folder / "there");
   fs::create_directory(folder / "here");
@@ -125,7 +125,7 @@ TEST_CASE("relative names are those of the folder that the run was asked for in"
   CHECK(content(folder / "here/b.png") == content(folder / "there/a.png"));
 }
 
-TEST_CASE("a file that has changed since is noticed before anything is run or written") {
+TEST_CASE("detects a changed file before it runs or writes") {
   const Folder folder;
   write_imported(folder, 9);
   write(folder / "look.toml", "[ambient]\nintensity = 0.6\n");
@@ -139,7 +139,7 @@ TEST_CASE("a file that has changed since is noticed before anything is run or wr
     refused(run_words({"rerun", "a.json", "-o", "b.png"}, folder.path()),
             "a.json: " + name + " has changed; add --anyway to continue");
     CHECK(!fs::exists(folder / "b.png"));
-    // The change is none that matters.
+    // The change does not affect the picture.
     const Outcome anyway = run_words({"rerun", "a.json", "--anyway"}, folder.path());
     CHECK(anyway.err.find(name + " has changed") != std::string::npos);
     CHECK(anyway.code == 0);
@@ -152,7 +152,7 @@ TEST_CASE("a file that has changed since is noticed before anything is run or wr
   CHECK(fs::exists(folder / "b.png"));
 }
 
-TEST_CASE("a change in a file that OpenSCAD's source includes is noticed") {
+TEST_CASE("detects a change in a file that OpenSCAD source includes") {
   const Folder folder;
   stand_in(folder, "openscad", "cat part.scad");
   write(folder / "m.scad", "include <part.scad>\n");
@@ -165,7 +165,7 @@ TEST_CASE("a change in a file that OpenSCAD's source includes is noticed") {
   CHECK(!fs::exists(folder / "b.png"));
 }
 
-TEST_CASE("stats of another version are told apart, and counts that differ are told with both values") {
+TEST_CASE("reports stats of another version and differing counts with both values") {
   const Folder folder;
   succeeded(run("render " + model("old_example002") + " --size 16x16 --stats " + (folder / "a.json")));
   nlohmann::ordered_json stats = nlohmann::ordered_json::parse(content(folder / "a.json"));
@@ -180,7 +180,7 @@ TEST_CASE("stats of another version are told apart, and counts that differ are t
         std::string::npos);
 }
 
-TEST_CASE("what is no stats file is refused with its place") {
+TEST_CASE("rejects a file that is no stats file and names the place") {
   const Folder folder;
   write(folder / "a.json", "{\n  \"clocks\": 3,\n}");
   refused(run_words({"rerun", "a.json"}, folder.path()), "a.json:3:1: not valid JSON");

@@ -7,7 +7,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// csgsim rtl in a folder that has a model, m.csg, and a Program that shows no picture, p.txt.
+/// Runs csgsim rtl in a folder with a model, m.csg, and a Program that shows no picture, p.txt.
 Outcome rtl(const Folder& folder, Words words) {
   write(folder / "m.csg", "cube(size = [8, 6, 4]);\n");
   write(folder / "p.txt",
@@ -17,14 +17,14 @@ Outcome rtl(const Folder& folder, Words words) {
   return run_words(words, folder.path());
 }
 
-void refused(const Words& words, int code, const std::string& what, const std::string& mend) {
+void refused(const Words& words, int code, const std::string& what, const std::string& fix) {
   const Folder folder;
   const Outcome outcome = rtl(folder, words);
   CAPTURE(outcome.err);
   CHECK(outcome.code == code);
   CHECK(one_line(outcome.err));
   CHECK(outcome.err.find(what) != std::string::npos);
-  CHECK(outcome.err.find(mend) != std::string::npos);
+  CHECK(outcome.err.find(fix) != std::string::npos);
   CHECK(outcome.out.empty());
   CHECK(folder.files() == 2);
 }
@@ -37,7 +37,7 @@ std::set<std::string> files_below(const fs::path& folder) {
   return files;
 }
 
-/// All of hw/rtl, and what is written around it.
+/// Adds the modules of hw/rtl to the files written for a design.
 std::set<std::string> with_modules(std::set<std::string> files) {
   for (const fs::directory_entry& entry : fs::directory_iterator(std::string(CSGSIM_SOURCE_DIR) + "/hw/rtl")) {
     if (entry.is_regular_file() && entry.path().extension() != ".md")
@@ -57,7 +57,7 @@ void check_filled(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("a design with a Program is written whole, again over itself, and says what it is") {
+TEST_CASE("writes a complete design with a Program and overwrites it and describes it") {
   const Folder folder;
   for (int i = 0; i < 2; ++i) {
     const Outcome outcome = succeeded(rtl(folder, {"pixel-planes-4", "m.csg", "--size", "8x4", "-o", "d"}));
@@ -73,7 +73,7 @@ TEST_CASE("a design with a Program is written whole, again over itself, and says
   CHECK(system.find(".HEIGHT(4), ") != std::string::npos);
 }
 
-TEST_CASE("a design without a model has a serial line, and no testbench") {
+TEST_CASE("a design without a model has a serial line but no testbench") {
   const Folder folder;
   succeeded(rtl(folder, {"pixel-planes-4", "--size", "8x4", "--set", "alu.bits=2", "-o", "d"}));
   CHECK(files_below(folder.path() / "d") ==
@@ -84,7 +84,7 @@ TEST_CASE("a design without a model has a serial line, and no testbench") {
   CHECK(system.find(".ALU_BITS(2), ") != std::string::npos);
 }
 
-TEST_CASE("a design is not written over files that are not its own, and the current folder is refused") {
+TEST_CASE("does not write a design over foreign files or into the current folder") {
   refused({"pixel-planes-4", "m.csg", "--size", "8x8", "-o", "."}, 1, ".: it contains the current folder",
           "name an empty folder or a new one");
   const Folder folder;
@@ -96,7 +96,7 @@ TEST_CASE("a design is not written over files that are not its own, and the curr
   CHECK(content(folder / "d/board.v") == "mine\n");
 }
 
-TEST_CASE("what the Verilog does not have is refused with the mend, and nothing is written") {
+TEST_CASE("rejects what the Verilog does not support with a fix and writes nothing") {
   const Words model{"m.csg", "--size", "8x8", "-o", "d"};
   const auto with = [&](Words words, const Words& more) {
     words.insert(words.end(), model.begin(), model.end());
@@ -113,7 +113,7 @@ TEST_CASE("what the Verilog does not have is refused with the mend, and nothing 
   refused({"pixel-planes-4", "m.csg", "--size", "8x8", "-o", "-"}, 2, "a design is several files", "name a folder");
 }
 
-TEST_CASE("options that say how to compile are refused where nothing is compiled, for the reason that is true") {
+TEST_CASE("rejects compile options where nothing is compiled and gives the actual reason") {
   const std::string name_one = "is for models; name one after the machine";
   refused({"pixel-planes-4", "--size", "8x8", "--colour-bits", "12", "-o", "d"}, 2, "--colour-bits", name_one);
   refused({"pixel-planes-4", "--set", "background.colour=0,0,0", "-o", "d"}, 2, "'background.colour=0,0,0'", name_one);

@@ -11,7 +11,7 @@ namespace kinds = csgsim::kinds;
 namespace machines = csgsim::machines;
 namespace scene = csgsim::scene;
 
-TEST_CASE("no figure of a machine has the name of a scene's key, so that --set says one thing") {
+TEST_CASE("no machine parameter has the name of a scene key: --set is unambiguous") {
   std::vector<std::string> words{"effects"};
   for (const scene::Section& section : scene::common_sections()) words.emplace_back(section.name);
   for (const scene::Section& section : effects::sections()) CHECK(section.name.starts_with("effects."));
@@ -27,7 +27,7 @@ TEST_CASE("no figure of a machine has the name of a scene's key, so that --set s
   CHECK(figures > 50);
 }
 
-TEST_CASE("a figure that is set is the one of a machine that is named so") {
+TEST_CASE("--set of a parameter equals a machine named with it") {
   const Folder folder;
   const auto clocks = [&](const std::string& words) {
     REQUIRE(
@@ -41,13 +41,13 @@ TEST_CASE("a figure that is set is the one of a machine that is named so") {
   CHECK(set == clocks("--machine pixel-planes-4+alu.bits=4+memory.reads=2"));
   CHECK(set.first == "pixel-planes-4+alu.bits=4+memory.reads=2");
   CHECK(set.second < clocks("").second);
-  // Said twice, or with another spelling of the number, it is the same edit.
+  // The last value counts, and another spelling of the number gives the same machine.
   CHECK(set == clocks("--set alu.bits=2 --set alu.bits=04 --set memory.reads=2"));
   CHECK(clocks("--set alu.bits=2").first != clocks("--set alu.bits=4").first);
   CHECK(clocks("--machine pixel-square --set divider.kind=host").first == "pixel-square+divider.kind=host");
 }
 
-TEST_CASE("a file that is a built-in machine with other figures has a name that tells them") {
+TEST_CASE("a machine file with changed parameters of a built-in one is named after them") {
   const Folder folder;
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
   write(folder / "same.toml", text);
@@ -65,7 +65,7 @@ TEST_CASE("a file that is a built-in machine with other figures has a name that 
   CHECK(first_line("wide.toml+alu.bits=1") == "pixel-planes-4");
 }
 
-TEST_CASE("what is set wrongly is told in one line, with the nearest figure or key") {
+TEST_CASE("reports a wrong --set in one line with the nearest parameter or key") {
   const std::string render = "render " + model("old_example002") + " --size 16x16 ";
   misused(render + "--set alu.bit=4",
           "'alu.bit' is neither a machine parameter nor a scene key; the nearest known is 'alu.bits'");
@@ -80,7 +80,7 @@ TEST_CASE("what is set wrongly is told in one line, with the nearest figure or k
   misused("manual machines --set ambient.intensity=1", "'ambient.intensity=1' is for models");
 }
 
-TEST_CASE("a figure is set for those of several machines that have it, and refused where none has") {
+TEST_CASE("--set applies to the machines that have the parameter and fails if none has it") {
   const Folder folder;
   const std::string compare = "compare " + model("thesis_fig_2_3") +
                               " --size 16x16 --sides '' --fragments '' --no-plots -o " + (folder / "out") +
@@ -97,7 +97,7 @@ TEST_CASE("a figure is set for those of several machines that have it, and refus
   CHECK(listed.out.find("\nscan-line\n") != std::string::npos);
 }
 
-TEST_CASE("a sweep, a diff, a debugger and a wave take figures, and say the machine's name") {
+TEST_CASE("sweep and diff and debug and wave accept --set and print the machine's name") {
   const Folder folder;
   const std::string sweep = "sweep " + model("thesis_fig_2_3") +
                             " --size 16x16 --strategy stack --no-plots --set alu.bits=4 -o " + (folder / "out");

@@ -9,7 +9,7 @@ using namespace csgsim::testing::cli;
 
 namespace {
 
-/// As help lists them, two blanks before each.
+/// The commands listed by help, each after two blanks.
 std::vector<std::string> commands() {
   std::vector<std::string> names;
   std::istringstream lines(run("--help").out);
@@ -22,12 +22,12 @@ std::vector<std::string> commands() {
   return names;
 }
 
-/// An option of a settings file as --dump-config writes it: `key = value`, commented out where nothing is said.
+/// An option of a settings file as --dump-config writes it: `key = value`, commented out if it is not set.
 struct Key {
   std::string name;
   std::string value;
   bool is_said = false;
-  std::string meaning;  ///< the comment before
+  std::string meaning;  ///< text of the comment above
 };
 
 std::vector<Key> keys_of(const std::string& settings) {
@@ -52,8 +52,8 @@ std::vector<Key> keys_of_command(const std::string& command) {
   return keys_of(outcome.out);
 }
 
-/// Another value than the one an option has, where it is not any text or number. An option that takes certain words
-/// alone needs a line here.
+/// Sample values that differ from the defaults, for options that do not take any text or number. An option with a fixed
+/// set of words needs a line here.
 const std::map<std::string, std::string> samples{{"projection", "\"perspective\""},
                                                  {"machine", "\"scan-line\""},
                                                  {"machine-a", "\"scan-line\""},
@@ -112,7 +112,7 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"with", "\"mc68000:weave\""},
                                                  {"parts", "\"speed\""}};
 
-/// Options that stand in place of others, which they exclude.
+/// Options that exclude others.
 const std::set<std::string> alone{"point", "tolerances", "with"};
 
 std::string sample(const std::string& command, const Key& key) {
@@ -130,14 +130,14 @@ std::string sample(const std::string& command, const Key& key) {
   return key.value.find('.') == std::string::npos ? "7" : "0.75";
 }
 
-/// The lines of a settings file for the command that say these samples.
+/// The lines of a settings file that set these samples for the command.
 std::string settings(const std::string& command, const std::vector<Key>& keys) {
   std::string text = "[" + command + "]\n";
   for (const Key& key : keys) text += fmt::format("{} = {}\n", key.name, sample(command, key));
   return text;
 }
 
-/// The settings reach the options.
+/// Checks that the command receives the settings.
 void check_reached(const std::string& command, const std::vector<Key>& keys) {
   const Folder folder;
   write(folder / "s.toml", settings(command, keys));
@@ -163,7 +163,7 @@ void refused(const std::string& command, const std::string& text, const std::str
 
 }  // namespace
 
-TEST_CASE("every option of every command can be set by a settings file") {
+TEST_CASE("a settings file can set every option of every command") {
   std::size_t options = 0;
   for (const std::string& command : commands()) {
     std::vector<Key> together = keys_of_command(command);
@@ -180,7 +180,7 @@ TEST_CASE("every option of every command can be set by a settings file") {
   CHECK(options > 200);
 }
 
-TEST_CASE("every long option that help shows is one that a settings file may have") {
+TEST_CASE("a settings file accepts every long option that help shows") {
   for (const std::string& command : commands()) {
     const std::vector<Key> keys = keys_of_command(command);
     std::istringstream lines(run(command + " --help").out);
@@ -196,7 +196,7 @@ TEST_CASE("every long option that help shows is one that a settings file may hav
   }
 }
 
-TEST_CASE("every option that names a file is known to, so that its name is one of the settings file's folder") {
+TEST_CASE("every option that names a file is relative to the settings file's folder") {
   const std::regex of_file(R"(\.(png|exr|json|csg|csgt|toml|vcd|scad)\b|[Ff]older|[Ff]ile)");
   std::size_t files = 0;
   for (const std::string& command : commands()) {
@@ -212,7 +212,7 @@ TEST_CASE("every option that names a file is known to, so that its name is one o
   CHECK(files > 50);
 }
 
-TEST_CASE("what --dump-config prints is a settings file that changes nothing") {
+TEST_CASE("the output of --dump-config is a settings file that changes nothing") {
   const Folder folder;
   const std::vector<std::string> words{"render", "m.csg", "--set", "alu.bits=4", "--view-all", "--tolerance", "0.5px"};
   const auto dumped = [&](std::vector<std::string> more) {
@@ -226,7 +226,7 @@ TEST_CASE("what --dump-config prints is a settings file that changes nothing") {
   CHECK(run_words({"render", "--config", "s.toml", "--dump-config"}, folder.path()).out == first);
 }
 
-TEST_CASE("the command line wins over its own table, and that over what is said at the top") {
+TEST_CASE("the command line overrides the command's table and this the top of the file") {
   const Folder folder;
   write(folder / "s.toml",
         "z-bits = 16\nview-all = true\n[render]\nz-bits = 18\nset = ['alu.bits=2']\n[levels]\nsnap = true\n");
@@ -247,7 +247,7 @@ TEST_CASE("the command line wins over its own table, and that over what is said 
   CHECK(value({"levels"}, "snap") == "true");
 }
 
-TEST_CASE("an option on the command line takes the place of the one that it excludes") {
+TEST_CASE("an option on the command line replaces the one that it excludes") {
   const Folder folder;
   write(folder / "s.toml", "point = '0,0,0'\n");
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
@@ -255,7 +255,7 @@ TEST_CASE("an option on the command line takes the place of the one that it excl
   refused("explain", "point = '0,0,0'\npixel = '1,1'\n", "s.toml:2:1: pixel excludes another option");
 }
 
-TEST_CASE("what is wrong in a settings file is told with its place") {
+TEST_CASE("reports an error in a settings file with its place") {
   refused("render", "z-bit = 16\n",
           "s.toml:1:1: 'z-bit' is not an option of any command; the nearest known is 'z-bits'");
   refused("render", "\n[render]\nstratgy = 'list'\n",
@@ -281,14 +281,14 @@ TEST_CASE("what is wrong in a settings file is told with its place") {
   fails(run("render m.csg --config no.toml"), 1, {"no.toml: cannot be read"});
 }
 
-TEST_CASE("what is wrong in a settings file is told where the command line says otherwise too") {
+TEST_CASE("reports an error in a settings file even if the command line overrides it") {
   const Folder folder;
   write(folder / "s.toml", "strategy = 'stak'\n");
   fails(run_words({"render", "m.csg", "--strategy", "list", "--config", "s.toml"}, folder.path()), 1,
         {"s.toml:1:1: --strategy: "});
 }
 
-TEST_CASE("a settings file draws what the command line draws, with files of its own folder") {
+TEST_CASE("a settings file with files of its folder draws the command line's picture") {
   const Folder folder;
   fs::create_directory(folder / "job");
   fs::copy(model("old_example002"), folder / "job/m.csg");
@@ -313,7 +313,7 @@ TEST_CASE("a settings file draws what the command line draws, with files of its 
   CHECK(by_file == by_words);
 }
 
-TEST_CASE("operands in a settings file give way to those on the command line") {
+TEST_CASE("operands on the command line replace those in a settings file") {
   const Folder folder;
   write(folder / "s.toml", "program = 'no.csgt'\noutput = 'text'\n");
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
@@ -321,7 +321,7 @@ TEST_CASE("operands in a settings file give way to those on the command line") {
   CHECK(run_words({"disasm", "--config", "s.toml"}, folder.path()).err.find("no.csgt") != std::string::npos);
 }
 
-TEST_CASE("a table of a sweep is the same however its options are said") {
+TEST_CASE("the table of a sweep does not depend on where its options are set") {
   const Folder folder;
   write(folder / "s.toml", "size = '16x16'\n[sweep]\nstrategy = ['stack', 'list']\nno-plots = true\nno-draw = true\n");
   const std::vector<std::string> words{"sweep", model("thesis_fig_2_3"), "-o", "out"};

@@ -6,7 +6,7 @@ namespace {
 
 const std::string thirty = "multmatrix([[0.866025, -0.5, 0, 0], [0.5, 0.866025, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])";
 
-/// A cube, turned by 120 degrees at once, without the same cube, turned by 60, 30 and 30.
+/// A cube turned by 120 degrees in one step, minus the same cube turned by 60, 30 and 30.
 const std::string nothing =
     "difference() {\n"
     "multmatrix([[-0.5, -0.866025, 0, 0], [0.866025, -0.5, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {\n"
@@ -17,7 +17,7 @@ const std::string nothing =
 
 }  // namespace
 
-TEST_CASE("faces that six digits have moved apart are warned of, and brought together with --snap") {
+TEST_CASE("warns about faces moved apart by six-digit rounding; --snap restores them") {
   const Folder folder;
   write(folder / "nothing.csg", nothing);
   write(folder / "empty.csg", "cube(0);");
@@ -26,11 +26,11 @@ TEST_CASE("faces that six digits have moved apart are warned of, and brought tog
                                           (folder / "picture.png") + more));
     return outcome.err;
   };
-  const std::string told = drawn("nothing.csg", "");
+  const std::string warned = drawn("nothing.csg", "");
   const std::string skin = content(folder / "picture.png");
-  CHECK(told.find("nothing.csg:3:1: warning: a face of it and one of") != std::string::npos);
-  CHECK(told.find("nothing.csg:8:1 are nearly, but not exactly, coplanar") != std::string::npos);
-  CHECK(told.find("use --snap") != std::string::npos);
+  CHECK(warned.find("nothing.csg:3:1: warning: a face of it and one of") != std::string::npos);
+  CHECK(warned.find("nothing.csg:8:1 are nearly, but not exactly, coplanar") != std::string::npos);
+  CHECK(warned.find("use --snap") != std::string::npos);
   const std::string snapped = drawn("nothing.csg", " --snap");
   const std::string restored = content(folder / "picture.png");
   CHECK(snapped.find("4 of 4 rotated matrices restored") != std::string::npos);
@@ -40,34 +40,35 @@ TEST_CASE("faces that six digits have moved apart are warned of, and brought tog
   CHECK(restored != skin);
 }
 
-TEST_CASE("a font that is not installed is told once, with its place and what is drawn instead") {
+TEST_CASE("warns once about a font that is not installed and names its place and substitute") {
   const Folder folder;
-  const auto told = [&](const std::string& csg) {
+  const auto warnings = [&](const std::string& csg) {
     write(folder / "m.csg", csg);
     const Outcome outcome =
         succeeded(run("render " + (folder / "m.csg") + " --size 16x16 --view-all -o " + (folder / "p.png")));
     return outcome.err;
   };
-  const std::string warned = told(
+  const std::string warned = warnings(
       "cube(1);\n\tlinear_extrude(height = 1) { text(text = \"a\", font = \"Nowhere:style=Bold\"); }\n"
       "linear_extrude(height = 1) { text(text = \"b\", font = \"Nowhere:style=Bold\"); }\n");
   CHECK(warned.find("m.csg:2:31: warning: the font Nowhere:style=Bold of text() is not installed, and DejaVu Sans is "
                     "drawn instead") != std::string::npos);
   CHECK(one_line(warned));
-  CHECK(told("linear_extrude(height = 1) { text(text = \"a\", font = \"DejaVu Sans\"); text(text = \"b\"); }").empty());
-  CHECK(told("cube(1); linear_extrude(height = 1) { text(text = \"\", font = \"Nowhere\"); }").empty());
+  CHECK(warnings("linear_extrude(height = 1) { text(text = \"a\", font = \"DejaVu Sans\"); text(text = \"b\"); }")
+            .empty());
+  CHECK(warnings("cube(1); linear_extrude(height = 1) { text(text = \"\", font = \"Nowhere\"); }").empty());
 }
 
-TEST_CASE("a number without a name is told to be a file of rotate_extrude() as OpenSCAD writes it") {
+TEST_CASE("warns that a number without a name is a file of rotate_extrude()") {
   const Folder folder;
   write(folder / "m.csg", "cube(1);\nrotate_extrude(file = \"180\", angle = 360) { square(1); }\n");
-  const std::string told =
+  const std::string warned =
       run("render " + (folder / "m.csg") + " --size 16x16 --view-all -o " + (folder / "p.png")).err;
-  CHECK(told.find("m.csg:2:1: warning: rotate_extrude() reads a file named 180; to rotate by an angle, name it: "
-                  "rotate_extrude(angle = 180)") != std::string::npos);
+  CHECK(warned.find("m.csg:2:1: warning: rotate_extrude() reads a file named 180; to rotate by an angle, name it: "
+                    "rotate_extrude(angle = 180)") != std::string::npos);
 }
 
-TEST_CASE("files of another folder are imported from the folder that is named, and are part of the model") {
+TEST_CASE("imports from the --imports-from folder are part of the model") {
   const Folder folder;
   fs::create_directory(folder / "models");
   fs::create_directory(folder / "parts");

@@ -39,7 +39,7 @@ void write_models(const Folder& folder) {
   write(folder / "b.csg", two_cubes + two_cubes);
 }
 
-/// Everything in a study's folder but its shards, by name.
+/// All files in a study's folder except its shards, by name.
 std::map<std::string, std::string> results(const std::string& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::directory_iterator(folder))
@@ -66,7 +66,7 @@ std::size_t rows(const std::string& folder) {
   return sum;
 }
 
-/// A process that runs csgsim meanwhile.
+/// Starts csgsim as a concurrent process.
 pid_t start(const Words& words, const fs::path& where) {
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
@@ -96,7 +96,7 @@ void refuses_to_gather(const Words& words, const fs::path& where, const Words& t
 
 }  // namespace
 
-TEST_CASE("shards that are gathered are what one process makes, byte for byte, without models and machines at hand") {
+TEST_CASE("gathered shards equal the results of one process without models or machines") {
   for (const std::string command : {"sweep", "accuracy", "compare"}) {
     CAPTURE(command);
     const Folder folder;
@@ -116,14 +116,14 @@ TEST_CASE("shards that are gathered are what one process makes, byte for byte, w
       CHECK(gathered.err.empty());
       CHECK(gathered.out == one.out);
       CHECK(results(folder / "out") == wanted);
-      // Once more, over what is there.
+      // Repeats it over the existing files.
       succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
       CHECK(results(folder / "out") == wanted);
     }
   }
 }
 
-TEST_CASE("plots of shards that are gathered are those of one process") {
+TEST_CASE("plots of gathered shards equal those of one process") {
   for (const std::string command : {"sweep", "compare"}) {
     CAPTURE(command);
     const Folder folder;
@@ -136,7 +136,7 @@ TEST_CASE("plots of shards that are gathered are those of one process") {
   }
 }
 
-TEST_CASE("shards in folders of their own are gathered into another, from which the study goes on by itself") {
+TEST_CASE("gathers shards from separate folders into one that the study can continue") {
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"--no-plots"};
@@ -147,12 +147,12 @@ TEST_CASE("shards in folders of their own are gathered into another, from which 
   CHECK(run_words({"gather", "here", "there"}, folder.path()).code == 2);
   succeeded(run_words({"gather", "here", "there", "-o", "out", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
-  // As one process that finds all points in its table.
+  // A single process finds all points in its table.
   succeeded(run_words(sweep + Words{"-o", "out"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
-TEST_CASE("shards that are missing are named with the commands that make them") {
+TEST_CASE("names missing shards with the commands that measure them") {
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"-o", "out"};
@@ -179,7 +179,7 @@ TEST_CASE("shards that are missing are named with the commands that make them") 
   CHECK(results(folder / "out") == wanted);
 }
 
-TEST_CASE("a shard's command is the same again whatever its words are") {
+TEST_CASE("quotes the command of a shard so that a shell repeats its arguments") {
   const Folder folder;
   const std::string name = "- it's,\"odd\" \xff.csg";
   write(folder / name, two_cubes);
@@ -195,7 +195,7 @@ TEST_CASE("a shard's command is the same again whatever its words are") {
   succeeded(run_words(compare + Words{"-o", "out"} + shard(1, 2) + operand, folder.path()));
   const Outcome missing = run_words({"gather", "out", "--missing"}, folder.path());
   REQUIRE(missing.out.starts_with("csgsim compare --shard 2/2 -o out "));
-  // $'...' is of shells that are more than the standard asks for.
+  // $'...' is an extension of the POSIX shell.
   const Outcome other =
       run_program("/bin/bash", {"-c", std::string(CSGSIM_BINARY_DIR) + "/" + missing.out}, folder.path());
   CAPTURE(other.err);
@@ -204,7 +204,7 @@ TEST_CASE("a shard's command is the same again whatever its words are") {
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
-TEST_CASE("shards of several studies, or twice the same shard, are not gathered") {
+TEST_CASE("does not gather shards of several studies or duplicates of a shard") {
   const Folder folder;
   write_models(folder);
   const Words accuracy = study("accuracy");
@@ -234,14 +234,14 @@ TEST_CASE("shards of several studies, or twice the same shard, are not gathered"
   refused({"the model changed between them", "x.csv"});
   write_models(folder);
 
-  // Another build of csgsim.
+  // A shard of another build of csgsim.
   std::string older = content(whole[1]);
   const std::size_t version = older.find(",0.1.0 ");
   REQUIRE(version < older.find('\n'));
   write(folder / "out/shards/x.csv", older.replace(version, 7, ",0.0.9 "));
   refused({"csgsim changed between them"});
 
-  // What two processes of one shard both measured has to be equal.
+  // Points measured by two processes of one shard must be equal.
   fs::copy_file(whole[1], folder / "out/shards/x.csv");
   succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
   for (const char* const ending : {"csv", "study", "json"})
@@ -251,11 +251,11 @@ TEST_CASE("shards of several studies, or twice the same shard, are not gathered"
   write(folder / "out/shards/x.csv", wrong);
   refused({"different results for point"});
 
-  // Each shard is in one place.
+  // Each shard may exist in only one place.
   fs::copy(folder / "out", folder / "copy", fs::copy_options::recursive);
   refuses_to_gather({"out", "copy", "-o", "both"}, folder.path(), {"shard 1/2 is in out and in copy", "omit one"});
 
-  // A shard has no points of another.
+  // A shard holds no points of another shard.
   const std::string other = content(whole[0]);
   const std::size_t row = other.find('\n', other.find('\n') + 1) + 1;
   write(folder / "out/shards/x.csv", content(whole[1]) + other.substr(row, other.find('\n', row) + 1 - row));
@@ -265,7 +265,7 @@ TEST_CASE("shards of several studies, or twice the same shard, are not gathered"
   refuses_to_gather({"nowhere"}, folder.path(), {"nowhere: contains no shards of a study"});
 }
 
-TEST_CASE("gather does not write over points that the shards do not have") {
+TEST_CASE("gather does not overwrite points that the shards lack") {
   const Folder folder;
   write_models(folder);
   const Words sweep{"sweep", "a.csg", "--size", "24x20", "--no-plots", "-o", "out", "--strategy"};
@@ -276,7 +276,7 @@ TEST_CASE("gather does not write over points that the shards do not have") {
   CHECK(content(folder / "out/sweep.csv") == before);
 }
 
-TEST_CASE("a shard of a model that has changed since is told and measured anew; another study is refused") {
+TEST_CASE("remeasures a shard after the model changed and rejects another study") {
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"-o", "out"};
@@ -294,7 +294,7 @@ TEST_CASE("a shard of a model that has changed since is told and measured anew; 
         {"holds a shard of another study, sweep a.csg b.csg"});
 }
 
-TEST_CASE("a shard that was killed goes on where it stopped, and nothing is measured twice") {
+TEST_CASE("a killed shard resumes and measures no point twice") {
   const Folder folder;
   const Words sweep{"sweep", model("carburettor"), "--size", "300x300",    "--strategy", "bits", "--stack-bits",
                     "3..14", "--threads",          "1",      "--no-plots", "-o",         "out"};
@@ -318,7 +318,7 @@ TEST_CASE("a shard that was killed goes on where it stopped, and nothing is meas
   REQUIRE(left.size() == 1);
   CHECK(rows_in(left.front()) >= 3);
   CHECK(rows_in(left.front()) < 12);
-  // Half a line, as of a machine that lost its power.
+  // Leaves half a line, as after a power failure.
   std::string text = content(left.front());
   write(left.front(), text + text.substr(text.rfind('\n', text.size() - 2) + 1, 30));
   succeeded(run_words(sweep + shard(1, 1), where));
@@ -329,7 +329,7 @@ TEST_CASE("a shard that was killed goes on where it stopped, and nothing is meas
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
-TEST_CASE("the same shard in several processes at the same time does no harm") {
+TEST_CASE("running the same shard in several processes at once is harmless") {
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"-o", "out"};
@@ -341,7 +341,7 @@ TEST_CASE("the same shard in several processes at the same time does no harm") {
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
-TEST_CASE("a shard without points does nothing, and gather misses none") {
+TEST_CASE("a shard without points does nothing and gather does not miss it") {
   const Folder folder;
   write_models(folder);
   const Words sweep{"sweep", "a.csg", "--size", "24x20", "--strategy", "stack", "-o", "out"};
@@ -354,7 +354,7 @@ TEST_CASE("a shard without points does nothing, and gather misses none") {
   succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
 }
 
-TEST_CASE("a point that does not fit is a row of its shard, and gather ends as one process does") {
+TEST_CASE("a point that does not fit is a row of its shard; gather ends as one process") {
   const Folder folder;
   write_models(folder);
   const Words sweep{"sweep", "a.csg", "--size", "24x20", "--memory-bits", "30", "-o", "out", "--no-plots"};
@@ -368,7 +368,7 @@ TEST_CASE("a point that does not fit is a row of its shard, and gather ends as o
   CHECK(gathered.out == one.out);
 }
 
-TEST_CASE("shards that there are not are refused with the mend") {
+TEST_CASE("rejects unknown shard numbers and suggests a fix") {
   const Folder folder;
   for (const std::string command : {"sweep", "accuracy", "compare"}) {
     const std::string words = command + " " + model("old_example011") + " -o " + (folder / "s") + " --shard ";
@@ -384,7 +384,7 @@ TEST_CASE("shards that there are not are refused with the mend") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("the scripts of docs/cluster take the shard that their launcher means") {
+TEST_CASE("the scripts in docs/cluster run the shard assigned by their launcher") {
   const Folder folder;
   write_models(folder);
   const std::string scripts = std::string(CSGSIM_SOURCE_DIR) + "/docs/cluster/";
@@ -401,6 +401,6 @@ TEST_CASE("the scripts of docs/cluster take the shard that their launcher means"
             .out.starts_with("shard 1/5: "));
   CHECK(runs("PMI_RANK=4 PMI_SIZE=5 " + scripts + "rank.sh" + words).out.starts_with("shard 5/5: "));
   CHECK(runs("SLURM_PROCID=1 SLURM_STEP_NUM_TASKS=2 " + scripts + "rank.sh" + words).out.starts_with("shard 2/2: "));
-  // A batch script has a SLURM_PROCID without srun.
+  // A batch script without srun has SLURM_PROCID set to 0.
   fails(runs("SLURM_PROCID=0 " + scripts + "rank.sh" + words), 2, {"start it with mpirun or srun"});
 }

@@ -16,7 +16,7 @@ const std::string multmatrix =
 
 std::string machine_text() { return content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml"); }
 
-/// A machine like pixel-planes-4 with an ALU of other width.
+/// A machine file of pixel-planes-4 with another ALU width.
 std::string with_alu_bits(unsigned bits) {
   std::string text = machine_text();
   const std::size_t value = text.find("value = ", text.find("[alu.bits]"));
@@ -44,7 +44,7 @@ nlohmann::json points(const Folder& folder, const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("what a study measured of a machine or a model that has changed since is told and measured anew") {
+TEST_CASE("reports and remeasures points of a machine or model that changed since") {
   for (const std::string command : {"sweep", "compare", "accuracy", "advise"}) {
     CAPTURE(command);
     const Folder folder;
@@ -54,7 +54,7 @@ TEST_CASE("what a study measured of a machine or a model that has changed since 
     succeeded(run_words(words, folder.path()));
     const nlohmann::json before = points(folder, command);
 
-    // A comment changes nothing that is measured.
+    // A comment does not affect the measurements.
     write(folder / "mine.toml", "# looked through\n" + with_alu_bits(1));
     CHECK(run_words(words, folder.path()).err == "");
     CHECK(points(folder, command) == before);
@@ -78,7 +78,7 @@ TEST_CASE("what a study measured of a machine or a model that has changed since 
   }
 }
 
-TEST_CASE("figures of another build of csgsim are measured anew") {
+TEST_CASE("remeasures points of another build of csgsim") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());
@@ -95,7 +95,7 @@ TEST_CASE("figures of another build of csgsim are measured anew") {
   CHECK(content(folder / "out/sweep.csv") == table);
 }
 
-TEST_CASE("every option that changes what a study measures makes it another study") {
+TEST_CASE("every option that changes the measurements makes it another study") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());
@@ -123,7 +123,7 @@ TEST_CASE("every option that changes what a study measures makes it another stud
   }
 }
 
-TEST_CASE("the strategy and the prunings that accuracy is given are those it measures") {
+TEST_CASE("accuracy measures the given strategy and prunings") {
   const Folder folder;
   write(folder / "m.csg", "difference() { sphere(r = 6, $fn = 24); " + multmatrix + multmatrix + " }");
   write(folder / "mine.toml", machine_text());
@@ -138,7 +138,7 @@ TEST_CASE("the strategy and the prunings that accuracy is given are those it mea
   CHECK(unpruned[0]["clocks"] > usual[0]["clocks"]);
 }
 
-TEST_CASE("a study that finds its folder in use says who holds it, and goes on when it is free") {
+TEST_CASE("a study names the process that holds its folder and continues once it is free") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());
@@ -155,7 +155,7 @@ TEST_CASE("a study that finds its folder in use says who holds it, and goes on w
   }
 }
 
-TEST_CASE("of processes that begin at the same time in one folder none writes a row twice") {
+TEST_CASE("processes that start at once in one folder write no row twice") {
   const Folder folder;
   write(folder / "m.csg", content(model("carburettor")));
   const std::vector<std::string> words{"sweep",        "m.csg",     "--size",    "100x100", "--strategy",

@@ -11,10 +11,10 @@ namespace {
 
 std::string binary() { return std::string(CSGSIM_BINARY_DIR) + "/csgsim"; }
 
-/// A command of bash, with its output and errors.
+/// Runs a bash command and returns its output and errors.
 Outcome shell(const std::string& command) { return run_program("/bin/bash", {"-c", command}); }
 
-/// What csgsim shows on a terminal of its own, and its exit code.
+/// The output of csgsim on a pseudo-terminal, and its exit code.
 Outcome on_terminal(const std::string& words) {
   int terminal = -1;
   const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
@@ -38,13 +38,13 @@ const std::string draw = " --size 40x30 ";
 
 }  // namespace
 
-TEST_CASE("- is standard input: a model, a Program in either form, and what is in doubt by how it begins") {
+TEST_CASE("- reads a model or a Program from standard input and detects its form") {
   const Folder folder;
   const std::string part = model("old_example003");
   succeeded(run("render " + part + draw + "-o " + (folder / "p.png")));
   CHECK(shell(binary() + " render -" + draw + "-o " + (folder / "q.png") + " <" + part).code == 0);
   CHECK(content(folder / "q.png") == content(folder / "p.png"));
-  // Read twice: once to choose settings.
+  // --max-wrong-pixels reads the model twice, the first time to choose settings.
   CHECK(shell("cat " + part + " | " + binary() + " render -" + draw + "--max-wrong-pixels 900").code == 0);
 
   succeeded(run("compile " + part + draw + "-o " + (folder / "p.csgt")));
@@ -63,7 +63,7 @@ TEST_CASE("- is standard input: a model, a Program in either form, and what is i
   CHECK(shell(binary() + " debug - <" + part).code == 2);
 }
 
-TEST_CASE("what a model on standard input imports is looked for in the current folder, and errors name their place") {
+TEST_CASE("a model on standard input imports from the current folder") {
   const Folder folder;
   write(folder / "t.stl", "solid t\nendsolid t\n");
   const auto in_folder = [&](const std::string& csg, const std::string& below = ".") {
@@ -78,7 +78,7 @@ TEST_CASE("what a model on standard input imports is looked for in the current f
   CHECK(in_folder("cub(1);").err.starts_with("standard input:1:1: unknown node cub()"));
 }
 
-TEST_CASE("- is standard output: the data alone, the summary on standard error") {
+TEST_CASE("- writes only data to standard output and the summary to standard error") {
   const Folder folder;
   const std::string part = model("old_example003");
   succeeded(run("render " + part + draw + "-o " + (folder / "p.png") + " --depth " + (folder / "z.exr") + " --owner " +
@@ -104,7 +104,7 @@ TEST_CASE("- is standard output: the data alone, the summary on standard error")
   CHECK_FALSE(fs::exists("-"));
 }
 
-TEST_CASE("standard output takes one output, and no folder, sequence or checkpoint") {
+TEST_CASE("rejects standard output for several outputs or for a folder") {
   const std::string part = model("old_example003");
   misused("render " + part + draw + "-o - --stats -", "two outputs cannot both go to standard output");
   misused("render " + part + draw + "-o - --stats /dev/stdout", "two outputs cannot both go to standard output");
@@ -113,7 +113,7 @@ TEST_CASE("standard output takes one output, and no folder, sequence or checkpoi
   misused("run " + std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt --checkpoint -", "name a file");
 }
 
-TEST_CASE("pipes and process substitution get what a file would, in the format of their name or the usual one") {
+TEST_CASE("writes to pipes and process substitutions in the format of their name") {
   const Folder folder;
   const std::string render = binary() + " render " + model("old_example003") + draw;
   REQUIRE(shell(render + "-o " + (folder / "p.png") + " -o " + (folder / "p.png") + " 2>&1").code != 0);
@@ -128,7 +128,7 @@ TEST_CASE("pipes and process substitution get what a file would, in the format o
   }
 }
 
-TEST_CASE("a terminal is shown text, and never binary data") {
+TEST_CASE("writes text but never binary data to a terminal") {
   const std::string part = model("old_example003");
   for (const std::string& words :
        std::vector<std::string>{"render " + part + draw + "-o -", "render " + part + draw + "--depth /dev/tty",
@@ -138,7 +138,7 @@ TEST_CASE("a terminal is shown text, and never binary data") {
     CHECK(outcome.code == 2);
     CHECK(outcome.out.find("a terminal cannot show binary data; name a file, or pipe the output to a program") !=
           std::string::npos);
-    CHECK(outcome.out.find("primitives") == std::string::npos);  // refused before anything is drawn
+    CHECK(outcome.out.find("primitives") == std::string::npos);  // rejected before drawing
     CHECK(outcome.out.find("IHDR") == std::string::npos);
   }
   const Outcome stats = succeeded(on_terminal("render " + part + draw + "-q --stats -"));

@@ -1,4 +1,4 @@
-/// Stats files, shards and tables that somebody else wrote, or changed: what they say is data.
+/// Stats files, shards and tables written or modified by third parties: their contents are untrusted data.
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ Words operator+(Words words, const Words& more) {
   return words;
 }
 
-/// One line, exit code 1, which begins with the file's name and holds the text.
+/// Checks for exit code 1 and one line that begins with the file's name and contains the text.
 void refused(const Outcome& outcome, const std::string& file, const std::string& text) {
   CAPTURE(outcome.out);
   CAPTURE(outcome.err);
@@ -36,7 +36,7 @@ void refused(const Outcome& outcome, const std::string& file, const std::string&
   CHECK(outcome.err.find("report it") == std::string::npos);
 }
 
-/// Every file of the folder and those below, by name.
+/// The content of every file in the folder and its subfolders, by name.
 std::map<std::string, std::string> files_in(const Folder& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
@@ -44,7 +44,7 @@ std::map<std::string, std::string> files_in(const Folder& folder) {
   return files;
 }
 
-/// A stats file of a render, changed.
+/// A modified stats file of a render.
 class Stats {
  public:
   Stats() {
@@ -66,7 +66,7 @@ class Stats {
     return run_words(Words{"rerun", "t.json"} + more, folder.path());
   }
 
-  /// Refused, and no file is written.
+  /// Checks that rerun rejects the file and writes nothing.
   void refuses(const std::string& text, const Words& more = {}) const {
     const std::map<std::string, std::string> before = files_in(folder);
     refused(rerun(more), "t.json", text);
@@ -80,7 +80,7 @@ const Words sweep{"sweep", "m.csg", "--size", "16x16", "--strategy", "stack,list
 const Words compare{"compare", "m.csg",       "--size", "16x16",      "--sides",
                     "",        "--fragments", "",       "--machines", "pixel-planes-4,scan-line"};
 
-/// The shards of a study, in out/shards, of which the text of each can be changed.
+/// The shards of a study in out/shards, whose texts can be modified.
 class Shards {
  public:
   explicit Shards(const Words& study) {
@@ -93,7 +93,7 @@ class Shards {
     for (const std::string& file : files) texts.push_back(content(file));
   }
 
-  /// Each file with the text in place of another; how many places there were.
+  /// Replaces a text in each file; returns the number of replacements.
   std::size_t replace(const std::string& from, const std::string& to) const {
     std::size_t places = 0;
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -105,7 +105,7 @@ class Shards {
     return places;
   }
 
-  /// Refused, and no file is written.
+  /// Checks that gather rejects the shards and writes nothing.
   void refuses(const std::string& text) const {
     const std::map<std::string, std::string> before = files_in(folder);
     for (const Words& more : {Words{"--missing"}, Words{"--no-plots"}})
@@ -121,7 +121,7 @@ class Shards {
 
 }  // namespace
 
-TEST_CASE("a stats file cannot name a settings file, nor anything that is written") {
+TEST_CASE("a stats file cannot name a settings file or an output") {
   const Stats stats;
   write(stats.folder / "evil.toml",
         "[render]\noutput = 'home.png'\nstats = 'any_name'\nreport = 'x.html'\n[run]\ncheckpoint = 'bashrc'\n");
@@ -139,7 +139,7 @@ TEST_CASE("a stats file cannot name a settings file, nor anything that is writte
   CHECK(files_in(stats.folder) == before);
 }
 
-TEST_CASE("rerun says that all is the same only of what it has run and compared") {
+TEST_CASE("rerun claims equality only for results that it repeated and compared") {
   const Stats stats;
   for (const std::string name : {"help", "dump-config", "version", "no-such-option"}) {
     CAPTURE(name);
@@ -152,7 +152,7 @@ TEST_CASE("rerun says that all is the same only of what it has run and compared"
   refused(stats.rerun(), "t.json", "the run differs: /clocks was 1, is");
 }
 
-TEST_CASE("a value in a stats file is its option's alone, whatever bytes it has") {
+TEST_CASE("a value in a stats file sets only its own option for any bytes") {
   const Stats stats;
   for (const std::string name : {"model", "machine", "camera", "size"}) {
     CAPTURE(name);
@@ -178,7 +178,7 @@ TEST_CASE("a value in a stats file is its option's alone, whatever bytes it has"
   stats.refuses("where a list of at most 10000 texts should be");
 }
 
-TEST_CASE("what is no stats file ends with one line, its place, and exit code 1, whatever is in it") {
+TEST_CASE("rejects any malformed stats file in one line with its place and exit code 1") {
   const Stats stats;
   write(stats.folder / "t.json", "{\"configuration\": {},\n \"clocks\": 1e999}");
   stats.refuses("t.json:2:");
@@ -193,7 +193,7 @@ TEST_CASE("what is no stats file ends with one line, its place, and exit code 1,
       stats.change([&](Json& json) { json["configuration"][Json::json_pointer(place)] = value; });
       const Outcome outcome = stats.rerun();
       CAPTURE(outcome.err);
-      // Without inputs nothing tells that a file has changed; what was compared is the same.
+      // An empty list of inputs cannot reveal a changed file; the compared results are equal.
       const bool is_fine = (place == "/inputs" && value.is_array() && value.empty()) ||
                            (place == "/options/threads" && (value.is_null() || value == 5));
       CHECK(outcome.code == (is_fine ? 0 : 1));
@@ -203,7 +203,7 @@ TEST_CASE("what is no stats file ends with one line, its place, and exit code 1,
   }
 }
 
-TEST_CASE("standard output of rerun is standard output, and no file of that name") {
+TEST_CASE("rerun -o - writes to standard output and not to a file of that name") {
   const Stats stats;
   stats.change([](Json&) {});
   const Outcome outcome = stats.rerun({"-o", "-"});
@@ -212,7 +212,7 @@ TEST_CASE("standard output of rerun is standard output, and no file of that name
   CHECK(!fs::exists(stats.folder / "-"));
 }
 
-TEST_CASE("a shard's command is a study with options that change its results, or the shard is refused") {
+TEST_CASE("rejects a shard whose command is no study or has foreign options") {
   const Shards shards(sweep);
   write(shards.folder / "evil.toml", "[sweep]\noutput = 'else'\nreport = 'x.html'\n");
   write(shards.folder / "x.html", "precious");
@@ -234,7 +234,7 @@ TEST_CASE("a shard's command is a study with options that change its results, or
   CHECK(run_words({"gather", "out", "--no-plots"}, shards.folder.path()).code == 0);
 }
 
-TEST_CASE("a flag that the command line takes back is not one of the shards' command") {
+TEST_CASE("the shards' command omits a flag that the command line switched off") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "s.toml", "view-all = true\n");
@@ -245,7 +245,7 @@ TEST_CASE("a flag that the command line takes back is not one of the shards' com
   CHECK(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
 }
 
-TEST_CASE("a byte in a shard that no text has is refused with its file") {
+TEST_CASE("rejects a shard with a byte that no text has and names the file") {
   const std::map<std::string, std::string> of_compare{{",scan-line,", ",scan\x9fline,"}, {"cube@", "cu\xc0@"}};
   const std::map<std::string, std::string> of_sweep{{",auto,", ",au\x9fo,"}, {"Z1=", "Z\x1b="}};
   for (const auto& [study, changes] :
@@ -265,7 +265,7 @@ TEST_CASE("a byte in a shard that no text has is refused with its file") {
   }
 }
 
-TEST_CASE("a number in a table that nobody measures is refused, and so are numbers of points that no study has") {
+TEST_CASE("rejects numbers that cannot be measured and impossible numbers of points") {
   const Shards shards(compare);
   for (const std::string number : {"nan", "inf", "-inf", "1e999"}) {
     REQUIRE(shards.replace(",16,16,0,,", ",16,16," + number + ",,") == 2);
@@ -281,7 +281,7 @@ TEST_CASE("a number in a table that nobody measures is refused, and so are numbe
   }
 }
 
-TEST_CASE("rows of a study are shown whatever their order is, and however much memory they claim") {
+TEST_CASE("accepts rows of a study in any order and with any claimed memory") {
   const Shards ideal({"compare", "m.csg", "--size", "16x16", "--machines", "pixel-planes-4", "--ideal"});
   REQUIRE(ideal.replace(",16,16,0,,", ",16,16,0,x,") == 1);
   CHECK(run_words({"gather", "out"}, ideal.folder.path()).code == 0);
@@ -293,7 +293,7 @@ TEST_CASE("rows of a study are shown whatever their order is, and however much m
   CHECK(outcome.code == 0);
 }
 
-TEST_CASE("pictures that differ in rows that were read are not laid on csgsim before they are measured anew") {
+TEST_CASE("does not blame csgsim for differing pictures in rows that it only read") {
   for (const Words& study : {sweep, compare}) {
     const Shards shards(study);
     const std::string& text = shards.texts[0];
@@ -309,14 +309,14 @@ TEST_CASE("pictures that differ in rows that were read are not laid on csgsim be
     CHECK(gathered.err.find("may have been changed: measure everything again in another folder (-o)") !=
           std::string::npos);
     CHECK(gathered.err.find("error in csgsim") == std::string::npos);
-    // The same study, going on from that table.
+    // The same study, resumed from that table.
     const Outcome resumed = run_words(study + Words{"-o", "out", "--no-plots"}, shards.folder.path());
     CHECK(resumed.code == 1);
     CHECK(resumed.err == gathered.err);
   }
 }
 
-TEST_CASE("a waveform that the disk has no room for is told, and leaves no file") {
+TEST_CASE("reports a waveform that exceeds the disk space and leaves no file") {
   const Folder folder;
   const std::string command = fmt::format(
       "ulimit -f 10; trap '' XFSZ; exec {}/csgsim wave {} --size 16x16 --pixel 3,3 --window 0:4000 -o w.vcd",

@@ -23,7 +23,7 @@ int shell(const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("a standard error that cannot be written changes no exit code") {
+TEST_CASE("an unwritable standard error does not change the exit code") {
   for (const std::string redirection : {"2>/dev/full", "2>&-", ">&- 2>&-", "<&- >&- 2>&-"}) {
     CAPTURE(redirection);
     CHECK(shell(binary() + " render none.csg " + redirection) == 1);
@@ -35,11 +35,11 @@ TEST_CASE("a standard error that cannot be written changes no exit code") {
   CHECK(shell(warned + "2>/dev/full") == 0);
 }
 
-TEST_CASE("an output never gets what is meant for a closed standard stream") {
+TEST_CASE("an output file never receives text for a closed standard stream") {
   const Folder folder;
   const std::string words = " compile " + model("old_example011") + " --size 16x16 -o ";
   REQUIRE(shell(binary() + words + (folder / "whole.csgt") + " >/dev/null") == 0);
-  CHECK(shell(binary() + words + (folder / "closed.csgt") + " >&- 2>&- <&-") == 1);  // what it prints cannot be
+  CHECK(shell(binary() + words + (folder / "closed.csgt") + " >&- 2>&- <&-") == 1);  // its summary cannot be printed
   CHECK(content(folder / "closed.csgt") == content(folder / "whole.csgt"));
 }
 

@@ -10,7 +10,7 @@
 
 using namespace csgsim::testing::cli;
 
-TEST_CASE("accuracy measures every knob, draws its plots, and measures nothing twice") {
+TEST_CASE("accuracy measures every knob and draws its plots and reuses its points") {
   const Folder folder;
   const std::string command = "accuracy " + model("old_example011") + " --size 48x48 --views 2 -o " + (folder / "a");
   succeeded(run(command));
@@ -21,7 +21,7 @@ TEST_CASE("accuracy measures every knob, draws its plots, and measures nothing t
     CHECK(fs::file_size(folder / ("a/" + knob + ".svg")) > 1000);
   }
   CHECK(json(folder / "a/accuracy.json")["points"].size() > 60);
-  // As if interrupted: the last two lines are gone, one of them halfway.
+  // Simulates an interruption: removes the last line and half of the one before.
   const std::string cut = table.substr(0, table.rfind('\n', table.rfind('\n', table.size() - 2) - 1) - 5);
   write(folder / "a/accuracy.csv", cut);
   succeeded(run(command + " --no-plots"));
@@ -29,8 +29,7 @@ TEST_CASE("accuracy measures every knob, draws its plots, and measures nothing t
   CHECK(run(command + " --projection perspective").code == 1);
 }
 
-TEST_CASE(
-    "accuracy holds curved surfaces without facets beside facets of every number, where the machine can draw them") {
+TEST_CASE("accuracy compares exact curves with facets of every number where supported") {
   const Folder folder;
   const std::string command =
       "accuracy " + model("thesis_fig_2_3") +
@@ -54,7 +53,7 @@ TEST_CASE(
   CHECK(run(command + "x --machine pixel-powers --tolerances 0").code != 0);
 }
 
-TEST_CASE("accuracy holds fast spheres beside facets on any machine, and says which curves it leaves out") {
+TEST_CASE("accuracy compares fast spheres with facets and names the curves it omits") {
   const Folder folder;
   const std::string command =
       "accuracy " + model("molecule") + " --view-all --size 48x48 --views 1 --knobs curves --no-plots -o ";
@@ -73,7 +72,7 @@ TEST_CASE("accuracy holds fast spheres beside facets on any machine, and says wh
   fails(run(command + (folder / "c") + " --projection perspective"), 1, {"not fast: ", "not exact: "});
 }
 
-TEST_CASE("sweep writes a table, JSON and plots for every model, and measures nothing twice") {
+TEST_CASE("sweep writes a table and plots for every model and reuses its points") {
   const Folder folder;
   const std::string command = "sweep " + model("old_example011") + " " + model("thesis_fig_2_3") +
                               " --size 48x36 --threads 2 -o " + (folder / "s") + " --stack-bits ";
@@ -94,7 +93,7 @@ TEST_CASE("sweep writes a table, JSON and plots for every model, and measures no
   CHECK(points[2]["strategy"] == "bits");
   CHECK(points[2]["stack_bits"] == 3);
   CHECK(points[0]["clocks"] > 0);
-  // As if interrupted: the last line is gone, and half of the one before. What is left has a mark, and keeps it.
+  // Simulates an interruption: removes the last line and half of the one before. The marked line must stay unchanged.
   const std::string table = content(folder / "s/sweep.csv");
   const std::string csgsim = points[0]["csgsim"];
   const std::string measured = "," + csgsim + ",stack,rebroadcast,";
@@ -106,7 +105,7 @@ TEST_CASE("sweep writes a table, JSON and plots for every model, and measures no
   write(folder / "s/sweep.csv", expected.substr(0, before + 30));
   succeeded(run(command + "3..5 --no-plots"));
   CHECK(content(folder / "s/sweep.csv") == expected);
-  // With other ranges only what is new is measured, and what is known stays.
+  // Another range measures only the new values and keeps the known ones.
   succeeded(run(command + "6 --no-plots --strategy bits"));
   CHECK(json(folder / "s/sweep.json")["points"].size() == 2);
   succeeded(run(command + "3..5 --no-plots"));
@@ -114,7 +113,7 @@ TEST_CASE("sweep writes a table, JSON and plots for every model, and measures no
   CHECK(run(command + "3..5 --no-plots --projection perspective").code == 1);
 }
 
-TEST_CASE("an interrupted sweep goes on with the same command") {
+TEST_CASE("repeating the command of an interrupted sweep resumes it") {
   const Folder folder;
   const std::string output = folder / "s";
   const std::string whole = folder / "whole";
@@ -144,7 +143,7 @@ TEST_CASE("an interrupted sweep goes on with the same command") {
   CHECK(content(output + "/sweep.json") == content(whole + "/sweep.json"));
 }
 
-TEST_CASE("a point that does not fit is a row that says why, unless none fits") {
+TEST_CASE("a point that does not fit gives a reason unless no point fits") {
   const Folder folder;
   const std::string command = "sweep " + model("old_example011") +
                               " --size 48x36 --no-plots --strategy stack,list --z-bits 20,24 -o " + (folder / "s");
@@ -160,7 +159,7 @@ TEST_CASE("a point that does not fit is a row that says why, unless none fits") 
   CHECK(one_line(none.err));
 }
 
-TEST_CASE("ranges and names that make no sense are refused before anything is done") {
+TEST_CASE("rejects meaningless ranges and names before it measures") {
   const Folder folder;
   const std::string sweep = "sweep " + model("old_example011") + " -o " + (folder / "s") + " ";
   misused(sweep + "--stack-bits 8..3", "3..8");
@@ -175,7 +174,7 @@ TEST_CASE("ranges and names that make no sense are refused before anything is do
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("render tells how right its picture is, and takes the cheapest settings that are right enough") {
+TEST_CASE("render reports its accuracy and can choose the cheapest accurate settings") {
   const Folder folder;
   const std::string options =
       "render " + model("old_example002") + " --size 100x80 --check --stats " + (folder / "s.json");

@@ -11,7 +11,7 @@ std::string trace(const std::string& more) {
 
 }  // namespace
 
-TEST_CASE("trace counts by every directory, rays and item buffer, prices the parts, and nothing is done twice") {
+TEST_CASE("trace counts and prices every directory with and without an item buffer") {
   const Folder folder;
   const Outcome first = succeeded(run(trace(" -o " + (folder / "t"))));
   CHECK(first.out.find("All directories see the same surfaces") != std::string::npos);
@@ -45,7 +45,7 @@ TEST_CASE("trace counts by every directory, rays and item buffer, prices the par
   CHECK(content(folder / "t/trace.csv") == table);
 }
 
-TEST_CASE("trace varies buckets and tolerances, with a plot of each") {
+TEST_CASE("trace varies buckets and tolerances and plots each") {
   const Folder folder;
   const Outcome outcome =
       run(trace(" --directories excell --bucket-sizes 2,8 --cast primary --item-buffer without "
@@ -68,7 +68,7 @@ TEST_CASE("trace varies buckets and tolerances, with a plot of each") {
   CHECK(fs::exists(folder / "t/trace_polygons.svg"));
 }
 
-TEST_CASE("shards of trace are gathered to the table of one run") {
+TEST_CASE("gathering shards of trace gives the table of a single run") {
   const Folder folder;
   const std::string common = " --directories excell,grid --cast primary --processors mc68000 --no-plots -o ";
   succeeded(run(trace(common + (folder / "s") + " --shard 1/2")));
@@ -77,7 +77,7 @@ TEST_CASE("shards of trace are gathered to the table of one run") {
   CHECK(json(folder / "s/trace.json")["points"].size() == 4);
 }
 
-TEST_CASE("trace refuses what it does not know, with the nearest that there is") {
+TEST_CASE("trace rejects unknown names and suggests the nearest") {
   misused(trace(" --directories excel"), "did you mean excell");
   misused(trace(" --cast shadows"), "did you mean shadow");
   misused(trace(" --cast light"), "the rays are primary");
@@ -88,7 +88,7 @@ TEST_CASE("trace refuses what it does not know, with the nearest that there is")
   misused(trace(" --reflections 5"), "4");
 }
 
-TEST_CASE("the directory that trace writes has each corner of a facet in its cell, and as many cells as are counted") {
+TEST_CASE("the exported directory has the counted cells and each corner in its cell") {
   const Folder folder;
   succeeded(
       run(trace(" --directories excell --bucket-sizes 4 --cast primary --item-buffer without --processors mc68000 "
@@ -123,7 +123,7 @@ TEST_CASE("the directory that trace writes has each corner of a facet in its cel
   CHECK(corners_in_cells > 20);
 }
 
-TEST_CASE("trace counts list priority for an item buffer, and projection where facets are tested in the picture") {
+TEST_CASE("trace counts list priority for item buffers and projection for picture tests") {
   const Folder folder;
   succeeded(
       run(trace(" --directories kd-tree --cast primary --facet-test space,projected --item-buffer "

@@ -12,8 +12,8 @@ std::string trimmed(const std::string& text) {
   return end == std::string::npos ? std::string() : text.substr(0, end + 1);
 }
 
-/// What cmake/commit.cmake says of a folder.
-std::string run_outcome(const Folder& folder, const std::string& source, const std::string& given) {
+/// The commit that cmake/commit.cmake finds for a source folder.
+std::string find_commit(const Folder& folder, const std::string& source, const std::string& given) {
   const std::string output = folder / "commit.cpp";
   fs::remove(output);
   succeeded(run_program("cmake", {"-DSOURCE=" + source, "-DCOMMIT=" + given, "-DOUTPUT=" + output, "-P",
@@ -26,7 +26,7 @@ std::string run_outcome(const Folder& folder, const std::string& source, const s
 
 }  // namespace
 
-TEST_CASE("--version tells the version, the commit and its day, the build and the libraries") {
+TEST_CASE("--version prints the version with its commit and the build and libraries") {
   const Outcome outcome = succeeded(run("--version"));
   CHECK(outcome.err == "");
   std::istringstream lines(outcome.out);
@@ -41,8 +41,8 @@ TEST_CASE("--version tells the version, the commit and its day, the build and th
   CHECK(line.starts_with("built with SystemC "));
 }
 
-TEST_CASE("--version tells the libraries by the numbers that pkg-config has of them") {
-  const std::string told = run("--version").out;
+TEST_CASE("--version prints the library versions of pkg-config") {
+  const std::string printed = run("--version").out;
   for (const auto& library : {std::pair<std::string, std::string>{"libpng", "libpng"},
                               {"zlib", "zlib"},
                               {"fmt", "fmt"},
@@ -52,28 +52,28 @@ TEST_CASE("--version tells the libraries by the numbers that pkg-config has of t
                               {"libedit", "libedit"}}) {
     CAPTURE(library.first);
     const Outcome version = succeeded(run_program("pkg-config", {"--modversion", library.second}));
-    CHECK((told + ",").find(" " + library.first + " " + trimmed(version.out)) != std::string::npos);
+    CHECK((printed + ",").find(" " + library.first + " " + trimmed(version.out)) != std::string::npos);
   }
 }
 
-TEST_CASE("the commit is that of the sources, with a mark if they are changed, and the given one outside of git") {
+TEST_CASE("finds the commit of the sources and marks changes; uses a given one outside git") {
   const Folder folder;
   const std::string source = folder / "source";
   fs::create_directory(source);
   write(source + "/CMakeLists.txt", "1");
-  CHECK(run_outcome(folder, source, "") == "unknown");
-  CHECK(run_outcome(folder, source, "0123abcd") == "0123abcd");
+  CHECK(find_commit(folder, source, "") == "unknown");
+  CHECK(find_commit(folder, source, "0123abcd") == "0123abcd");
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"init", "-q"},
         {"add", "."},
         {"-c", "user.name=a", "-c", "user.email=a@b", "-c", "commit.gpgsign=false", "commit", "-qm", "one"}})
     succeeded(run_program("git", words, source));
   const std::string head = trimmed(run_program("git", {"rev-parse", "HEAD"}, source).out);
-  CHECK(run_outcome(folder, source, "0123abcd") == head.substr(0, 12));
+  CHECK(find_commit(folder, source, "0123abcd") == head.substr(0, 12));
   write(source + "/CMakeLists.txt", "2");
-  CHECK(run_outcome(folder, source, "") == head.substr(0, 12) + "+changes");
-  // A source archive that was unpacked within somebody else's repository.
+  CHECK(find_commit(folder, source, "") == head.substr(0, 12) + "+changes");
+  // A source archive that was unpacked inside another project's repository.
   fs::create_directory(source + "/inner");
   write(source + "/inner/CMakeLists.txt", "3");
-  CHECK(run_outcome(folder, source + "/inner", "") == "unknown");
+  CHECK(find_commit(folder, source + "/inner", "") == "unknown");
 }

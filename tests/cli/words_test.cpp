@@ -2,7 +2,7 @@
 
 using namespace csgsim::testing::cli;
 
-TEST_CASE("render ends with what bounds the frame, its dearest primitives and the knobs, and so do the stats") {
+TEST_CASE("render and its stats end with the bottleneck and costliest primitives and advice") {
   const Folder folder;
   const std::string words = "render " + model("carburettor") + " --size 64x64 --advice --stats " + (folder / "s.json");
   const Outcome outcome = succeeded(run(words));
@@ -10,25 +10,25 @@ TEST_CASE("render ends with what bounds the frame, its dearest primitives and th
   CHECK(stats["bound_by"]["part"] == "array");
   CHECK(outcome.out.find(stats["bound_by"]["sentence"].get<std::string>()) != std::string::npos);
   REQUIRE(stats["dearest"].size() == 10);
-  const nlohmann::json& dearest = stats["dearest"][0];
-  const nlohmann::json& counted = stats["by_primitive"][dearest["primitive"].get<std::size_t>()];
-  CHECK(dearest["name"] == counted["name"]);
-  CHECK(dearest["clocks"] == counted["clocks"]);
-  CHECK(dearest["pieces"] == counted["pieces"]);
+  const nlohmann::json& costliest = stats["dearest"][0];
+  const nlohmann::json& counted = stats["by_primitive"][costliest["primitive"].get<std::size_t>()];
+  CHECK(costliest["name"] == counted["name"]);
+  CHECK(costliest["clocks"] == counted["clocks"]);
+  CHECK(costliest["pieces"] == counted["pieces"]);
   CHECK(outcome.out.find("12 other primitives") != std::string::npos);
   REQUIRE(!stats["knobs"].empty());
   CHECK(outcome.out.find(stats["knobs"][0]["sentence"].get<std::string>()) != std::string::npos);
   CHECK(outcome.out.find(stats["knobs"][0]["option"].get<std::string>()) != std::string::npos);
 }
 
-TEST_CASE("nothing is tried unasked, and the summary says how to ask") {
+TEST_CASE("measures advice only on request and the summary names the option") {
   const Folder folder;
   const Outcome outcome = run("render " + model("thesis_fig_2_3") + " --size 48x48 --stats " + (folder / "s.json"));
   CHECK(json(folder / "s.json")["knobs"].empty());
   CHECK(outcome.out.find("--advice") != std::string::npos);
 }
 
-TEST_CASE("what advice says of an option is what render takes with it") {
+TEST_CASE("the savings that advice states equal those of render with the option") {
   for (const std::string machine : {"pixel-planes-4", "pixel-square"}) {
     CAPTURE(machine);
     const Folder folder;
@@ -52,7 +52,7 @@ TEST_CASE("what advice says of an option is what render takes with it") {
   }
 }
 
-TEST_CASE("effects have lines of their own beside the primitives") {
+TEST_CASE("effects have separate lines next to the primitives") {
   const Folder folder;
   const Outcome outcome =
       run("render " + model("thesis_fig_2_3") +
@@ -71,11 +71,11 @@ TEST_CASE("effects have lines of their own beside the primitives") {
   CHECK(plain + stats["by_effect"]["shadows"]["clocks"].get<std::uint64_t>() <= all);
 }
 
-TEST_CASE("advice is for one frame") {
+TEST_CASE("rejects --advice for a sequence of frames") {
   misused("render " + model("old_example011") + " --frames 2 -o x.png --advice", "--advice");
 }
 
-TEST_CASE("compare ends with what bounds each machine and with what the dearest primitives take of each") {
+TEST_CASE("compare ends with the bottleneck and costliest primitives of each machine") {
   const Folder folder;
   const Outcome outcome =
       run("compare " + model("thesis_fig_2_3") +
@@ -96,7 +96,7 @@ TEST_CASE("compare ends with what bounds each machine and with what the dearest 
   CHECK(outcome.out.find("limited by") != std::string::npos);
   CHECK(outcome.out.find(stats["dearest"][0]["name"].get<std::string>()) != std::string::npos);
   CHECK(outcome.out.find("$fn = 8 gives") != std::string::npos);
-  // The share of the dearest primitive of the first machine on each, as render tells it of that machine.
+  // The share of the first machine's most expensive primitive on each machine, as render reports it.
   succeeded(run("render " + model("thesis_fig_2_3") + " --machine pixel-planes-4 --size 64x64 --stats " +
                 (folder / "p.json")));
   const nlohmann::json first = json(folder / "p.json")["dearest"];
@@ -105,8 +105,8 @@ TEST_CASE("compare ends with what bounds each machine and with what the dearest 
   REQUIRE(line != std::string::npos);
   const std::string shares = outcome.out.substr(line + 1, outcome.out.find('\n', line + 1) - line - 1);
   CAPTURE(shares);
-  for (const nlohmann::json& dearest : {first, stats["dearest"]}) {
-    for (const nlohmann::json& one : dearest) {
+  for (const nlohmann::json& costliest : {first, stats["dearest"]}) {
+    for (const nlohmann::json& one : costliest) {
       if (one["name"] != name) continue;
       CHECK(shares.find(fmt::format(" {:.1f} %", 100.0 * one["share"].get<double>())) != std::string::npos);
     }

@@ -1,7 +1,7 @@
 #!/bin/sh
-# A Slurm of its own on this machine, a controller and two nodes: a study runs on it as an array of 16 tasks, a node is
-# killed in the middle with all that runs on it, and what is gathered has to be what one process makes, byte for byte.
-# Then the same by srun, by mpirun, and by GNU Parallel.
+# A local Slurm with a controller and two nodes: a study runs on it as an array of 16 tasks, a node is killed in the
+# middle with everything that runs on it, and the gathered results must equal those of a single process, byte for byte.
+# Then the same with srun, mpirun and GNU Parallel.
 #
 #   tests/cluster/slurm.sh CSGSIM [LOG]      as root; Debian: slurmctld slurmd slurm-client munge parallel openmpi-bin
 set -eu
@@ -24,10 +24,10 @@ clean_up() {
 trap clean_up EXIT
 trap 'exit 1' INT TERM
 
-# Says it on the terminal and in the log, without this machine's paths.
+# Prints a text on the terminal and to the log, without this computer's paths.
 say() { printf '%s\n' "$*" | sed "s|$work|WORK|g; s|$here|.|g" | tee -a "$log"; }
 
-# Runs a command and says it, with what it prints.
+# Runs a command and prints it with its output.
 show() {
   say "\$ $*"
   "$@" >"$work/shown" 2>&1 || { code=$?; sed "s|$work|WORK|g" "$work/shown" | tee -a "$log"; return "$code"; }
@@ -45,7 +45,7 @@ wait_for() {
   end=$(($(date +%s) + $1)) what=$2
   shift 2
   until "$@"; do
-    [ "$(date +%s)" -lt "$end" ] || fail "$what did not come about"
+    [ "$(date +%s)" -lt "$end" ] || fail "timeout waiting for $what"
     sleep 0.2
   done
 }
@@ -95,8 +95,8 @@ CONF
   start_node node2
 }
 
-# A node is a process namespace of its own: when its first process is killed, all is gone that ran there, as if the
-# power had failed.
+# A node is a separate process namespace: killing its first process ends everything that runs there, like a power
+# failure.
 start_node() {
   unshare --pid --fork --mount-proc --kill-child slurmd -D -N "$1" >"$work/$1.out.log" 2>&1 &
   eval "$1=$!"
@@ -109,7 +109,7 @@ finished() { [ "$(find "$1/shards" -name '*.shard' 2>/dev/null | wc -l)" -ge "$2
 queue_is_empty() { [ -z "$(squeue -h -t PD,R,CF,CG,S,RQ,RH 2>/dev/null || echo unknown)" ]; }
 shard_on() { squeue -h -t R -o "%N %K" | sed -n "s/^$1 //p"; }
 rows_of() { cat "$work/array/shards/sweep-$(printf %02d "$1")-of-$shards".*.shard 2>/dev/null | grep -c '^[0-9]' || true; }
-# Has the shard on a node measured some of its points, but not all?
+# Whether the shard on a node has measured some of its points, but not all.
 is_in_the_middle() {
   on_node=$(shard_on "$1")
   [ -n "$on_node" ] && [ "$(rows_of "$on_node")" -ge 2 ] && [ "$(rows_of "$on_node")" -le $((points / shards - 3)) ]
@@ -118,7 +118,7 @@ is_in_the_middle() {
 same() {
   (cd "$work/one" && find . -type f | sort | xargs sha256sum) >"$work/one.sums"
   (cd "$1" && find . -path ./shards -prune -o -type f -print | sort | xargs sha256sum) >"$work/other.sums"
-  cmp "$work/one.sums" "$work/other.sums" || fail "$1 is not what one process made"
+  cmp "$work/one.sums" "$work/other.sums" || fail "$1 differs from the results of one process"
   say "the $(wc -l <"$work/one.sums") files in $1 equal those of one process, byte for byte"
 }
 
@@ -141,7 +141,7 @@ show sinfo -N -o "%N %T %c"
 show sbatch --array=1-$shards -o "$work/task-%a.txt" "$here/docs/cluster/array.sh" $shards $study --threads 1 -o "$work/array"
 wait_for 300 "a third of the shards" finished "$work/array" 6
 wait_for 300 "a shard in its middle on node2" is_in_the_middle node2
-# unshare's child, the first process of the namespace, takes all others with it.
+# unshare's child is the first process of the namespace; killing it kills all others.
 eval "pgrep -P \$node2" | xargs kill -9
 victims=$(shard_on node2)
 say "kill -9: node2, and on it shard $victims, which has $(rows_of "$victims") rows"
@@ -151,16 +151,16 @@ show sinfo -N -o "%N %T %c"
 for victim in $victims; do
   show sh -c "squeue -h -r -o '%K %T %r restarts %S' | grep '^$victim ' || true"
 done
-# Slurm holds a job that a node has lost back for a while; it need not here.
+# Slurm delays the restart of a job from a lost node; that is unnecessary here.
 wait_for 600 "the end of the array" queue_is_empty
 show sh -c "grep -h -o 'requeue .*node2.*\|Requeuing.*\|node node2 .*down.*\|Killing JobId.*' slurmctld.log | sed 's/due to.*//' | sort | uniq -c"
 for victim in $victims; do show cat "$work/task-$victim.txt"; done
 show csgsim gather "$work/array" --missing
 rows=$(tail -q -n +3 "$work"/array/shards/*.shard | wc -l)
 say "$rows rows for $points points in $(find "$work/array/shards" -name '*.shard' | wc -l) files of $shards shards"
-[ "$rows" -eq "$points" ] || fail "a row for each point"
-csgsim gather "$work/array" >"$work/array.txt" || fail "not gathered"
-sed "s|$work/array|$work/one|" "$work/array.txt" | cmp - "$work/one.txt" || fail "other text"
+[ "$rows" -eq "$points" ] || fail "expected a row for each point"
+csgsim gather "$work/array" >"$work/array.txt" || fail "gather failed"
+sed "s|$work/array|$work/one|" "$work/array.txt" | cmp - "$work/one.txt" || fail "the printed text differs"
 same "$work/array"
 
 say "== srun, after node2 has come back"

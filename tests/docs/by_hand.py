@@ -1,7 +1,8 @@
-"""docs/lessons.md worked out by other code: boxes, a camera and the CSG rules, at every pixel, in Python's integers.
+"""Recomputes docs/lessons.md with independent code: boxes, a camera and the CSG rules, at every pixel, in integers.
 
-Of csgsim it takes the planes' coefficients alone, and sees that each is as near to the exact plane as docs/numbers.md says. It knows no
-pruning and no instructions: what a pixel has after a step of the algorithm follows from the definitions."""
+It uses only the planes' coefficients of csgsim, and checks that each is as close to the exact plane as docs/numbers.md
+states. It involves no pruning and no instructions: the state of a pixel after a step of the algorithm follows from the
+definitions."""
 
 import math
 import re
@@ -14,7 +15,7 @@ FIELD_OF_VIEW = math.radians(22.5)
 BOXES = {"A": ((0, 0, 0), (12, 12, 4)), "B": ((0, 0, 0), (4, 12, 10)), "N": ((2, 4, 2), (14, 8, 12))}
 COLOURS = {"A": (0.35, 0.6, 0.9), "B": (0.95, 0.75, 0.25), "N": (0.9, 0.4, 0.35)}
 BACKGROUND = 0xFFFFE5
-LIGHT = (0.36, -0.56, 0.75)  # right, up and forward of the camera, as tests/oracle/ray_light.cpp has it
+LIGHT = (0.36, -0.56, 0.75)  # right, up and forward of the camera, as in tests/oracle/ray_light.cpp
 AMBIENT, DIFFUSE = 0.3, 0.7
 
 
@@ -34,7 +35,7 @@ FORWARD = unit(tuple(to - at for to, at in zip(CENTRE, EYE)))
 RIGHT = unit(cross(FORWARD, (0, 0, 1)))
 UP = cross(RIGHT, FORWARD)
 DISTANCE = math.dist(EYE, CENTRE)
-PIXEL = 2 * DISTANCE * math.tan(FIELD_OF_VIEW / 2) / SIDE  # model units
+PIXEL = 2 * DISTANCE * math.tan(FIELD_OF_VIEW / 2) / SIDE  # in model units
 
 
 def corners(box):
@@ -43,14 +44,14 @@ def corners(box):
 
 
 def seen(point):
-    """Column and row of a point, centres of pixels at half-integers, and its distance along the view."""
+    """Column and row of a point, with pixel centres at half-integers, and its distance along the view."""
     away = tuple(at - eye for at, eye in zip(point, EYE))
     return SIDE / 2 + dot(away, RIGHT) / PIXEL, SIDE / 2 - dot(away, UP) / PIXEL, dot(away, FORWARD)
 
 
 @dataclass(frozen=True)
 class Face:
-    """A side of a box: the axis that it is across, and whether it is the far end of it."""
+    """A side of a box: the axis perpendicular to it, and whether it is at the far end of that axis."""
 
     axis: int
     is_high: bool
@@ -68,7 +69,7 @@ class Face:
 FACES = [Face(axis, is_high) for axis in range(3) for is_high in (False, True)]
 FRONTS = [face for face in FACES if face.is_forward()]
 BACKS = [face for face in FACES if not face.is_forward()]
-NEAR, FAR = (end(seen(corner)[2] for box in "AB" for corner in corners(box)) for end in (min, max))  # of what can be solid
+NEAR, FAR = (end(seen(corner)[2] for box in "AB" for corner in corners(box)) for end in (min, max))  # range of solids
 
 
 @dataclass(frozen=True)
@@ -100,7 +101,7 @@ def expression(text):
 
 @dataclass(frozen=True)
 class Pixel:
-    """What a pixel has. z1 is None where a pixel that takes no part keeps what it had."""
+    """The state of a pixel. z1 is None for a disabled pixel, which keeps its previous value."""
 
     enabled: bool
     z1: int | None
@@ -110,7 +111,7 @@ class Pixel:
 
 
 class ByHand:
-    """The model's picture with so many bits of depth, and what each pixel has after each step."""
+    """The model's picture with a number of bits of depth, and the state of each pixel after each step."""
 
     def __init__(self, expressions, z_bits=8):
         self.z_bits = z_bits
@@ -119,17 +120,18 @@ class ByHand:
         self.rectangles = {box: rectangle(box) for box in BOXES}
 
     def steps(self, distance):
-        """Depth in steps of a distance: 1 at the near end, 2^n - 3 at the far end."""
+        """A distance as depth in steps: 1 at the near end, 2^n - 3 at the far end."""
         return 1 + (distance - NEAR) * (2**self.z_bits - 4) / (FAR - NEAR)
 
     def exact(self, box, face, x, y):
-        """Where the ray of a pixel meets the plane of a face, in steps."""
+        """The intersection of a pixel's ray with the plane of a face, in steps."""
         right, up = (x + 0.5 - SIDE / 2) * PIXEL, (SIDE / 2 - y - 0.5) * PIXEL
         begin = tuple(eye + right * r + up * u for eye, r, u in zip(EYE, RIGHT, UP))
         return self.steps((face.place(box) - begin[face.axis]) / FORWARD[face.axis])
 
     def only(self, box, face, expressions):
-        """The one plane of the stream that is within the bound of docs/numbers.md of the exact one all over the picture."""
+        """The only plane of the stream that is within the bound of docs/numbers.md of the exact one all over the
+        picture."""
         found = [plane for plane in expressions if all(self.is_near(plane, box, face, x, y) for x in range(SIDE) for y in range(SIDE))]
         if len(found) != 1:
             raise ValueError(f"{len(found)} planes of the stream are {face} of box {box}")
@@ -137,7 +139,7 @@ class ByHand:
 
     def is_near(self, plane, box, face, x, y):
         aside = abs(x + 0.5 - SIDE / 2) + abs(y + 0.5 - SIDE / 2)
-        bound = (1 + aside) * 2.0 ** -(FRACTION_BITS + 1) + 2.0**-plane.shift - 2.0**-FRACTION_BITS  # factors of two are dropped
+        bound = (1 + aside) * 2.0 ** -(FRACTION_BITS + 1) + 2.0**-plane.shift - 2.0**-FRACTION_BITS  # without factors of two
         return abs(plane.sum_at(x, y) / 2**plane.shift - self.exact(box, face, x, y)) <= bound
 
     def depth(self, box, face, x, y):
@@ -157,16 +159,16 @@ class ByHand:
         return self.covers(box, x, y) and self.front(box, x, y) < self.back(box, x, y)
 
     def holds(self, box, z, x, y):
-        """Is depth z of the pixel in the box?"""
+        """Whether depth z of the pixel is inside the box."""
         return self.covers(box, x, y) and all(self.depth(box, face, x, y) <= z for face in FRONTS) and all(
             z < self.depth(box, face, x, y) for face in BACKS)
 
     def facet(self, box, faces, z, x, y):
-        """The first of the faces that is at that depth; what no plane is at has the last one's colour."""
+        """The first of the faces at that depth; a depth without a plane has the last face's colour."""
         return next((face for face in faces if self.depth(box, face, x, y) == z), faces[-1])
 
     def pixel(self, x, y):
-        """What the pixel has after each step: (step, Pixel)."""
+        """The state of the pixel after each step: (step, Pixel)."""
         steps = [("setup", Pixel(True, 0, self.nothing, False, BACKGROUND))]
         for box in "AB":
             met = self.is_met(box, x, y)
@@ -180,8 +182,8 @@ class ByHand:
         return steps
 
     def surface(self, box, now, named, other, x, y):
-        """Depth test, classification against one other box, merge and shading of what is in Z1."""
-        is_back = box == "N"  # of what is taken away the back is seen, where it is in what is left
+        """Depth test, classification against the other box, merge and shading of the contents of Z1."""
+        is_back = box == "N"  # the visible surface of a subtracted box is its back, inside the remaining solid
         is_left = now.enabled and now.z1 < now.z2
         tested = replace(now, enabled=is_left, mask=is_left)
         inside = is_left and self.holds(other, now.z1, x, y)
@@ -192,20 +194,20 @@ class ByHand:
         if is_left:
             faces = BACKS if is_back else FRONTS
             face = self.facet(box, faces, now.z1, x, y)
-            is_last = face == faces[-1]  # the others take their pixels out of the mask
+            is_last = face == faces[-1]  # the other faces remove their pixels from the mask
             shaded = replace(merged, enabled=is_last, mask=is_last, colour=colour(box, face, not is_back))
         return [(f"{named} test", tested), (f"{named} classify", replace(tested, enabled=inside)), (f"{named} mask", masked),
                 (f"{named} merge", merged), (f"{named} shade", shaded)]
 
 
 def rectangle(box):
-    """First column and row, last column and row, of the pixels whose centres are between its corners."""
+    """First column and row, last column and row, of the pixels whose centres are between the box's corners."""
     columns, rows = ([seen(corner)[axis] - 0.5 for corner in corners(box)] for axis in (0, 1))
     return math.ceil(min(columns)), math.ceil(min(rows)), math.floor(max(columns)), math.floor(max(rows))
 
 
 def colour(box, face, is_front):
-    """What a facet shows: of a box that is taken away it is seen from inside."""
+    """The colour of a facet; a subtracted box is seen from inside."""
     normal = tuple(each if is_front else -each for each in face.normal())
     shines = tuple(LIGHT[0] * r + LIGHT[1] * u + LIGHT[2] * f for r, u, f in zip(RIGHT, UP, FORWARD))
     light = AMBIENT + DIFFUSE * max(0, -dot(normal, unit(shines)))
@@ -214,7 +216,8 @@ def colour(box, face, is_front):
 
 
 def clocks(text, latency, or_levels):
-    """Clocks of an instruction of one-bit ALUs, by the table of docs/instruction-set.md; `text` names fields by their widths."""
+    """Clocks of an instruction on one-bit ALUs, by the table of docs/instruction-set.md; `text` gives widths for
+    fields."""
     name = text.split()[0]
     width = re.search(r"\(w(\d+)", text)
     if width:

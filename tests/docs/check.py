@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks of the pages that need no run: check.py links|cells|numbers|pictures|blocks|glossary|lists|tasks|words|shells|machines"""
+"""Static checks of the pages: check.py
+links|cells|numbers|pictures|blocks|glossary|lists|tasks|words|shells|machines"""
 
 import collections
 import json
@@ -23,11 +24,11 @@ KEYS = "docs/settings.md"  # keys of stats, and columns of studies
 MOST_COMMANDS = 3
 MOST_WORDS = 25
 MOST_WORDS_OF_A_TERM = 3  # longer ones are titles of books
-MOST_NOT_COVERED = 26  # numbers that look measured and whose reason is 'not covered'; it may only fall
+MOST_NOT_COVERED = 26  # limit of measured-looking numbers with the reason 'not covered'; only to be lowered
 
 
 def links():
-    """Every relative link leads to a file, and to an anchor of it."""
+    """Every relative link leads to an existing file and anchor."""
     for path in markdown.files():
         for number, target in markdown.links(markdown.read(path)):
             if re.match(r"[a-z]+:", target):
@@ -51,7 +52,7 @@ def tasks():
 
 
 def cells():
-    """No cell of a table has more words than a reader takes in."""
+    """No cell of a table has too many words."""
     for path in markdown.pages():
         for number, row in markdown.rows(markdown.read(path)):
             for cell in row:
@@ -60,19 +61,19 @@ def cells():
 
 
 def numbers():
-    """Every number that looks measured is made, or may stand there for a stated reason."""
+    """Every number that looks measured is generated, or allowed for a stated reason."""
     found, made = coverage.survey()
     for each in found:
         if not each.reason:
             yield f"{each.page}:{each.line}: {each.text} looks measured: let docs/manifest make it, or say there why it may stand"
     by_reason = collections.Counter(each.reason.split(":")[0] for each in found)
-    print(f"{made} numbers are made; of others that look measured", dict(by_reason))
+    print(f"{made} numbers are generated; others that look measured:", dict(by_reason))
     if by_reason["not covered"] > MOST_NOT_COVERED:
         yield f"{by_reason['not covered']} numbers are not covered, more than {MOST_NOT_COVERED}"
 
 
 def pictures():
-    """Every picture has an entry, and is shown somewhere."""
+    """Every picture has an entry in the manifest, and is shown on a page."""
     listed = {path for page in manifest.read() for entry in page.entries for path in entry.keys.get("files", [])}
     there = {str(path.relative_to(ROOT)) for path in (ROOT / "docs/pictures").rglob("*.*")}
     shown = set()
@@ -85,7 +86,7 @@ def pictures():
 
 
 def blocks():
-    """Every made block has an entry."""
+    """Every generated block has an entry in the manifest."""
     named = {(entry.page, entry.keys["name"]) for page in manifest.read() for entry in page.entries if entry.kind == "block"}
     there = {(path, name) for path in markdown.pages() for name in pages.block_names(markdown.read(path))}
     yield from (f"{path}: nothing makes the block '{name}'" for path, name in sorted(there - named))
@@ -93,7 +94,7 @@ def blocks():
 
 
 def glossary():
-    """Every term that README and the tutorial introduce in italics is in the glossary, which is sorted and links to pages."""
+    """Every term in italics in README and the tutorial is in the glossary, which is sorted and links to pages."""
     text = markdown.read(CONTENTS)
     rows = [row for _, row in markdown.rows(text.split("\n## Glossary\n")[1])][2:]
     terms = [row[0] for row in rows]
@@ -119,7 +120,8 @@ def command_names():
 
 
 def lists():
-    """The table of contents has the order of the book, which has each page of docs once; the table of commands has each command once."""
+    """The table of contents follows the order of the book, which lists each page of docs once; the table of commands
+    lists each command once."""
     rows = [row for _, row in markdown.rows(markdown.read(CONTENTS).split("\n## All pages\n")[1].split("\n## ")[0])]
     linked = [CONTENTS] + ["docs/" + to for row in rows for to in re.findall(r"\]\(([^)#]*)\)", " ".join(row))]
     listed = [path for _, rows_of_part in order.parts() for path, _, _ in rows_of_part]
@@ -137,7 +139,7 @@ def lists():
 
 
 def keys(value):
-    """All keys of a JSON value but those that are names of instructions, purposes, effects, parts and what parts do."""
+    """All keys of a JSON value except names of instructions, purposes, effects, parts and activities."""
     if isinstance(value, list):
         for each in value:
             yield from keys(each)
@@ -151,8 +153,8 @@ def keys(value):
 
 
 def words():
-    """The table of columns has each column of a study once, and no other; a key of stats stands there, elsewhere on that page or
-    on a machine's page; no key and no option is a spelling variant of a column."""
+    """The table of columns lists each column of a study once, and no other. Each key of stats is in it, elsewhere on
+    that page or on a machine's page. No key or option is a spelling variant of a column."""
     section = markdown.read(KEYS).split("\n## Columns of studies\n")[1].split("\n## ")[0]
     described = collections.Counter(name for _, row in markdown.rows(section) for name in re.findall(r"^`(\w+)`$", row[0]))
     studies = (path.read_text(encoding="utf-8") for end in ("h", "cpp") for path in (ROOT / "sim/studies").rglob(f"*.{end}"))
@@ -176,7 +178,7 @@ def words():
 
 
 def shells():
-    """The commands of a page mean the same in bash and in zsh, which does not split $NAME: words are in arrays. Scenes are there."""
+    """Commands work equally in bash and zsh, which does not split $NAME: lists are arrays. Their scene files exist."""
     for path in markdown.pages():
         text = markdown.read(path)
         lists = set(re.findall(r"""^    ([A-Z]+)=["'][^"'\n]* [^"'\n]*["']$""", text, re.MULTILINE))
@@ -190,7 +192,7 @@ def shells():
 
 
 def machines():
-    """No page has another number of machines than come with csgsim, but for those of the eighties, on which studies run."""
+    """Every stated number of machines equals that of hw/machines, except for those of the eighties, used in studies."""
     count = len(list((ROOT / "hw/machines").glob("*.toml")))
     words_of = "one two three four five six seven eight nine ten eleven twelve".split()
     for path in markdown.pages():

@@ -1,4 +1,4 @@
-"""Which numbers of the pages look measured, and which of them nothing makes."""
+"""Finds numbers on the pages that look measured but are not generated."""
 
 import re
 from dataclasses import dataclass
@@ -11,12 +11,12 @@ UNITS = (r"clocks?|ms|µs|ns|s|seconds|kB|MB|MiB|GB|fps|%|times|frames a second|
          r"instructions|words of")
 MEASURED = re.compile(rf"(?<![\w.,/^])(?:[0-9]{{1,3}}(?:,[0-9]{{3}})+(?:\.[0-9]+)?|[0-9]{{4,}}(?:\.[0-9]+)?|"
                       rf"[0-9]+(?:[.,][0-9]+)?(?=\s(?:{UNITS})(?!\w)))(?![\w])")
-YEAR = re.compile(r"(1[5-9]|20)[0-9]{2}(\.[0-9]{2})?")  # and releases of OpenSCAD
+YEAR = re.compile(r"(1[5-9]|20)[0-9]{2}(\.[0-9]{2})?")  # years, and releases of OpenSCAD
 
 
 @dataclass
 class Number:
-    """A number that looks measured; reason is why it may stand there, or empty."""
+    """A number that looks measured; `reason` says why it is allowed, or is empty."""
 
     page: str
     line: int
@@ -25,12 +25,12 @@ class Number:
 
 
 def blank(text, begin, end):
-    """The text with spaces in a span, lines as they were."""
+    """The text with a span replaced by spaces, keeping the lines."""
     return text[:begin] + re.sub(r"[^\n]", " ", text[begin:end]) + text[end:]
 
 
 def unmade(page, text):
-    """The page without what the manifest makes, code, names in code, and addresses."""
+    """The page without generated content, code, names in code, and addresses."""
     for match in reversed(list(pages.BLOCK.finditer(text))):
         text = blank(text, *match.span())
     made = []
@@ -57,7 +57,7 @@ def reason_for(page, heading, line):
 
 
 def numbers(path, page, text):
-    """The numbers of a page that look measured and that nothing makes."""
+    """The numbers of a page that look measured but are not generated."""
     headings, original = [], text.splitlines()
     for number, line in enumerate(unmade(page, text).splitlines(), 1):
         heading = re.match(r"(#+) (.*)", line)
@@ -69,7 +69,7 @@ def numbers(path, page, text):
 
 
 def made_count(page, text):
-    """How many numbers the manifest makes: in blocks, and in sentences."""
+    """How many numbers the manifest generates: in blocks, and in sentences."""
     count = sum(len(re.findall(pages.NUMBER, match["body"])) for match in pages.BLOCK.finditer(text))
     for entry in page.entries if page else ():
         if entry.kind == "sentence":
@@ -82,7 +82,7 @@ def made_count(page, text):
 
 
 def survey():
-    """Numbers that nothing makes, and how many are made."""
+    """Numbers that are not generated, and the number of generated ones."""
     known = {page.path: page for page in manifest.read()}
     found, made = [], 0
     for path in markdown.pages():

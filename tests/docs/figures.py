@@ -1,4 +1,4 @@
-"""What the manifest's expressions and tables may ask for: the commands of csgsim on the models of the pages."""
+"""Functions for the manifest's expressions and tables: commands of csgsim on the models of the pages."""
 
 import tomllib
 
@@ -8,7 +8,7 @@ MODELS = {
     "carburettor": "tests/models/carburettor.csg --camera 220,-255,135,2,0,5",
     "vehicle": "tests/models/terrain_vehicle.csg --camera 560,-590,420,-5,0,68",
     "house": "tests/models/rietveld_house.csg --camera 3430,-2900,1950,590,230,220",
-    # From near by: as many rays meet something as in the thesis's pictures (table 4.9).
+    # A near camera: the share of rays that hit the model is that of the thesis's pictures (table 4.9).
     "carburettor, near": "tests/models/carburettor.csg --camera 115.6,-132.9,72.7,2,0,5",
     "vehicle, near": "tests/models/terrain_vehicle.csg --camera 267.3,-284.4,237.7,-5,0,68",
     "house, near": "tests/models/rietveld_house.csg --camera 1984.4,-1306.8,1069.4,590,230,220",
@@ -19,7 +19,7 @@ PERSPECTIVE = " --projection perspective"
 
 
 class Figures:
-    """Names that expressions know, beside those that a page's manifest lets stand for something."""
+    """Names known to expressions, in addition to those defined by a page's manifest."""
 
     def __init__(self, runs):
         self.runs = runs
@@ -49,7 +49,7 @@ class Figures:
                              ).json("accuracy/accuracy.json").points
 
     def explore(self, options):
-        """What csgsim explore finds of the stand-ins for the thesis's models, each just fitting into its picture."""
+        """Results of csgsim explore for the stand-ins of the thesis's models, each fitted to its picture."""
         models = " ".join(self.model(name).split(" ")[0] for name in THESIS_MODELS)
         return self.runs.run(f"csgsim explore {models} {options} --no-plots --progress none -o $OUT/explore").json("explore/explore.json")
 
@@ -58,7 +58,7 @@ class Figures:
                              ).json("subdivide/subdivide.json").points
 
     def classify(self, model, options="", processors="mc68000,i486dx2"):
-        """The points of csgsim classify, in perspective unless the model is a file with a view of its own."""
+        """The points of csgsim classify, in perspective unless the model's file defines a view."""
         view = PERSPECTIVE if model in MODELS else ""
         return self.runs.run(f"csgsim classify {self.model(model)}{view} --processors {processors} {options} --no-plots --progress none "
                              "-o $OUT/classify").json("classify/classify.json").points
@@ -67,14 +67,14 @@ class Figures:
         return self.runs.run(f"csgsim mesh {self.model(model)} {options} --no-plots --progress none -o $OUT/mesh").json("mesh/mesh.json").points
 
     def display(self, model, options=""):
-        """The points of csgsim display, in perspective; `cylinders` are those of docs/software.md."""
+        """The points of csgsim display, in perspective; `cylinders` selects those of docs/software.md."""
         cylinders = "tests/models/crossing_cylinders.csg --camera 300,-380,260,0,0,5"
         of = cylinders if model == "cylinders" else self.model(model)
         return self.runs.run(f"csgsim display {of}{PERSPECTIVE} --processors mc68000,i486dx2 {options} --no-plots --progress none "
                              "-o $OUT/display").json("display/display.json").points
 
     def trace(self, model, options, processors="mc68000,i486dx2"):
-        """The points of csgsim trace of a picture of 256 x 256, in perspective."""
+        """The points of csgsim trace for a picture of 256 x 256, in perspective."""
         return self.runs.run(f"csgsim trace {self.model(model)}{PERSPECTIVE} --size 256x256 --processors {processors} {options} "
                              "--no-plots --progress none -o $OUT/trace").json("trace/trace.json").points
 
@@ -82,7 +82,7 @@ class Figures:
         return self.runs.run(f"csgsim effects {self.model(model)} {options} -o $OUT/effects").json("effects/effects.json")
 
     def shown(self, page, start):
-        """The commands that a page shows, indented, from the line on that begins so."""
+        """The commands that a page shows, indented, starting at the line with that beginning."""
         lines = (ROOT / page).read_text(encoding="utf-8").splitlines()
         first = next(n for n, line in enumerate(lines) if line.startswith("    " + start))
         last = next(n for n in range(first, len(lines)) if not lines[n].startswith("    "))
@@ -94,31 +94,31 @@ class Figures:
         return division.reports(self)
 
     def advise(self, model):
-        """What csgsim advise answers to the wishes that its page shows."""
+        """The answers of csgsim advise for the wishes shown on its page."""
         from tables import advise  # pylint: disable=import-outside-toplevel
 
         return advise.answer(self, model)
 
     def curved(self):
-        """What csgsim accuracy measures of facets and of curved surfaces without them, by object."""
+        """Results of csgsim accuracy for facets and for curved surfaces without them, by object."""
         from tables import accuracy  # pylint: disable=import-outside-toplevel
 
         return accuracy.curved(self)
 
     def examples(self):
-        """What csgsim corpus counts in OpenSCAD's own examples."""
+        """Counts of csgsim corpus for OpenSCAD's own examples."""
         from tables import corpus  # pylint: disable=import-outside-toplevel
 
         return corpus.of_examples(self)
 
     def one_pixel(self):
-        """What docs/lessons.md says of its pixel, worked out by other code and held against csgsim debug."""
+        """Statements of docs/lessons.md about its pixel, computed independently and compared with csgsim debug."""
         from tables import one_pixel  # pylint: disable=import-outside-toplevel
 
         return one_pixel.followed(self)
 
     def one_instruction(self):
-        """What an instruction of One pixel does on the wires, and when."""
+        """The signals of an instruction of One pixel, clock by clock."""
         from tables import one_instruction  # pylint: disable=import-outside-toplevel
 
         return one_instruction.said(self)
@@ -130,16 +130,16 @@ class Figures:
         return today.times(self)
 
     def names_of(self, topic):
-        """The machines, processors or processes that come with csgsim."""
+        """The machines, processors or processes included in csgsim."""
         return [line.split()[0] for line in self.runs.run(f"csgsim manual {topic}").printed.partition("\n\n")[0].splitlines()]
 
     def machine_file(self, name):
-        """The values of a machine's file, by figure."""
+        """The parameters of a machine's file, by name."""
         tables = tomllib.loads((ROOT / f"hw/machines/{name}.toml").read_text(encoding="utf-8"))
         return {f"{table}.{key}": figure["value"] for table, keys in tables.items() if isinstance(keys, dict) for key, figure in keys.items()}
 
     def one_seam(self):
-        """Where the seam of docs/lessons.md opens."""
+        """The opening seam of docs/lessons.md."""
         from tables import one_seam  # pylint: disable=import-outside-toplevel
 
         return one_seam.seam(self)
@@ -157,7 +157,7 @@ def per_cent(part, whole):
 
 
 def point(points, **wanted):
-    """The one point of a study that has these values."""
+    """The only point of a study with these values."""
     found = [each for each in points if all(each[key] == value for key, value in wanted.items())]
     if len(found) != 1:
         raise ValueError(f"{len(found)} points have {wanted}")
@@ -169,7 +169,7 @@ def row(*cells):
 
 
 def ruled(head, rows, numbers_from=1):
-    """A table of Markdown; columns from numbers_from on are set to the right, and the first if it holds numbers."""
+    """A table in Markdown; columns from numbers_from on are right-aligned, and so is the first if it holds numbers."""
     if numbers_from == 1 and all(str(cells[0]).isdigit() for cells in rows):
         numbers_from = 0
     rule = "|" + "|".join("--:" if n >= numbers_from else "---" for n in range(len(head))) + "|"

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Makes what the pages show: every entry of docs/manifest, again.
+"""Regenerates the generated content of the pages: every entry of docs/manifest.
 
-    tests/docs/make.py BUILD            makes all of it, and tells what changed
-    tests/docs/make.py BUILD --check    makes what is exact and not long, and fails where a page differs; writes nothing
-    tests/docs/make.py BUILD --twice    makes what is exact twice, and fails where the bytes differ; writes nothing
+    tests/docs/make.py BUILD            generates everything and prints the changes
+    tests/docs/make.py BUILD --check    generates what is exact and fast, and fails if a page differs; writes nothing
+    tests/docs/make.py BUILD --twice    generates what is exact twice, and fails if the bytes differ; writes nothing
 
-BUILD is a folder with csgsim in it. --page, --kind and --entry choose entries; --exact leaves out what is measured, --short what is long."""
+BUILD is a folder with csgsim in it. --page, --kind and --entry choose entries; --exact omits measured entries, --short
+slow ones."""
 
 import argparse
 import difflib
@@ -20,7 +21,7 @@ from runs import ROOT, Failed, Runs
 
 
 class Names(dict):
-    """Names of expressions; what a page lets stand for an expression is worked out when it is asked for."""
+    """Names of expressions; definitions of the page's manifest are evaluated on first use."""
 
     def __init__(self, known, let):
         super().__init__({name: value for name, value in known.items() if name not in let})
@@ -34,11 +35,11 @@ class Names(dict):
 
 
 class Maker:
-    """Makes entries into texts and pictures that are kept in memory."""
+    """Generates entries into texts and pictures that are kept in memory."""
 
     def __init__(self, build):
         self.figures = Figures(Runs(build))
-        self.made = {}  # path: bytes
+        self.made = {}  # bytes by path
         self.wrong = []
 
     def file(self, path):
@@ -78,7 +79,7 @@ class Maker:
             self.made[path] = (folder / pathlib.Path(path).name).read_bytes()
 
     def script(self, entry, _):
-        """A script that writes its page itself: the page stands as it was afterwards, and what was made is kept."""
+        """Runs a script that writes its page itself: the page is restored afterwards, and the result is kept."""
         before = (ROOT / entry.page).read_bytes()
         try:
             self.figures.runs.run(entry.keys["command"])
@@ -97,7 +98,7 @@ class Maker:
 
 
 def difference(path, made):
-    """Lines that change, or that a picture does."""
+    """Changed lines of a text, or a note about a changed picture."""
     if pathlib.Path(path).suffix not in (".md", ".svg"):
         return [f"{path}: another picture"]
     before = (ROOT / path).read_text(encoding="utf-8").splitlines() if (ROOT / path).exists() else []
@@ -133,7 +134,7 @@ def twice(build, chosen):
     first, second = made_by(build, chosen), made_by(build, chosen)
     differ = [path for path in first.made if first.made[path] != second.made.get(path)]
     for path in differ:
-        print(f"{path} is not the same twice")
+        print(f"{path} differs between two runs")
     return first.wrong + second.wrong, differ
 
 
@@ -148,7 +149,7 @@ def main():
     options = parser.parse_args()
     chosen = list(choose(options))
     if not chosen:
-        sys.exit("make.py: no entry is chosen")
+        sys.exit("make.py: no entry matches")
     if options.twice:
         wrong, differ = twice(options.build, chosen)
     else:
@@ -162,7 +163,7 @@ def main():
         print(each, file=sys.stderr)
     print(f"{len(chosen)} entries, {len(differ)} files differ, {len(wrong)} errors")
     if wrong or (differ and (options.check or options.twice)):
-        sys.exit("make.py: if the change is meant: ./setup.sh docs" if options.check else 1)
+        sys.exit("make.py: if the change is intended, run ./setup.sh docs" if options.check else 1)
 
 
 if __name__ == "__main__":

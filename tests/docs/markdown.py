@@ -1,4 +1,4 @@
-"""What the checks read in Markdown: prose, links, headings, tables."""
+"""Parses the parts of Markdown used by the checks: prose, links, headings, tables."""
 
 import os
 import re
@@ -11,7 +11,7 @@ INDENTED = re.compile(r"^ {4,}(?![-*|\d])\S")
 
 
 def files():
-    """The pages of the repository: all Markdown outside of folders that are built or hidden."""
+    """The pages of the repository: all Markdown outside of build and hidden folders."""
     found = []
     for folder, folders, names in os.walk(ROOT):
         folders[:] = [name for name in folders if not name.startswith((".", "build"))]
@@ -28,13 +28,13 @@ def read(path):
 
 
 def slug(heading):
-    """The anchor that a forge gives a heading."""
+    """The anchor that a forge generates for a heading."""
     text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).strip().lower()
     return re.sub(r"[^\w\- ]", "", text).replace(" ", "-")
 
 
 def prose(text):
-    """(number, line) of what is neither code nor listing; what these hold is blank."""
+    """(number, line) of all lines; code and listings are blank."""
     lines, fenced = [], False
     for number, line in enumerate(text.splitlines(), 1):
         if FENCE.match(line):
@@ -60,7 +60,7 @@ def anchors(text):
 
 
 def links(text):
-    """(number, target) of links within prose."""
+    """(number, target) of links in prose."""
     for number, line in prose(text):
         for match in LINK.finditer(re.sub(r"`[^`]*`", "", line)):
             yield number, match["to"] or match["image"]

@@ -1,4 +1,4 @@
-"""Pages in Markdown: their made blocks, and sentences with measured numbers."""
+"""Pages in Markdown: their generated blocks, and sentences with measured numbers."""
 
 import re
 import string
@@ -8,7 +8,7 @@ BLOCK = re.compile(r"<!-- made: (?P<name>[^\n]*?) -->\n(?P<body>.*?)\n?<!-- end 
 
 
 class Missing(Exception):
-    """Something that the manifest names is not in the page, or more than once."""
+    """Raised if the page does not contain something named by the manifest exactly once."""
 
 
 def block_names(text):
@@ -16,7 +16,7 @@ def block_names(text):
 
 
 def with_block(text, name, body):
-    """The page with another body of a block."""
+    """The page with a new body for a block."""
     found = [match for match in BLOCK.finditer(text) if match["name"] == name]
     if len(found) != 1:
         raise Missing(f"block '{name}' is there {len(found)} times; it is <!-- made: {name} --> ... <!-- end -->")
@@ -24,12 +24,12 @@ def with_block(text, name, body):
 
 
 def expressions(words):
-    """The parts of a sentence: (words, expression, format), the last two None at its end."""
+    """The parts of a sentence: (words, expression, format); the last two are None at its end."""
     return [(literal, expression, spec) for literal, expression, spec, _ in string.Formatter().parse(words)]
 
 
 def pattern(words):
-    """What finds the sentence in a page: its words, however they are broken into lines, and a group a number."""
+    """A pattern that finds the sentence in a page, with any line breaks and a group per number."""
     made = ""
     for literal, expression, _ in expressions(words):
         made += re.sub(r"(?:\\?\s)+", r"\\s+", re.escape(literal))
@@ -38,7 +38,7 @@ def pattern(words):
 
 
 def places(text, words):
-    """Where the sentence's numbers are in the page: spans, in order."""
+    """The spans of the sentence's numbers in the page, in order."""
     found = list(pattern(words).finditer(text))
     if len(found) != 1:
         raise Missing(f"the sentence is there {len(found)} times: {words}")
@@ -46,7 +46,7 @@ def places(text, words):
 
 
 def with_numbers(text, words, names):
-    """The page with the sentence's numbers as its expressions have them now."""
+    """The page with the sentence's numbers replaced by the current values of its expressions."""
     spans = places(text, words)
     values = [format(eval(expression, names, names), spec)  # pylint: disable=eval-used
               for _, expression, spec in expressions(words) if expression is not None]
@@ -56,7 +56,7 @@ def with_numbers(text, words, names):
 
 
 def part_span(text, begin, end):
-    """What stands between two marks."""
+    """The text between two marks."""
     if text.count(begin) != 1:
         raise Missing(f"the mark {begin} is there {text.count(begin)} times")
     first = text.index(begin) + len(begin)

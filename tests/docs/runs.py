@@ -1,4 +1,4 @@
-"""Runs the commands that the figures of the pages come from, each once."""
+"""Runs the commands behind the numbers of the pages, each once."""
 
 import csv
 import json
@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Record(dict):
-    """A JSON object, whose keys are attributes too."""
+    """A JSON object whose keys are also attributes."""
 
     def __getattr__(self, name):
         try:
@@ -21,11 +21,11 @@ class Record(dict):
 
 
 class Failed(Exception):
-    """A command that did not end well; says which and what it printed."""
+    """Raised for a failing command, with its output."""
 
 
 class Run:
-    """What a command printed, and the folder that it wrote into, $OUT."""
+    """The output of a command, and the folder that it wrote to, $OUT."""
 
     def __init__(self, printed, folder):
         self.printed = printed
@@ -40,7 +40,7 @@ class Run:
 
 
 class Runs:
-    """Commands of bash, run in the repository's root with the build folder on the PATH."""
+    """Runs commands in bash, in the repository's root with the build folder on the PATH."""
 
     def __init__(self, build):
         self.build = pathlib.Path(build).resolve()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of what docs/lessons.md is worked out by, on numbers that paper gives."""
+"""Tests of the computations behind docs/lessons.md, on numbers calculated on paper."""
 
 import unittest
 
@@ -26,13 +26,13 @@ def hand():
 
 class Camera(unittest.TestCase):
     def test_the_eye_looks_along_a_triple_of_pythagoras(self):
-        # From 30,-24,36 to 6,6,4 it is -24, 30, -32: 576 + 900 + 1024 is 50 squared.
+        # The vector from 30,-24,36 to 6,6,4 is -24, 30, -32: 576 + 900 + 1024 is 50 squared.
         self.assertEqual(by_hand.DISTANCE, 50)
         for part, hundredths in zip(by_hand.FORWARD, (-48, 60, -64)):
             self.assertAlmostEqual(part, hundredths / 100)
 
     def test_depths_reach_from_a_corner_of_b_to_one_of_a(self):
-        # Of the eye -0.48 x + 0.6 y - 0.64 z is -51.84, of 4,0,10 it is -8.32, of 0,12,0 it is 7.2.
+        # -0.48 x + 0.6 y - 0.64 z is -51.84 at the eye, -8.32 at 4,0,10, and 7.2 at 0,12,0.
         self.assertAlmostEqual(by_hand.NEAR, 43.52)
         self.assertAlmostEqual(by_hand.FAR, 59.04)
 
@@ -54,7 +54,7 @@ class Planes(unittest.TestCase):
     def test_a_shift_rounds_down(self):
         self.assertEqual(Plane(525, 269, -7503, 4).at(7, 5), -156)  # -2483 / 16 is -155.2
 
-    def test_a_plane_that_is_off_is_not_taken_for_it(self):
+    def test_rejects_a_plane_that_is_off(self):
         planes = [rounded(box, face) for box in by_hand.BOXES for face in by_hand.FACES]
         off = rounded("A", Z4)
         planes = [Plane(off.a, off.b + 1, off.c, off.shift) if plane == off else plane for plane in planes]
@@ -63,7 +63,7 @@ class Planes(unittest.TestCase):
 
 
 class Rules(unittest.TestCase):
-    def test_the_ray_of_the_pixel_meets_the_boxes_where_doubles_say(self):
+    def test_the_pixels_ray_meets_the_boxes_as_in_doubles(self):
         judge = hand()
         for box, face in (("A", Z4), ("N", Y8), ("B", X12)):
             self.assertAlmostEqual(judge.depth(box, face, 7, 5), judge.exact(box, face, 7, 5), delta=1.1)
@@ -73,30 +73,30 @@ class Rules(unittest.TestCase):
         front, back = judge.front("B", 7, 5), judge.back("B", 7, 5)
         self.assertEqual([judge.holds("B", z, 7, 5) for z in (front - 1, front, back - 1, back)], [False, True, True, False])
 
-    def test_the_back_of_the_notch_takes_the_place_of_two_fronts(self):
+    def test_the_back_of_the_notch_replaces_two_fronts(self):
         steps = dict(hand().pixel(7, 5))
         self.assertEqual(steps["A shade"].z2, hand().front("A", 7, 5))
         self.assertFalse(steps["B mask"].mask)
         self.assertEqual(steps["N in B shade"].z2, hand().back("N", 7, 5))
 
-    def test_a_pixel_beside_the_model_keeps_nothing(self):
+    def test_a_pixel_outside_the_model_keeps_nothing(self):
         last = hand().pixel(0, 0)[-1][1]
         self.assertEqual((last.z2, last.colour), (255, by_hand.BACKGROUND))
 
-    def test_a_facet_that_the_light_does_not_reach_has_the_ambient_part(self):
+    def test_an_unlit_facet_has_the_ambient_part(self):
         self.assertEqual(by_hand.colour("B", X12, True), 0x493913)  # 0.3 of 0.95, 0.75, 0.25
 
 
 class Held(unittest.TestCase):
-    """What is worked out is held against what csgsim debug prints."""
+    """Computed values are compared with the output of csgsim debug."""
 
     PRINTED = ("> print 0,0\n  E            1\n  Z2           166 (0xa6)\n  Z1           128 (0x80)\n"
                "  colour       5476311 (0x538fd7), #538fd7\n  mask         0\n")
 
-    def test_what_is_printed_is_read(self):
+    def test_reads_the_printed_output(self):
         self.assertEqual(one_pixel_story.told(self.PRINTED), [{(0, 0): {"E": 1, "Z2": 166, "Z1": 128, "colour": 5476311, "mask": 0}}])
 
-    def test_a_field_that_differs_is_told(self):
+    def test_reports_a_field_that_differs(self):
         machine = one_pixel_story.told(self.PRINTED)[0][0, 0]
         same = by_hand.Pixel(True, 128, 166, False, 5476311)
         one_pixel_story.compare("a step", (0, 0), same, machine)

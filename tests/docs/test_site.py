@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The site of docs/book: it builds without a warning, its links and files exist, and its search finds pages. Skips (77) without Sphinx."""
+"""Checks the site of docs/book: it builds without a warning, its links and files exist, and its search finds pages.
+Skips (77) without Sphinx."""
 
 import html.parser
 import json
@@ -15,7 +16,7 @@ import urllib.parse
 from runs import ROOT
 
 BOOK = ROOT / "docs/book/book.py"
-PYTHON = "/usr/bin/python3"  # Debian's, which has Debian's Sphinx
+PYTHON = "/usr/bin/python3"  # Debian's Python, which finds Debian's Sphinx
 MODULES = "import sphinx, furo, myst_parser"
 
 sys.path.insert(0, str(BOOK.parent))
@@ -79,7 +80,7 @@ class Site(unittest.TestCase):
                     wrong.append(f"{page.relative_to(self.folder)}: {target}")
         self.assertEqual(wrong, [])
 
-    def test_nothing_is_loaded_from_elsewhere_and_all_of_it_is_there(self):
+    def test_loads_only_existing_local_files(self):
         for page, names in self.pages.items():
             for target in names.loaded:
                 self.assertFalse(is_elsewhere(target), f"{page}: {target}")
@@ -88,13 +89,13 @@ class Site(unittest.TestCase):
             text = re.sub(r"/\*.*?\*/", "", sheet.read_text(encoding="utf-8"), flags=re.DOTALL)
             self.assertEqual(re.findall(r"""@import[^;]*|url\(["']?(?:https?:|/)[^)]*""", text), [], sheet.name)
 
-    def test_scripts_are_no_modules(self):
-        """Browsers load no modules from file://, where the site is read."""
+    def test_scripts_are_not_modules(self):
+        """Browsers load no modules from file://, from where the site may be read."""
         script = (self.folder / "_static/scripts/furo.js").read_text(encoding="utf-8")
         self.assertIn("Gumshoe", script)
         self.assertEqual(re.findall(r"(?m)^(?:import|export)\b.*", script), [])
 
-    def test_a_word_is_found(self):
+    def test_finds_a_word(self):
         index = (self.folder / "searchindex.js").read_text(encoding="utf-8")
         index = json.loads(re.sub(r"(?<=[{,])(\w+):", r'"\1":', index.removeprefix("Search.setIndex(").rstrip(" );\n")))
         for word, page in (("multipli", "lessons"), ("quadric", "shapes"), ("kunii", None)):
@@ -102,7 +103,7 @@ class Site(unittest.TestCase):
             names = [index["docnames"][number] for number in (found if isinstance(found, list) else [found])]
             self.assertEqual(page in names, page is not None, f"{word}: {names}")
 
-    def test_the_search_puts_the_page_of_a_subject_first(self):
+    def test_search_lists_the_main_page_of_a_subject_first(self):
         if shutil.which("node") is None:
             self.skipTest("there is no node")
         wanted = {"shadows": "effects.html", "pixel-planes-5": "machines/pixel-planes.html", "--z-bits": "command-line.html",
@@ -116,6 +117,6 @@ class Site(unittest.TestCase):
 
 if __name__ == "__main__":
     if subprocess.run([PYTHON, "-c", MODULES], capture_output=True, check=False).returncode != 0:
-        print("there is no Sphinx with furo and myst-parser; ./setup.sh site installs them")
+        print("Sphinx with furo and myst-parser is not installed; run ./setup.sh site")
         sys.exit(77)
     unittest.main()

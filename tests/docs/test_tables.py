@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of the tables: what they ask csgsim for, and how they cite."""
+"""Tests of the tables: their calls of csgsim, and their citations."""
 
 import re
 import unittest
@@ -13,7 +13,7 @@ RATES = ("simulated_seconds", "frames_per_second", "hosted_frames_per_second", "
 
 
 class Compared:
-    """Answers to `csgsim compare` without running it: a point for each machine that is named, and what was asked for."""
+    """Answers `csgsim compare` without running it: a point for each named machine, and a record of the commands."""
 
     def __init__(self):
         self.commands = []
@@ -29,7 +29,7 @@ class Compared:
 
 
 def model_of(command):
-    """The model's words in a command."""
+    """The arguments of the model in a command."""
     known = [words for words in MODELS.values() if words in command]
     return known[0] if known else re.search(r"tests/\S+\.csg", command)[0]
 
@@ -37,7 +37,7 @@ def model_of(command):
 class Comparisons(unittest.TestCase):
     TABLES = (today.models, today.corpus, today.lacking, today.ways, today.limits, today.exact, today.times, host.hosts, host.exact, comparison.machines)
 
-    def test_rows_of_a_model_come_from_one_call_of_compare_with_one_set_of_options(self):
+    def test_rows_of_a_model_come_from_a_single_call_of_compare(self):
         for table in self.TABLES:
             with self.subTest(table=f"{table.__module__}.{table.__name__}"):
                 runs = Compared()
@@ -48,13 +48,13 @@ class Comparisons(unittest.TestCase):
                 self.assertEqual(len(models), len(set(models)))
                 self.assertEqual(len({command.replace(model_of(command), "MODEL") for command in commands}), 1)
 
-    def test_tables_of_a_page_are_of_the_same_frames(self):
+    def test_tables_of_a_page_show_the_same_frames(self):
         runs = Compared()
         for table in (today.models, today.lacking, today.ways, today.limits, today.times):
             table(Figures(runs))
         self.assertEqual(len(set(runs.commands)), len(today.THESIS_MODELS))
 
-    def test_a_command_for_one_machine_after_the_other_says_how_it_draws_curves(self):
+    def test_a_command_for_several_machines_states_how_it_draws_curves(self):
         any_machine = re.compile(r'--machine (\{|" ?\+)')
         lines = [(path.name, line) for folder, name in (("tests/docs/tables", "*.py"), ("docs/manifest", "*.toml"))
                  for path in sorted((ROOT / folder).glob(name)) for line in path.read_text(encoding="utf-8").splitlines()]
@@ -65,7 +65,7 @@ class Comparisons(unittest.TestCase):
 
 
 class Sources(unittest.TestCase):
-    def test_the_thesis_is_cited_in_whole_words(self):
+    def test_cites_the_thesis_in_whole_words(self):
         for source, words in (
                 ("the processor on which the programs of Jansen 1987 ran", "the processor on which the programs of the thesis ran"),
                 ("one of the three that Jansen 1987, section 7.4.2, names; it", "one of the three that thesis 7.4.2 names; it"),
@@ -78,12 +78,12 @@ class Sources(unittest.TestCase):
                 ("with the host (Jansen 1987, section 7.2.2)", "with the host (thesis 7.2.2)")):
             self.assertEqual(machine.in_words_of_pages(source), words)
 
-    def test_an_x_between_numbers_is_a_times_sign_and_any_other_a_letter(self):
+    def test_turns_an_x_between_numbers_into_a_times_sign(self):
         self.assertEqual(machine.in_words_of_pages("squares of 8 x 8 or 16 x 16 pixels"), "squares of 8 × 8 or 16 × 16 pixels")
         self.assertEqual(machine.in_words_of_pages("rows hold x and y"), "rows hold x and y")
         self.assertEqual(machine.in_words_of_pages("(4 x 70 clocks)"), "(4 × 70 clocks)")
 
-    def test_no_source_of_a_machine_is_cited_in_broken_words(self):
+    def test_cites_sources_of_machines_in_whole_words(self):
         for path in sorted((ROOT / "hw/machines").glob("*.toml")):
             for line in machine.figures(None, path.stem).splitlines():
                 self.assertNotRegex(line, r"(of|on|that|by) thesis (?!\d|fig|table)|thesis [\d.]+, (?!for)[a-z]|× (and|or|in)\b")

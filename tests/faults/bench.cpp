@@ -26,7 +26,7 @@ std::vector<std::string> split(const std::string& text) {
   return words;
 }
 
-/// Whole lines; what follows the last line break is dropped.
+/// The complete lines of a text; the rest after the last line break is dropped.
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream stream(text.substr(0, text.rfind('\n') + 1));
   std::vector<std::string> lines;
@@ -40,7 +40,7 @@ void erase(std::string& text, const std::string& begin, const std::string& end) 
   text.erase(first, text.find(end, first + begin.size()) - first);
 }
 
-/// A file's content without the time that the run took and what was asked for (stats), or was at (waves).
+/// A file's content without the parts that vary between runs: times and options (stats) or the date (waves).
 std::string steady(const std::string& path) {
   std::string text = cli::content(path);
   if (path.ends_with(".json")) {
@@ -53,7 +53,7 @@ std::string steady(const std::string& path) {
 
 std::string old(const std::string& name) { return "what was in " + name + " before\n"; }
 
-/// Of two kinds of wrong, the first that there is.
+/// The first nonempty text.
 std::string first_of(std::initializer_list<std::string> all) {
   for (const std::string& one : all) {
     if (!one.empty()) return one;

@@ -34,7 +34,7 @@ void take_on(const Conditions& conditions) {
   if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) std::_Exit(98);
 }
 
-/// What comes out of standard output is thrown away.
+/// Redirects standard error to the pipe and discards standard output.
 void connect(int error_pipe) {
   const int nothing = ::open("/dev/null", O_RDWR);
   ::dup2(nothing, STDIN_FILENO);

@@ -10,33 +10,33 @@
 
 namespace csgsim::testing::faults {
 
-/// What a process may not do, and what it is told.
+/// Limits and environment variables of a process.
 struct Conditions {
   std::map<std::string, std::string> environment;
-  /// Bytes that a file may have (ulimit -f), whoever writes it.
+  /// Largest size of a file in bytes (ulimit -f), for any writer.
   std::optional<std::uint64_t> longest_file;
-  /// Whether a write past that ends the process by SIGXFSZ; else it fails with EFBIG.
+  /// Whether a longer write ends the process by SIGXFSZ; otherwise it fails with EFBIG.
   bool is_signalled = false;
 };
 
-/// How a process ended: with a code, or else by a signal.
+/// How a process ended: with an exit code or by a signal.
 struct Ended {
   int code = -1;
   int signal = 0;
   std::string err;
 };
 
-/// Runs csgsim. Its standard output and error are pipes, which no limit on files meets.
+/// Runs csgsim. Its standard output and error are pipes, to which file size limits do not apply.
 Ended run_csgsim(const std::vector<std::string>& words, const Conditions& conditions);
 
-/// Runs csgsim with the preloaded library, which fails that call, as CSGSIM_FAULT says it (fault_library.cpp), and puts
-/// into the report what it failed, or, where it is empty, how many calls there were.
+/// Runs csgsim with the preloaded library, which fails the calls given in the format of CSGSIM_FAULT
+/// (fault_library.cpp). The report lists the failed calls or, for an empty `fault`, the numbers of calls.
 Ended run_failing(const std::vector<std::string>& words, const std::string& fault, const std::string& report);
 
-/// How many calls of each kind a report has.
+/// Number of calls of each kind in a report.
 std::map<std::string, std::size_t> calls(const std::string& report);
 
-/// Does some work in a process of its own; code 1 and a line on standard error where it throws.
+/// Runs the work in a separate process; an exception there gives code 1 and a line on standard error.
 Ended run_apart(const std::function<void()>& work, const Conditions& conditions);
 
 }  // namespace csgsim::testing::faults

@@ -7,11 +7,11 @@
 
 namespace csgsim::testing::faults {
 
-/// Every command that writes files, with all of its outputs. Studies are there from the beginning and going on with a
-/// table that has all but two rows, without plots and with them.
+/// Every command that writes files, with all of its outputs. Each study occurs in a first run and as a continuation of
+/// a table without its last two rows, with and without plots.
 const std::vector<Command>& commands();
 
-/// By name.
+/// The command of that name.
 const Command& command(const std::string& name);
 
 }  // namespace csgsim::testing::faults

@@ -1,4 +1,5 @@
-/// Fails the n-th write, fsync, rename, ... of a design, one at a time: the old one is there then, or the new one.
+/// Fails the n-th write, fsync, rename, ... of a design, one at a time: the old or the new design must exist
+/// afterwards.
 
 #include "tests/cli/cli.h"
 #include "tests/faults/child.h"
@@ -15,7 +16,7 @@ std::vector<std::string> design(const std::string& out, const std::string& size)
   return {"rtl", "pixel-planes-4", csgsim::testing::cli::model("thesis_fig_2_3"), "--size", size, "-o", out, "--quiet"};
 }
 
-/// The contents of all files, by their names.
+/// The contents of all files, by name.
 std::map<std::string, std::string> files_in(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -26,7 +27,7 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("a design is the old one or the new one, whichever call fails, and nothing is left beside it") {
+TEST_CASE("a failing call leaves the old or the new design and nothing else") {
   const Folder folder;
   const std::string report = folder / "report";
   for (const char* const size : {"4x4", "8x4"}) REQUIRE(run_csgsim(design(folder / size, size), {}).code == 0);
@@ -43,7 +44,7 @@ TEST_CASE("a design is the old one or the new one, whichever call fails, and not
        {"write ENOSPC", "write SHORT", "fsync EIO", "rename EIO", "mkdir ENOSPC", "open EMFILE"}) {
     const std::string kind = trial.substr(0, trial.find(' '));
     const std::size_t count = counts[kind];
-    // The first ones, one in the middle and the last ones, among which is the rename of the folder.
+    // The first calls, one in the middle and the last ones, which include the rename of the folder.
     for (const std::size_t n : {std::size_t{1}, std::size_t{2}, count / 2, count - 1, count}) {
       const std::string fault = kind + ":" + std::to_string(n) + ":" + trial.substr(kind.size() + 1);
       CAPTURE(fault);

@@ -1,4 +1,4 @@
-/// Fails the n-th write, fsync, rename, ... of a command, one at a time, by a library that is preloaded.
+/// Fails the n-th write, fsync, rename, ... of a command, one at a time, through a preloaded library.
 
 #include "hw/base/address_sanitizer.h"
 #include "tests/faults/commands.h"
@@ -10,24 +10,24 @@ using namespace csgsim::testing::faults;
 
 enum class Ends { in_failure, in_failure_but_table, in_success };
 
-/// A kind of call and what it is told.
+/// A kind of call and the error that it returns.
 struct Trial {
   const char* kind;
   const char* error;
   Ends ends;
 };
 
-/// Of each kind of call every n is tried up to the command's `most`; beyond, the first ones, the last and some between.
+/// Up to the command's `most`, every n is tried; beyond it, the first, the last and some between.
 constexpr Trial trials[] = {
     {"write", "ENOSPC", Ends::in_failure}, {"fsync", "EIO", Ends::in_failure},
     {"rename", "EIO", Ends::in_failure},   {"open", "EMFILE", Ends::in_failure},
     {"mkdir", "ENOSPC", Ends::in_failure}, {"mkfifo", "ENOSPC", Ends::in_failure},
 };
 
-/// The same code for every n: one is enough.
+/// Errors handled by the same code for every n: one n is enough.
 constexpr Trial single_trials[] = {{"write", "SHORT", Ends::in_failure}, {"close", "EIO", Ends::in_failure}};
 
-/// What is tried too, in up to eight places, where everything is (./setup.sh faults).
+/// Errors tried only in the full run (./setup.sh faults), at up to eight calls each.
 constexpr Trial more_trials[] = {
     {"write", "EDQUOT", Ends::in_failure},  {"write", "EIO", Ends::in_failure},
     {"write", "HALF", Ends::in_success},    {"write", "EINTR", Ends::in_success},
@@ -52,7 +52,7 @@ Conditions with_fault(const Bench& bench, const std::string& fault) {
 
 using Counts = std::map<std::string, std::size_t>;
 
-/// Calls of each kind that the command makes.
+/// Number of calls of each kind that the command makes.
 Counts count_calls(const Bench& bench) {
   bench.reset();
   const Ended ended = bench.run(with_fault(bench, ""));
@@ -66,7 +66,7 @@ Counts count_calls(const Bench& bench) {
   return counts;
 }
 
-/// All of 1 to count, or about so many of them with the first and the last.
+/// All of 1 to count, or about `most` of them including the first and the last.
 std::vector<std::size_t> some_of(std::size_t count, std::size_t most) {
   std::vector<std::size_t> chosen;
   if (most == 0) return chosen;
@@ -87,7 +87,7 @@ std::string wrong_in(const Bench& bench, const Ended& ended, Ends ends) {
   return "no end";
 }
 
-/// What the library tells of the first call that failed.
+/// The library's report about the first call that failed.
 struct Failed {
   std::string word;
   std::string kind;
@@ -96,8 +96,8 @@ struct Failed {
   std::size_t renames = 0;
 };
 
-/// Nothing takes its place before it is complete and on the disk; of a command that is no study nothing does before all
-/// is.
+/// Checks that no file is renamed into place before it is complete and synced, and, except in studies, not before all
+/// files are.
 std::string wrong_in_order(const Bench& bench) {
   Failed failed;
   std::ifstream(bench.report()) >> failed.word >> failed.kind >> failed.number >> failed.after >> failed.renames;
@@ -109,7 +109,7 @@ std::string wrong_in_order(const Bench& bench) {
   return is_late ? "files are still made when others are in their places" : "";
 }
 
-/// What is wrong after a run with the fault; a study has to go on from what is left, and end as if nothing had been.
+/// Describes the fault after a failing run; a study must also continue from the remains to its normal result.
 std::string wrong_after(const Bench& bench, const std::string& fault, Ends ends, bool goes_on) {
   bench.reset();
   const Ended ended = bench.run(with_fault(bench, fault));
@@ -148,13 +148,13 @@ void try_calls(const Bench& bench, const Trial& trial, std::size_t calls, std::s
   if (is_everything() && runs > 0) print_row(bench, trial, calls, runs, clean);
 }
 
-/// Calls of a kind that are tried.
+/// Number of calls of each kind to try in a short run.
 std::size_t usual_most(const Bench& bench) {
   const std::size_t most = bench.command().most;
   return csgsim::testing::cases(most, std::min<std::size_t>(most, 2));
 }
 
-/// All trials of a command; one that is only for the long run (./setup.sh faults) has a `most` of 0.
+/// Runs all trials of a command; a `most` of 0 restricts it to the full run (./setup.sh faults).
 void try_command(const std::string& name) {
   if (command(name).most == 0 && !is_everything()) return;
   CAPTURE(name);
@@ -171,73 +171,55 @@ void try_command(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("render leaves old files or whole new ones, one line and nothing else, whichever call fails") {
-  try_command("render");
-}
+TEST_CASE("render leaves old or complete new files after any failing call") { try_command("render"); }
 
-TEST_CASE("render to standard output leaves nothing in the folder for temporary files, whichever call fails") {
+TEST_CASE("render to standard output leaves no temporary files after any failing call") {
   try_command("render to standard output");
 }
 
-TEST_CASE("compile leaves the old file or the whole new one, one line and nothing else, whichever call fails") {
-  try_command("compile");
-}
+TEST_CASE("compile leaves the old or the complete new file after any failing call") { try_command("compile"); }
 
-TEST_CASE("run leaves old files or whole new ones, one line and nothing else, whichever call fails") {
-  try_command("run");
-}
+TEST_CASE("run leaves old or complete new files after any failing call") { try_command("run"); }
 
-TEST_CASE("disasm leaves the old file or the whole new one, one line and nothing else, whichever call fails") {
-  try_command("disasm");
-}
+TEST_CASE("disasm leaves the old or the complete new file after any failing call") { try_command("disasm"); }
 
-TEST_CASE("convert leaves old files or whole new ones, one line and nothing else, whichever call fails") {
-  try_command("convert");
-}
+TEST_CASE("convert leaves old or complete new files after any failing call") { try_command("convert"); }
 
-TEST_CASE("explain leaves the old file or the whole new one, one line and nothing else, whichever call fails") {
-  try_command("explain");
-}
+TEST_CASE("explain leaves the old or the complete new file after any failing call") { try_command("explain"); }
 
-TEST_CASE("wave leaves old files or whole new ones, one line and nothing else, whichever call fails") {
-  try_command("wave");
-}
+TEST_CASE("wave leaves old or complete new files after any failing call") { try_command("wave"); }
 
-TEST_CASE("subdivide leaves the old file or the whole new one, one line and nothing else, whichever call fails") {
-  try_command("subdivide");
-}
+TEST_CASE("subdivide leaves the old or the complete new file after any failing call") { try_command("subdivide"); }
 
-TEST_CASE("explore leaves the old file or the whole new one, one line and nothing else, whichever call fails") {
-  try_command("explore");
-}
+TEST_CASE("explore leaves the old or the complete new file after any failing call") { try_command("explore"); }
 
-TEST_CASE("accuracy leaves whole lines, and goes on from them, whichever call fails") {
+TEST_CASE("accuracy leaves complete lines after any failing call and resumes from them") {
   try_command("accuracy");
   try_command("accuracy going on");
 }
 
-TEST_CASE("advise leaves whole lines, and goes on from them, whichever call fails") {
+TEST_CASE("advise leaves complete lines after any failing call and resumes from them") {
   try_command("advise");
   try_command("advise going on");
 }
 
-TEST_CASE("sweep leaves whole lines, and goes on from them, whichever call fails") {
+TEST_CASE("sweep leaves complete lines after any failing call and resumes from them") {
   try_command("sweep");
   try_command("sweep going on");
 }
 
-TEST_CASE("compare leaves whole lines, and goes on from them, whichever call fails") {
+TEST_CASE("compare leaves complete lines after any failing call and resumes from them") {
   try_command("compare");
   try_command("compare going on");
 }
 
-TEST_CASE("a study's plots are old or wholly new, whichever call fails") {
+TEST_CASE("a study's plots are old or completely new after any failing call") {
   try_command("sweep with plots");
   try_command("advise with plot");
   try_command("compare with plots");
 }
 
-TEST_CASE("a study whose table can neither be written nor shortened goes on all the same") {
+TEST_CASE("a study resumes even if its table can neither be written nor truncated") {
   const Bench bench(command("sweep"));
   const Counts counts = count_calls(bench);
   for (std::size_t n = 2; n <= 4; ++n) {
@@ -247,7 +229,7 @@ TEST_CASE("a study whose table can neither be written nor shortened goes on all 
   }
 }
 
-TEST_CASE("writes that take half or are interrupted, and interrupted waits for the disk, are no errors") {
+TEST_CASE("partial or interrupted writes and interrupted syncs are not errors") {
   for (const char* const name : {"render", "wave", "sweep"}) {
     CAPTURE(name);
     const Bench bench(command(name));
@@ -255,7 +237,7 @@ TEST_CASE("writes that take half or are interrupted, and interrupted waits for t
   }
 }
 
-TEST_CASE("a disk that stays full is told once, whatever is tried then") {
+TEST_CASE("reports a full disk once even if later calls fail as well") {
   for (const char* const name : {"render", "wave", "sweep"}) {
     const Bench bench(command(name));
     for (const char* const fault : {"write:1+:ENOSPC", "fsync:1+:EIO", "rename:1+:ENOSPC"}) {

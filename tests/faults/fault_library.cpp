@@ -1,12 +1,13 @@
-/// Preloaded into csgsim (LD_PRELOAD): counts the system calls that make files, and fails those that a test names.
+/// Preloaded into csgsim (LD_PRELOAD): counts the system calls that make files, and fails those selected by a test.
 ///
-/// CSGSIM_FAULT=KIND:N:ERROR[,...] fails the N-th call of the kind, KIND:N+:ERROR that and all after it. ERROR is the
-/// name of an errno, or for writes HALF (half of the bytes are taken, which is no error) or SHORT (half are taken, and
-/// the next write fails with ENOSPC). CSGSIM_FAULT_REPORT names a file that gets a line `failed KIND N after R renames`
-/// for each failed call, and at the end `calls KIND COUNT` for each kind.
+/// CSGSIM_FAULT=KIND:N:ERROR[,...] fails the N-th call of the kind, KIND:N+:ERROR that call and all later ones. ERROR
+/// is the name of an errno, or for writes HALF (half of the bytes are written, without an error) or SHORT (half are
+/// written, and the next write fails with ENOSPC). CSGSIM_FAULT_REPORT names a file that receives a line `failed KIND N
+/// after R renames` for each failed call, and at the end `calls KIND COUNT` for each kind.
 ///
-/// What counts: files of a folder, written to through the C library's functions. Not files that have no name
-/// (memfd_create), pipes, devices, nor the text in a lock, which need not be there. Calls inside of the C library, as
+/// Counted are files in folders, written through the C library's functions. Not counted are files without a name
+/// (memfd_create), pipes, devices, and the optional text in a lock file. Calls inside the C library, as from stdio, are
+/// invisible to the library.
 /// from stdio, are not seen.
 
 #include <dlfcn.h>
@@ -49,7 +50,7 @@ constexpr auto errors = std::to_array<Error>({{"ENOSPC", ENOSPC},
                                               {"ENOMEM", ENOMEM},
                                               {"EROFS", EROFS}});
 
-/// What becomes of a call.
+/// The outcome of a call.
 enum class Fate : std::uint8_t { done, failed, half };
 
 struct Fault {
@@ -61,14 +62,14 @@ struct Fault {
 };
 
 struct Plan {
-  bool is_active = false;  ///< in csgsim itself, not in a program that it starts
+  bool is_active = false;  ///< true in csgsim itself, false in programs that it starts
   std::array<Fault, 4> faults{};
   std::size_t count = 0;
 };
 
 std::array<std::atomic<std::uint64_t>, kind_names.size()> calls;
 
-/// Past our own functions.
+/// Writes to the report without the intercepted functions.
 void report(const std::string& line) {
   const char* const path = std::getenv("CSGSIM_FAULT_REPORT");
   if (path == nullptr) return;
@@ -130,7 +131,7 @@ const Plan& the_plan() {
   return plan;
 }
 
-/// Counts a call, and says what becomes of it; sets errno if it fails.
+/// Counts a call and returns its outcome; sets errno if it fails.
 Fate fate(Kind kind) {
   const Plan& plan = the_plan();
   if (!plan.is_active) return Fate::done;
@@ -149,7 +150,7 @@ Fate fate(Kind kind) {
 
 bool fails(Kind kind) { return fate(kind) == Fate::failed; }
 
-/// Is it a file in a folder, and not the text of a lock?
+/// Whether a descriptor is a file in a folder, other than a lock file.
 bool counts(int number) {
   const int error = errno;
   struct stat status {};
@@ -263,7 +264,7 @@ int ftruncate64(int number, off64_t size) noexcept {
   return counts(number) && fails(Kind::ftruncate) ? -1 : real(number, size);
 }
 
-/// Linux closes the file also when it says that it failed.
+/// Linux closes the file even if close reports an error.
 int close(int number) {
   static const auto real = next<decltype(::close)>("close");
   const bool failed = counts_for_writing(number) && fails(Kind::close);

@@ -1,5 +1,5 @@
-/// A limit on the size of files (ulimit -f) makes every write past it fail, whoever writes: this program, a library
-/// inside of stdio, or gnuplot.
+/// A limit on the size of files (ulimit -f) makes every longer write fail, whether by this program, by a library
+/// through stdio, or by gnuplot.
 
 #include <csignal>
 
@@ -10,7 +10,7 @@ namespace {
 
 using namespace csgsim::testing::faults;
 
-/// Nothing, one byte, half of the longest file, and all but a byte of each.
+/// Limits of 0 and 1 bytes, half of the longest file, and each file's size minus one byte.
 std::set<std::uint64_t> limits_of(const std::vector<std::uint64_t>& sizes) {
   std::set<std::uint64_t> limits{0, 1, std::ranges::max(sizes) / 2};
   for (const std::uint64_t size : sizes) limits.insert(size - 1);
@@ -36,24 +36,24 @@ void try_limits(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("pictures and stats longer than files may be are told, and the old ones stay") { try_limits("render"); }
+TEST_CASE("reports pictures and stats beyond the file size limit and keeps the old ones") { try_limits("render"); }
 
-TEST_CASE("a Program longer than files may be is told, and the old one stays") { try_limits("compile"); }
+TEST_CASE("reports a Program that exceeds the file size limit and keeps the old one") { try_limits("compile"); }
 
-TEST_CASE("a text longer than files may be is told, and the old one stays") { try_limits("disasm"); }
+TEST_CASE("reports a text that exceeds the file size limit and keeps the old one") { try_limits("disasm"); }
 
-TEST_CASE("a waveform longer than files may be is told, and the old one stays") { try_limits("wave"); }
+TEST_CASE("reports a waveform that exceeds the file size limit and keeps the old one") { try_limits("wave"); }
 
-TEST_CASE("subdivide's figures longer than files may be are told, and the old ones stay") { try_limits("subdivide"); }
+TEST_CASE("reports subdivide's results that exceed the file size limit and keeps old ones") { try_limits("subdivide"); }
 
-TEST_CASE("a study's table longer than files may be is told, and has whole lines") {
+TEST_CASE("reports a table that exceeds the file size limit and keeps complete lines") {
   try_limits("sweep");
   try_limits("accuracy going on");
 }
 
-TEST_CASE("a plot longer than files may be is told, and the old one stays") { try_limits("compare with plots"); }
+TEST_CASE("reports a plot that exceeds the file size limit and keeps the old one") { try_limits("compare with plots"); }
 
-TEST_CASE("the signal of a file that is too long ends csgsim, but leaves old files and nothing else") {
+TEST_CASE("the file size signal ends csgsim but leaves old files and nothing else") {
   for (const char* const name : {"render", "wave", "sweep"}) {
     CAPTURE(name);
     const Bench bench(command(name));

@@ -1,5 +1,5 @@
-/// Every format that pictures can be written in, under limits on the size of files: most writers do not tell that a
-/// file could not hold them.
+/// Every writable picture format under limits on the size of files: most writers do not report a file that could not
+/// hold the picture.
 
 #include <OpenImageIO/imageio.h>
 
@@ -36,7 +36,7 @@ isa::Program program() {
   return program;
 }
 
-/// Noise, so that no format makes it short.
+/// A picture of noise, which no format can compress much.
 observe::Frame frame() {
   observe::Frame frame;
   frame.width = program().shape.width;
@@ -57,14 +57,14 @@ void write_picture(const std::string& path) {
   file.commit();
 }
 
-/// Is a picture of that ending written? OpenImageIO's own list has more. Asked in another process, like all that may
-/// start threads there: a process that is forked off has none of them.
+/// Whether csgsim writes pictures with that ending; OpenImageIO lists more. Runs in a separate process, as does all
+/// work that may start threads: a forked process would not have those threads.
 bool is_written(const std::string& ending) {
   const Folder folder;
   return run_apart([&] { write_picture(folder / ("p." + ending)); }, {}).code == 0;
 }
 
-/// Endings of names, as in "png", of each format that csgsim writes.
+/// File name endings such as "png", for each format that csgsim writes.
 std::vector<std::vector<std::string>> endings() {
   const std::vector<std::string> written = split(attribute("output_format_list"), ',');
   std::vector<std::vector<std::string>> all;
@@ -78,14 +78,14 @@ std::vector<std::vector<std::string>> endings() {
   return all;
 }
 
-/// 0, 1, so many between, and all but a byte.
+/// Limits of 0, 1, `between` values in between, and one byte less than the size.
 std::set<std::uint64_t> limits_below(std::uint64_t size, std::uint64_t between) {
   std::set<std::uint64_t> limits{0, 1, size - 1};
   for (std::uint64_t i = 1; i <= between; ++i) limits.insert(size * i / (between + 1));
   return limits;
 }
 
-/// The length of a picture's file with that ending.
+/// The size of a picture's file with that ending.
 std::uint64_t size_of(const std::string& ending) {
   const Folder folder;
   const std::string path = folder / ("p." + ending);
@@ -95,7 +95,7 @@ std::uint64_t size_of(const std::string& ending) {
   return fs::file_size(path);
 }
 
-/// Empty, or what is wrong after a failure.
+/// Describes what is wrong after a failure; empty if nothing is.
 std::string wrong_in(const Folder& folder, const std::string& path, const Ended& ended) {
   if (ended.signal != 0) return "ended by signal " + std::to_string(ended.signal);
   if (ended.code != 1) return "exit code " + std::to_string(ended.code);
@@ -107,7 +107,7 @@ std::string wrong_in(const Folder& folder, const std::string& path, const Ended&
 
 }  // namespace
 
-TEST_CASE("pictures are written in all the usual formats") {
+TEST_CASE("writes pictures in all the usual formats") {
   std::set<std::string> known;
   for (const std::vector<std::string>& format : endings()) known.insert(format.begin(), format.end());
   for (const std::string ending : {"png", "tif", "ppm", "exr", "jpg", "bmp", "tga", "gif", "jp2", "sgi", "hdr", "webp",
@@ -117,13 +117,13 @@ TEST_CASE("pictures are written in all the usual formats") {
   }
 }
 
-TEST_CASE("a picture of any format that a file cannot hold is told, and the old one stays") {
+TEST_CASE("reports a picture too large for its file in any format and keeps the old one") {
   for (const std::vector<std::string>& format : endings()) {
     for (const std::string& ending : format) {
       const Folder folder;
       const std::string path = folder / ("p." + ending);
       CAPTURE(ending);
-      // A format's endings are written by the same code.
+      // The same code writes all endings of a format.
       for (const std::uint64_t limit : limits_below(size_of(ending), ending == format.front() ? 11 : 1)) {
         CAPTURE(limit);
         csgsim::testing::cli::write(path, old_content);
@@ -135,7 +135,7 @@ TEST_CASE("a picture of any format that a file cannot hold is told, and the old 
   }
 }
 
-TEST_CASE("csgsim tells of a picture of any format that a file cannot hold") {
+TEST_CASE("csgsim reports a picture too large for its file in any format") {
   const std::string model = csgsim::testing::cli::model("old_example011");
   for (const std::vector<std::string>& format : endings()) {
     const Folder folder;

@@ -1,4 +1,4 @@
-/// Fails the n-th write, fsync, rename, ... of a shard, one at a time: it goes on from what is left.
+/// Fails the n-th write, fsync, rename, ... of a shard, one at a time: the shard must resume from the remains.
 
 #include "tests/cli/cli.h"
 #include "tests/faults/child.h"
@@ -20,7 +20,7 @@ std::vector<std::string> sweep(const std::string& out, const std::vector<std::st
   return words;
 }
 
-/// Half-written files would have such names.
+/// Number of files with the names of incomplete files.
 std::size_t partial_files(const fs::path& folder) {
   std::size_t count = 0;
   if (!fs::exists(folder)) return 0;
@@ -31,7 +31,7 @@ std::size_t partial_files(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("a shard leaves whole rows, and goes on from them, whichever call fails") {
+TEST_CASE("a shard leaves complete rows after any failing call and resumes from them") {
   const Folder folder;
   const std::string report = folder / "report";
   const std::string out = folder / "out";
@@ -44,7 +44,7 @@ TEST_CASE("a shard leaves whole rows, and goes on from them, whichever call fail
   for (const std::string trial :
        {"write ENOSPC", "write SHORT", "fsync EIO", "rename EIO", "open EMFILE", "mkdir ENOSPC", "close EIO"}) {
     const std::string kind = trial.substr(0, trial.find(' '));
-    // The last ones of `write` are of what is printed.
+    // The last writes belong to the printed summary.
     for (std::size_t n = 1; n <= std::min<std::size_t>(counts[kind], 5); ++n) {
       const std::string fault = kind + ":" + std::to_string(n) + ":" + trial.substr(kind.size() + 1);
       CAPTURE(fault);

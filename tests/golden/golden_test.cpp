@@ -52,12 +52,12 @@ void check_run(const std::string& name) {
       nlohmann::json::parse(observe::to_json({program, machine, engine->level(), result, stats.stats(), 0.0}).dump());
   actual.erase("wall_seconds");
   golden.erase("wall_seconds");
-  INFO("if the change is meant: traces/renew.sh build/release/csgsim");
+  INFO("if the change is intended, run traces/renew.sh build/release/csgsim");
   CHECK(nlohmann::json::diff(golden, actual).dump() == "[]");
   CHECK(frame.frame().colour == read_picture(trace(name, ".png")));
 }
 
-/// The names of files are the only thing in which a compiled model may differ from its trace.
+/// Compares a compiled model with its trace; only names of files may differ.
 void check_compilation(const std::string& name, const std::string& model, const std::string& machine_name,
                        const view::Camera& camera, machines::Size size = {512, 512}) {
   machines::Machine machine = kinds::load(machine_name);
@@ -71,7 +71,7 @@ void check_compilation(const std::string& name, const std::string& model, const 
   isa::Program golden = isa::load_program(trace(name, ".csgt"));
   golden.facts->model.file.clear();
   compiled.facts->model.file.clear();
-  INFO("if the change is meant: traces/renew.sh build/release/csgsim");
+  INFO("if the change is intended, run traces/renew.sh build/release/csgsim");
   REQUIRE(compiled.segments.size() == golden.segments.size());
   for (std::size_t i = 0; i < golden.segments.size(); ++i)
     CHECK(compiled.segments[i].instructions.size() == golden.segments[i].instructions.size());
@@ -99,26 +99,26 @@ TEST_CASE("the trace of fig. 2.3's object in subsegments runs to its golden coun
   check_run("thesis_fig_2_3_nodes");
 }
 
-TEST_CASE("fig. 2.3's object compiles into its trace") {
+TEST_CASE("fig. 2.3's object compiles to its trace") {
   check_compilation("thesis_fig_2_3", "thesis_fig_2_3", "pixel-planes-4", to_fig_2_3);
 }
-TEST_CASE("the carburettor compiles into its trace") {
+TEST_CASE("the carburettor compiles to its trace") {
   check_compilation("carburettor", "carburettor", "pixel-planes-4",
                     {{220, -255, 135}, {2, 0, 5}, view::Projection::perspective});
 }
-TEST_CASE("the terrain vehicle compiles into its trace") {
+TEST_CASE("the terrain vehicle compiles to its trace") {
   check_compilation("terrain_vehicle", "terrain_vehicle", "pixel-planes-4",
                     {{560, -590, 420}, {-5, 0, 68}, view::Projection::perspective});
 }
-TEST_CASE("a drilled cube compiles into its trace") {
+TEST_CASE("a drilled cube compiles to its trace") {
   check_compilation("old_example002", "old_example002", "pixel-planes-4", to_drilled_cube, {200, 150});
 }
-TEST_CASE("a drilled cube compiles into its trace of lines") {
+TEST_CASE("a drilled cube compiles to its trace of lines") {
   check_compilation("old_example002_lines", "old_example002", "scan-line", to_drilled_cube, {100, 75});
 }
-TEST_CASE("fig. 2.3's object compiles into its trace of squares") {
+TEST_CASE("fig. 2.3's object compiles to its trace of squares") {
   check_compilation("thesis_fig_2_3_squares", "thesis_fig_2_3", "pixel-square", to_fig_2_3, {150, 100});
 }
-TEST_CASE("fig. 2.3's object compiles into its trace of subsegments") {
+TEST_CASE("fig. 2.3's object compiles to its trace of subsegments") {
   check_compilation("thesis_fig_2_3_nodes", "thesis_fig_2_3", "multi-processor", to_fig_2_3, {96, 64});
 }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# check.sh CSGSIM COUNTER FIGURE WORDS...: is what the counter shows within a band about the figure?
+# check.sh CSGSIM COUNTER FIGURE WORDS...: checks that a counter is within a band around the expected figure.
 set -eu
 csgsim=$1
 counter=$2
@@ -13,6 +13,6 @@ esac
 awk -v measured="$measured" -v figure="$figure" -v band="$band" -v what="$counter of csgsim $*" 'BEGIN {
   printf "%s: %d, %.2f of %d\n", what, measured, measured / figure, figure
   if (measured <= figure * band && measured >= figure / band) exit 0
-  print "if the change is meant: tests/guard/renew.sh build/release/csgsim, and tell why in the commit"
+  print "if the change is intended, run tests/guard/renew.sh build/release/csgsim and give the reason in the commit"
   exit 1
 }'

@@ -1,6 +1,6 @@
 #!/bin/sh
-# measure.sh CSGSIM COUNTER WORDS...: prints what the counter shows of a run of csgsim with these words. figures.txt tells
-# what counters there are. Exit code 77 if the program that counts is not installed.
+# measure.sh CSGSIM COUNTER WORDS...: prints a counter of a run of csgsim with these words. figures.txt lists the
+# counters. Exit code 77 if the counting program is not installed.
 set -eu
 csgsim=$(realpath "$1")
 counter=$2
@@ -9,7 +9,7 @@ cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Runs csgsim under a tool of valgrind, with the tool's options, up to "--", before the words.
+# Runs csgsim under a tool of valgrind: the tool's options, up to "--", precede the words.
 under() {
   command -v valgrind >/dev/null || {
     echo "valgrind is not installed; ./setup.sh test installs it" >&2
@@ -17,7 +17,7 @@ under() {
   }
   valgrind "$@" >"$work/out" 2>"$work/log" || {
     tail -n 5 "$work/log" >&2
-    # Of what this processor has and valgrind does not know, a library may make use before main().
+    # A library may use instructions that valgrind does not support, even before main().
     grep -q "Unrecognised instruction\|unhandled instruction" "$work/log" && exit 77
     exit 1
   }
@@ -39,7 +39,7 @@ case "$counter" in
     ;;
   work-*) "$(dirname "$csgsim")/csgsim_bench" "$@" | sed -n "s/^${counter#work-} //p" ;;
   *)
-    echo "there is no counter $counter" >&2
+    echo "unknown counter $counter" >&2
     exit 1
     ;;
 esac

@@ -1,5 +1,5 @@
 #!/bin/sh
-# renew.sh CSGSIM: measures every figure of figures.txt anew.
+# renew.sh CSGSIM: remeasures every figure of figures.txt.
 set -eu
 csgsim=$(realpath "$1")
 cd "$(dirname "$0")"

@@ -1,4 +1,4 @@
-// csgsim_steps FILE: prints how many steps of work it takes to read a model, a .csg or .jan file.
+// csgsim_steps FILE: prints the number of steps of work for reading a model, a .csg or .jan file.
 #include <cstdint>
 #include <cstdio>
 #include <exception>

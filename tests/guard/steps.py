@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Holds what a step of work costs (hw/base/work.h) against a band, for one kind of input.
+"""Checks the cost of a step of work (hw/base/work.h) against a band, for one kind of input.
 
-    steps.py CSGSIM_STEPS KIND     KIND "all" prints the figures of all kinds
+    steps.py CSGSIM_STEPS KIND     KIND "all" prints the costs of all kinds
 
-The default limit of 8,000 million steps is to mean about 20 s for every kind of input: 8 instructions a step at 3,200
-million instructions a second. The band is a factor of 10 wide. Instructions are callgrind's, less those of an empty model, so
-that the figures depend on no clock. Exit code 77 if valgrind is not installed.
+The default limit of 8,000 million steps should take about 20 s for every kind of input: 8 instructions per step at
+3,200 million instructions per second. The band is a factor of 10 wide. Instructions are counted by callgrind, minus
+those of an empty model, so the results do not depend on a clock. Exit code 77 if valgrind is not installed.
 """
 import math
 import os
@@ -15,7 +15,7 @@ import subprocess
 import sys
 import tempfile
 
-LEAST, MOST = 2.5, 25.0  # instructions a step
+LEAST, MOST = 2.5, 25.0  # instructions per step
 
 FACETS = "$fn=0,$fa=12,$fs=2"
 DRAWING = "linear_extrude(height=1){import(file=\"drawing.%s\",$fn=0,$fa=12,$fs=2);}"
@@ -71,7 +71,7 @@ Jug = sweep contour circle trajectory up rotation turn
 Object = Jug
 """
 
-# kind: the model and other files, by their names. Each takes some 1e7 instructions or more.
+# Models and other files by name, for each kind. Each takes at least about 1e7 instructions.
 KINDS = {
     "a path that crosses itself": {"m.csg": DRAWING % "svg", "drawing.svg": svg([points(200, 1000, 1)])},
     "a path that runs along itself": {"m.csg": DRAWING % "svg", "drawing.svg": svg([points(9000, 1000, 2) * 2 + [(1, 2)]])},
@@ -130,19 +130,19 @@ def measure(program, kind):
     with tempfile.TemporaryDirectory() as folder:
         instructions, steps = instructions_and_steps(program, KINDS[kind], folder)
     ratio = (instructions - idle) / max(steps, 1)
-    print(f"{kind}: {instructions - idle:,} instructions, {steps:,} steps, {ratio:.1f} a step", flush=True)
+    print(f"{kind}: {instructions - idle:,} instructions, {steps:,} steps, {ratio:.1f} per step", flush=True)
     return LEAST <= ratio <= MOST
 
 
 def main():
     if not shutil.which("valgrind"):
-        print("valgrind is not installed; ./setup.sh test installs it")
+        print("valgrind is not installed; run ./setup.sh test")
         sys.exit(77)
     program = os.path.realpath(sys.argv[1])
     kinds = list(KINDS) if sys.argv[2] == "all" else [sys.argv[2]]
     is_good = [measure(program, kind) for kind in kinds]
     if not all(is_good):
-        print(f"a step is to take {LEAST} to {MOST} instructions; charge more or less steps where the work is done")
+        print(f"a step should take {LEAST} to {MOST} instructions; charge more or fewer steps in the code that does the work")
         sys.exit(1)
 
 

@@ -1,13 +1,13 @@
 #!/bin/sh
-# bare_debian.sh PACKAGE...: makes a bare Debian 12, installs the packages in it, and does there what somebody does who has
-# installed csgsim: draws an example, reads the manual, completes a word. Needs root and debootstrap. The mirror is the one
-# that apt has here. Ends with 0 and `installed and works`, or at the first step that fails.
+# bare_debian.sh PACKAGE...: creates a minimal Debian 12, installs the packages in it, and uses csgsim there like a new
+# user: draws an example, reads the manual, completes a word. Needs root and debootstrap. Uses the mirror configured for
+# apt. Ends with 0 and `installed and works`, or at the first step that fails.
 set -eu
 
 mirror=$(apt-get indextargets --format '$(RELEASE) $(COMPONENT) $(REPO_URI)' 'Created-By: Packages' |
   awk '$1 == "bookworm" && $2 == "main" { print $3; exit }')
 [ -n "$mirror" ] || {
-  echo "bare_debian.sh: apt has no source for bookworm here, so there is no mirror to take Debian from" >&2
+  echo "bare_debian.sh: apt has no source for bookworm, so no mirror is known" >&2
   exit 1
 }
 
@@ -32,7 +32,7 @@ debootstrap --variant=minbase bookworm "$root" "$mirror" >"$root.log" 2>&1 || {
   exit 1
 }
 rm -f "$root.log"
-mountpoint -q "$root/proc" || mount -t proc proc "$root/proc" # where programs look up their own folder
+mountpoint -q "$root/proc" || mount -t proc proc "$root/proc" # programs use it to find their own folder
 echo "$(inside dpkg-query -W | wc -l) packages, Debian $(cat "$root/etc/debian_version")"
 
 step "apt install ./csgsim*.deb ./python3-csgsim*.deb"
@@ -48,7 +48,7 @@ inside csgsim --version
 step "csgsim render of an installed example"
 inside sh -c 'cd /root && csgsim render /usr/share/csgsim/examples/models/carburettor.csg --view-all -o carburettor.png --stats carburettor.json'
 inside sh -c 'cd /root && csgsim render /usr/share/csgsim/examples/models/carburettor.csg --view-all -o cycle.png --level cycle -q && cmp carburettor.png cycle.png'
-echo "both levels drew the same picture, byte for byte"
+echo "both levels drew identical pictures"
 
 step "a picture of another format, text, a machine from its file"
 inside sh -c "cd /root && echo 'text(\"csgsim\");' >text.csg && csgsim render text.csg -o text.exr --view-all --machine /usr/share/csgsim/machines/scan-line.toml -q && ls -l text.exr"

@@ -5,7 +5,7 @@
 namespace csgsim::raster {
 
 struct Figures {
-  std::uint32_t pixel_clocks = 1;  ///< of an instruction at a pixel
+  std::uint32_t pixel_clocks = 1;  ///< clocks of an instruction per pixel
 };
 
 }  // namespace csgsim::raster

@@ -76,7 +76,7 @@ Drawn draw(engine::Engine& engine, const isa::Program& program, const machines::
 
 }  // namespace
 
-TEST_CASE("a kind that stands in one room of its own is described, compiled for, drawn at every level and accounted") {
+TEST_CASE("a kind defined in a single folder works at every level") {
   const machines::Machine machine = described(description);
   CHECK(machine.picture == machines::Size{24, 18});
   const isa::Program program = program_for(machine);
@@ -97,7 +97,7 @@ TEST_CASE("a kind that stands in one room of its own is described, compiled for,
   CHECK(counted.stats["account"]["parts"]["processor"]["working"] == counted.result.clocks);
 }
 
-TEST_CASE("a figure may be ideal where its row says so, and nowhere else") {
+TEST_CASE("a parameter may be ideal only if its row allows it") {
   std::string text = description;
   text.replace(text.find("value = 2\n"), 9, "value = \"ideal\"");
   const machines::Machine machine = described(text);

@@ -13,7 +13,7 @@ namespace csgsim::raster {
 
 namespace {
 
-/// Bit steps on all pixels, in no time: what an instruction means, whatever the processor takes for it.
+/// Executes instructions on all pixels at once: their meaning, independent of the processor's timing.
 class Meaning {
  public:
   explicit Meaning(const isa::ArrayShape& shape) : trees_({shape.width, shape.height}), pixels_(shape, 1) {}

@@ -5,8 +5,8 @@
 #include "hw/machines/kind.h"
 #include "hw/systemc/clocked_machine.h"
 
-/// A kind of machine that no other room knows: one processor, which carries out each instruction at one pixel after the
-/// other. A room of hw has this as kind.h and make.h, and `kind` as an object of its class.
+/// A kind of machine unknown elsewhere: one processor, which executes each instruction at one pixel after the other. A
+/// folder of hw declares this in kind.h and make.h, with `kind` as an object of its class.
 namespace csgsim::raster {
 
 extern const machines::Kind& kind;

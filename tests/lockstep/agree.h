@@ -8,14 +8,14 @@
 
 namespace csgsim::test {
 
-/// Whether a random Program is drawn; others are passed over.
+/// Whether to draw a random Program; others are skipped.
 using Allowed = std::function<bool(const isa::Program&)>;
 
 inline bool all_allowed(const isa::Program& /*program*/) { return true; }
 
-// Properties, one a kind: random Programs, of at most so many instructions a segment, or random models, on the clocked
-// machine leave the bits and the picture of the reference, and take the clocks, the account and the timeline that are
-// worked out. One machine a process, as SystemC elaborates once.
+// Properties, one per kind of machine: random Programs of at most `instructions` per segment, or random models, leave
+// the bits and the picture of the reference on the clocked machine and take the predicted clocks, account and timeline.
+// One machine per process, as SystemC elaborates once.
 bool agree_planes(const machines::Machine& machine, unsigned instructions, systemc::EvaluatorForm evaluator,
                   const Allowed& allowed = all_allowed);
 bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instructions,
@@ -28,7 +28,7 @@ bool agree_squares(const machines::Machine& machine, unsigned instructions, syst
 bool agree_nodes(const machines::Machine& machine, const Allowed& allowed = all_allowed);
 bool agree_memory(const machines::Machine& machine, unsigned instructions, const Allowed& allowed = all_allowed);
 
-/// Inside a property: the first of these Programs that is allowed; none of many is no case.
+/// The first of these Programs that is allowed, inside a property. The case is discarded if none is found.
 isa::Program first_allowed(const std::function<isa::Program()>& any_program, const Allowed& allowed);
 
 }  // namespace csgsim::test

@@ -19,14 +19,14 @@ namespace csgsim::test {
 
 namespace {
 
-/// The pixels, with the bits that Programs of such colours may draw in.
+/// The array without the memory reserved for a second buffer of such colours.
 isa::ArrayShape drawn_in(const machines::Machine& machine, std::uint32_t colour_bits) {
   isa::ArrayShape shape = machine.array;
   shape.memory_bits -= machines::second_buffer(colour_bits, machine).width;
   return shape;
 }
 
-/// What a run skips, and the picture that it draws if its last segment fills the array.
+/// Records the skips of a run and the picture of its last segment, if that fills the array.
 class Drawing final : public engine::Observer {
  public:
   explicit Drawing(isa::Field colour) : colour_(colour) {}
@@ -47,7 +47,7 @@ class Drawing final : public engine::Observer {
   isa::Field colour_;
 };
 
-/// Frames with equally wide colours, if not without any.
+/// Random frames that have either colours of equal width or none.
 std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, unsigned instructions,
                                            const Allowed& allowed) {
   const auto widest = std::min(isa::max_field_width, machine.array.memory_bits / 2);
@@ -71,7 +71,7 @@ std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, uns
 bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instructions,
                                systemc::EvaluatorForm evaluator, const Allowed& allowed) {
   const auto reference = engine::make_reference_engine(machine);
-  return rc::check("frames that follow each other are drawn and shown when it is worked out", [&] {
+  return rc::check("consecutive frames are drawn and shown at the predicted clocks", [&] {
     const std::vector<isa::Program> programs = arbitrary_frames(machine, instructions, allowed);
     std::vector<Drawing> drawings;
     std::vector<pixel_planes::DrawnFrame> frames;
@@ -88,7 +88,7 @@ bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instru
     const auto expected = pixel_planes::time_sequence(frames, machine);
     for (std::size_t i = 0; i < programs.size(); ++i) {
       if (counted[i].clocks != expected[i].clocks || counted[i].account != expected[i].account)
-        RC_FAIL(fmt::format("frame {}: worked out {} clocks, counted ", i, expected[i].clocks) + show(counted[i]));
+        RC_FAIL(fmt::format("frame {}: predicted {} clocks, counted ", i, expected[i].clocks) + show(counted[i]));
       RC_ASSERT(adds_up(counted[i]));
       RC_ASSERT(counted[i].shown_clocks == std::max(expected[i].shown_clocks, expected[i].clocks));
       if (i + 1 < programs.size()) RC_ASSERT(counted[i].interval_clocks == expected[i].interval_clocks);
@@ -102,14 +102,14 @@ bool agree_planes(const machines::Machine& machine, unsigned instructions, syste
   const auto reference = engine::make_reference_engine(machine);
   TimedMachine hardware(machine, evaluator);
   const auto cycle = cycle::make_clocked_engine(machine, hardware);
-  return rc::check("the clocked frame-buffer machine leaves the bits, clocks, account and timeline worked out", [&] {
+  return rc::check("the clocked frame-buffer machine has the predicted bits, clocks, account and timeline", [&] {
     const isa::ArrayShape shape = drawn_in(machine, isa::max_field_width);
     const isa::Program program =
         first_allowed([&] { return *arbitrary_program(shape, instructions, machine.evaluator_degree); }, allowed);
     const engine::RunResult expected = reference->run(program, {});
     const engine::RunResult counted = cycle->run(program, {});
     if (counted.clocks != expected.clocks || counted.account != expected.account) {
-      RC_FAIL("counted " + show(counted) + "\nworked out " + show(expected));
+      RC_FAIL("counted " + show(counted) + "\npredicted " + show(expected));
     }
     RC_ASSERT(adds_up(counted));
     check_lockstep(*reference, *cycle, program, machine);

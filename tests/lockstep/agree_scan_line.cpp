@@ -18,7 +18,7 @@ namespace csgsim::test {
 
 namespace {
 
-/// What the engine's own pictures show.
+/// The pictures that the engine itself returns.
 struct Pictures {
   observe::Frame frame;
   std::vector<std::uint32_t> scanned_out;
@@ -41,7 +41,7 @@ void check_pictures(engine::Engine& judge, engine::Engine& engine, const isa::Pr
   RC_ASSERT(actual.scanned_out == (coloured ? expected.frame.colour : std::vector<std::uint32_t>{}));
 }
 
-/// Frames of one machine, and who looks at each.
+/// Frames of one machine, with an observer for each.
 struct Sequence {
   std::vector<isa::Program> programs;
   std::deque<observe::FrameObserver> frames;
@@ -63,7 +63,7 @@ void add_random_frames(Sequence& sequence, const machines::Machine& machine, uns
 
 bool agree_scan_line_in_sequences(const machines::Machine& machine, unsigned instructions, const Allowed& allowed) {
   const auto judge = engine::make_functional_engine(machine);
-  return rc::check("frames enter a scan-line array while those before drain, when it is worked out", [&] {
+  return rc::check("consecutive frames overlap in a scan-line array at the predicted clocks", [&] {
     Sequence sequence;
     add_random_frames(sequence, machine, instructions, allowed);
     const auto counted = cycle::run_sequence(machine, sequence.programs, sequence.observers);
@@ -71,7 +71,7 @@ bool agree_scan_line_in_sequences(const machines::Machine& machine, unsigned ins
     for (std::size_t i = 0; i < counted.size(); ++i) {
       const machines::Account account = scan_line::account(expected[i].account, machine, expected[i].clocks);
       if (counted[i].clocks != expected[i].clocks || counted[i].account != account)
-        RC_FAIL(fmt::format("frame {}: worked out {} clocks, counted {}", i, expected[i].clocks, show(counted[i])));
+        RC_FAIL(fmt::format("frame {}: predicted {} clocks, counted {}", i, expected[i].clocks, show(counted[i])));
       RC_ASSERT(adds_up(counted[i]));
       RC_ASSERT(counted[i].interval_clocks == expected[i].interval_clocks);
       const Pictures alone = draw(*judge, sequence.programs[i]);

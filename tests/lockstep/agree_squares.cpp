@@ -15,7 +15,7 @@ bool agree_squares(const machines::Machine& machine, unsigned instructions, syst
                                        : *arbitrary_program_in_parts(machine, instructions, machine.evaluator_degree);
   };
   return agree_in_parts(
-      "the clocked pixel-square machine leaves the bits, picture, clocks, account and timeline worked out", machine,
+      "the clocked pixel-square machine has the predicted bits, picture, clocks, account and timeline", machine,
       [&] { return first_allowed(any_program, allowed); },
       [](const isa::Program& program, const TimedMachine& hardware) { hardware.check_timeline(program); }, evaluator);
 }

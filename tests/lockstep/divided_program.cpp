@@ -21,7 +21,7 @@ view::Camera any_camera() {
   const auto coordinate = [](int low, int high) { return 0.25 * *rc::gen::inRange(4 * low, 4 * high); };
   view::Camera camera;
   camera.centre = {coordinate(-2, 2), coordinate(-2, 2), coordinate(-2, 2)};
-  const int reach = *rc::gen::element(3, 20, 60);  // near ones are inside the model
+  const int reach = *rc::gen::element(3, 20, 60);  // near cameras are inside the model
   camera.eye = {coordinate(-reach, reach), coordinate(-reach, reach), coordinate(-reach, reach)};
   if (camera.eye == camera.centre) camera.eye.z += 10.0;
   camera.projection = *rc::gen::element(view::Projection::orthographic, view::Projection::perspective);

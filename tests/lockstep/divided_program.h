@@ -5,8 +5,8 @@
 
 namespace csgsim::test {
 
-/// Inside a property: a random model, seen by a random camera, compiled for a machine that divides it itself. The
-/// picture is the machine's. Models that the host refuses are passed over.
+/// A random model for use inside a property, seen by a random camera, compiled for a machine that divides models
+/// itself, with that machine's picture size. Models that the host rejects are skipped.
 isa::Program any_divided_program(const machines::Machine& machine);
 
 }  // namespace csgsim::test

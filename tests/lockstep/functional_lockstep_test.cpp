@@ -17,7 +17,7 @@ using isa::Program;
 
 namespace {
 
-/// Where the functional engine first differs from the reference on the Program; empty if nowhere.
+/// The first difference between the functional engine and the reference on the Program; empty if there is none.
 std::string difference(const Program& program) {
   isa::validate(program);
   const machines::Machine machine = test::machine_of(program.shape, 1);
@@ -67,7 +67,7 @@ Instruction with(Opcode opcode, Field field, isa::Linear linear) {
   return instruction;
 }
 
-/// One instruction set after another, until the end of its life.
+/// Selects one instruction set after another, and restores the default at the end of its life.
 class EachInstructionSet {
  public:
   ~EachInstructionSet() { use(0); }
@@ -79,22 +79,22 @@ class EachInstructionSet {
 
 }  // namespace
 
-TEST_CASE("random Programs leave the same bits as the reference on small arrays") {
+TEST_CASE("random Programs leave the reference's bits on small arrays") {
   for (const std::uint32_t bits : {8U, 72U, 208U})
     for (const auto& [width, height] : {std::pair{1U, 1U}, {8U, 8U}}) require_lockstep({width, height, bits}, 60);
 }
 
-TEST_CASE("random Programs leave the same bits as the reference where rows end within a word") {
+TEST_CASE("random Programs leave the reference's bits if rows end within a word") {
   for (const std::uint32_t bits : {8U, 72U}) require_lockstep({100, 30, bits}, 25);
   require_lockstep({65, 65, 72}, 25);
 }
 
-TEST_CASE("random Programs leave the same bits as the reference where rows fill words") {
+TEST_CASE("random Programs leave the reference's bits if rows fill words") {
   for (const std::uint32_t bits : {8U, 72U}) require_lockstep({64, 64, bits}, 25);
   require_lockstep({512, 8, 72}, 25);
 }
 
-TEST_CASE("random Programs leave the same bits with every instruction set of the machine") {
+TEST_CASE("random Programs leave the reference's bits with every instruction set") {
   const EachInstructionSet each;
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     INFO(hwy::TargetName(target));
@@ -103,12 +103,12 @@ TEST_CASE("random Programs leave the same bits with every instruction set of the
   }
 }
 
-TEST_CASE("random Programs leave the same bits as the reference on several tiles, whole and in part") {
+TEST_CASE("random Programs leave the reference's bits on complete and partial tiles") {
   for (const auto& [width, height] : {std::pair{65U, 9U}, {130U, 70U}, {20U, 129U}})
     require_lockstep({width, height, 72}, 30);
 }
 
-TEST_CASE("blocks that corners decide keep the very pixel at which F meets a number, at tiles' sides too") {
+TEST_CASE("blocks classified by their corners keep the exact pixel where F meets a number") {
   const Field z{0, 20};
   const Field other{20, 20};
   constexpr std::uint64_t most = 0xfffff;
@@ -118,7 +118,7 @@ TEST_CASE("blocks that corners decide keep the very pixel at which F meets a num
         CAPTURE(a);
         CAPTURE(level);
         CAPTURE(beside);
-        // Meets the level at column 64, row 3.
+        // F equals the level at column 64, row 3.
         const isa::Linear plane{.a = a, .b = 7, .c = (level << 12U) + beside - 64 * a - 21, .width = 50, .shift = 12};
         const isa::Linear half{.a = 3, .b = -2, .c = -120, .width = 24, .shift = 0};
         std::vector<Instruction> program{op(Opcode::enable_all), set(z, static_cast<std::uint64_t>(level))};
@@ -137,8 +137,8 @@ TEST_CASE("blocks that corners decide keep the very pixel at which F meets a num
       }
 }
 
-TEST_CASE("a sphere's depth by the root of a quadratic is the same bits, however its field is used before and after") {
-  // D of 41 bits, its root of 20, and the middle less the root, at a sphere of radius 60 about (70, 40).
+TEST_CASE("a sphere's depth by a root has the reference's bits with any use of its field") {
+  // D has 41 bits, its root 20; depth = middle - root, for a sphere of radius 60 at (70, 40).
   const Field d{0, 41};
   const Field root{21, 20};
   const Field depth{41, 20};
@@ -197,7 +197,7 @@ TEST_CASE("a bit read from a number's lanes has no pixels beyond the row's end")
                                            })) == "");
 }
 
-TEST_CASE("F that wraps is compared as it wraps, and counted") {
+TEST_CASE("compares a wrapped F by its wrapped value and counts the overflow") {
   const Field z{0, 8};
   const isa::Linear steep{.a = 100, .b = 7, .c = -1000, .width = 9, .shift = 0};
   for (const Opcode opcode : {Opcode::linear_ge, Opcode::linear_gt, Opcode::linear_le, Opcode::linear_lt,
@@ -207,12 +207,12 @@ TEST_CASE("F that wraps is compared as it wraps, and counted") {
   }
 }
 
-TEST_CASE("F wraps from the first number past the width on") {
+TEST_CASE("F wraps from the first number beyond its width") {
   for (const std::int64_t sign : {1, -1})
     for (const std::int64_t beyond : {-1, 0, 1}) {
       CAPTURE(sign);
       CAPTURE(beyond);
-      // From 0 to about +-2^9 along the row.
+      // F runs from 0 to about +-2^9 along the row.
       const isa::Linear linear{.a = sign * 64, .b = 0, .c = sign * beyond, .width = 10, .shift = 1};
       for (const Opcode opcode : {Opcode::edge_not_negative, Opcode::edge_negative})
         CHECK(difference(program_of({9, 1, 8}, {op(Opcode::enable_all), with(opcode, {}, linear)})) == "");
@@ -221,7 +221,7 @@ TEST_CASE("F wraps from the first number past the width on") {
     }
 }
 
-TEST_CASE("stripes of a sum that wraps many times over the picture are cut as the reference cuts them") {
+TEST_CASE("a sum that wraps many times over the picture has the reference's stripes") {
   for (const std::uint16_t width : {std::uint16_t{1}, std::uint16_t{3}, std::uint16_t{7}, std::uint16_t{20}}) {
     CAPTURE(width);
     const isa::Linear pattern{.a = 37, .b = -91, .c = -1000, .width = width, .shift = 0};
@@ -233,7 +233,7 @@ TEST_CASE("stripes of a sum that wraps many times over the picture are cut as th
   }
 }
 
-TEST_CASE("numbers are added in planes and in lanes, from either into either") {
+TEST_CASE("adds numbers in planes and in lanes in all combinations") {
   const isa::Linear plane{.a = 3, .b = -7, .c = 300, .width = 30, .shift = 0};
   const isa::Linear edge{.a = 1, .b = -2, .c = 5, .width = 10, .shift = 0};
   for (const Field source : {Field{0, 1}, {0, 7}, {1, 5}, {0, 8}})
@@ -253,7 +253,7 @@ TEST_CASE("numbers are added in planes and in lanes, from either into either") {
       }
 }
 
-TEST_CASE("several threads make the same bits and the same tallies as one") {
+TEST_CASE("several threads give the same bits and the same tallies as one") {
   CHECK(rc::check([] {
     const ArrayShape shape{70, 13, 40};
     const Program program = *test::arbitrary_program(shape, 30, 2);
@@ -273,7 +273,7 @@ TEST_CASE("several threads make the same bits and the same tallies as one") {
   }));
 }
 
-TEST_CASE("random Programs skip, and have skips that skip nothing") {
+TEST_CASE("random Programs skip instructions and contain skips that are not taken") {
   struct Skips final : engine::Observer {
     void after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) override {
       if (step.instruction.opcode == Opcode::skip_if_none) ++(step.enabled_pixels == 0 ? taken : passed);
@@ -282,7 +282,7 @@ TEST_CASE("random Programs skip, and have skips that skip nothing") {
     std::uint64_t passed = 0;
   } skips;
   engine::Observer* const observers[] = {&skips};
-  // Enough Programs, however few a check is told to make.
+  // Enough Programs even if RC_PARAMS requests few.
   for (int round = 0; round < 5; ++round) {
     CHECK(rc::check([&] {
       const Program program = *test::arbitrary_program({8, 8, 72}, 40, 2);
@@ -293,7 +293,7 @@ TEST_CASE("random Programs skip, and have skips that skip nothing") {
   CHECK((!testing::draws_from_fixed_seed() || skips.passed > 0));
 }
 
-TEST_CASE("one pixel in any tile keeps all tiles from skipping") {
+TEST_CASE("one enabled pixel in any tile keeps all tiles from skipping") {
   const ArrayShape shape{70, 13, 40};
   const machines::Machine machine = test::machine_of(shape, 1);
   Instruction skip = op(Opcode::skip_if_none);
@@ -312,7 +312,7 @@ TEST_CASE("one pixel in any tile keeps all tiles from skipping") {
   }
 }
 
-TEST_CASE("what is skipped does not overflow") {
+TEST_CASE("skipped instructions do not overflow") {
   Instruction skip = op(Opcode::skip_if_none);
   skip.constant = 2;
   const isa::Linear narrow{.a = 1, .b = 0, .c = 100, .width = 3, .shift = 0};
@@ -322,7 +322,7 @@ TEST_CASE("what is skipped does not overflow") {
   CHECK(engine::make_reference_engine(test::machine_of(program.shape, 1))->run(program, {}).overflows == 18);
 }
 
-TEST_CASE("axis-parallel and slanting edges cut a full array at the exact pixel") {
+TEST_CASE("axis-parallel and oblique edges cut a full array at the exact pixel") {
   for (const std::int64_t a : {-3, 0, 2})
     for (const std::int64_t b : {-5, 0, 3})
       for (const std::int64_t c : {-100, -6, -1, 0, 1, 90})

@@ -20,8 +20,8 @@ namespace csgsim::test {
 
 namespace {
 
-/// What is told of an instruction besides the state after it.
-struct Told {
+/// An instruction's record, without the state after it.
+struct Boundary {
   std::uint32_t segment = 0;
   std::uint32_t index = 0;
   std::uint64_t clocks = 0;
@@ -29,7 +29,7 @@ struct Told {
   std::optional<machines::PixelClocks> at_pixels;
 };
 
-/// Keeps what is told of a run, but for states.
+/// Records everything about a run except states.
 class Recorder final : public engine::Observer {
  public:
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
@@ -40,7 +40,7 @@ class Recorder final : public engine::Observer {
     segments.push_back(segment);
   }
 
-  std::vector<Told> boundaries;
+  std::vector<Boundary> boundaries;
   std::vector<std::uint32_t> segments;
 };
 
@@ -59,7 +59,7 @@ void require(bool holds, const std::string& text) {
   if (!holds) throw Difference(text);
 }
 
-/// `level` ran as A.
+/// Throws on a difference, where `level` is the engine called A.
 void check_states(const std::optional<lockstep::Divergence>& difference, const isa::Program& program,
                   std::string_view level) {
   if (!difference) return;
@@ -78,7 +78,7 @@ std::size_t instructions_of(const isa::Program& program) {
 /// The questions after which the run skipped instructions.
 std::vector<machines::Skip> skips_of(const Recorder& run, const isa::Program& program) {
   std::vector<machines::Skip> skips;
-  for (const Told& boundary : run.boundaries) {
+  for (const Boundary& boundary : run.boundaries) {
     const isa::Instruction& instruction = program.segments[boundary.segment].instructions[boundary.index];
     const bool skips_if_none = instruction.opcode == isa::Opcode::skip_if_none;
     if (skips_if_none && boundary.enabled_pixels == 0) skips.push_back({boundary.segment, boundary.index});
@@ -86,11 +86,11 @@ std::vector<machines::Skip> skips_of(const Recorder& run, const isa::Program& pr
   return skips;
 }
 
-/// `met`: as the judge saw it.
+/// Checks the clocks against the prediction; `met` is taken from the judge's run.
 void check_clocks(const engine::RunResult& result, const Recorder& run, const isa::Program& program,
                   const machines::Machine& machine, std::span<const machines::PixelActivity> met,
                   std::string_view level) {
-  for (const Told& boundary : run.boundaries) {
+  for (const Boundary& boundary : run.boundaries) {
     const isa::Instruction& instruction = program.segments[boundary.segment].instructions[boundary.index];
     require(boundary.clocks == machines::clocks(instruction, machine),
             fmt::format("{} engine: {} clocks for {}", level, boundary.clocks, isa::name_of(instruction.opcode)));
@@ -98,7 +98,7 @@ void check_clocks(const engine::RunResult& result, const Recorder& run, const is
   const std::vector<machines::Skip> skips = skips_of(run, program);
   const machines::FrameTiming expected = machines::time_frame(program, machine, {skips, met});
   require(result.clocks == expected.clocks,
-          fmt::format("{} engine: {} clocks in all, not {}", level, result.clocks, expected.clocks));
+          fmt::format("{} engine: {} clocks in total, not {}", level, result.clocks, expected.clocks));
   require(result.latency_clocks == expected.latency_clocks,
           fmt::format("{} engine: latency {}", level, result.latency_clocks));
   require(result.shown_clocks == expected.shown_clocks && result.interval_clocks == expected.interval_clocks,
@@ -139,7 +139,7 @@ Results check_lockstep(engine::Engine& judge, engine::Engine& engine, const isa:
   return {std::move(expected_result), std::move(actual_result)};
 }
 
-/// Every clock of the frame is accounted for, in every part.
+/// Whether every unit accounts for every clock of the frame.
 bool adds_up(const engine::RunResult& result) {
   return std::all_of(result.account.parts.begin(), result.account.parts.end(), [&](const machines::PartAccount& part) {
     std::uint64_t sum = 0;

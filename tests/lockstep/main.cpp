@@ -1,6 +1,6 @@
-// lockstep_LEVEL WIDTH HEIGHT MEMORY_BITS MEMORY_READS ALU_BITS PROGRAMS INSTRUCTIONS: holds that many random Programs,
-// of at most so many instructions a segment, against the reference engine. One shape a process, as SystemC elaborates
-// once. RC_PARAMS overrides the seed and the number of Programs.
+// lockstep_LEVEL WIDTH HEIGHT MEMORY_BITS MEMORY_READS ALU_BITS PROGRAMS INSTRUCTIONS: compares PROGRAMS random
+// Programs of at most INSTRUCTIONS per segment with the reference engine. One array shape per process, as SystemC
+// elaborates once. RC_PARAMS overrides the seed and the number of Programs.
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // lockstep_models WIDTH HEIGHT JUDGE MODEL...: draws test models at the judge's level and at the cycle level and
 // compares all of memory and enable, the clocks and the enabled pixels at every instruction boundary. One picture size
-// a process, as SystemC elaborates once.
+// per process, as SystemC elaborates once.
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ namespace csgsim::testing {
 
 namespace {
 
-/// What a run leaves behind at one instruction boundary, boiled down.
+/// Digest of a run at one instruction boundary.
 struct Trace {
   std::uint64_t clocks = 0;
   std::uint64_t enabled = 0;

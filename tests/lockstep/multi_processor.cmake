@@ -1,4 +1,4 @@
-# The multi-processor. Each row: the seed of a machine's figures, and a number of models.
+# The multi-processor. Each row: the seed of a machine's parameters, and a number of models.
 add_executable(lockstep_multi_processor multi_processor.cpp)
 target_link_libraries(lockstep_multi_processor PRIVATE csgsim_agree csgsim::kinds fmt::fmt csgsim_flags)
 foreach(seed RANGE 1 24)

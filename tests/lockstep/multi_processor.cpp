@@ -1,5 +1,5 @@
-// lockstep_multi_processor SEED PROGRAMS: draws random models on a clocked multi-processor whose figures the seed
-// makes up, and holds them against what is worked out. One machine a process, as SystemC elaborates once.
+// lockstep_multi_processor SEED PROGRAMS: draws random models on a clocked multi-processor with parameters generated
+// from the seed, and compares the run with the prediction. One machine per process, as SystemC elaborates once.
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ namespace csgsim::test {
 
 namespace {
 
-/// Figures of small machines, some of them 0 and some beyond what they meet.
+/// Parameters of small machines; some are 0 and some exceed what the models need.
 class Choice {
  public:
   explicit Choice(std::uint32_t seed) : random_(seed) {}
@@ -50,7 +50,7 @@ machines::Machine random_machine(std::uint32_t seed) {
   figures.levels = choice.between(0, 5);
   figures.order = static_cast<multi_processor::RenderingOrder>(seed % 3);
   figures.word_bits = choice.between(1, 64);
-  // Lists, and then half-spaces, may not fit.
+  // Lists and then half-spaces may not fit.
   figures.memory_words = seed % 3 == 0 ? 1U << 31U : quotient_up(choice.between(2'000, 10'000), figures.word_bits);
   figures.operations = {choice.between(0, 20), choice.between(0, 20), choice.between(0, 20), choice.between(0, 20),
                         choice.between(0, 20), choice.between(0, 90), choice.between(0, 9),  choice.between(0, 3)};
@@ -66,7 +66,7 @@ machines::Machine random_machine(std::uint32_t seed) {
                         choice.between(0, 300)};
   figures.display_tests = {.primitive = choice.between(0, 50), .halfspace = choice.between(0, 500)};
   figures.host = {choice.between(1, 80), choice.between(1, 30), choice.between(0, 3) * 13};
-  // Neither may planes, nor what a segment leaves.
+  // Planes and the results of a segment may not fit either.
   figures.display_memory_words =
       seed % 4 < 2 ? 1U << 31U : quotient_up(choice.between(2'000, 9'000), figures.word_bits);
   figures.transform_clocks = choice.between(0, 5000);
@@ -76,7 +76,7 @@ machines::Machine random_machine(std::uint32_t seed) {
   return machine;
 }
 
-/// Some models have more than fits.
+/// Rejects models that exceed the machine's memory.
 bool runs_on(const isa::Program& program, const machines::Machine& machine) {
   try {
     machines::check_runs_on(program, machine);

@@ -12,7 +12,7 @@ namespace csgsim::test {
 
 namespace {
 
-/// The colours that the pixels hold at the end of each segment; the background where none worked.
+/// The colours of the pixels at the end of each segment; the background where a segment has no instructions.
 class Picture final : public engine::Observer {
  public:
   explicit Picture(const isa::Program& program)
@@ -57,7 +57,7 @@ bool agree_in_parts(const std::string& what, const machines::Machine& machine,
     engine::Observer* const observers[] = {&picture};
     const engine::RunResult expected = functional->run(program, observers);
     if (counted.clocks != expected.clocks || counted.account != expected.account) {
-      RC_FAIL("counted " + show(counted) + "\nworked out " + show(expected));
+      RC_FAIL("counted " + show(counted) + "\npredicted " + show(expected));
     }
     RC_ASSERT(adds_up(counted));
     RC_ASSERT(counted.overflows == expected.overflows);

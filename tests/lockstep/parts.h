@@ -9,8 +9,8 @@
 
 namespace csgsim::test {
 
-/// Draws Programs on a clocked machine that works on parts of the picture, and holds them against the reference's bits,
-/// the functional engine's picture, clocks and account. `check`: of when they were carried out, after each.
+/// Draws Programs on a clocked machine that works on parts of the picture, and compares them with the reference's bits,
+/// the functional engine's picture, clocks and account. `check` runs after each Program, with the recorded edges.
 bool agree_in_parts(const std::string& what, const machines::Machine& machine,
                     const std::function<isa::Program()>& any_program,
                     const std::function<void(const isa::Program&, const TimedMachine&)>& check,

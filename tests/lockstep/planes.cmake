@@ -1,5 +1,4 @@
-# The frame-buffer machine with its link. Each row are figures of one machine; those that it does not name are as in
-# planes.cpp.
+# The frame-buffer machine with its link. Each row sets parameters of one machine; planes.cpp has the defaults.
 add_executable(lockstep_planes planes.cpp)
 target_link_libraries(lockstep_planes PRIVATE csgsim_agree csgsim::kinds fmt::fmt csgsim_flags)
 foreach(row IN ITEMS

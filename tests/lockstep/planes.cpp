@@ -1,6 +1,6 @@
-// lockstep_planes KEY=NUMBER...: draws random Programs on the clocked frame-buffer machine with those figures and holds
-// them against the reference's bits and answers, and the clocks, the account and the timeline that are worked out. One
-// machine a process, as SystemC elaborates once. RC_PARAMS overrides the seed and the number of Programs.
+// lockstep_planes KEY=NUMBER...: draws random Programs on the clocked frame-buffer machine with those parameters and
+// compares them with the reference's bits and answers and with the predicted clocks, account and timeline. One machine
+// per process, as SystemC elaborates once. RC_PARAMS overrides the seed and the number of Programs.
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ namespace {
 struct Settings {
   machines::Machine machine = machine_of({8, 8, 40}, 1);
   unsigned programs = 100;
-  unsigned instructions = 30;  ///< of a segment at most
+  unsigned instructions = 30;  ///< maximum per segment
   systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::worked_out;
 };
 

@@ -19,9 +19,9 @@ struct Ends {
   std::int64_t most;
 };
 
-constexpr std::int64_t max_parameter_clocks = 40;  ///< of a figure in clocks
+constexpr std::int64_t max_parameter_clocks = 40;  ///< upper bound of a parameter in clocks
 
-/// Beyond these a frame of a few squares takes too long to be stepped, or nothing can be drawn.
+/// Tighter bounds: beyond these, stepping a frame takes too long, or nothing can be drawn.
 const std::map<std::string_view, Ends> nearer{
     {"array.width", {1, 12}},
     {"array.height", {1, 12}},
@@ -48,8 +48,8 @@ const std::map<std::string_view, Ends> nearer{
     {"chips.columns", {16, 600}},
     {"chips.rows", {300, 1024}},
     {"timing.refresh_interval", {0, 3000}},
-    {"node.instruction_loop_clocks", {1, max_parameter_clocks}},  // without a clock it has no place in a timeline
-    {"node.call_clocks", {1, max_parameter_clocks}},              // nor then
+    {"node.instruction_loop_clocks", {1, max_parameter_clocks}},  // 0 clocks have no place in a timeline
+    {"node.call_clocks", {1, max_parameter_clocks}},              // same reason
 };
 
 Ends ends_of(const machines::FigureSchema& figure) {
@@ -75,7 +75,7 @@ class Draw {
  private:
   bool one_in(unsigned times) { return random_() % times == 0; }
 
-  /// Each number of bits is as likely as another.
+  /// Each number of bits is equally likely.
   std::int64_t between(const Ends& ends) {
     const auto span = static_cast<std::uint64_t>(ends.most - ends.least);
     const std::uint64_t bits = random_() % (static_cast<std::uint64_t>(std::bit_width(span)) + 1);
@@ -93,7 +93,7 @@ std::optional<machines::Machine> random_machine(const machines::Kind& kind, std:
   machines::Machine machine = machines::blank(kind);
   machine.name = "random";
   for (const machines::FigureSchema& figure : kind.schema) figure.store(machine, draw.value_of(figure));
-  // What divides models is held against models, which need some memory at a pixel.
+  // A machine that divides models is tested with models, which need some memory per pixel.
   constexpr std::uint32_t bits_of_models = 200;
   if (machines::division(machine)) machine.array.memory_bits = std::max(machine.array.memory_bits, bits_of_models);
   machine.evaluator_bits = std::min(machine.evaluator_bits, machine.alu_bits);

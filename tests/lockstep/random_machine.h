@@ -9,11 +9,11 @@
 
 namespace csgsim::test {
 
-/// A machine of that kind whose every figure the seed makes up: at one of its ends, ideal where it may be, or anywhere
-/// between. Ends that would take a test minutes are brought nearer. Nothing where the figures do not fit each other.
+/// A machine of that kind with every parameter generated from the seed: one of its bounds, ideal if allowed, or a value
+/// between. Bounds that would take a test minutes are tightened. Empty if the parameters are inconsistent.
 std::optional<machines::Machine> random_machine(const machines::Kind& kind, std::uint64_t seed);
 
-/// Its figures, KEY=VALUE each, as `--set` takes them.
+/// The machine's parameters as KEY=VALUE, in the format of `--set`.
 std::string figures_of(const machines::Machine& machine);
 
 }  // namespace csgsim::test

@@ -1,9 +1,9 @@
 // lockstep_scan_line CELLS WIDTH HEIGHT WORDS WORD_BITS PORTS CLEAR_CLOCKS CHAINS INTERLACED LINK_WIDTH WORD_CLOCKS
 // FIFO_DEPTH LATENCY BUCKET_CLOCKS ACTIVE_CLOCKS INSTRUCTION_CLOCKS ALU_BITS SHIFT_BITS TREE_BITS PROGRAMS
-// INSTRUCTIONS: holds that many random Programs, of at most so many instructions a line, clocked in SystemC against the
-// reference engine, and the picture against that of the functional engine. PORTS, ALU_BITS and SHIFT_BITS 0 are ideal,
-// TREE_BITS 0 a chain. One machine a process, as SystemC elaborates once. RC_PARAMS overrides the seed and the number
-// of Programs.
+// INSTRUCTIONS: compares PROGRAMS random Programs of at most INSTRUCTIONS per line, clocked in SystemC, with the
+// reference engine, and the picture with that of the functional engine. PORTS, ALU_BITS and SHIFT_BITS 0 are ideal,
+// TREE_BITS 0 is a chain. One machine per process, as SystemC elaborates once. RC_PARAMS overrides the seed and the
+// number of Programs.
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ machines::Machine scan_line_machine(std::span<const std::uint32_t> figures) {
   machine.name = "test";
   machine.array = {figures[0], 1, figures[3] * figures[4]};
   machine.picture = {figures[1], figures[2]};
-  machine.clock_hz = 20'000;  // some lines are late, some are not
+  machine.clock_hz = 20'000;  // some lines are late, others are not
   machine.own = scan_line::Figures{.words = figures[3],
                                    .word_bits = figures[4],
                                    .alu_bits = figures[16],

@@ -1,4 +1,4 @@
-# The pixel-square machine. Each row are figures of one machine; those that it does not name are as in squares.cpp.
+# The pixel-square machine. Each row sets parameters of one machine; squares.cpp has the defaults.
 add_executable(lockstep_squares squares.cpp)
 target_link_libraries(lockstep_squares PRIVATE csgsim_agree csgsim::kinds fmt::fmt csgsim_flags)
 foreach(row IN ITEMS

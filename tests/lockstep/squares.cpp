@@ -1,7 +1,6 @@
 // lockstep_squares KEY=NUMBER...: draws random Programs, or with divider=1 random models, on the clocked pixel-square
-// machine with those figures and
-// holds them against the reference's bits, the functional engine's picture, clocks, account and timeline. One machine a
-// process, as SystemC elaborates once. RC_PARAMS overrides the seed and the number of Programs.
+// machine with those parameters and compares them with the reference's bits and the functional engine's picture,
+// clocks, account and timeline. One machine per process, as SystemC elaborates once.
 
 #include <fmt/format.h>
 
@@ -23,7 +22,7 @@ namespace {
 struct Settings {
   machines::Machine machine = machines::blank(pixel_square::kind);
   unsigned programs = 40;
-  unsigned instructions = 12;  ///< of a square at most
+  unsigned instructions = 12;  ///< maximum per square
   systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::worked_out;
 };
 

@@ -1,5 +1,5 @@
-# Machines whose figures are made up, every figure at its ends or between. Each row: a kind, the first and the last seed,
-# Programs a machine, which what others ask for in RC_PARAMS does not change. Beside sanitizers, a third of the machines.
+# Machines with generated parameters, each at its bounds or between. Each row: a kind, the first and the last seed, and
+# Programs per machine, which RC_PARAMS does not change. Sanitized builds use a third of the machines.
 add_executable(lockstep_stress stress.cpp random_machine.cpp)
 target_link_libraries(lockstep_stress PRIVATE csgsim_agree csgsim::kinds fmt::fmt csgsim_flags)
 set(rows "frame-buffer 1 60 5" "scan-line 1 60 3" "pixel-square 1 90 3" "multi-processor 1 200 3" "bit-serial-memory 1 60 3")

@@ -1,7 +1,7 @@
-// lockstep_stress KIND FIRST LAST PROGRAMS: machines of a kind whose figures the seeds from FIRST to LAST make up, each
-// at its ends or between, draw so many random Programs or models: never a deadlock, a wrong bit, or a clock on which
-// counting and working out do not agree. Each machine has a process of its own, as SystemC elaborates once. A seed
-// whose figures do not fit each other, or whose machine refuses all that is drawn, tells so and is passed over.
+// lockstep_stress KIND FIRST LAST PROGRAMS: machines of a kind with parameters generated from the seeds FIRST to LAST,
+// each at its bounds or between, draw PROGRAMS random Programs or models. There must be no deadlock, wrong bit, or
+// difference between counted and predicted clocks. Each machine has a separate process, as SystemC elaborates once. A
+// seed with inconsistent parameters, or whose machine rejects every Program, is skipped.
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -31,16 +31,16 @@ namespace csgsim::test {
 
 namespace {
 
-constexpr unsigned instructions = 8;                       ///< of a segment at most
-constexpr std::size_t most_regions = 40;                   ///< of a picture
-constexpr std::uint64_t max_parameter_clocks = 2'000'000;  ///< of a frame
-constexpr unsigned seconds = 100;                          ///< of a machine; then it stands still
+constexpr unsigned instructions = 8;                   ///< maximum per segment
+constexpr std::size_t most_regions = 40;               ///< maximum per picture
+constexpr std::uint64_t max_frame_clocks = 2'000'000;  ///< maximum per frame
+constexpr unsigned seconds = 100;                      ///< time limit per machine, to detect deadlocks
 
 constexpr int refused = 77;
 
 using Property = bool (*)(const machines::Machine&, const Allowed&);
 
-/// The trees of small arrays, whose steps are few, are stepped.
+/// Steps the trees of small arrays, which take few steps.
 systemc::EvaluatorForm form_for(const machines::Machine& machine) {
   return machine.array.width < 4 ? systemc::EvaluatorForm::stepped : systemc::EvaluatorForm::worked_out;
 }
@@ -76,7 +76,7 @@ const machines::Kind& kind_of(const std::string& name) {
   throw std::invalid_argument("no kind is called " + name);
 }
 
-/// Notes whether a Program was ever drawn.
+/// Rejects Programs that do not run on the machine or take too long; records whether one was accepted.
 class Affordable {
  public:
   explicit Affordable(const machines::Machine& machine) : machine_(machine) {}
@@ -87,7 +87,7 @@ class Affordable {
     } catch (const InputError&) {
       return false;
     }
-    const bool is = machines::time_frame(program, machine_).clocks <= max_parameter_clocks;
+    const bool is = machines::time_frame(program, machine_).clocks <= max_frame_clocks;
     any_ = any_ || is;
     return is;
   }
@@ -99,7 +99,7 @@ class Affordable {
   bool any_ = false;
 };
 
-/// The child's exit code.
+/// Returns the exit code of the child.
 int draw(const machines::Machine& machine, const Property& property, unsigned programs) {
   ::alarm(seconds);
   Affordable affordable(machine);
@@ -108,7 +108,7 @@ int draw(const machines::Machine& machine, const Property& property, unsigned pr
   return code != 0 && !affordable.any() ? refused : code;
 }
 
-/// 0, the code, or the signal by which it ended; the alarm is one.
+/// Returns 0, the exit code, or 128 plus the signal that ended the child, such as that of the alarm.
 int in_a_process(const std::optional<machines::Machine>& machine, const Property& property, unsigned programs) {
   if (!machine || machines::regions(*machine).size() > most_regions) return refused;
   std::fflush(nullptr);
@@ -141,7 +141,7 @@ int run(const std::string& name, std::uint64_t first, std::uint64_t last, unsign
                figures_of(*machine));
   }
   fmt::print("{} of {} machines drew, {} of them failed\n", drawn, last - first + 1, failed);
-  // More than every third machine draws, or the test is none.
+  // The test is only meaningful if more than a third of the machines draw.
   const bool are_few = testing::draws_from_fixed_seed() && 3 * drawn <= last - first + 1;
   return failed == 0 && !are_few ? 0 : 1;
 }

@@ -19,7 +19,7 @@ void add_modules(const std::vector<sc_core::sc_object*>& objects, std::vector<st
   }
 }
 
-/// The SystemC modules of this process.
+/// The names of the SystemC modules of this process.
 std::vector<std::string> modules() {
   std::vector<std::string> names;
   add_modules(sc_core::sc_get_top_level_objects(), names);
@@ -40,7 +40,7 @@ isa::Program program_of(const std::string& scene) {
 
 }  // namespace
 
-TEST_CASE("a Program without effects and one with some run on the same modules, none of them for an effect") {
+TEST_CASE("effects run on the same SystemC modules as Programs without effects") {
   machines::Machine machine = kinds::load("pixel-planes-4");
   machines::set_picture_size(machine, {32, 24});
   const auto engine = engine::make_cycle_engine(machine);

@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+// SystemC elaborates once per process, so ctest runs each case here in a separate process.
 
 #include "host/emit/compile.h"
 #include "host/facet/geometry.h"
@@ -39,7 +39,7 @@ std::vector<std::uint8_t> bytes_of(const division::DisplayModel& model) {
 
 }  // namespace
 
-TEST_CASE("the picture is that of the display model: a facet of another colour there is one in the picture") {
+TEST_CASE("draws the display model: recolouring a facet there recolours it in the picture") {
   const machines::Machine machine = machine_32x32();
   const auto engine = engine::make_cycle_engine(machine);
   isa::Program program = program_for(machine);
@@ -64,13 +64,13 @@ TEST_CASE("the picture is that of the display model: a facet of another colour t
     CHECK((after[i] == before[i] || (before[i] == old && after[i] == other)));
 }
 
-TEST_CASE("a display model with a bit of another value is refused, or makes the same picture") {
+TEST_CASE("rejects a display model with a flipped bit or draws the same picture") {
   const machines::Machine machine = machine_32x32();
   const auto engine = engine::make_cycle_engine(machine);
   const isa::Program program = program_for(machine);
   std::size_t refused = 0;
   std::size_t tried = 0;
-  // Bits that no list depends on make the same picture.
+  // Bits on which no list depends leave the picture unchanged.
   const std::vector<std::uint32_t> picture = engine->run(program, {}).scanned_out;
   for (std::size_t bit = 0; bit < 8 * program.display_model.size(); bit += 37, ++tried) {
     isa::Program changed = program;
@@ -85,7 +85,7 @@ TEST_CASE("a display model with a bit of another value is refused, or makes the 
   CHECK(2 * refused > tried);
 }
 
-TEST_CASE("the machine counts its own tests: what a Program says of them changes nothing") {
+TEST_CASE("counts its own tests and ignores the numbers stated in a Program") {
   const machines::Machine machine = machine_32x32();
   const auto engine = engine::make_cycle_engine(machine);
   isa::Program program = program_for(machine);
@@ -102,8 +102,8 @@ TEST_CASE("the machine counts its own tests: what a Program says of them changes
   CHECK(engine::make_functional_engine(machine)->run(program, {}).clocks > before.clocks);
 }
 
-/// What they draw, random models show (tests/lockstep/multi_processor.cpp).
-TEST_CASE("nodes with little memory render lists in more passes, as many as are worked out") {
+/// The pictures themselves are tested with random models (tests/lockstep/multi_processor.cpp).
+TEST_CASE("nodes with little memory render lists in the predicted number of passes") {
   machines::Machine machine = machine_32x32();
   const isa::Program program = program_for(machine);
   const engine::RunResult whole = engine::make_functional_engine(machine)->run(program, {});

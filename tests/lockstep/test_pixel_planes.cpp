@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+// SystemC elaborates once per process, so ctest runs each case here in a separate process.
 
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
@@ -26,14 +26,14 @@ using csgsim::systemc::RunListener;
 constexpr csgsim::isa::ArrayShape shape_8x8{8, 8, 32};
 constexpr unsigned latency_8x8 = 6;
 
-// On a link that brings a command a clock, without latency:
-/// clocks before the first step of a frame's first instruction: the request, the word of the SegmentStart on the link,
-/// in the FIFO and in the receiver, and the clock in which the pixels are cleared
+// The link brings one command per clock and has no latency.
+/// Clocks before the first step of a frame's first instruction: the request, the word of the SegmentStart on the link,
+/// in the FIFO and in the receiver, and the clock that clears the pixels.
 constexpr unsigned lead = 5;
-/// from an answer that makes the controller jump to the next instruction's first step: the same, without clearing
+/// Clocks from an answer that causes a jump to the next instruction's first step: the same without clearing.
 constexpr unsigned jump = 4;
 
-/// The clock edges, counted from the first of the frame, at which instructions were carried out.
+/// Records the clock edges at which instructions retire, counted from the first edge of the frame.
 class Stopwatch final : public RunListener {
  public:
   explicit Stopwatch(const PixelPlanes& machine) : machine_(machine), start_(sc_core::sc_time_stamp()) {}
@@ -44,7 +44,7 @@ class Stopwatch final : public RunListener {
     enabled.push_back(retired.enabled_pixels);
   }
 
-  /// The frame begins one period after the machine has been started.
+  /// The frame begins one period after the machine was started.
   [[nodiscard]] double edges_since_start() const { return (sc_core::sc_time_stamp() - start_) / machine_.period() - 1; }
 
   std::vector<double> edges;
@@ -60,7 +60,7 @@ Segment segment_of(std::vector<Instruction> instructions, std::uint32_t width = 
   return {.region = {0, 0, width, height}, .instructions = std::move(instructions)};
 }
 
-/// Without fields, so that nothing is scanned out.
+/// A Program without fields, so that nothing is scanned out.
 Program program_of(std::vector<Segment> segments) {
   Program program;
   program.shape = {1, 1, 8};
@@ -72,7 +72,7 @@ Program program_of(std::vector<Segment> segments) {
   return program;
 }
 
-/// With the colours in that field.
+/// The same Program with its colours in that field.
 Program shown(Program program, Field colour) {
   program.colour = colour;
   return program;
@@ -91,8 +91,8 @@ Instruction skip(std::uint64_t count) { return {.opcode = Opcode::skip_if_none, 
 
 csgsim::machines::Machine machine_8x8() { return csgsim::test::machine_of(shape_8x8, 1); }
 
-/// Draws frames of two kinds, one that takes longer than a row is shown and one that does not, and holds the clocks
-/// from one to the next against those worked out for an endless sequence of the same frame.
+/// Draws frames of two kinds, one that takes longer than the display of a row and one that does not, and compares the
+/// intervals between frames with those predicted for an endless sequence of the same frame.
 void check_sequences(csgsim::pixel_planes::ScanOutPort port, std::uint32_t pixels, std::uint32_t buffers) {
   csgsim::machines::Machine figures = csgsim::test::machine_of({16, 4, 32}, 1);
   auto& own = csgsim::machines::own<csgsim::pixel_planes::Figures>(figures);
@@ -118,10 +118,10 @@ void check_sequences(csgsim::pixel_planes::ScanOutPort port, std::uint32_t pixel
     REQUIRE(reports.size() == frames);
     for (std::size_t i = 0; i < frames; ++i) {
       CAPTURE(i);
-      // With two buffers the frames after the first are slowed by the refresh words of the one before.
+      // The refresh words of the previous frame slow all frames after the first if there are two buffers.
       if (i == 0 || buffers == 1) CHECK(reports[i].clocks == worked_out.clocks);
       CHECK(reports[i].picture == alone.picture);
-      // The first frame finds nothing on the screen that its scan-out has to wait for; then it takes a few to settle.
+      // The first frame finds an idle scan-out; a few more frames pass until the intervals settle.
       if (i >= (buffers == 1 ? 1 : 3)) CHECK(reports[i].interval_clocks == worked_out.interval_clocks);
     }
     CHECK(alone.picture[17] == 17);
@@ -130,7 +130,7 @@ void check_sequences(csgsim::pixel_planes::ScanOutPort port, std::uint32_t pixel
 
 }  // namespace
 
-TEST_CASE("an instruction is carried out latency clocks after its last step's own, and the next follows at once") {
+TEST_CASE("an instruction retires `latency` clocks after its last step without a bubble") {
   PixelPlanes machine("machine", machine_8x8());
   const Program program =
       program_of({segment_of({{.opcode = Opcode::enable_all},
@@ -148,7 +148,7 @@ TEST_CASE("an instruction is carried out latency clocks after its last step's ow
   CHECK(watch.edges_since_start() == static_cast<double>(report.clocks));
 }
 
-TEST_CASE("a question takes its own clock and the latency, and the controller goes on when the answer has come") {
+TEST_CASE("a question takes its clock and the latency and then the controller resumes") {
   PixelPlanes machine("machine", machine_8x8());
   const Program program = program_of({segment_of({{.opcode = Opcode::enable_all},
                                                   {.opcode = Opcode::global_or},
@@ -164,7 +164,7 @@ TEST_CASE("a question takes its own clock and the latency, and the controller go
   CHECK(report.clocks == lead + 2 + 3 * question + latency_8x8);
 }
 
-TEST_CASE("a jump takes the clocks of the link, however many instructions it skips") {
+TEST_CASE("a jump costs the clocks of the link for any number of skipped instructions") {
   PixelPlanes machine("machine", machine_8x8());
   constexpr std::uint64_t question = 1 + latency_8x8;
   for (const std::uint64_t count : {1U, 2U, 14U, 15U, 16U, 17U, 33U, 1000U}) {
@@ -185,7 +185,7 @@ TEST_CASE("a jump takes the clocks of the link, however many instructions it ski
   }
 }
 
-TEST_CASE("where a pixel is enabled nothing is skipped, and the host has no answer") {
+TEST_CASE("skips nothing and sends the host no answer if a pixel is enabled") {
   PixelPlanes machine("machine", machine_8x8());
   const Program program = program_of({segment_of({{.opcode = Opcode::enable_all},
                                                   skip(2),
@@ -199,7 +199,7 @@ TEST_CASE("where a pixel is enabled nothing is skipped, and the host has no answ
   CHECK(report.skipped == 0);
 }
 
-TEST_CASE("a skip to the end of its segment ends the segment, and at the end of the program the program") {
+TEST_CASE("a skip can end its segment or the program") {
   struct Segments final : RunListener {
     void after_instruction(const Retired& retired, const PixelView& /*pixels*/) override {
       seen.push_back({retired.segment, retired.index});
@@ -223,12 +223,12 @@ TEST_CASE("a skip to the end of its segment ends the segment, and at the end of 
     CHECK(listener.ends == std::vector<std::uint32_t>{0, 1, 2, 3, 4});
     CHECK(report.answers == std::vector<bool>{true});
     CHECK(report.skipped == 2 + 1 + 20);
-    constexpr std::uint64_t clears = 4;  // besides the first
+    constexpr std::uint64_t clears = 4;  // in addition to the first
     CHECK(report.clocks == lead + clears + 1 + 5 * question + 3 * jump + latency_8x8);
   }
 }
 
-TEST_CASE("without tree levels an answer is there in one clock") {
+TEST_CASE("an answer takes one clock without tree levels") {
   PixelPlanes machine("machine", csgsim::test::machine_of({1, 1, 8}, 1));
   const Instruction all{.opcode = Opcode::enable_all};
   const Instruction invert{.opcode = Opcode::enable_invert};
@@ -244,7 +244,7 @@ TEST_CASE("without tree levels an answer is there in one clock") {
   CHECK(report.clocks == after + 9);
 }
 
-TEST_CASE("without tree levels a step is carried out at the end of its own clock") {
+TEST_CASE("a step completes at the end of its own clock without tree levels") {
   PixelPlanes machine("machine", csgsim::test::machine_of({1, 1, 8}, 1));
   const Program program = program_of({segment_of({{.opcode = Opcode::enable_all},
                                                   {.opcode = Opcode::global_or},
@@ -259,7 +259,7 @@ TEST_CASE("without tree levels a step is carried out at the end of its own clock
   CHECK(report.clocks == lead + 7);
 }
 
-TEST_CASE("a program without instructions costs a clear a segment and the latency, with every segment told") {
+TEST_CASE("a program without instructions costs a clear per segment and the latency") {
   struct Segments final : RunListener {
     void after_segment(std::uint32_t segment, const PixelView& /*pixels*/) override { seen.push_back(segment); }
     std::vector<std::uint32_t> seen;
@@ -271,7 +271,7 @@ TEST_CASE("a program without instructions costs a clear a segment and the latenc
   CHECK(machine.run(program, listener).clocks == lead + 2 + latency_8x8);
 }
 
-TEST_CASE("scan-out shows each pixel's colour and overlaps latching a row with shifting out the one before") {
+TEST_CASE("scan-out shows each pixel's colour and overlaps latching with shifting") {
   PixelPlanes machine("machine", machine_8x8());
   RunListener nobody;
   const Program program = program_of({segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6})})});
@@ -285,23 +285,23 @@ TEST_CASE("scan-out shows each pixel's colour and overlaps latching a row with s
   CHECK(wide.shown_clocks == wide.clocks + 20 * 8 + 8);
 }
 
-TEST_CASE("frames of a sequence follow each other at the pace worked out, at a port of the scan-out's own") {
+TEST_CASE("frame intervals equal the prediction with a separate scan-out port") {
   check_sequences(csgsim::pixel_planes::ScanOutPort::own, 1, 1);
 }
 
-TEST_CASE("frames of a sequence follow each other at the pace worked out, at a shared port") {
+TEST_CASE("frame intervals equal the prediction with a shared port") {
   check_sequences(csgsim::pixel_planes::ScanOutPort::shared, 2, 1);
 }
 
-TEST_CASE("with two buffers frames of a sequence follow each other at the pace worked out, at an own port") {
+TEST_CASE("frame intervals of two buffers equal the prediction with a separate port") {
   check_sequences(csgsim::pixel_planes::ScanOutPort::own, 1, 2);
 }
 
-TEST_CASE("with two buffers frames of a sequence follow each other at the pace worked out, at a shared port") {
+TEST_CASE("frame intervals of two buffers equal the prediction with a shared port") {
   check_sequences(csgsim::pixel_planes::ScanOutPort::shared, 2, 2);
 }
 
-TEST_CASE("programs follow one another on cleared pixels") {
+TEST_CASE("consecutive programs start with cleared pixels") {
   PixelPlanes machine("machine", machine_8x8());
   RunListener nobody;
   const Program first =
@@ -315,7 +315,7 @@ TEST_CASE("programs follow one another on cleared pixels") {
   CHECK(empty.picture == std::vector<std::uint32_t>(64, 0));
 }
 
-TEST_CASE("what a listener throws comes out of run, and the machine can be used again") {
+TEST_CASE("run passes on a listener's exception and the machine remains usable") {
   struct Thrower final : RunListener {
     void after_instruction(const Retired&, const PixelView&) override { throw std::runtime_error("enough"); }
   } thrower;
@@ -327,12 +327,12 @@ TEST_CASE("what a listener throws comes out of run, and the machine can be used 
   CHECK(watch.edges == std::vector<double>{lead + latency_8x8 + 1, lead + latency_8x8 + 2});
 }
 
-TEST_CASE("a SystemC warning is an exception") {
+TEST_CASE("a SystemC warning becomes an exception") {
   PixelPlanes machine("machine", machine_8x8());
   CHECK_THROWS_AS(SC_REPORT_WARNING("csgsim", "a test"), sc_core::sc_report);
 }
 
-TEST_CASE("a second array in one process is refused, the same array is not") {
+TEST_CASE("rejects a second array in one process but accepts the same array again") {
   const auto first = csgsim::engine::make_cycle_engine(machine_8x8());
   CHECK(first->level() == "cycle");
   CHECK_NOTHROW(csgsim::engine::make_cycle_engine(machine_8x8()));
@@ -350,11 +350,11 @@ TEST_CASE("the engine scans out the colour field after the program") {
   program.colour = {8, 24};
   const auto result = engine->run(program, {});
   CHECK(result.shown_clocks == result.clocks + 24 * 8 + 8);
-  CHECK(result.interval_clocks == 24 * 8 + 1 + result.clocks);  // the next frame takes longer than a row is shown
+  CHECK(result.interval_clocks == 24 * 8 + 1 + result.clocks);  // the next frame takes longer than the display of a row
   CHECK(result.clocks == lead + 1 + latency_8x8);
 }
 
-/// A dump of a run, with the recorder beside the machine.
+/// The VCD dump of a run, with the recorder next to the machine.
 class Dump {
  public:
   explicit Dump(const PixelPlanes& machine) : machine_(machine), recorder_("recorder", machine.period()) {}
@@ -377,7 +377,7 @@ class Dump {
   csgsim::systemc::WaveRecorder recorder_;
 };
 
-TEST_CASE("a window of a run is recorded, and what lies outside it is not") {
+TEST_CASE("records a window of a run and nothing outside it") {
   PixelPlanes machine("machine", machine_8x8());
   Dump dump(machine);
   RunListener nobody;
@@ -391,10 +391,10 @@ TEST_CASE("a window of a run is recorded, and what lies outside it is not") {
     CAPTURE(name);
     CHECK(dump.text.find(name) != std::string::npos);
   }
-  CHECK(dump.text.find("\n#500000\n") == std::string::npos);   // of clock 4
-  CHECK(dump.text.find("\n#600000\n") != std::string::npos);   // of clock 5
-  CHECK(dump.text.find("\n#1200000\n") != std::string::npos);  // of clock 11
-  CHECK(dump.text.find("\n#1350000\n") == std::string::npos);  // the middle of clock 12
+  CHECK(dump.text.find("\n#500000\n") == std::string::npos);   // clock 4
+  CHECK(dump.text.find("\n#600000\n") != std::string::npos);   // clock 5
+  CHECK(dump.text.find("\n#1200000\n") != std::string::npos);  // clock 11
+  CHECK(dump.text.find("\n#1350000\n") == std::string::npos);  // middle of clock 12
 
   dump.begin(program, {{1000, 1001}}, {});
   machine.run(program, nobody);
@@ -402,7 +402,7 @@ TEST_CASE("a window of a run is recorded, and what lies outside it is not") {
   CHECK(dump.text.find("\n#") == std::string::npos);
 }
 
-TEST_CASE("between two windows nothing is known") {
+TEST_CASE("values are unknown between two windows") {
   PixelPlanes machine("machine", machine_8x8());
   Dump dump(machine);
   RunListener nobody;
@@ -415,7 +415,7 @@ TEST_CASE("between two windows nothing is known") {
   CHECK(dump.text.find("#500000\n") == std::string::npos);
 }
 
-TEST_CASE("a wave is sampled in the middle of each clock") {
+TEST_CASE("samples a wave in the middle of each clock") {
   const sc_core::sc_time period(100, sc_core::SC_NS);
   csgsim::systemc::WaveRecorder recorder("recorder", period);
   std::vector<sc_core::sc_time> sampled;
@@ -428,10 +428,10 @@ TEST_CASE("a wave is sampled in the middle of each clock") {
                false);
   sc_core::sc_start(10 * period);
   CHECK(recorder.finish());
-  CHECK(sampled == std::vector{3.5 * period, 4.5 * period});  // clock 0 begins a period from the start
+  CHECK(sampled == std::vector{3.5 * period, 4.5 * period});  // clock 0 begins one period after the start
 }
 
-TEST_CASE("after a jump the wave shows the next instruction when the host has gone on") {
+TEST_CASE("after a jump the wave shows the next instruction once the host has resumed") {
   PixelPlanes machine("machine", machine_8x8());
   Dump dump(machine);
   RunListener nobody;
@@ -445,7 +445,7 @@ TEST_CASE("after a jump the wave shows the next instruction when the host has go
     return dump.text.substr(begin, dump.text.find(to) - begin);
   };
   // controller.instruction: the question from clock 5 on, its answer at clock 12, the fourth and the fifth instruction
-  // at clocks 16 and 17, which begin a period later.
+  // at clocks 16 and 17; each clock begins one period later.
   const std::size_t name = dump.text.find(" instruction [31:0]");
   const std::string code = dump.text.substr(dump.text.rfind(' ', name - 1) + 1, 1) + "\n";
   CHECK(between("\n#600000\n", "\n#1700000\n").find("\nb11 " + code) == std::string::npos);
@@ -453,7 +453,7 @@ TEST_CASE("after a jump the wave shows the next instruction when the host has go
   CHECK(between("\n#1800000\n", "\n#1900000\n").find("\nb100 " + code) != std::string::npos);
 }
 
-TEST_CASE("a window beyond the program's end is closed with the program, and what the machine has not is refused") {
+TEST_CASE("closes a window at the program's end and rejects nonexistent pixels") {
   PixelPlanes machine("machine", machine_8x8());
   Dump dump(machine);
   Stopwatch watch(machine);
@@ -469,7 +469,7 @@ TEST_CASE("a window beyond the program's end is closed with the program, and wha
   CHECK_NOTHROW((void)machine.taps(program, {{}, {{0, 0}}, {{TreeLevel::Axis::x, 3}}, {}}));
 }
 
-TEST_CASE("a wave goes on beyond the drawing, as long as the picture is shown") {
+TEST_CASE("a wave continues after drawing while the picture is shown") {
   PixelPlanes machine("machine", machine_8x8());
   Dump dump(machine);
   RunListener nobody;
@@ -482,7 +482,7 @@ TEST_CASE("a wave goes on beyond the drawing, as long as the picture is shown") 
     CAPTURE(name);
     CHECK(dump.text.find(name) != std::string::npos);
   }
-  CHECK(dump.text.find("b111110 ") != std::string::npos);  // the colour of the last pixel but one, 62
+  CHECK(dump.text.find("b111110 ") != std::string::npos);  // the colour of the second-last pixel, 62
   CHECK(dump.text.find("\n#" + std::to_string((report.shown_clocks - 1) * 100'000)) != std::string::npos);
   CHECK(dump.text.find("\n#" + std::to_string((report.shown_clocks + 3) * 100'000)) == std::string::npos);
 }

@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+// SystemC elaborates once per process, so ctest runs each case here in a separate process.
 
 #include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
@@ -34,7 +34,7 @@ machines::Machine machine_8x8() {
   return machine;
 }
 
-/// The first square counts to 40; the second and the last count to 2; nothing touches the third. The link is so
+/// The first square counts to 40, the second and the last count to 2, and the third has no instructions. The link is so
 /// slow that the second is finished when the last is sent, long before the first.
 isa::Program slow_square_first() {
   isa::Program program;
@@ -54,7 +54,7 @@ isa::Program slow_square_first() {
   return program;
 }
 
-/// The order of what it is told, and the values of the field where it looks.
+/// Records the order of events, and the values of a field if it reads.
 class Watch : public engine::Observer {
  public:
   explicit Watch(bool reads) : reads_(reads) {}
@@ -95,7 +95,7 @@ class Thrower final : public engine::Observer {
 
 }  // namespace
 
-TEST_CASE("an observer sees squares in the order of the Program, though the others are drawn before the first") {
+TEST_CASE("an observer sees squares in Program order although later ones finish first") {
   const isa::Program program = slow_square_first();
   std::vector<std::pair<std::uint32_t, std::uint32_t>> steps;
   std::vector<std::uint32_t> values;
@@ -119,7 +119,7 @@ TEST_CASE("an observer sees squares in the order of the Program, though the othe
   }
 }
 
-TEST_CASE("the frame buffer shows each square where it belongs, and the background where nothing touched it") {
+TEST_CASE("the frame buffer shows each square in place and the background elsewhere") {
   const engine::RunResult result = engine::make_cycle_engine(machine_8x8())->run(slow_square_first(), {});
   REQUIRE(result.scanned_out.size() == 64);
   for (std::size_t i = 0; i < 64; ++i) {
@@ -128,7 +128,7 @@ TEST_CASE("the frame buffer shows each square where it belongs, and the backgrou
   }
 }
 
-TEST_CASE("a second frame takes the clocks of the first") {
+TEST_CASE("a second frame takes the same clocks as the first") {
   const auto engine = engine::make_cycle_engine(machine_8x8());
   const engine::RunResult first = engine->run(slow_square_first(), {});
   const engine::RunResult second = engine->run(slow_square_first(), {});
@@ -136,7 +136,7 @@ TEST_CASE("a second frame takes the clocks of the first") {
   CHECK(first.account == second.account);
 }
 
-TEST_CASE("what an observer throws comes out, and the machine draws the next frame") {
+TEST_CASE("passes on an observer's exception and draws the next frame") {
   const auto engine = engine::make_cycle_engine(machine_8x8());
   Thrower thrower;
   engine::Observer* const observers[] = {&thrower};
@@ -144,14 +144,14 @@ TEST_CASE("what an observer throws comes out, and the machine draws the next fra
   CHECK(engine->run(slow_square_first(), {}).scanned_out.back() == 2);
 }
 
-TEST_CASE("a Program that leaves squares of the picture out is refused") {
+TEST_CASE("rejects a Program that omits squares of the picture") {
   const auto engine = engine::make_cycle_engine(machine_8x8());
   isa::Program program = slow_square_first();
   program.segments.pop_back();
   CHECK_THROWS_AS(engine->run(program, {}), InputError);
 }
 
-TEST_CASE("both levels refuse a question before they run") {
+TEST_CASE("both levels reject a question before they run") {
   isa::Program program = slow_square_first();
   program.segments[3].instructions.push_back({.opcode = Opcode::global_or});
   Watch watch(true);
@@ -161,13 +161,13 @@ TEST_CASE("both levels refuse a question before they run") {
   CHECK(watch.steps.empty());
 }
 
-TEST_CASE("a Program that needs more than the machine has is refused") {
+TEST_CASE("rejects a Program that needs more than the machine has") {
   isa::Program program = slow_square_first();
   program.shape.memory_bits = 17;
   CHECK_THROWS_AS(engine::make_cycle_engine(machine_8x8())->run(program, {}), InputError);
 }
 
-TEST_CASE("one process clocks one machine, of one kind") {
+TEST_CASE("one process clocks one machine of one kind") {
   const auto first = engine::make_cycle_engine(machine_8x8());
   CHECK_NOTHROW(engine::make_cycle_engine(machine_8x8()));
   machines::Machine other = machine_8x8();

@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+// SystemC elaborates once per process, so ctest runs each case here in a separate process.
 
 #include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
@@ -31,11 +31,11 @@ machines::Machine machine_of(std::uint32_t cells, machines::Size picture, std::u
   return machine;
 }
 
-/// Clocks before the frame's first instruction enters: the host hands the line over, the link takes it, the line's
-/// beginning crosses the link and is taken, and the instruction comes behind it.
+/// Clocks before the frame's first instruction enters: the host sends the line, the link takes it, the start of the
+/// line crosses the link and is accepted, and the instruction follows.
 constexpr std::uint64_t first_entry = 5;
 
-/// Each line with these instructions.
+/// A Program with these instructions in each line.
 isa::Program program_of(const machines::Machine& machine, const std::vector<Instruction>& instructions) {
   isa::Program program;
   program.shape = {machine.picture.width, machine.picture.height, 64};
@@ -55,8 +55,7 @@ std::vector<Instruction> ramp() {
 
 }  // namespace
 
-TEST_CASE(
-    "a frame of one line takes the link, the entry of its packets and mark, and the way through the cells and back") {
+TEST_CASE("a frame of one line takes link and entry of packets and the path of the cells") {
   const machines::Machine machine = machine_of(6, {4, 1});
   const engine::RunResult result = engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
   CHECK(result.clocks == first_entry + 2 + 1 + 4 + 4);
@@ -87,14 +86,14 @@ TEST_CASE(
   CHECK(result.account == scan_line::account(expected, machine, result.clocks));
 }
 
-TEST_CASE("with trees all cells work in one clock, as many after the entry as the tree has levels") {
+TEST_CASE("with trees all cells work in one clock that follows entry by the tree's depth") {
   machines::Machine machine = machine_of(6, {4, 2});
   machines::own<scan_line::Figures>(machine).network = scan_line::Network::trees;
   machines::own<scan_line::Figures>(machine).tree_bits = 8;
   const engine::RunResult result = engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
   CHECK(result.scanned_out == std::vector<std::uint32_t>{1, 4, 7, 10, 1, 4, 7, 10});
   constexpr std::uint64_t levels = 3;
-  // F of 10 bits comes in two clocks; the second line begins with a word, and its mark has the distance of a line.
+  // F of 10 bits arrives in two clocks; the second line begins with a word, and its mark follows one line later.
   constexpr std::uint64_t first_mark = first_entry + 3 + 1;
   CHECK(result.clocks == first_mark + 5 + levels + 1 + 4);
   CHECK(result.account.count("fill_clocks") == first_entry + 1 + levels);
@@ -102,15 +101,15 @@ TEST_CASE("with trees all cells work in one clock, as many after the entry as th
   CHECK(result.account.count("busy_cells") == 2 * 3 * 4);
 }
 
-TEST_CASE("lines with few packets follow one another as the refresh path takes them") {
+TEST_CASE("the refresh path sets the pace of lines with few packets") {
   const machines::Machine machine = machine_of(16, {16, 3});
   const engine::RunResult result = engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
   CHECK(result.clocks == first_entry + 3 + 16 + 16 + 2 * 16);
-  // A line is its beginning, two packets and the mark.
+  // A line consists of its start, two packets and the mark.
   CHECK(result.account.count("refresh_clocks") == 2 * (16 - 4));
 }
 
-TEST_CASE("a line without instructions shows the background and takes its mark and the refresh path") {
+TEST_CASE("a line without instructions shows the background and takes its mark and refresh") {
   const machines::Machine machine = machine_of(4, {4, 3});
   isa::Program program = program_of(machine, ramp());
   program.segments[1].instructions.clear();
@@ -119,7 +118,7 @@ TEST_CASE("a line without instructions shows the background and takes its mark a
   CHECK(result.clocks == first_entry + 3 + 4 + 4 + 2 * 4);
 }
 
-TEST_CASE("a frame enters while the one before drains, and its first mark waits for the refresh path as any other") {
+TEST_CASE("a frame enters while the previous one drains and waits for the refresh path") {
   const machines::Machine machine = machine_of(16, {16, 1});
   const std::vector<isa::Program> frames(3, program_of(machine, ramp()));
   engine::Observer nobody;
@@ -141,7 +140,7 @@ TEST_CASE("a frame enters while the one before drains, and its first mark waits 
   CHECK(engine::make_cycle_engine(machine)->run(frames.front(), {}).interval_clocks == 16);
 }
 
-TEST_CASE("what a listener throws comes out of run, and the machine can be used again") {
+TEST_CASE("run passes on a listener's exception and the machine remains usable") {
   struct Thrower final : engine::Observer {
     void after_instruction(const engine::Step&, const engine::PixelState&) override {
       throw std::runtime_error("enough");
@@ -155,7 +154,7 @@ TEST_CASE("what a listener throws comes out of run, and the machine can be used 
   CHECK(engine->run(program, {}).scanned_out == std::vector<std::uint32_t>{1, 4, 7, 10, 1, 4, 7, 10, 1, 4, 7, 10});
 }
 
-TEST_CASE("an observer that reads a state it did not ask for is told so") {
+TEST_CASE("reports an observer that reads a state without requesting it") {
   struct Curious final : engine::Observer {
     [[nodiscard]] bool reads_after(const Instruction&) const override { return false; }
     void after_instruction(const engine::Step&, const engine::PixelState& state) override {
@@ -168,7 +167,7 @@ TEST_CASE("an observer that reads a state it did not ask for is told so") {
   CHECK_THROWS_AS(engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), observers), std::logic_error);
 }
 
-TEST_CASE("a question to the host, other segments than the lines and too much memory are refused at every level") {
+TEST_CASE("every level rejects questions and segments other than lines and too much memory") {
   const machines::Machine machine = machine_of(4, {4, 2});
   for (const auto& engine : {engine::make_functional_engine(machine), engine::make_cycle_engine(machine),
                              engine::make_reference_engine(machine)}) {
@@ -189,7 +188,7 @@ TEST_CASE("a question to the host, other segments than the lines and too much me
   }
 }
 
-TEST_CASE("a SystemC machine of another kind in one process is refused") {
+TEST_CASE("rejects a second kind of SystemC machine in one process") {
   const auto first = engine::make_cycle_engine(machine_of(4, {4, 2}));
   CHECK_NOTHROW(engine::make_cycle_engine(machine_of(4, {3, 9})));
   CHECK_THROWS_AS(engine::make_cycle_engine(machine_of(4, {4, 2}, 2)), std::logic_error);

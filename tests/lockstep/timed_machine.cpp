@@ -17,7 +17,7 @@
 
 namespace csgsim::test {
 
-/// Passes on what it is told.
+/// Records retired instructions and forwards every event.
 class TimedMachine::Listener final : public systemc::RunListener {
  public:
   Listener(TimedMachine& machine, systemc::RunListener& next) : machine_(machine), next_(next) {}
@@ -26,7 +26,7 @@ class TimedMachine::Listener final : public systemc::RunListener {
     return next_.required_after(segment, index);
   }
   void after_instruction(const systemc::Retired& retired, const systemc::PixelView& pixels) override {
-    machine_.told_.push_back({retired.segment, retired.index, machine_.edges()});
+    machine_.retired_.push_back({retired.segment, retired.index, machine_.edges()});
     if (retired.skipped > 0) machine_.skips_.push_back({retired.segment, retired.index});
     next_.after_instruction(retired, pixels);
   }
@@ -49,12 +49,12 @@ std::uint64_t TimedMachine::edges() const {
 }
 
 systemc::RunReport TimedMachine::run(const isa::Program& program, systemc::RunListener& listener) {
-  told_.clear();
+  retired_.clear();
   skips_.clear();
   Listener timed(*this, listener);
   const std::uint64_t before = edges();
   systemc::RunReport report = hardware_.run(program, timed);
-  for (Told& told : told_) told.edge -= before;
+  for (Retirement& one : retired_) one.edge -= before;
   return report;
 }
 
@@ -81,22 +81,22 @@ void TimedMachine::check_timeline(const isa::Program& program) const {
   std::size_t carried_out = 0;
   for (const auto& spans : timeline.issued)
     carried_out += static_cast<std::size_t>(std::ranges::count_if(spans, [](const auto& one) { return one.end > 0; }));
-  if (carried_out != told_.size())
-    throw Difference(fmt::format("{} instructions in the timeline, {} carried out", carried_out, told_.size()));
+  if (carried_out != retired_.size())
+    throw Difference(fmt::format("{} instructions in the timeline, {} carried out", carried_out, retired_.size()));
   std::vector<std::vector<machines::ClockSpan>> at_last_pixel;
   for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
     const isa::Region& region = program.segments[s].region;
     at_last_pixel.push_back(
         machines::at_pixel(timeline, program, machine_, s, region.x + region.width - 1, region.y + region.height - 1));
   }
-  for (const Told& told : told_) {
-    const isa::Opcode opcode = program.segments[told.segment].instructions[told.index].opcode;
+  for (const Retirement& one : retired_) {
+    const isa::Opcode opcode = program.segments[one.segment].instructions[one.index].opcode;
     const auto& spans = isa::needs_global_or(opcode) ? timeline.issued : at_last_pixel;
-    const std::uint64_t expected = spans[told.segment][told.index].end;
-    const std::uint64_t clock = told.edge - 1;
+    const std::uint64_t expected = spans[one.segment][one.index].end;
+    const std::uint64_t clock = one.edge - 1;
     if (clock == expected) continue;
     throw Difference(fmt::format("segment {}, instruction {} ({}): carried out in clock {}, by the timeline in {}",
-                                 told.segment, told.index, isa::name_of(opcode), clock, expected));
+                                 one.segment, one.index, isa::name_of(opcode), clock, expected));
   }
 }
 

@@ -12,7 +12,7 @@
 
 namespace csgsim::test {
 
-/// The clocked machine of the process, and when it told of what its pixels had carried out.
+/// The clocked machine of the process, with a record of when its instructions retired.
 class TimedMachine final : public systemc::ClockedMachine {
  public:
   explicit TimedMachine(const machines::Machine& machine,
@@ -20,22 +20,22 @@ class TimedMachine final : public systemc::ClockedMachine {
 
   systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 
-  /// An instruction, told of so many clock edges after the run was asked for.
-  struct Told {
+  /// A retired instruction, with the clock edges since the start of the run.
+  struct Retirement {
     std::uint32_t segment = 0;
     std::uint32_t index = 0;
     std::uint64_t edge = 0;
   };
 
-  /// In the last run, in order.
-  [[nodiscard]] const std::vector<Told>& told() const { return told_; }
+  /// Retired instructions of the last run, in order.
+  [[nodiscard]] const std::vector<Retirement>& retired() const { return retired_; }
 
-  /// Throws Difference unless, in the last run, which was of that Program, each instruction was carried out when its
-  /// timeline says, and those that were skipped are not in it. The next edge after the run was asked for begins
+  /// Throws Difference unless each instruction of the last run, which must have run that Program, retired when its
+  /// timeline predicts, and skipped ones are not in the timeline. The first edge after the start of the run begins
   /// clock 0.
   void check_timeline(const isa::Program& program) const;
 
-  /// Draws the Program again, and throws Difference unless the wave of a pixel shows what the judge has there.
+  /// Draws the Program again, and throws Difference unless the wave of a pixel equals the judge's states.
   void check_wave(const isa::Program& program, engine::Engine& judge);
 
  private:
@@ -46,7 +46,7 @@ class TimedMachine final : public systemc::ClockedMachine {
   const machines::Machine& machine_;
   systemc::ClockedMachine& hardware_;
   systemc::WaveRecorder recorder_;
-  std::vector<Told> told_;
+  std::vector<Retirement> retired_;
   std::vector<machines::Skip> skips_;
 };
 

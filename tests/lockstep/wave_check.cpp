@@ -30,8 +30,8 @@ std::vector<isa::NamedField> slices(std::uint32_t memory_bits) {
   return fields;
 }
 
-/// Bits of what has that name in which the instruction works while it is carried out: a root's steps write in its field
-/// what is neither there before nor after.
+/// Bits of a field that the instruction may change while it executes: the steps of a root write intermediate values to
+/// its field.
 std::uint64_t working_bits(const isa::Program& program, std::uint32_t segment, std::size_t index,
                            std::string_view name) {
   const isa::Instruction& instruction = program.segments[segment].instructions[index];
@@ -57,7 +57,7 @@ std::uint32_t any_segment_with_instructions(const isa::Program& program) {
 
 }  // namespace
 
-/// Keeps the pixel's states.
+/// Records the pixel's states.
 class WaveCheck::Watch final : public engine::Observer {
  public:
   explicit Watch(WaveCheck& check) : check_(check) {}
@@ -125,7 +125,7 @@ void WaveCheck::check_clock(std::uint64_t clock, const Shown& shown) const {
                     "{}: {}",
                     pixel_.x, pixel_.y, segment_, spans_.size(), spans_.front().begin, spans_.back().end, clock, what));
   };
-  // The instructions that are over, and the one that is not.
+  // The completed instructions, followed by the current one.
   const auto next = std::ranges::find_if(spans_, [clock](const machines::ClockSpan& span) { return span.end > clock; });
   const auto done = static_cast<std::size_t>(next - spans_.begin());
   const bool is_at_one = next != spans_.end() && next->begin <= clock;
@@ -134,7 +134,7 @@ void WaveCheck::check_clock(std::uint64_t clock, const Shown& shown) const {
           fmt::format("it is not at instruction {} of these, as by the timeline", done));
   for (const auto& [name, before] : states_[done]) {
     const std::optional<std::uint64_t> value = shown(name);
-    // In a chain the first packet may be what clears a cell, with its first beat.
+    // The first packet of a chain may clear a cell with its first beat.
     const bool may_be_gone = clock <= spans_.front().begin || next == spans_.end();
     if (!value) {
       require(may_be_gone, name + " is not shown");

@@ -18,27 +18,27 @@
 
 namespace csgsim::test {
 
-/// A pixel whose wave is held against the reference's states at the instruction boundaries, which the timeline puts
-/// into clocks.
+/// Compares the wave of a pixel with the reference's states at the instruction boundaries, which the timeline maps to
+/// clocks.
 class WaveCheck {
  public:
-  /// Any pixel of any segment that has instructions, and any window of clocks about them. There has to be one.
+  /// Chooses a random pixel of a segment that has instructions, and a window of clocks around them. One must exist.
   WaveCheck(const isa::Program& program, const machines::Machine& machine, engine::Engine& judge);
 
-  /// With fields that show all of the memory.
+  /// The Program with fields that cover all of the memory.
   [[nodiscard]] const isa::Program& program() const { return program_; }
-  /// `write` takes the wave.
+  /// The request for a wave that goes to `write`.
   [[nodiscard]] wave::Request request(std::function<void(std::string_view)> write) const {
     return {.windows = {window_}, .pixels = {pixel_}, .tree_levels = {}, .write = std::move(write)};
   }
 
-  /// Throws Difference unless the pixel has the reference's enable and memory in each clock of the window, or nothing
-  /// where it is no longer or not yet the pixel's, and is at the timeline's instruction. While one is carried out a bit
-  /// may be as it was before or as it is after it, one of a root's field as it likes. `top`: the scope around all.
+  /// Throws Difference unless, in each clock of the window, the pixel has the reference's enable and memory, or unknown
+  /// values while the memory belongs to another pixel, and is at the timeline's instruction. While an instruction
+  /// executes a bit may be old or new, and bits of a root's field are arbitrary. `top` is the outermost scope.
   void check(const Vcd& wave, const std::string& top, std::uint64_t period_ps) const;
 
  private:
-  /// Enable as a field of its own.
+  /// Values by field; enable is a separate field.
   using State = std::map<std::string, std::uint64_t>;
 
   class Watch;
@@ -52,9 +52,9 @@ class WaveCheck {
   wave::Pixel pixel_;
   wave::Window window_;
   std::uint64_t first_ = 0;                 ///< number of the segment's first instruction
-  std::vector<std::uint32_t> carried_out_;  ///< of its instructions
-  std::vector<machines::ClockSpan> spans_;  ///< of these, at the pixel
-  std::vector<State> states_;               ///< before the first and after each of these
+  std::vector<std::uint32_t> carried_out_;  ///< indices of its executed instructions
+  std::vector<machines::ClockSpan> spans_;  ///< clocks of these at the pixel
+  std::vector<State> states_;               ///< state before the first and after each of these
 };
 
 }  // namespace csgsim::test

@@ -1,7 +1,7 @@
 #!/bin/sh
-# assemble.sh SOURCE [OPTIONS of m68k-linux-gnu-gcc]: the words of a program of assembly or C, placed at address 0x1000, and
-# the addresses of its labels or functions, for a namespace of C++. Needs gcc-m68k-linux-gnu for C, else
-# binutils-m68k-linux-gnu.
+# assemble.sh SOURCE [OPTIONS of m68k-linux-gnu-gcc]: writes the words of an assembly or C program, placed at address
+# 0x1000, and the addresses of its labels or functions, for inclusion in a C++ namespace. Needs gcc-m68k-linux-gnu for
+# C, otherwise binutils-m68k-linux-gnu.
 set -eu
 source=$1
 shift

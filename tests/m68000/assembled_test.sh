@@ -1,5 +1,5 @@
 #!/bin/sh
-# assembled_test.sh: whether the words that are kept are those that the sources make. Exit code 77 without the assembler.
+# assembled_test.sh: checks that the stored words are those assembled from the sources. Exit code 77 without assembler.
 set -eu
 cd "$(dirname "$0")"
 command -v m68k-linux-gnu-as >/dev/null || exit 77

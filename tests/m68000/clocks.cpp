@@ -1,4 +1,4 @@
-// Clocks that the programs of tests/m68000 take, as docs/host.md shows them.
+// Prints the clocks of the programs of tests/m68000, as shown in docs/host.md.
 
 #include <fmt/format.h>
 

@@ -18,8 +18,8 @@ using namespace csgsim;
 
 namespace {
 
-/// What the counts of a traversal may be off by, of the clocks that the assembly takes: its programmer had addressing
-/// modes and flags of the condition code to choose from, a count has a kind of operation.
+/// Tolerance of counted and priced clocks, relative to those of the assembly: the programmer could use addressing modes
+/// and condition flags, whereas counts distinguish only kinds of operations.
 constexpr double most_off = 0.2;
 
 model::Operator operator_of(m68000::NodeKind kind) {
@@ -45,13 +45,13 @@ software::Tree as_counted(const m68000::RandomTree& random) {
   return builder.finished(static_cast<std::uint32_t>(random.tree().root));
 }
 
-/// Clocks of a tree's flips and evaluations, counted and priced, and as the assembly takes them.
+/// Clocks of a tree's flips and evaluations: counted and priced, and those of the assembly.
 struct Clocks {
   double counted = 0;
   double assembly = 0;
 };
 
-/// Evaluates after each flip, by both.
+/// Evaluates the tree after each flip in both ways.
 template <template <class> class Traversal>
 Clocks clocks_of(const m68000::RandomTree& random, m68000::Method method) {
   const processors::Processor processor = processors::load_processor("mc68000+compiler.factor=1000");
@@ -88,22 +88,22 @@ void check_clocks(m68000::Method method) {
 
 }  // namespace
 
-TEST_CASE("counted and priced, the standard traversal takes the clocks of its assembly within a fifth") {
+TEST_CASE("priced counts of the standard traversal are within a fifth of its assembly") {
   check_clocks<software::Standard>(m68000::Method::standard);
 }
 
-TEST_CASE("counted and priced, early out takes the clocks of its assembly within a fifth") {
+TEST_CASE("priced counts of early out are within a fifth of its assembly") {
   check_clocks<software::EarlyOut>(m68000::Method::early_out);
 }
 
-TEST_CASE("counted and priced, the status tree takes the clocks of its assembly within a fifth") {
+TEST_CASE("priced counts of the status tree are within a fifth of its assembly") {
   check_clocks<software::StatusTree>(m68000::Method::status_tree);
 }
 
-TEST_CASE("counted and priced, positional coding takes the clocks of its assembly within a fifth") {
+TEST_CASE("priced counts of positional coding are within a fifth of its assembly") {
   check_clocks<software::Positional>(m68000::Method::positional);
 }
 
-TEST_CASE("counted and priced, the bit-parallel method takes the clocks of its assembly within a fifth") {
+TEST_CASE("priced counts of the bit-parallel method are within a fifth of its assembly") {
   check_clocks<software::BitParallel>(m68000::Method::bit_parallel);
 }

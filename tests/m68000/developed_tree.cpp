@@ -19,12 +19,12 @@ class Developer {
  public:
   Developer(const Tree& tree, DevelopedTree& developed) : tree_(tree), developed_(developed) {}
 
-  /// A node whose leaves may be so many levels below it, and whose own bit is that one.
+  /// Places a node at bit `bit`; its leaves are at most `levels` levels below it.
   void place(std::size_t index, std::size_t levels, std::size_t bit) {
     const TreeNode& node = tree_.nodes[index];
     if (node.kind == NodeKind::primitive) {
       developed_.bits.emplace_back(node.primitive, std::uint32_t{1} << bit);
-      // Empty nodes, down to the level of leaves.
+      // Empty nodes fill the levels down to that of the leaves.
       for (std::size_t level = 1; level <= levels; ++level) invert(level, right_of(level, bit));
       return;
     }

@@ -1,4 +1,4 @@
-// What each instruction does, and its clocks.
+// The effect and the clocks of each instruction.
 
 #include <utility>
 
@@ -14,12 +14,12 @@ using manual::address_clocks;
 
 constexpr unsigned line_of_compare = 0xb;
 
-/// Of bits 6 and 7; 3 is none.
+/// Operand sizes encoded in bits 6 and 7; the code 3 is invalid.
 constexpr Size sizes[] = {Size::byte, Size::word, Size::longword};
 
 constexpr bool is_long(Size size) { return size == Size::longword; }
 constexpr bool is_register(unsigned mode) { return mode < 2; }
-/// A register or a constant, of which longs take longer.
+/// Whether an operand is a register or a constant; long operations on these take longer.
 constexpr bool is_at_hand(unsigned mode, unsigned reg) { return is_register(mode) || (mode == 7 && reg == 4); }
 
 constexpr unsigned clocks_by(Size size, unsigned shorter, unsigned longer) { return is_long(size) ? longer : shorter; }
@@ -128,7 +128,7 @@ void Processor::immediate(Operation operation) {
   take(operation.mode() == 0 ? clocks_by(size, 8, 16) : clocks_by(size, 12, 20) + address);
 }
 
-/// By the line of the instruction of two operands: OR, SUB, EOR, AND or ADD.
+/// Combines two operands, by the instruction's line: OR, SUB, EOR, AND or ADD.
 std::uint32_t Processor::combine(unsigned line, std::uint32_t to, std::uint32_t value, Size size) {
   if (line == 0x9) return subtract(to, value, size);
   if (line == 0xd) return add(to, value, size);
@@ -161,7 +161,7 @@ void Processor::arithmetic(Operation operation) {
 /// SUBA, ADDA, CMPA.
 void Processor::arithmetic_address(Operation operation) {
   const unsigned line = operation.bits(12, 4);
-  if (line == 0x8 || line == 0xc) unknown(operation);  // divisions and multiplications
+  if (line == 0x8 || line == 0xc) unknown(operation);  // divisions and multiplications are not supported
   const Size size = operation.bits(8, 1) != 0 ? Size::longword : Size::word;
   const std::uint32_t value = extended(get(place(operation.mode(), operation.reg(), size), size), size);
   std::uint32_t& reg = a[operation.upper()];

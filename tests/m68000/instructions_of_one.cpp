@@ -1,4 +1,4 @@
-// Instructions of one operand, of addresses, of subroutines; shifts.
+// Instructions with one operand, on addresses and for subroutines; shifts.
 
 #include <bit>
 #include <utility>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr Size sizes_of_one[] = {Size::byte, Size::word, Size::longword};
 
-/// Words of instructions that have no operand; `LINK` and the like have the number of a register below.
+/// Instruction words without an operand; `LINK` and the like have a register number in their low bits.
 constexpr unsigned nop = 0x4e71;
 constexpr unsigned rts = 0x4e75;
 constexpr unsigned link = 0x4e50 >> 3;
@@ -22,7 +22,7 @@ constexpr unsigned swap = 0x4840 >> 3;
 constexpr unsigned ext_word = 0x4880 >> 3;
 constexpr unsigned ext_long = 0x48c0 >> 3;
 
-/// Kind of a shift: ROXL and ROXR.
+/// Kind of shift with code 2: ROXL and ROXR.
 constexpr unsigned rotation_through_x = 2;
 
 }  // namespace
@@ -38,7 +38,7 @@ void Processor::miscellaneous(Operation operation) {
   switch (operation.bits(3, 13)) {
     case link: {
       const std::uint32_t displacement = extended(fetch(Size::word), Size::word);
-      if (operation.reg() == 7) unknown(operation);  // the manual and emulators do not agree on what is pushed
+      if (operation.reg() == 7) unknown(operation);  // the manual and emulators differ in the pushed value
       push(address);
       address = a[7];
       a[7] += displacement;
@@ -150,7 +150,7 @@ void Processor::address_work(Operation operation) {
   take((what == jsr ? manual::jsr : manual::jmp)[mode]);
 }
 
-/// Shifts and rotations by two operands of places, of registers; by one place, of memory.
+/// Shifts and rotations: of registers by a number of places from an operand, of memory by one place.
 void Processor::shift(Operation operation) {
   const bool left = operation.bits(8, 1) != 0;
   if (operation.bits(6, 2) == 3) {
@@ -171,7 +171,7 @@ void Processor::shift(Operation operation) {
   take((size == Size::longword ? 8 : 6) + 2 * places);
 }
 
-/// Place by place: 0 is arithmetic, 1 logical, 3 a rotation.
+/// Shifts one place at a time; kind 0 is arithmetic, 1 logical, 3 a rotation.
 std::uint32_t Processor::shifted(unsigned kind, bool left, std::uint32_t value, unsigned places, Size size) {
   const std::uint32_t top = bits_of(size) - 1;
   bool carry = false;

@@ -14,20 +14,20 @@ using Row = std::array<unsigned, modes>;
 
 constexpr std::size_t mode_index(unsigned mode, unsigned reg) { return mode < 7 ? mode : std::size_t{7} + reg; }
 
-/// Effective address calculation, of bytes and words.
+/// Effective address calculation for bytes and words.
 inline constexpr Row effective_address{0, 0, 4, 4, 6, 8, 10, 8, 12, 8, 10, 4};
-/// The same, of longs.
+/// Effective address calculation for longs.
 inline constexpr Row effective_address_long{0, 0, 8, 8, 10, 12, 14, 12, 16, 12, 14, 8};
-/// What a destination adds to MOVE of bytes and words,
+/// Clocks that a destination adds to MOVE of bytes and words.
 inline constexpr Row move_to{0, 0, 4, 4, 4, 8, 10, 8, 12, 0, 0, 0};
-/// and of longs.
+/// Clocks that a destination adds to MOVE of longs.
 inline constexpr Row move_to_long{0, 0, 8, 8, 8, 12, 14, 12, 16, 0, 0, 0};
-/// 0 where there is no such instruction.
+/// An entry of 0 means that the instruction does not exist.
 inline constexpr Row lea{0, 0, 4, 0, 0, 8, 12, 8, 12, 8, 12, 0};
 inline constexpr Row pea{0, 0, 12, 0, 0, 16, 20, 16, 20, 16, 20, 0};
 inline constexpr Row jmp{0, 0, 8, 0, 0, 10, 14, 10, 12, 10, 14, 0};
 inline constexpr Row jsr{0, 0, 16, 0, 0, 18, 22, 18, 20, 18, 22, 0};
-/// MOVEM to registers, and from them, besides 4 clocks a word and 8 a long.
+/// MOVEM to registers and from them, in addition to 4 clocks per word and 8 per long.
 inline constexpr Row movem_load{0, 0, 12, 12, 0, 16, 18, 16, 20, 16, 18, 0};
 inline constexpr Row movem_store{0, 0, 8, 0, 8, 12, 14, 12, 16, 0, 0, 0};
 

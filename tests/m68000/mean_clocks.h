@@ -4,14 +4,14 @@
 
 namespace csgsim::m68000 {
 
-/// What a method's program takes over a fixed set of random trees of 1 to 20 primitives.
+/// Mean cost of a method's program over a fixed set of random trees of 1 to 20 primitives.
 struct MeanClocks {
   double clocks = 0;
-  double surfaces = 0;  ///< through each the ray goes, and the point there is classified
-  double nodes = 0;     ///< of the tree, at each of them
+  double surfaces = 0;  ///< surfaces that the ray passes; the point on each is classified
+  double nodes = 0;     ///< nodes of the tree, summed over these points
 };
 
-/// Of trees with as many levels as the bits of a long have room for.
+/// Uses trees of the maximum number of levels for the bits of a long.
 MeanClocks mean_clocks(Method method, Written written);
 
 }  // namespace csgsim::m68000

@@ -21,7 +21,7 @@ constexpr std::uint64_t rts_clocks = 16;
 struct Quotient {
   std::uint32_t quotient;
   std::uint32_t remainder;
-  std::uint64_t clocks;  ///< without those of RTS
+  std::uint64_t clocks;  ///< without the clocks of RTS
 };
 
 Quotient divided(std::uint64_t number, std::uint32_t divisor) {
@@ -53,7 +53,7 @@ constexpr std::array factors{
     Factor{Compiled::positional, m68000::Method::positional}, Factor{Compiled::status, m68000::Method::status_tree},
     Factor{Compiled::bit_parallel, m68000::Method::bit_parallel}};
 
-/// Thousandths, to two digits behind the point.
+/// The factor in thousandths, rounded to two decimals.
 std::uint32_t measured(m68000::Method method, m68000::Written written) {
   const double factor = mean_clocks(method, written).clocks / mean_clocks(method, m68000::Written::by_hand).clocks;
   return static_cast<std::uint32_t>(10 * std::lround(100 * factor));
@@ -61,9 +61,9 @@ std::uint32_t measured(m68000::Method method, m68000::Written written) {
 
 }  // namespace
 
-TEST_CASE("a division of 64 bits by 32 is right, and takes its instructions' clocks") {
-  // MOVEQ 4; 32 times ADD.L 8, ROXL.L #1 10, CMP.L 6 and DBRA 10, the last DBRA 14; for each digit that is 0 BCS taken
-  // 10; for each that is 1 BCS not taken 8, SUB.L 8, ADDQ.W 4.
+TEST_CASE("a division of 64 by 32 bits is correct and takes the clocks of its instructions") {
+  // MOVEQ 4; 32 times ADD.L 8, ROXL.L #1 10, CMP.L 6 and DBRA 10, the last DBRA 14; for each digit 0 BCS taken 10; for
+  // each digit 1 BCS not taken 8, SUB.L 8, ADDQ.W 4.
   constexpr std::uint64_t always = 4 + 32 * (8 + 10 + 6 + 10) + 4;
   constexpr std::uint64_t zero = 10;
   constexpr std::uint64_t one = 8 + 8 + 4;
@@ -80,14 +80,14 @@ TEST_CASE("a division of 64 bits by 32 is right, and takes its instructions' clo
   }
 }
 
-TEST_CASE("the price of a division of 64 bits by 32 is that of a quotient with as many digits 1 as 0") {
+TEST_CASE("the price of a 64-bit division is that of a quotient with equally many 1 and 0") {
   const Quotient found = divided(0x5555'5555ULL * 3, 3);
   REQUIRE(std::popcount(found.quotient) == 16);
   CHECK(found.clocks == 1576);
   CHECK(price_of(processors::load_processor("mc68000"), processors::Operation::divide_long) == found.clocks);
 }
 
-TEST_CASE("the compiler's factors of methods are those that are measured of their programs in C") {
+TEST_CASE("the compiler factors of methods equal those measured for their C programs") {
   const processors::Processor plain = processors::load_processor("mc68000");
   const processors::Processor optimised = processors::load_processor("i486dx2");
   for (const Factor& one : factors) {

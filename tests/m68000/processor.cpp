@@ -10,9 +10,9 @@ namespace csgsim::m68000 {
 
 namespace {
 
-constexpr std::uint32_t address_mask = 0xff'ffffU;  // 24 lines of address
-constexpr std::uint32_t outside = 0xff'fff0U;       // where a call from outside returns to
-constexpr unsigned long_mode = 7;                   // modes without a register of their own
+constexpr std::uint32_t address_mask = 0xff'ffffU;  // 24 address lines
+constexpr std::uint32_t outside = 0xff'fff0U;       // return address of a call from the host program
+constexpr unsigned long_mode = 7;                   // addressing modes that use no address register
 
 }  // namespace
 
@@ -53,7 +53,7 @@ std::uint32_t Processor::indexed(std::uint32_t base) {
 
 Processor::Place Processor::place(unsigned mode, unsigned reg, Size size) {
   using In = Place::In;
-  // A stack pointer stays even.
+  // The stack pointer stays even.
   const std::uint32_t step = size == Size::byte && reg == 7 ? 2 : bytes_of(size);
   switch (mode) {
     case 0: return {In::data, reg};
@@ -75,7 +75,7 @@ Processor::Place Processor::place(unsigned mode, unsigned reg, Size size) {
     case 2: return {In::memory, base + extended(fetch(Size::word), Size::word)};
     case 3: return {In::memory, indexed(base)};
     case 4: return {In::immediate, fetch(size)};
-    default: throw Stopped(fmt::format("mode {}.{} of an operand is unknown", long_mode, reg));
+    default: throw Stopped(fmt::format("unsupported addressing mode {}.{}", long_mode, reg));
   }
 }
 
@@ -96,7 +96,7 @@ void Processor::put(const Place& place, Size size, std::uint32_t value) {
     case Place::In::memory: write(place.at, size, value); return;
     case Place::In::immediate: break;
   }
-  throw Stopped("a constant is no destination");
+  throw Stopped("a constant cannot be a destination");
 }
 
 void Processor::push(std::uint32_t value) {
@@ -110,14 +110,14 @@ std::uint32_t Processor::pop() {
 }
 
 void Processor::unknown(Operation operation) const {
-  throw Stopped(fmt::format("{:04x} before {:#x} is no instruction that is known here", operation.word, pc));
+  throw Stopped(fmt::format("{:04x} before {:#x} is not a supported instruction", operation.word, pc));
 }
 
 void Processor::call(std::uint32_t address, std::uint64_t most) {
   push(outside);
   pc = address;
   for (std::uint64_t done = 0; pc != outside; ++done) {
-    if (done == most) throw Stopped(fmt::format("the subroutine at {:#x} does not come back", address));
+    if (done == most) throw Stopped(fmt::format("the subroutine at {:#x} does not return", address));
     step();
   }
 }

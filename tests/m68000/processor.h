@@ -8,13 +8,13 @@
 
 namespace csgsim::m68000 {
 
-/// A word that is no instruction of the subset, or an address out of memory or odd.
+/// Thrown for a word that is no instruction of the subset, or for an address that is odd or outside the memory.
 class Stopped : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Bytes of an operand.
+/// Size of an operand in bytes.
 enum class Size : std::uint8_t { byte = 1, word = 2, longword = 4 };
 
 /// The condition codes, in the order of the bits of the status register.
@@ -28,11 +28,11 @@ struct Conditions {
   bool operator==(const Conditions&) const = default;
 };
 
-/// An MC68000 without exceptions, interrupts and privileged instructions, that knows the instructions that programs of
-/// tests/m68000 take. Clocks are those of the MC68000 User's Manual, section 8, with memory that never makes it wait.
+/// An MC68000 without exceptions, interrupts and privileged instructions, limited to the instructions that the programs
+/// of tests/m68000 use. Clocks are those of the MC68000 User's Manual, section 8, without wait states.
 class Processor {
  public:
-  /// Memory from address 0.
+  /// Creates a processor with memory from address 0.
   explicit Processor(std::size_t memory_bytes) : memory_(memory_bytes) {}
 
   std::array<std::uint32_t, 8> d{};
@@ -43,19 +43,19 @@ class Processor {
   [[nodiscard]] std::uint32_t read(std::uint32_t address, Size size) const;
   void write(std::uint32_t address, Size size, std::uint32_t value);
 
-  /// Carries out one instruction. Throws Stopped.
+  /// Executes one instruction. Throws Stopped.
   void step();
 
-  /// Calls the subroutine, and comes back with it. Throws Stopped, also after more than `most` instructions.
+  /// Calls the subroutine and returns after its RTS. Throws Stopped, also after more than `most` instructions.
   void call(std::uint32_t address, std::uint64_t most);
 
   [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
 
  private:
-  /// Where an operand is.
+  /// The location of an operand.
   struct Place {
     enum class In : std::uint8_t { data, address, memory, immediate } in = In::data;
-    std::uint32_t at = 0;  ///< number of the register, address, or the value
+    std::uint32_t at = 0;  ///< number of the register, address, or value
   };
 
   struct Operation {
@@ -66,7 +66,7 @@ class Processor {
     [[nodiscard]] unsigned upper() const { return bits(9, 3); }
   };
 
-  /// Its 24 bits. Throws Stopped where an operand of that size cannot be there.
+  /// The lower 24 bits of the address. Throws Stopped if an operand of that size cannot be there.
   [[nodiscard]] std::uint32_t checked(std::uint32_t address, Size size) const;
   std::uint32_t fetch(Size size);
   std::uint32_t indexed(std::uint32_t base);

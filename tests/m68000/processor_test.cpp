@@ -15,7 +15,7 @@ struct Row {
   std::uint64_t clocks;
 };
 
-/// Words as GNU as makes them; clocks as the tables of the MC68000 User's Manual, section 8, tell them.
+/// Words as assembled by GNU as; clocks from the tables of the MC68000 User's Manual, section 8.
 const std::vector<Row> rows{
     {"move.w d1,d0", {0x3001}, 4},
     {"move.l d1,d0", {0x2001}, 4},
@@ -111,7 +111,7 @@ const std::vector<Row> rows{
     {"sne d0", {0x56c0}, 4},
 };
 
-/// One that is about to carry out the words: Z is set, d1 is 0, d2 64, d3 1, and all addresses are those of zeros.
+/// A processor about to execute the words: Z is set, d1 is 0, d2 64, d3 1, and all addresses point to zeros.
 Processor before(const std::vector<std::uint16_t>& words) {
   Processor processor(0x4000);
   processor.a.fill(data_at);
@@ -138,7 +138,7 @@ TEST_CASE("instructions take the clocks of the manual") {
   }
 }
 
-TEST_CASE("sums and comparisons set the condition codes, and branches go by them") {
+TEST_CASE("sums and comparisons set the condition codes that branches test") {
   struct Sum {
     std::uint16_t one;
     std::uint16_t other;
@@ -158,7 +158,7 @@ TEST_CASE("sums and comparisons set the condition codes, and branches go by them
   struct Comparison {
     std::uint16_t d0;
     std::uint16_t d1;
-    std::string taken;  // of bhi bls bcc bcs bne beq bge blt bgt ble
+    std::string taken;  // for bhi bls bcc bcs bne beq bge blt bgt ble
   };
   for (const Comparison& one : {Comparison{1, 2, "-x-xx--x-x"}, Comparison{2, 2, "-xx--xx--x"},
                                 Comparison{0xffff, 2, "x-x-x--x-x"}, Comparison{2, 0x8000, "-x-xx-x-x-"}}) {
@@ -176,7 +176,7 @@ TEST_CASE("sums and comparisons set the condition codes, and branches go by them
   }
 }
 
-TEST_CASE("a rotation through X shifts X in, and what it shifts out becomes X and C") {
+TEST_CASE("a rotation through X shifts X in and the shifted-out bit sets X and C") {
   for (const bool extend : {false, true}) {
     Processor left = before({0xe390});  // roxl.l #1,d0
     left.d[0] = 0x8000'0001;
@@ -193,7 +193,7 @@ TEST_CASE("a rotation through X shifts X in, and what it shifts out becomes X an
   }
 }
 
-TEST_CASE("a byte takes a word of the stack, and its own place elsewhere") {
+TEST_CASE("a byte takes a word on the stack and one byte elsewhere") {
   Processor processor = before({0x1f03, 0x1103, 0x121f});  // move.b d3,-(sp); move.b d3,-(a0); move.b (sp)+,d1
   processor.step();
   CHECK(processor.a[7] == data_at - 2);
@@ -206,14 +206,14 @@ TEST_CASE("a byte takes a word of the stack, and its own place elsewhere") {
   CHECK(processor.d[1] == 0xffff'ff01);
 }
 
-TEST_CASE("a subroutine comes back, and what is no instruction of the subset stops the processor") {
+TEST_CASE("returns from a subroutine and stops at an unsupported instruction") {
   Processor processor = before({0x7005, 0x4e75});  // moveq #5,d0; rts
   processor.call(program_at, 2);
   CHECK(processor.d[0] == 5);
   CHECK(processor.a[7] == data_at);
   CHECK(processor.clocks() == 4 + 16);
   CHECK_THROWS_AS(before({0x60fe}).call(program_at, 100), Stopped);  // bra to itself
-  // chk, divu, mulu, abcd, movep, bset, addx, cmpm, link a7, trap, a destination that is a constant.
+  // Unsupported: chk, divu, mulu, abcd, movep, bset, addx, cmpm, link a7, trap, and a constant destination.
   for (const std::uint16_t word : std::vector<std::uint16_t>{0x4180, 0x80c0, 0xc0c0, 0xc100, 0x0188, 0x01c0, 0xd100,
                                                              0xb108, 0x4e57, 0x4e40, 0x39fc, 0xa000, 0xf000}) {
     CAPTURE(word);

@@ -9,8 +9,8 @@
 
 namespace csgsim::m68000 {
 
-/// A tree of 1 to `most` primitives, balanced, to the left or of any form, and surfaces of them in some order, by a
-/// seed: the same on every machine.
+/// A tree of 1 to `most` primitives that is balanced, left-deep or of random form, and a sequence of their surfaces. It
+/// depends only on the seed and is the same on every computer.
 class RandomTree {
  public:
   explicit RandomTree(std::uint32_t seed, std::size_t most = 60) : random_(seed) {
@@ -30,7 +30,7 @@ class RandomTree {
 
   std::size_t below(std::size_t most) { return random_() % most; }
 
-  /// Of the primitives from `first` on, `count` of them; returns its index.
+  /// Grows a subtree of the `count` primitives from `first` on; returns its index.
   std::size_t grow(std::size_t first, std::size_t count, Form form) {
     if (count == 1) {
       tree_.nodes.push_back({NodeKind::primitive, static_cast<std::uint16_t>(first), 0, 0});

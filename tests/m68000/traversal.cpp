@@ -32,9 +32,9 @@ struct Program {
   std::array<std::uint32_t, 5> flip;
   std::uint32_t statuses;  ///< addresses of tables
   std::uint32_t leaves;
-  std::uint32_t status_bits;  ///< of a long
-  std::uint32_t bits;         ///< of a table
-  std::uint32_t codes;        ///< of a table
+  std::uint32_t status_bits;  ///< address of a long
+  std::uint32_t bits;         ///< address of a table
+  std::uint32_t codes;        ///< address of a table
   std::uint32_t list;
 };
 
@@ -47,7 +47,7 @@ constexpr std::uint32_t memory_bytes = 0x80000;
 constexpr std::uint64_t most_instructions = 1'000'000;
 constexpr std::size_t most_primitives = 1024;
 
-/// Of a node, in bytes; what is where.
+/// Size of a node and offsets of its members, in bytes.
 constexpr std::uint32_t node_bytes = 22;
 constexpr std::uint32_t number_offset = 2;
 constexpr std::uint32_t status_offset = 4;
@@ -57,10 +57,10 @@ constexpr std::uint32_t father_offset = 14;
 constexpr std::uint32_t middle_offset = 18;
 constexpr std::uint32_t last_offset = 20;
 
-/// Behind the codes of a list.
+/// Ends a list of codes.
 constexpr std::uint32_t no_code = 0x7fff;
 
-/// In the order of Written.
+/// Indexed by Written.
 const std::array programs{
     Program{by_hand::words,
             {by_hand::standard_at, by_hand::early_out_at, by_hand::look_at, by_hand::bit_parallel_at,
@@ -125,8 +125,8 @@ void M68000Traversal::load(const Tree& tree) {
 }
 
 void M68000Traversal::put_nodes(const Tree& tree) {
-  if (tree.nodes.size() >= 2 * most_primitives) throw std::out_of_range("a tree of too many nodes");
-  // Programs of assembly have numbers that are worked into offsets of words.
+  if (tree.nodes.size() >= 2 * most_primitives) throw std::out_of_range("the tree has too many nodes");
+  // Assembly programs expect numbers as offsets of words.
   const std::uint32_t number_scale = written_ == Written::by_hand ? 2 : 1;
   const auto put_long = [&](std::uint32_t address, std::uint32_t value) {
     processor_.write(address, Size::longword, value);
@@ -193,7 +193,7 @@ bool M68000Traversal::evaluate() {
   return method_ == Method::bit_parallel ? result >> 31U != 0 : (result & 0xffffU) != 0;
 }
 
-/// Assembly has its argument in a register, C on the stack.
+/// Assembly expects its argument in a register, C on the stack.
 void M68000Traversal::call(std::uint32_t address, std::uint32_t argument) {
   const std::uint32_t tables[] = {program_.statuses, program_.statuses, program_.leaves, program_.status_bits,
                                   program_.list};

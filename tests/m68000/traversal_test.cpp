@@ -44,7 +44,7 @@ std::uint64_t clocks_of_last_flip(NodeKind kind, const std::vector<std::uint16_t
 
 }  // namespace
 
-TEST_CASE("programs of all methods, by hand and compiled, classify points of random trees as the tree says") {
+TEST_CASE("all programs classify points of random trees as the tree does") {
   unsigned of_bits = 0;
   rc::check([&of_bits](std::uint32_t seed, bool is_small) {
     const RandomTree random(seed, is_small ? 20 : 60);
@@ -73,7 +73,7 @@ TEST_CASE("programs of all methods, by hand and compiled, classify points of ran
   if (csgsim::testing::draws_usual_cases()) CHECK(of_bits > 20);
 }
 
-TEST_CASE("a tree that is loaded again begins out of every primitive, at no clocks") {
+TEST_CASE("reloading a tree starts outside every primitive with zero clocks") {
   for (const Method method : methods) {
     M68000Traversal traversal(method);
     for (const NodeKind kind : {NodeKind::set_union, NodeKind::difference}) {
@@ -86,9 +86,9 @@ TEST_CASE("a tree that is loaded again begins out of every primitive, at no cloc
   }
 }
 
-// Clocks of the instructions in the order of programs.s, by the tables of the MC68000 User's Manual.
+// Clocks of the instructions in the order of programs.s, from the tables of the MC68000 User's Manual.
 
-TEST_CASE("the standard traversal takes the clocks that its instructions add up to") {
+TEST_CASE("the standard traversal takes the sum of its instructions' clocks") {
   const std::uint64_t leaf = 8 + 10 + 12 + 14 + 16;
   const std::uint64_t both = 8 + 8 + 12 + 16 + 18 + leaf + 12 + 8 + 16 + 18 + leaf + 8 + 12 + 12;
   for (const std::vector<std::uint16_t>& in : {std::vector<std::uint16_t>{}, {0}, {1}, {0, 1}}) {
@@ -98,7 +98,7 @@ TEST_CASE("the standard traversal takes the clocks that its instructions add up 
   }
 }
 
-TEST_CASE("early out takes a node's right side only where the left one does not decide") {
+TEST_CASE("early out evaluates a node's right side only if the left one does not decide") {
   const std::uint64_t leaf = 8 + 10 + 12 + 14 + 16;
   const std::uint64_t left = 8 + 8 + 12 + 16 + 18 + leaf + 12 + 12;
   const std::uint64_t right = 16 + 18 + leaf;
@@ -110,7 +110,7 @@ TEST_CASE("early out takes a node's right side only where the left one does not 
   CHECK(clocks_of_evaluation(Method::early_out, NodeKind::intersection, {0}) == left + 8 + 8 + 4 + 8 + 10 + right + 16);
 }
 
-TEST_CASE("a status tree takes a flip up to where nothing changes") {
+TEST_CASE("a status tree propagates a flip up to the first unchanged node") {
   const std::uint64_t leaf = 4 + 4 + 18 + 16;
   const std::uint64_t up = 16 + 8 + 4 + 16 + 12 + 16 + 12;
   const std::uint64_t united = 10 + 12 + 12;
@@ -127,8 +127,8 @@ TEST_CASE("a status tree takes a flip up to where nothing changes") {
   CHECK(clocks_of_last_flip(NodeKind::difference, {0, 1}) == leaf + up + subtracted + changed);
 }
 
-TEST_CASE("bits take the clocks of the tree's levels, of which each shifts twice as far as the one before") {
-  // Union of 0 and (1 minus 2), and a level more.
+TEST_CASE("bits take clocks per level of the tree; each level shifts twice as far") {
+  // The union of 0 and (1 minus 2), with one extra level.
   const Tree tree{{{NodeKind::primitive, 0, 0, 0},
                    {NodeKind::primitive, 1, 0, 0},
                    {NodeKind::primitive, 2, 0, 0},
@@ -148,7 +148,7 @@ TEST_CASE("bits take the clocks of the tree's levels, of which each shifts twice
   CHECK(traversal.last_clocks() == 12 + 8 + 4 + (level + 2 + 10) + (level + 4 + 14) + 16);
 }
 
-TEST_CASE("positional coding takes what its list and the nodes on the way to a code add up to") {
+TEST_CASE("positional coding takes the clocks of its list and of the nodes on the path") {
   M68000Traversal traversal(Method::positional);
   traversal.load(tree_of_two(NodeKind::set_union));
   CHECK(!traversal.evaluate());
@@ -164,7 +164,7 @@ TEST_CASE("positional coding takes what its list and the nodes on the way to a c
   CHECK(traversal.last_clocks() == 4 + 14 + 8 + 4 + 8 + 10 + 8 + 12 + 8 + 8 + 16);
 }
 
-TEST_CASE("what depends on the tree alone costs the same at every point, and a primitive alone has no node") {
+TEST_CASE("costs that depend on the tree alone are equal at every point") {
   const RandomTree random(7);
   M68000Traversal traversal(Method::standard);
   traversal.load(random.tree());
@@ -184,7 +184,7 @@ TEST_CASE("what depends on the tree alone costs the same at every point, and a p
   CHECK(one.last_clocks() == 12 + 16);
 }
 
-TEST_CASE("a tree of too many nodes or levels is refused") {
+TEST_CASE("rejects a tree with too many nodes or levels") {
   M68000Traversal traversal(Method::standard);
   Tree tree;
   tree.nodes.resize(2048);

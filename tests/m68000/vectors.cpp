@@ -1,10 +1,10 @@
-// Holds the processor against cases of single instructions, which an independent emulator made:
+// Checks the processor against test cases of single instructions that were made by an independent emulator:
 //
 //     git clone https://github.com/SingleStepTests/m68000
 //     build/release/m68000_vectors m68000/v1/*.bin
 //
-// Tells, for each file, how many cases agree in registers, memory, condition codes and clocks; those of instructions
-// that are not of the subset, and of odd addresses, are left out. The exit code is 1 where a case does not agree.
+// Prints for each file how many cases agree in registers, memory, condition codes and clocks. Cases with instructions
+// outside the subset, and with odd addresses, are skipped. The exit code is 1 if a case differs.
 
 #include <fmt/format.h>
 
@@ -107,7 +107,7 @@ Conditions conditions_of(std::uint32_t bits) {
   return {bit(0), bit(1), bit(2), bit(3), bit(4)};
 }
 
-/// What does not agree; "left out" where the case is not of the subset.
+/// The part of the state that differs; "left out" for a case outside the subset.
 std::string difference(const Case& one, Processor& processor) {
   processor.d = one.before.d;
   processor.a = one.before.a;
@@ -132,7 +132,7 @@ std::string difference(const Case& one, Processor& processor) {
   return processor.clocks() - begun == one.clocks ? "" : "clocks";
 }
 
-/// Whether all cases of the file agree.
+/// Prints a file's results and returns whether all cases agree.
 bool check(const std::filesystem::path& path, Processor& processor) {
   std::ifstream file(path, std::ios::binary);
   Reader reader(std::string(std::istreambuf_iterator<char>(file), {}));

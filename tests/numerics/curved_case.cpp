@@ -26,14 +26,14 @@ bool same(const observe::Frame& a, const observe::Frame& b) {
   return a.depth == b.depth && a.owner == b.owner && a.colour == b.colour;
 }
 
-/// Pixels at which they are.
+/// Number of pixels at which the two pictures differ.
 std::uint64_t different(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < b.size(); ++i) count += a[i] != b[i] ? 1U : 0U;
   return count;
 }
 
-/// SystemC elaborates once a process: one machine for all Programs.
+/// A single machine for all Programs: SystemC allows one elaboration per process.
 machines::Machine engines_machine() {
   machines::Machine machine = machine_of({engines_width, engines_height, memory_bits});
   machine.name = "curved";
@@ -77,7 +77,7 @@ std::uint64_t pixels_against_rules(const Compiled& compiled, const observe::Fram
   return different;
 }
 
-/// The picture on other machines and by other ways.
+/// Checks that other machines and options draw the same picture.
 void check_variants(const Compiled& compiled, const Setup& how, const CurvedLook& look,
                     const observe::Frame& expected) {
   const auto check = [&](const Setup& other) {
@@ -196,7 +196,7 @@ CurvedVerdict look_at_all(const std::string& csg, const CurvedLook& how) {
   part.share *= 4;
   for (const glm::dvec3& direction : {oblique, along_axis}) {
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-      // Nothing to see: from somewhere.
+      // An empty model is seen from an arbitrary place.
       const view::Camera camera = box.empty() ? view::Camera{30.0 * direction, glm::dvec3(0), projection}
                                               : view::view_all({direction, glm::dvec3(0), projection}, box, 1, 1);
       sum += look_curved(csg, camera, part);

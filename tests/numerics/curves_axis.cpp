@@ -12,7 +12,7 @@ const std::string cone = cylinder({0, 0, -4}, 8, 4, 0);
 const std::string frustum = cylinder({0, 0, -4}, 8, 4, 2);
 const std::string oval = placed(scaling({1, 0.5, 1}), upright);
 
-/// From above, an angle in degrees from the axis.
+/// Looks down at a number of degrees from the axis.
 CurvedVerdict look_down(const std::string& csg, double degrees, const CurvedLook& how = lenient) {
   const double angle = degrees * std::numbers::pi / 180;
   return look_both_ways(csg, {40 * std::sin(angle), 0, 40 * std::cos(angle)}, {0, 0, 0}, how);
@@ -34,26 +34,26 @@ TEST_CASE("a cylinder seen exactly along its axis is a disc") {
   CHECK(verdict.covered > 100);
   CHECK(verdict.wrong <= 4);
 }
-TEST_CASE("a cylinder seen nearly along its axis is drawn right at all tilts") { check_tilts(upright); }
+TEST_CASE("a cylinder seen nearly along its axis is drawn correctly at all tilts") { check_tilts(upright); }
 TEST_CASE("a tube seen exactly along its axis is a ring") {
   const CurvedVerdict verdict = look_down(tube, 0);
   CHECK(verdict.covered > 100);
   CHECK(verdict.wrong <= 8);
 }
-TEST_CASE("a tube seen nearly along its axis is drawn right at all tilts") { check_tilts(tube); }
-TEST_CASE("an elliptic cylinder seen along its axis and nearly so is drawn right") {
+TEST_CASE("a tube seen nearly along its axis is drawn correctly at all tilts") { check_tilts(tube); }
+TEST_CASE("an elliptic cylinder seen along or nearly along its axis is drawn correctly") {
   look_down(oval, 0);
   check_tilts(oval);
 }
-TEST_CASE("a cone seen exactly along its axis is drawn right from its tip and from its base") {
+TEST_CASE("a cone seen exactly along its axis is drawn correctly from tip and base") {
   CHECK(look_down(cone, 0).covered > 100);
   CHECK(look_down(cone, 180).covered > 100);
   CHECK(look_down(frustum, 0).covered > 100);
   CHECK(look_down(frustum, 180).covered > 100);
 }
-TEST_CASE("a cone seen nearly along its axis is drawn right at all tilts") { check_tilts(cone); }
-TEST_CASE("a cone seen along a line in its side, and nearly so, is drawn right or in facets") {
-  // Half its angle.
+TEST_CASE("a cone seen nearly along its axis is drawn correctly at all tilts") { check_tilts(cone); }
+TEST_CASE("a cone seen nearly along a generating line is drawn correctly or in facets") {
+  // Half the angle at the apex.
   const double side = std::atan2(4.0, 8.0) * 180 / std::numbers::pi;
   for (const double off : {0.0, 1e-9, 1e-6, 1e-3, 0.1, -1e-9, -1e-6, -1e-3, -0.1}) {
     CAPTURE(off);
@@ -62,7 +62,7 @@ TEST_CASE("a cone seen along a line in its side, and nearly so, is drawn right o
     look_down(cone, 180 - side + off);
   }
 }
-TEST_CASE("a cone with a half angle of 45 degrees is seen along a line in its side exactly") {
+TEST_CASE("a cone with a half angle of 45 degrees is seen exactly along a generating line") {
   const std::string right_angled = cylinder({0, 0, -4}, 8, 8, 0);
   look_both_ways(right_angled, {0, -40, 40}, {0, 0, 0}, lenient);
   look_both_ways(right_angled, {0, -40, 44}, {0, 0, 4}, lenient);
@@ -73,14 +73,14 @@ TEST_CASE("a cylinder seen exactly from the side has its ends edge-on") {
   look_both_ways(upright, {0, -40, 4}, {0, 0, 4});
   look_both_ways(tube, {0, -40, 0}, {0, 0, 0});
 }
-TEST_CASE("a cylinder in a wall, seen along its axis, is a round hole") {
+TEST_CASE("a cylinder subtracted from a wall and seen along its axis is a round hole") {
   const std::string wall = box({-8, -8, -2}, {8, 8, 2});
   for (const double degrees : {0.0, 1e-4, 1e-2, 1.0, 10.0}) {
     CAPTURE(degrees);
     CHECK(look_down(subtract({wall, upright}), degrees).covered > 100);
   }
 }
-TEST_CASE("an eye on the axis of a cylinder, beyond its end and within it, sees it right") {
+TEST_CASE("an eye on the axis of a cylinder sees it correctly from outside and inside") {
   const std::string pit = subtract({box({-8, -8, -8}, {8, 8, 4}), rod({0, 0, -4}, 9, 4)});
   for (const double height : {40.0, 4.0, 2.0, -3.0}) {
     CAPTURE(height);

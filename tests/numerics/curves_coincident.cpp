@@ -6,7 +6,7 @@ using namespace csgsim::testing;
 
 namespace {
 
-/// The same place by several matrices.
+/// The same placement as a product of several matrices.
 std::string round_about(const std::string& part) {
   const std::string there = placed(translation({0.1, 0.2, 0.3}), placed(translation({-0.1, -0.2, -0.3}), part));
   return placed(scaling({0.3, 0.7, 1.1}), placed(scaling({1 / 0.3, 1 / 0.7, 1 / 1.1}), there));
@@ -26,7 +26,7 @@ void check_seen(const std::string& csg, const CurvedLook& how = {}) {
   CHECK(verdict.wrong <= verdict.covered / 50);
 }
 
-/// A - A is empty, and all else is A, whichever way each comes to its place.
+/// Checks that A - A is empty, and that the union and intersection are A, for either placement.
 void check_same(const std::string& a, const std::string& b) {
   for (const bool is_tilted : {false, true}) {
     const std::string one = is_tilted ? tilted(a) : a;
@@ -43,7 +43,7 @@ void check_same(const std::string& a, const std::string& b) {
   }
 }
 
-/// Depths of both are the same at every pixel.
+/// Checks that both have the same depth at every pixel.
 void check_same_depths(const std::string& a, const std::string& b, const glm::dvec3& eye) {
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     const csgsim::view::Camera camera{eye, {0, 0, 0}, projection};
@@ -53,49 +53,49 @@ void check_same_depths(const std::string& a, const std::string& b, const glm::dv
 
 }  // namespace
 
-TEST_CASE("a cylinder without itself is nothing, by whichever transforms both come to their place") {
+TEST_CASE("a cylinder minus itself is empty for any chain of transforms") {
   check_same(rod({0, 0, -5}, 10, 4), round_about(rod({0, 0, -5}, 10, 4)));
 }
-TEST_CASE("a cylinder without itself turned about its axis is nothing") {
+TEST_CASE("a cylinder minus itself turned about its axis is empty") {
   check_same(rod({0, 0, -5}, 10, 4), placed(rotation(0, 33), rod({0, 0, -5}, 10, 4)));
 }
-TEST_CASE("a cylinder without itself upside down is nothing") {
+TEST_CASE("a cylinder minus itself upside down is empty") {
   check_same(rod({0, 0, -5}, 10, 4), placed(rotation(180, 0), rod({0, 0, -5}, 10, 4)));
 }
-TEST_CASE("a ball without itself is nothing, by whichever transforms both come to their place") {
+TEST_CASE("a ball minus itself is empty for any chain of transforms") {
   check_same(ball({1, 2, 3}, 5), round_about(ball({1, 2, 3}, 5)));
   check_same(ball({0, 0, 0}, 5), placed(rotation(20, 50), ball({0, 0, 0}, 5)));
 }
-TEST_CASE("a ball without a ball half as large that is scaled by two is nothing") {
+TEST_CASE("a ball minus a ball of half the size scaled by two is empty") {
   check_same(ball({0, 0, 0}, 6), placed(scaling({2, 2, 2}), ball({0, 0, 0}, 3)));
 }
-TEST_CASE("a ball without its mirror image is nothing") {
+TEST_CASE("a ball minus its mirror image is empty") {
   check_same(ball({0, 0, 0}, 6), placed(scaling({-1, 1, 1}), ball({0, 0, 0}, 6)));
 }
-TEST_CASE("a cone without itself is nothing, by whichever transforms both come to their place") {
+TEST_CASE("a cone minus itself is empty for any chain of transforms") {
   check_same(cylinder({0, 0, -5}, 10, 5, 0), round_about(cylinder({0, 0, -5}, 10, 5, 0)));
 }
-TEST_CASE("a frustum without itself upside down is nothing") {
+TEST_CASE("a frustum minus itself upside down is empty") {
   check_same(cylinder({0, 0, -5}, 10, 5, 2), placed(rotation(180, 0), cylinder({0, 0, -5}, 10, 2, 5)));
 }
-TEST_CASE("an ellipsoid without itself is nothing, by whichever transforms both come to their place") {
+TEST_CASE("an ellipsoid minus itself is empty for any chain of transforms") {
   const std::string egg = placed(scaling({1, 2, 0.5}), ball({0, 0, 0}, 5));
   check_same(egg, round_about(egg));
 }
-TEST_CASE("a tube with flush ends is open, and no speckle is left of its walls") {
+TEST_CASE("a tube with flush ends is open and leaves no speckles of its walls") {
   check_seen(subtract({rod({0, 0, 0}, 8, 8), rod({0, 0, 0}, 8, 4)}));
   check_seen(tilted(subtract({rod({0, 0, 0}, 8, 8), round_about(rod({0, 0, 0}, 8, 4))})));
 }
-TEST_CASE("a plug of the width of its tube makes the cylinder whole") {
+TEST_CASE("a plug as wide as the bore of a tube completes the cylinder") {
   const std::string tube = subtract({rod({0, 0, 0}, 8, 8), rod({0, 0, -1}, 10, 4)});
   check_seen(unite({tube, round_about(rod({0, 0, 0}, 8, 4))}));
   check_same_depths(unite({tube, rod({0, 0, 0}, 8, 4)}), rod({0, 0, 0}, 8, 8), {31, -37, 29});
 }
-TEST_CASE("a tube and its plug have nothing in common") {
+TEST_CASE("a tube and its plug do not intersect") {
   const std::string tube = subtract({rod({0, 0, 0}, 8, 8), rod({0, 0, -1}, 10, 4)});
   check_empty(intersect({tube, round_about(rod({0, 0, 0}, 8, 4))}));
 }
-TEST_CASE("two tubes of which one is in the other, wall at wall, are one") {
+TEST_CASE("two nested tubes with a common wall are one tube") {
   const std::string wide = subtract({rod({0, 0, 0}, 8, 8), rod({0, 0, -1}, 10, 6)});
   const std::string narrow = subtract({rod({0, 0, 0}, 8, 6), rod({0, 0, -1}, 10, 4)});
   check_seen(unite({wide, round_about(narrow)}));
@@ -105,36 +105,36 @@ TEST_CASE("round cylinders of equal radius end to end are one cylinder") {
   check_seen(unite({rod({0, 0, 0}, 5, 4), round_about(rod({0, 0, 5}, 5, 4))}));
   check_same_depths(unite({rod({0, 0, -5}, 5, 4), rod({0, 0, 0}, 5, 4)}), rod({0, 0, -5}, 10, 4), {31, -37, 29});
 }
-TEST_CASE("half a cylinder's length is left when the other half is cut away") {
+TEST_CASE("half of a cylinder remains when the other half is subtracted") {
   check_seen(subtract({rod({0, 0, 0}, 10, 4), round_about(rod({0, 0, 5}, 5, 4))}));
   check_seen(subtract({rod({0, 0, 0}, 10, 4), round_about(rod({0, 0, 2}, 5, 4))}));
 }
-TEST_CASE("a round cone that goes on from a cone with the same slope is one cone") {
+TEST_CASE("a round cone that continues a cone of the same slope is one cone") {
   check_seen(unite({cylinder({0, 0, 0}, 4, 8, 6), round_about(cylinder({0, 0, 4}, 4, 6, 4))}));
   check_seen(subtract({cylinder({0, 0, 0}, 16, 8, 0), round_about(cylinder({0, 0, 4}, 4, 6, 4))}));
 }
-TEST_CASE("cones that meet in their tips are drawn right, and have nothing in common") {
+TEST_CASE("cones that touch at their tips are drawn correctly and do not intersect") {
   const std::string up = cylinder({0, 0, 0}, 6, 0, 4);
   const std::string down = cylinder({0, 0, -6}, 6, 4, 0);
   check_seen(unite({up, down}));
   check_seen(subtract({up, round_about(down)}));
   check_empty(intersect({up, down}));
 }
-TEST_CASE("a ball that is cut by a plane and put together again is the ball") {
+TEST_CASE("a ball split by a plane and united again is the ball") {
   const std::string slab = box({-20, -20, -20}, {20, 1, 20});
   const std::string body = ball({0, 0, 0}, 6);
   const std::string again = unite({intersect({body, slab}), subtract({body, slab})});
   check_seen(again);
   check_same_depths(again, body, {31, -37, 29});
 }
-TEST_CASE("balls with walls of down to a 2^-16th are hollow") {
+TEST_CASE("balls with walls as thin as 2^-16 are hollow") {
   for (const double wall : {0x1p-2, 0x1p-8, 0x1p-16}) {
     look_at_all(subtract({ball({0, 0, 0}, 8), ball({0, 0, 0}, 8 - wall)}));
     look_at_all(subtract({ball({0, 0, 0}, 8), ball({0, 0, 0}, 8 - wall), box({0, -9, 0}, {9, 9, 9})}));
   }
 }
-TEST_CASE("balls and cylinders nested by one depth step are in their order, and so are none at all") {
-  // A depth step of 8 bits is a sixteenth or more.
+TEST_CASE("balls and cylinders one depth step or less apart keep their order") {
+  // A depth step of 8 bits is at least a sixteenth of a unit.
   CurvedLook coarse;
   coarse.z_bits = 8;
   for (const double step : {16.0 / 252, 8.0 / 252, 0x1p-12}) {

@@ -6,7 +6,7 @@ using namespace csgsim::testing;
 
 namespace {
 
-// Sizes are sums of few powers of two: what touches, touches in doubles too.
+// Sizes are sums of few powers of two, so touching surfaces also touch in double precision.
 
 std::string lying(const std::string& part) { return placed("[[1,0,0,0],[0,0,-1,0],[0,1,0,0],[0,0,0,1]]", part); }
 
@@ -16,7 +16,7 @@ const std::string outer = ball({0, 0, 0}, 8);
 const std::string inner = ball({4, 0, 0}, 4);
 const std::string table = box({-16, -16, -4}, {16, 16, 0});
 
-/// What touches along a line that is seen end-on may be the one's or the other's there.
+/// Along a line seen end-on, touching surfaces may belong to either solid.
 void check_seen(const std::string& csg, const CurvedLook& how = {}) {
   const CurvedVerdict verdict = look_at_all(csg, how);
   CHECK(verdict.covered > 200);
@@ -29,8 +29,8 @@ void check_nearly_nothing(const std::string& csg) {
   CHECK(verdict.wrong <= 4);
 }
 
-/// Both ways round, with all that operators make of two solids. Facets may be where the eye is on a surface, or rays go
-/// along a straight line in it.
+/// Draws all set operations of two solids in both orders. Facets are allowed where the eye is on a surface or where
+/// rays follow a straight line in it.
 void check_all_of(const std::string& a, const std::string& b, bool may_be_faceted = false) {
   CurvedLook how;
   how.may_be_faceted = may_be_faceted;
@@ -48,24 +48,24 @@ constexpr bool perhaps_in_facets = true;
 
 }  // namespace
 
-TEST_CASE("balls that touch from outside are two balls under a union") {
+TEST_CASE("balls that touch from outside are two balls in a union") {
   check_seen(unite({left, right}));
   check_seen(unite({right, left}));
 }
-TEST_CASE("a ball is whole when one that touches it from outside is cut away") {
+TEST_CASE("a ball minus one that touches it from outside is unchanged") {
   check_seen(subtract({left, right}));
   check_seen(subtract({right, left}));
 }
-TEST_CASE("balls that touch from outside have nothing in common") { check_nearly_nothing(intersect({left, right})); }
-TEST_CASE("a ball that touches another from inside is nowhere under their union") { check_seen(unite({outer, inner})); }
-TEST_CASE("a ball is hollow when one that touches it from inside is cut away") {
+TEST_CASE("balls that touch from outside do not intersect") { check_nearly_nothing(intersect({left, right})); }
+TEST_CASE("a ball that touches another from inside is invisible in their union") { check_seen(unite({outer, inner})); }
+TEST_CASE("a ball minus one that touches it from inside is hollow") {
   check_seen(subtract({outer, inner}));
   check_nearly_nothing(subtract({inner, outer}));
 }
-TEST_CASE("what a ball has in common with one that touches it from inside is that ball") {
+TEST_CASE("the intersection of a ball and one that touches it from inside is the inner ball") {
   check_seen(intersect({outer, inner}));
 }
-TEST_CASE("balls that nearly touch from outside are drawn right, with a gap and with an overlap") {
+TEST_CASE("balls that nearly touch from outside are drawn correctly with gap or overlap") {
   for (const double gap : {0x1p-8, 0x1p-20, -0x1p-8, -0x1p-20}) {
     const std::string other = ball({4 + gap, 0, 0}, 4);
     look_at_all(unite({left, other}));
@@ -73,7 +73,7 @@ TEST_CASE("balls that nearly touch from outside are drawn right, with a gap and 
     look_at_all(subtract({left, other}));
   }
 }
-TEST_CASE("balls that nearly touch from inside are drawn right, with a gap and with an overlap") {
+TEST_CASE("balls that nearly touch from inside are drawn correctly with gap or overlap") {
   for (const double gap : {0x1p-8, 0x1p-20, -0x1p-8, -0x1p-20}) {
     const std::string other = ball({4 + gap, 0, 0}, 4);
     check_all_of(outer, other);
@@ -84,54 +84,54 @@ TEST_CASE("a ball that touches a plane from below makes no hole in it") {
   check_seen(subtract({table, ball({0, 0, -2}, 2)}));
   check_seen(unite({table, ball({0, 0, -2}, 2)}));
 }
-TEST_CASE("a ball that nearly touches a plane is drawn right on both sides of it") {
+TEST_CASE("a ball that nearly touches a plane is drawn correctly on both sides of it") {
   for (const double gap : {0x1p-12, 0x1p-22, -0x1p-12, -0x1p-22}) check_all_of(table, ball({0, 0, 8 + gap}, 8));
 }
-TEST_CASE("a ball that touches all six faces of a cube from inside is drawn right") {
+TEST_CASE("a ball that touches all six faces of a cube from inside is drawn correctly") {
   check_all_of(box({-8, -8, -8}, {8, 8, 8}), outer);
 }
-TEST_CASE("a ball that touches all edges of a cube is drawn right") {
+TEST_CASE("a ball that touches all edges of a cube is drawn correctly") {
   check_all_of(box({-8, -8, -8}, {8, 8, 8}), ball({0, 0, 0}, 11.313708498984761));
 }
-TEST_CASE("parallel cylinders that touch along a line are drawn right") {
+TEST_CASE("parallel cylinders that touch along a line are drawn correctly") {
   check_all_of(rod({-4, 0, -8}, 16, 4), rod({4, 0, -8}, 16, 4));
   check_all_of(lying(rod({-4, 0, -8}, 16, 4)), lying(rod({4, 0, -4}, 16, 4)), perhaps_in_facets);
 }
-TEST_CASE("a cylinder that touches another's wall from inside is drawn right") {
+TEST_CASE("a cylinder that touches another's wall from inside is drawn correctly") {
   check_all_of(rod({0, 0, 0}, 8, 8), rod({4, 0, 0}, 8, 4));
   check_all_of(rod({0, 0, 0}, 8, 8), rod({4, 0, -2}, 12, 4));
 }
-TEST_CASE("a cylinder that lies on a plane is drawn right") {
+TEST_CASE("a cylinder that lies on a plane is drawn correctly") {
   check_all_of(table, placed(translation({0, 0, 4}), lying(rod({0, 0, -8}, 16, 4))), perhaps_in_facets);
 }
-TEST_CASE("a cone that lies on a plane is drawn right") {
-  // Half its angle is that of 3, 4 and 5, by which it is turned.
+TEST_CASE("a cone that lies on a plane is drawn correctly") {
+  // The cone's half angle belongs to a right triangle with sides 3, 4 and 5; the cone is turned by it.
   const std::string cone = cylinder({0, 0, 0}, 8, 0, 6);
   check_all_of(table, placed("[[1,0,0,0],[0,0.6,-0.8,0],[0,0.8,0.6,0],[0,0,0,1]]", cone), perhaps_in_facets);
 }
-TEST_CASE("a ball in a cylinder of its radius is drawn right") {
+TEST_CASE("a ball in a cylinder of its radius is drawn correctly") {
   check_all_of(rod({0, 0, -8}, 16, 4), ball({0, 0, 0}, 4));
   check_all_of(rod({0, 0, -8}, 16, 4), ball({0, 0, 8}, 4));
 }
-TEST_CASE("a ball that touches a cylinder's wall at one place is drawn right") {
+TEST_CASE("a ball that touches a cylinder's wall at one place is drawn correctly") {
   check_all_of(rod({0, 0, -8}, 16, 8), ball({4, 0, 0}, 4));
   check_all_of(rod({0, 0, -8}, 16, 8), ball({12, 0, 0}, 4));
 }
-TEST_CASE("a ball that touches a cone along a circle is drawn right") {
-  // A half angle of 3, 4 and 5: a ball of radius 3 has its centre 5 from the apex.
+TEST_CASE("a ball that touches a cone along a circle is drawn correctly") {
+  // The half angle is that of a 3-4-5 triangle: a ball of radius 3 touches the cone if its centre is 5 from the apex.
   check_all_of(cylinder({0, 0, 0}, 8, 0, 6), ball({0, 0, 5}, 3));
 }
-TEST_CASE("a ball drilled by a cylinder that touches its surface is drawn right") {
+TEST_CASE("a ball drilled by a cylinder that touches its surface is drawn correctly") {
   check_all_of(outer, rod({4, 0, -16}, 32, 4));
   check_all_of(outer, lying(rod({4, 0, -16}, 32, 4)), perhaps_in_facets);
 }
-TEST_CASE("a hollow ball that touches its own surface and is drilled there is drawn right") {
+TEST_CASE("a hollow ball that touches its own surface and is drilled there is drawn correctly") {
   check_seen(subtract({outer, inner, rod({0, 0, -16}, 32, 2)}));
   check_seen(subtract({outer, inner, placed("[[0,0,1,0],[0,1,0,0],[-1,0,0,0],[0,0,0,1]]", rod({0, 0, 0}, 32, 2))}));
 }
-TEST_CASE("crossing cylinders of equal radius are drawn right") {
+TEST_CASE("crossing cylinders of equal radius are drawn correctly") {
   check_all_of(rod({0, 0, -8}, 16, 4), lying(rod({0, 0, -8}, 16, 4)));
 }
-TEST_CASE("ellipsoids that touch are drawn right") {
+TEST_CASE("ellipsoids that touch are drawn correctly") {
   check_all_of(placed(scaling({2, 1, 0.5}), ball({-4, 0, 0}, 4)), placed(scaling({0.5, 2, 1}), ball({8, 0, 0}, 8)));
 }

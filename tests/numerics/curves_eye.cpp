@@ -6,17 +6,17 @@ using namespace csgsim::testing;
 
 namespace {
 
-/// A block around something that is cut out of it.
+/// A block minus the part.
 std::string mould(const std::string& part) { return subtract({box({-20, -20, -20}, {20, 20, 20}), part}); }
 
-/// In perspective, with an eye from which the near plane is that far away.
+/// A perspective picture with the near plane at a given distance.
 CurvedVerdict look_from(const std::string& csg, const glm::dvec3& eye, const glm::dvec3& centre, double near = 0.25,
                         CurvedLook how = {}) {
   how.near = near;
   return look_curved(csg, {eye, centre, Projection::perspective}, how);
 }
 
-/// Many pictures, perhaps in facets where the eye is on a surface: each by a quarter of all ways.
+/// Draws many pictures, each with a quarter of the variants; facets are allowed where the eye is on a surface.
 class Quarters {
  public:
   void look(const std::string& csg, const glm::dvec3& eye, const glm::dvec3& centre, double near = 0.25) {
@@ -45,62 +45,62 @@ const std::string frustum = cylinder({0, 0, 4}, 8, 2, 6);
 
 }  // namespace
 
-TEST_CASE("a ball around the eye is cut open by the near plane") {
+TEST_CASE("the near plane cuts a ball around the eye open") {
   const CurvedVerdict verdict = look_from(ball({0, 0, 0}, 8), {0, -1, 0.5}, {0, 5, 0});
   CHECK(verdict.inside == 1);
   check_seen(verdict);
 }
-TEST_CASE("the inside of a hollow ball is seen from its middle and from beside it") {
+TEST_CASE("the inside of a hollow ball is seen from its middle and off-centre") {
   for (const glm::dvec3& eye : {glm::dvec3(0, 0, 0), glm::dvec3(3, -2, 1), glm::dvec3(0, 7, 0)}) {
     check_seen(look_from(mould(ball({0, 0, 0}, 8)), eye, {1, 9, 2}));
     check_seen(look_from(subtract({ball({0, 0, 0}, 10), ball({0, 0, 0}, 8)}), eye, {1, 9, 2}));
   }
 }
-TEST_CASE("a pipe is seen from inside, along its axis and through its wall") {
+TEST_CASE("a pipe is seen from inside along its axis and through its wall") {
   const std::string pipe = subtract({rod({0, 0, -20}, 40, 6), rod({0, 0, -21}, 42, 5)});
   check_seen(look_from(pipe, {0, 0, 0}, {0, 0, 10}));
   check_seen(look_from(pipe, {1, 2, -3}, {1, 2, 10}));
   check_seen(look_from(pipe, {1, 2, -3}, {3, 2, 10}));
   check_seen(look_from(mould(rod({0, 0, -18}, 36, 5)), {1, 2, -3}, {9, 2, 1}));
 }
-TEST_CASE("a solid cylinder around the eye is cut open by the near plane") {
+TEST_CASE("the near plane cuts a solid cylinder around the eye open") {
   check_seen(look_from(rod({0, 0, -20}, 40, 6), {1, 2, -3}, {9, 2, 1}));
   check_seen(look_from(rod({0, 0, -20}, 40, 6), {1, 2, -3}, {1, 2, 9}));
 }
-TEST_CASE("a cone is looked into from its base") {
+TEST_CASE("the inside of a cone is seen from its base") {
   check_seen(look_from(mould(cone), {0.5, 0.25, 11}, {0, 0, 0}));
   check_seen(look_from(mould(cone), {0, 0, 11}, {0, 0, 0}));
   check_seen(look_from(mould(cone), {0.5, 0.25, 17}, {0, 0, 0}));
 }
-TEST_CASE("a cone is looked out of, from beside its tip to its base") {
+TEST_CASE("the inside of a cone is seen from near its tip towards its base") {
   check_seen(look_from(mould(cone), {0.0625, 0.125, 1}, {0, 0, 9}, 0.0625));
   check_seen(look_from(unite({subtract({cylinder({0, 0, 0}, 14, 0, 7), cone}), box({-20, -20, 13}, {20, 20, 14})}),
                        {0.0625, 0.125, 4}, {1, 0, 9}, 0.0625));
 }
-TEST_CASE("a solid cone around the eye is cut open by the near plane") {
+TEST_CASE("the near plane cuts a solid cone around the eye open") {
   check_seen(look_from(cone, {0.5, 0.25, 6}, {0, 0, 0}));
   check_seen(look_from(cone, {0.5, 0.25, 6}, {0, 0, 9}));
   check_seen(look_from(cone, {0.5, 0.25, 6}, {9, 2, 7}));
 }
-TEST_CASE("a cone whose other nappe the eye is in shows its tip and nothing of that nappe") {
+TEST_CASE("an eye in the other nappe of a cone sees the tip but not that nappe") {
   check_seen(look_from(cone, {0, 0, -20}, {0, 0, 5}));
   check_seen(look_from(cone, {1, -2, -20}, {0, 0, 5}));
   check_seen(look_from(mould(cone), {1, -2, -60}, {0, 0, 5}));
 }
-TEST_CASE("a frustum is seen through its narrow end from the other nappe") {
+TEST_CASE("an eye in the other nappe of a frustum looks through its narrow end") {
   check_seen(look_from(frustum, {0.5, 0.25, -6}, {0, 0, 5}));
   check_seen(look_from(mould(frustum), {0.5, 0.25, -16}, {0, 0, 5}));
   check_seen(
       look_from(subtract({cylinder({0, 0, 4}, 8, 3, 7), cylinder({0, 0, 4}, 8, 2, 6)}), {0.25, 0.125, -6}, {0, 0, 5}));
 }
-TEST_CASE("a hollow frustum is looked into through both of its ends") {
+TEST_CASE("the inside of a hollow frustum is seen through both of its ends") {
   const std::string funnel = subtract({cylinder({0, 0, 0}, 12, 3, 9), cylinder({0, 0, -1}, 14, 1.5, 8.5)});
   check_seen(look_from(funnel, {1, 2, 40}, {0, 0, 5}));
   check_seen(look_from(funnel, {0, 0, 40}, {0, 0, 5}));
   check_seen(look_from(funnel, {0.5, 0.25, -10}, {0, 0, 5}));
   check_seen(look_from(funnel, {0.5, 0.25, 6}, {4, 3, 8}));
 }
-TEST_CASE("a cone whose apex is at the eye is an edge test, or facets") {
+TEST_CASE("a cone with its apex at the eye is an edge test or facets") {
   Quarters quarters;
   CurvedLook how;
   how.may_be_faceted = true;
@@ -111,7 +111,7 @@ TEST_CASE("a cone whose apex is at the eye is an edge test, or facets") {
   quarters.look(frustum, {0, 0, 0}, {0, 0, 9}, 1);
   quarters.look(frustum, {0, 0, 0}, {9, 0, 0}, 1);
 }
-TEST_CASE("a cone whose apex is nearly at the eye is drawn right") {
+TEST_CASE("a cone with its apex nearly at the eye is drawn correctly") {
   Quarters quarters;
   for (const double off : {1e-9, 1e-6, 1e-4, 1e-2}) {
     quarters.look(frustum, {off, 0, 0}, {0, 0, 9}, 1);
@@ -119,7 +119,7 @@ TEST_CASE("a cone whose apex is nearly at the eye is drawn right") {
     quarters.look(frustum, {0, 0, off}, {0, 0, 9}, 1);
   }
 }
-TEST_CASE("an eye on the surface of a ball, of a cylinder and of a cone sees them right") {
+TEST_CASE("an eye on the surface of a ball or cylinder or cone sees it correctly") {
   Quarters quarters;
   quarters.look(ball({0, 0, 0}, 8), {0, -8, 0}, {0, 0, 0}, 0.25);
   quarters.look(mould(ball({0, 0, 0}, 8)), {0, -8, 0}, {0, 0, 0}, 0.25);
@@ -127,14 +127,14 @@ TEST_CASE("an eye on the surface of a ball, of a cylinder and of a cone sees the
   quarters.look(mould(rod({0, 0, -16}, 32, 8)), {0, -8, 0}, {0, 0, 4}, 0.25);
   quarters.look(mould(cone), {0, -4, 8}, {0, 0, 8}, 0.25);
 }
-TEST_CASE("an eye near the surface of a ball, on either side, sees it right") {
+TEST_CASE("an eye near the surface of a ball sees it correctly from either side") {
   Quarters quarters;
   for (const double off : {0x1p-4, 0x1p-12, 0x1p-20, -0x1p-4, -0x1p-12, -0x1p-20}) {
     quarters.look(ball({0, 0, 0}, 8), {0, -8 - off, 0}, {1, 0, 2}, 0.25);
     quarters.look(mould(ball({0, 0, 0}, 8)), {0, -8 - off, 0}, {1, 0, 2}, 0.25);
   }
 }
-TEST_CASE("the near plane cuts a ball, a cylinder, a cone and an ellipsoid before the eye open") {
+TEST_CASE("the near plane cuts balls and cylinders and cones and ellipsoids open") {
   Quarters quarters;
   for (const double near : {4.0, 6.0, 8.0, 9.5}) {
     quarters.look(ball({0, 0, 0}, 4), {0, -10, 0}, {0, 0, 0}, near);
@@ -145,11 +145,11 @@ TEST_CASE("the near plane cuts a ball, a cylinder, a cone and an ellipsoid befor
                   near);
   }
 }
-TEST_CASE("the near plane touches a ball from before and from behind") {
+TEST_CASE("the near plane touches a ball from the front and from behind") {
   look_from(ball({0, 0, 0}, 4), {0, -8, 0}, {0, 0, 0}, 4);
   look_from(unite({ball({0, 0, 0}, 4), ball({0, 16, 0}, 4)}), {0, -8, 0}, {0, 0, 0}, 12);
 }
-TEST_CASE("what is behind the eye is not seen") {
+TEST_CASE("solids behind the eye are invisible") {
   const CurvedVerdict verdict =
       look_from(unite({ball({0, -20, 0}, 4), ball({0, 6, 0}, 2), rod({0, -12, -30}, 60, 3)}), {0, -5, 0}, {0, 0, 0});
   CHECK(verdict.covered > 20);

@@ -14,7 +14,7 @@ namespace {
 
 struct Tally {
   std::uint64_t scenes = 0;
-  std::uint64_t refused = 0;  ///< nothing to see, or a camera or face that fits no numbers
+  std::uint64_t refused = 0;  ///< scenes that are empty or exceed the number formats
   std::uint64_t covered = 0;
   std::uint64_t wrong = 0;
   std::uint64_t quadrics = 0;
@@ -24,7 +24,7 @@ struct Tally {
 
 enum class Variants : std::uint8_t { some, all };
 
-/// All that must not change a picture, or a few of it, others each time.
+/// All options and machines that must not change a picture, or a few of them that depend on the seed.
 std::vector<Setup> variants_of(const Setup& how, std::uint64_t seed, Variants which) {
   static const std::vector<emit::Options> options = testing::all_options();
   std::vector<Setup> machines = testing::in_parts(how);
@@ -50,7 +50,7 @@ std::optional<testing::Compiled> compiled(const CurvedScene& scene, const Setup&
   }
 }
 
-/// What is wrong with a scene, if anything is.
+/// Describes what is wrong with a scene; empty if nothing is.
 std::string faults_of(std::uint64_t seed, view::Projection projection, Variants which, Tally& tally) {
   const CurvedScene scene = testing::random_curves(seed, projection);
   Setup how = testing::curved_setup(scene.camera);
@@ -93,20 +93,18 @@ void check_scenes(view::Projection projection) {
 
 }  // namespace
 
-TEST_CASE("random curved scenes that were drawn wrong, or judged wrong, are not any more") {
-  // Depths of backs, narrow ridges, ties of flat and curved surfaces, what rounding takes to depth 0; cones whose apex
-  // is in the middle of the depths, and primitives beside their rectangles.
+TEST_CASE("random curved scenes that once failed are drawn and judged correctly") {
+  // Seeds that once failed: depths of back faces, narrow ridges, ties of flat and curved surfaces, depths rounded to 0,
+  // cones with their apex within the depth range, and primitives outside their rectangles.
   Tally tally;
   for (const unsigned seed : {332U, 566U, 801U, 824U, 875U, 928U, 8282U, 12728U, 17181U, 20081U, 106479U})
     CHECK(faults_of(seed, view::Projection::orthographic, Variants::all, tally).empty());
   for (const unsigned seed : {20U, 121U, 363U, 466U, 489U, 999U, 1779U, 15327U, 15993U, 19894U})
     CHECK(faults_of(seed, view::Projection::perspective, Variants::all, tally).empty());
 }
-TEST_CASE(
-    "random curved scenes of few bits are the rules' by all ways, and no wrong pixel is unexplained, orthographic") {
+TEST_CASE("random orthographic curved scenes follow the rules in all variants") {
   check_scenes(view::Projection::orthographic);
 }
-TEST_CASE(
-    "random curved scenes of few bits are the rules' by all ways, and no wrong pixel is unexplained, perspective") {
+TEST_CASE("random perspective curved scenes follow the rules in all variants") {
   check_scenes(view::Projection::perspective);
 }

@@ -21,21 +21,21 @@ void check_seen(const std::string& csg, const CurvedLook& how = on_all_engines()
 const std::string block = box({-6, -6, -6}, {6, 6, 6});
 const std::string lens = intersect({ball({0, 0, 0}, 6), rod({1, 0, -8}, 16, 4), cylinder({0, 1, -7}, 14, 7, 0)});
 
-/// A block with its corners cut off, as OpenSCAD prints a hull.
+/// A block with its corners cut off, in the form in which OpenSCAD prints a hull.
 const std::string gem =
     "hull(){" + box({-5, -3, -3}, {5, 3, 3}) + box({-3, -5, -3}, {3, 5, 3}) + box({-3, -3, -5}, {3, 3, 5}) + "}\n";
 
 }  // namespace
 
-TEST_CASE("what a ball, a cylinder and a cone have in common is one convex solid") {
+TEST_CASE("the intersection of a ball and a cylinder and a cone is one convex solid") {
   check_seen(lens);
   check_seen(placed(rotation(40, 25), lens));
 }
-TEST_CASE("what a ball, a cylinder and a cone have in common is cut out of a block") {
+TEST_CASE("a block minus the intersection of a ball and a cylinder and a cone is correct") {
   check_seen(subtract({box({-6, -2, -6}, {6, 6, 6}), lens}));
   check_seen(subtract({box({-6, -2, -6}, {6, 6, 6}), placed(rotation(40, 25), lens)}));
 }
-TEST_CASE("what a ball, a cylinder and a cone have in common is seen from inside") {
+TEST_CASE("the intersection of a ball and a cylinder and a cone is seen from inside") {
   CurvedLook how;
   how.near = 0.25;
   const CurvedVerdict verdict =
@@ -45,7 +45,7 @@ TEST_CASE("what a ball, a cylinder and a cone have in common is seen from inside
   look_curved(lens, {{0.5, -1, 0.25}, {1, 4, 2}, Projection::perspective}, how);
   look_curved(subtract({block, lens}), {{0.5, -1, 0.25}, {1, -4, -2}, Projection::perspective}, how);
 }
-TEST_CASE("two balls in common are a lens, and three a triangle of arcs") {
+TEST_CASE("two intersecting balls form a lens and three a triangle of arcs") {
   check_seen(intersect({ball({-2, 0, 0}, 6), ball({2, 0, 0}, 6)}));
   check_seen(intersect({ball({-2, 0, 0}, 6), ball({2, 0, 0}, 6), ball({0, 1, 3}, 6)}));
 }
@@ -53,7 +53,7 @@ TEST_CASE("crossing holes through a ball are open") {
   const std::string across = placed(rotation(90, 0), rod({0, 0, -8}, 16, 2));
   check_seen(subtract({ball({0, 0, 0}, 6), rod({0, 0, -8}, 16, 2), across, placed(rotation(0, 90), across)}));
 }
-TEST_CASE("many balls are subtracted from a cube") {
+TEST_CASE("subtracts many balls from a cube") {
   std::vector<std::string> parts{block};
   for (int i = 0; i < 12; ++i) {
     const int row = i / 3;
@@ -62,54 +62,54 @@ TEST_CASE("many balls are subtracted from a cube") {
   CurvedLook how;
   check_seen(subtract(parts), how);
 }
-TEST_CASE("subtracted solids that are themselves drilled leave cores") {
+TEST_CASE("subtracting solids that are themselves drilled leaves cores") {
   check_seen(subtract({block, subtract({rod({0, 0, -8}, 16, 5), rod({0, 0, -9}, 18, 3)})}));
   check_seen(
       subtract({ball({0, 0, 0}, 6), subtract({ball({0, 0, 0}, 5), ball({0, -1, 0}, 3)}), box({0, -7, 0}, {7, 7, 7})}));
 }
-TEST_CASE("sheared cylinders, balls and cones are drawn right") {
+TEST_CASE("sheared cylinders and balls and cones are drawn correctly") {
   const std::string shear = "[[1,0.5,0.75,0],[0,1,-0.5,0],[0,0,1,0],[0,0,0,1]]";
   check_seen(placed(shear, rod({0, 0, -4}, 8, 4)));
   check_seen(placed(shear, ball({0, 0, 0}, 4)));
   check_seen(placed(shear, cylinder({0, 0, -4}, 8, 4, 0)));
   check_seen(placed(shear, subtract({rod({0, 0, -4}, 8, 4), rod({0, 0, -4}, 8, 2)})));
 }
-TEST_CASE("elliptic cones and frustums are drawn right") {
+TEST_CASE("elliptic cones and frustums are drawn correctly") {
   const std::string cone = cylinder({0, 0, -4}, 8, 4, 0);
   check_seen(placed(scaling({2, 0.5, 1}), cone));
   check_seen(placed(rotation(100, 30), placed(scaling({2, 0.75, 1}), cone)));
   check_seen(subtract({block, placed(scaling({1.5, 0.75, 1.25}), cylinder({0, 0, -5}, 10, 4, 2))}));
 }
-TEST_CASE("mirrored curved solids are drawn right") {
+TEST_CASE("mirrored curved solids are drawn correctly") {
   const std::string body = subtract({cylinder({0, 0, -4}, 8, 5, 2), rod({1, 0, -5}, 10, 1)});
   check_seen(placed(scaling({-1, 1, 1}), body));
   check_seen(placed(scaling({-1, -1, -1}), body));
 }
-TEST_CASE("a hull of boxes and a ball are united, cut and intersected right") {
+TEST_CASE("a hull of boxes and a ball are combined correctly by all operators") {
   check_seen(unite({gem, ball({3, -3, 3}, 3)}));
   check_seen(subtract({gem, ball({3, -3, 3}, 3)}));
   check_seen(subtract({ball({0, 0, 0}, 6), gem}));
   check_seen(intersect({gem, ball({0, 0, 0}, 5)}));
 }
-TEST_CASE("a tetrahedron and a ball are united, cut and intersected right") {
+TEST_CASE("a tetrahedron and a ball are combined correctly by all operators") {
   const std::string pyramid = tetrahedron({-6, -6, -6}, {6, 6, -6}, {-6, 6, 6}, {6, -6, 6});
   check_seen(unite({pyramid, ball({0, 0, 0}, 4)}));
   check_seen(subtract({pyramid, ball({0, 0, 0}, 4)}));
   check_seen(intersect({pyramid, ball({0, 0, 0}, 4)}));
 }
-TEST_CASE("cylinders of few sides beside round ones are drawn right") {
+TEST_CASE("cylinders of few sides next to round ones are drawn correctly") {
   const std::string prism = cylinder({0, 0, -4}, 8, 4, 4, 6);
   check_seen(unite({prism, rod({2, -2, -5}, 10, 2)}));
   check_seen(subtract({rod({0, 0, -3}, 6, 5), prism}));
   check_seen(intersect({prism, rod({0, 0, -5}, 10, 3.75)}));
 }
-TEST_CASE("a solid that is there twice is seen once, and a copy elsewhere in the tree changes nothing") {
+TEST_CASE("a solid used twice is seen once and a copy elsewhere in the tree changes nothing") {
   const std::string body = subtract({ball({0, 0, 0}, 6), rod({0, 0, -8}, 16, 2)});
   check_seen(unite({body, body}));
   check_seen(intersect({body, body}));
   check_seen(subtract({body, subtract({body, body})}));
 }
-TEST_CASE("of surfaces of one solid that are at the same depth the first primitive's is seen, be it flat or curved") {
+TEST_CASE("at equal depth of a solid's surfaces the first primitive is visible") {
   CurvedLook coarse;
   coarse.z_bits = 4;
   const std::string bowl = ball({0, 0, 0}, 4);
@@ -119,7 +119,7 @@ TEST_CASE("of surfaces of one solid that are at the same depth the first primiti
     look_at_all(intersect({rod({0, 0, -5}, 10, 3.5), other, bowl}), coarse);
   }
 }
-TEST_CASE("colours of curved solids are the same by all ways, also where surfaces meet") {
+TEST_CASE("colours of curved solids are equal in all variants and where surfaces meet") {
   const std::string red = "color([0.9,0.2,0.1,1]){" + ball({0, 0, 0}, 5) + "}\n";
   const std::string blue = "color([0.1,0.3,0.9,1]){" + rod({0, 0, -7}, 14, 3) + "}\n";
   check_seen(unite({red, blue}));

@@ -20,7 +20,7 @@ constexpr glm::dvec3 along_axis{0, -1, 0};
 constexpr std::uint32_t small_width = 24;
 constexpr std::uint32_t small_height = 20;
 
-/// SystemC elaborates once a process: one machine for all Programs.
+/// A single machine for all Programs: SystemC allows one elaboration per process.
 machines::Machine small_machine() {
   machines::Machine machine = machines::blank(pixel_planes::kind);
   machine.name = "small";
@@ -60,7 +60,7 @@ judges::Errors errors_of(const Compiled& compiled, const observe::Frame& frame) 
   return judges::judge(truth_of(compiled), frame, compiled.program, explainer);
 }
 
-/// Moved by a little that no pixel is a simple part of, so that nothing that is symmetric lies on pixel centres.
+/// Moves the camera by an offset unrelated to the pixel size, so that nothing symmetric lies on pixel centres.
 view::Camera aside(const view::Camera& camera) {
   const glm::dvec3 by = glm::length(camera.eye - camera.centre) * glm::dvec3(0.00137, 0.00291, -0.00173);
   return {camera.eye + by, camera.centre + by, camera.projection, camera.up};
@@ -124,7 +124,7 @@ Verdict look_obliquely(const std::string& csg, const Look& how) { return look_fr
 view::Camera whole(const std::string& csg, const glm::dvec3& direction, Projection projection) {
   const facet::Geometry scene = facet::make_geometry(read::read_csg_text(csg, "test"));
   const view::Camera camera = view::view_all({direction, glm::dvec3(0), projection}, scene.box, 1, 1);
-  // Nothing to see: from somewhere.
+  // An empty model is seen from an arbitrary place.
   return scene.box.empty() ? view::Camera{30.0 * direction, glm::dvec3(0), projection} : camera;
 }
 

@@ -22,15 +22,15 @@ const std::string one = box({0, 0, 0}, {8, 8, 8});
 
 }  // namespace
 
-TEST_CASE("cubes that share an edge are united right") {
+TEST_CASE("a union of cubes that share an edge is correct") {
   check_seen(unite({one, box({8, 8, 0}, {16, 16, 8})}));
   check_seen(unite({one, box({8, 0, 8}, {16, 8, 16})}));
 }
-TEST_CASE("cubes that share an edge have no intersection") {
+TEST_CASE("cubes that share an edge do not intersect") {
   check_empty(intersect({one, box({8, 8, 0}, {16, 16, 8})}));
   check_empty(intersect({one, box({0, 8, 8}, {8, 16, 16})}));
 }
-TEST_CASE("cubes that share a vertex are united right, and have no intersection") {
+TEST_CASE("cubes that share a vertex are united correctly and do not intersect") {
   const std::string other = box({8, 8, 8}, {16, 16, 16});
   check_seen(unite({one, other}));
   check_empty(intersect({one, other}));
@@ -46,12 +46,12 @@ TEST_CASE("eight cubes around a common vertex leave no crack") {
     cubes.push_back(box(low, low + 8.0));
   }
   check_seen(unite(cubes));
-  // And nothing is left of a block without all of them.
+  // A block minus all of them is empty.
   cubes.insert(cubes.begin(), box({0, 0, 0}, {16, 16, 16}));
   check_empty(subtract(cubes));
 }
-TEST_CASE("three planes of different solids that share a line are classified right") {
-  // The faces x = 8, z = 8 and x = z all hold the line x = z = 8.
+TEST_CASE("classifies three planes of different solids with a common line correctly") {
+  // The faces x = 8, z = 8 and x = z all contain the line x = z = 8.
   const std::string wedge = placed(
       "[[0.70710678118654757,0,-0.70710678118654757,8],[0,1,0,0],[0.70710678118654757,0,0.70710678118654757,8],"
       "[0,0,0,1]]",
@@ -60,7 +60,7 @@ TEST_CASE("three planes of different solids that share a line are classified rig
   check_seen(subtract({box({0, 0, 0}, {12, 8, 12}), one, wedge}));
   check_seen(intersect({box({0, 0, 0}, {12, 8, 12}), unite({one, wedge})}));
 }
-TEST_CASE("a box whose vertex touches another's face leaves no mark on it") {
+TEST_CASE("a box whose vertex touches another box's face leaves no mark on it") {
   const std::string corner =
       placed(translation({4, 0, 4}), placed(rotation(35.264389682754654, 45), box({0, 0, 0}, {4, 4, 4})));
   const Verdict verdict = look_obliquely(subtract({one, corner}));

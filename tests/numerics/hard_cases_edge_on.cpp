@@ -9,7 +9,7 @@ namespace {
 constexpr Projection orthographic = Projection::orthographic;
 constexpr Projection perspective = Projection::perspective;
 
-/// Blocks side by side whose common face x = 0 is in the view axis, and so passes the middle column of pixel centres.
+/// Adjacent blocks whose common face x = 0 contains the view axis and so passes the middle column of pixel centres.
 const std::string abutting = unite({box({-8, 0, 0}, {0, 8, 8}), box({0, 0, 0}, {8, 8, 8})});
 
 Verdict from_the_front(const std::string& csg, Projection projection, double aside = 0.0) {
@@ -18,14 +18,14 @@ Verdict from_the_front(const std::string& csg, Projection projection, double asi
 
 }  // namespace
 
-TEST_CASE("of blocks that abut in an edge-on face exactly one owns the pixels on it, the one to the right") {
+TEST_CASE("the right of two blocks that abut in an edge-on face owns the pixels on it") {
   for (const Projection projection : {orthographic, perspective}) {
     CHECK(from_the_front(abutting, projection).wrong == 0);
     const csgsim::observe::Frame frame = picture_of(abutting, {{0, -60, 4}, {0, 4, 4}, projection});
     CHECK(frame.owner[static_cast<std::size_t>(frame.height / 2) * frame.width + frame.width / 2] == 1);
   }
 }
-TEST_CASE("of blocks that abut in a horizontal edge-on face the lower one owns the pixels on it") {
+TEST_CASE("the lower of two blocks that abut in a horizontal edge-on face owns its pixels") {
   const std::string stack = unite({box({-4, 0, -8}, {4, 8, 0}), box({-4, 0, 0}, {4, 8, 8})});
   for (const Projection projection : {orthographic, perspective}) {
     const csgsim::view::Camera camera{{0, -60, 0}, {0, 4, 0}, projection};
@@ -34,7 +34,7 @@ TEST_CASE("of blocks that abut in a horizontal edge-on face the lower one owns t
     CHECK(frame.owner[static_cast<std::size_t>(frame.height / 2) * frame.width + frame.width / 2] == 0);
   }
 }
-TEST_CASE("solids that touch in an edge-on face have no intersection and cut nothing off each other") {
+TEST_CASE("solids that touch in an edge-on face do not intersect or cut each other") {
   const std::string left = box({-8, 0, 0}, {0, 8, 8});
   const std::string right = box({0, 0, 0}, {8, 8, 8});
   for (const Projection projection : {orthographic, perspective}) {
@@ -44,13 +44,13 @@ TEST_CASE("solids that touch in an edge-on face have no intersection and cut not
     CHECK(from_the_front(subtract({unite({left, right}), right, left}), projection).covered == 0);
   }
 }
-TEST_CASE("a solid seen straight along all its side faces is drawn to the right pixels") {
+TEST_CASE("a solid seen parallel to all its side faces covers the correct pixels") {
   for (const Projection projection : {orthographic, perspective}) {
     CHECK(look(cylinder({0, 0, 0}, 9, 5, 5, 64), {{0, 0, 70}, {0, 0, 0}, projection}).wrong == 0);
     CHECK(look(cylinder({0, 0, 0}, 9, 5, 5, 7), {{0, 0, -70}, {0, 0, 0}, projection}).wrong == 0);
   }
 }
-TEST_CASE("faces that are off edge-on by 1e-3 to 1e-12 are drawn within the stated bounds") {
+TEST_CASE("faces between 1e-3 and 1e-12 from edge-on are drawn within the stated bounds") {
   std::uint64_t covered = 0;
   for (int exponent = 3; exponent <= 12; ++exponent) {
     for (const double sign : {-1.0, 1.0}) {
@@ -65,12 +65,12 @@ TEST_CASE("faces that are off edge-on by 1e-3 to 1e-12 are drawn within the stat
   }
   CHECK(covered > 10000);
 }
-TEST_CASE("blocks turned to edge-on by 1e-3 to 1e-12 leave no crack and no double cover") {
+TEST_CASE("blocks turned to 1e-3 to 1e-12 from edge-on leave no crack and no double cover") {
   for (int exponent = 3; exponent <= 12; ++exponent) {
     const std::string turned = placed(rotation(0, std::pow(10.0, -exponent)), abutting);
     CAPTURE(exponent);
     for (const Projection projection : {orthographic, perspective}) {
-      // In the middle of the picture both faces beside the common one are covered, whoever owns them.
+      // Both adjacent faces are covered in the middle of the picture, whichever block owns them.
       const csgsim::view::Camera camera{{0, -60, 4}, {0, 4, 4}, projection};
       look(turned, camera);
       const csgsim::observe::Frame frame = picture_of(turned, camera);
@@ -80,14 +80,14 @@ TEST_CASE("blocks turned to edge-on by 1e-3 to 1e-12 leave no crack and no doubl
   }
 }
 TEST_CASE("a plane through the eye is edge-on for every pixel in perspective") {
-  // The sloping face holds the eye.
+  // The sloping face contains the eye.
   const std::string wedge = tetrahedron({0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8});
   const csgsim::view::Camera camera{{30, 30, -52}, {2, 2, 2}, perspective};
   CHECK(look(wedge, camera).covered > 200);
   CHECK(look(unite({wedge, box({0, 0, -4}, {8, 8, 0})}), camera).covered > 200);
 }
-TEST_CASE("a face drawn as an edge is off by at most half the edge-on fraction") {
-  // Faces that pass the depth range within most of a pixel, at all places between two pixel centres.
+TEST_CASE("the error of a face drawn as an edge is at most half the edge-on fraction") {
+  // Faces that cross the depth range within most of a pixel, at all positions between two pixel centres.
   Look how;
   how.engines = false;
   how.sampling.edge_on_fraction = 1.0;
@@ -106,7 +106,7 @@ TEST_CASE("a face drawn as an edge is off by at most half the edge-on fraction")
       }
     }
   }
-  // It does cost pixels: the bound is tried, not only kept.
+  // The bound is reached: some pixels are wrong.
   CHECK(wrong > 0);
 }
 TEST_CASE("a finer edge-on fraction draws steep faces as surfaces") {

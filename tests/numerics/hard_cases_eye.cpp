@@ -34,11 +34,11 @@ TEST_CASE("an eye inside a room sees its walls") {
   CHECK(look(room, {{-7, -7, -7}, {8, 8, 8}, perspective}).wrong <= 1);
   CHECK(look(room, {{1, -5, 2}, {0.5, 8, 1}, perspective}).covered > 8000);
 }
-TEST_CASE("an eye inside a hole sees through it") {
+TEST_CASE("an eye inside a hole looks through it") {
   CHECK(look(room, {{0.5, 0.25, -9.3}, {0.4, 0.1, 9}, perspective}).wrong == 0);
   CHECK(look(room, {{0.5, 0.25, 9.5}, {0.4, 0.1, -9}, perspective}).wrong <= 1);
 }
-TEST_CASE("an eye on the axis of a hole sees it right, along its edges") {
+TEST_CASE("an eye on the axis of a hole sees it correctly along its edges") {
   CHECK(look(room, {{0, 0, -9.5}, {0, 0, 9}, perspective}).covered > 0);
   CHECK(look(room, {{0, 0, -60}, {0, 0, 9}, perspective}).covered > 1000);
   CHECK(look(room, {{0, 0, -60}, {0, 0, 9}, orthographic}).covered > 1000);
@@ -49,13 +49,13 @@ TEST_CASE("an eye on the plane of a face sees it edge-on") {
   CHECK(look(block, {{0.3, -30, 5}, {0, 5, 0}, perspective}).covered > 1000);
   CHECK(look(block, {{-5, -30, 5}, {1, 5, 0}, perspective}).covered > 1000);
 }
-TEST_CASE("an eye on a face sees the inside cut open or the outside, as the direction says") {
+TEST_CASE("an eye on a face sees the cut inside or the outside depending on its direction") {
   const std::string block = box({-5, 0, -5}, {5, 10, 5});
   const csgsim::view::Camera inwards{{0.2, 0, 0.1}, {0, 5, 0.3}, perspective};
   CHECK(look(block, inwards).covered == total(truth_at(block, inwards)));
   CHECK(look(block, {{0.2, 0, 0.1}, {0, -5, 0.3}, perspective}).covered == 0);
 }
-TEST_CASE("an eye at a vertex and an eye on an edge see the solid within the bounds") {
+TEST_CASE("an eye at a vertex or on an edge sees the solid within the bounds") {
   const std::string block = unite({box({0, 0, 0}, {10, 10, 10}), box({-10, 3, 0}, {0, 13, 8})});
   look(block, {{0, 0, 0}, {5, 5, 5}, perspective});
   look(block, {{0, 0, 5}, {5, 5, 5}, perspective});
@@ -68,7 +68,7 @@ TEST_CASE("an eye a pixel away from a face sees it fill the picture") {
   CHECK(verdict.wrong == 0);
   CHECK(verdict.covered == total(truth_at(block, camera)));
 }
-TEST_CASE("an eye that skims a face sees it foreshortened to the horizon") {
+TEST_CASE("an eye close to the plane of a face sees it foreshortened to the horizon") {
   const std::string floor = unite({box({-1000, 0, -1}, {1000, 2000, 0}), box({5, 40, 0}, {9, 44, 6})});
   for (const double height : {1.0, 1e-2, 1e-4, 1e-6}) {
     CAPTURE(height);
@@ -76,13 +76,13 @@ TEST_CASE("an eye that skims a face sees it foreshortened to the horizon") {
     CHECK(look(floor, {{0.1, -1, height}, {0, 50, 0}, perspective}).covered > 0);
   }
 }
-TEST_CASE("solids behind the eye are not seen in perspective, and are in an orthographic picture") {
+TEST_CASE("solids behind the eye are invisible in perspective but not orthographically") {
   const std::string behind = unite({box({-5, 20, -5}, {5, 30, 5}), box({-5, -40, -5}, {5, -30, 2})});
   CHECK(look(behind, {{0, 40, 0}, {0, 60, 0}, perspective}).covered == 0);
   CHECK(look(behind, {{0, 0, 0.3}, {1, 60, 0}, perspective}).wrong == 0);
   CHECK(look(behind, {{0.3, 100, 0.2}, {0, 160, 0}, orthographic}).covered > 1000);
 }
-TEST_CASE("a near plane through the model caps solids and not holes") {
+TEST_CASE("a near plane through the model caps solids but not holes") {
   Look how;
   for (const double near : {21.0, 25.0, 31.0, 37.0}) {
     CAPTURE(near);
@@ -92,7 +92,7 @@ TEST_CASE("a near plane through the model caps solids and not holes") {
     CHECK(verdict.covered > 2000);
   }
 }
-TEST_CASE("straight down and straight up the picture is turned as documented, and right") {
+TEST_CASE("views straight down and up are oriented as documented and correct") {
   for (const Projection projection : {orthographic, perspective}) {
     const std::string skew = placed(rotation(12, 34), room);
     CHECK(look(skew, {{1, 2, 70}, {1, 2, 0}, projection}).wrong == 0);
@@ -100,7 +100,7 @@ TEST_CASE("straight down and straight up the picture is turned as documented, an
     CHECK(look(skew, {{1, 2 + 1e-9, 70}, {1, 2, 0}, projection}).wrong == 0);
   }
 }
-TEST_CASE("a camera that is rolled about its view sees the model turned, and right") {
+TEST_CASE("a camera rolled about its view direction sees the model turned and correct") {
   const std::string skew = placed(rotation(12, 34), room);
   for (const glm::dvec3 degrees : {glm::dvec3(55, 20, 25), glm::dvec3(90, 90, 0), glm::dvec3(180, 0, 33)}) {
     for (const Projection projection : {orthographic, perspective}) {

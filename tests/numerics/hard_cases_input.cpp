@@ -21,7 +21,7 @@ void check_seen(const std::string& csg) {
   CHECK(verdict.covered > 1000);
 }
 
-/// The same picture, and right.
+/// Checks that both models give the same, correct picture.
 void check_same(const std::string& a, const std::string& b) {
   check_seen(a);
   for (const Projection projection : {orthographic, perspective}) {
@@ -45,7 +45,7 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 
 }  // namespace
 
-TEST_CASE("a mirrored solid is drawn right, with its inside inside") {
+TEST_CASE("a mirrored solid is drawn correctly and not inside out") {
   check_seen(placed("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body));
   check_seen(placed("[[1,0,0,0],[0,1,0,0],[0,0,-1,0],[0,0,0,1]]", body));
   check_seen(subtract({cube, placed("[[-1,0,0,10],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body)}));
@@ -54,11 +54,11 @@ TEST_CASE("a solid mirrored twice is the solid") {
   const std::string mirror = "[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]";
   check_same(body, placed(mirror, placed(mirror, body)));
 }
-TEST_CASE("skewed solids are drawn right") {
+TEST_CASE("skewed solids are drawn correctly") {
   check_seen(placed("[[1,0.5,-0.3,0],[0.2,1,0.4,0],[0,0.7,1,0],[0,0,0,1]]", body));
   CHECK(look_obliquely(placed("[[1,40,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body)).wrong == 0);
 }
-TEST_CASE("unevenly scaled solids are drawn right") {
+TEST_CASE("unevenly scaled solids are drawn correctly") {
   check_seen(placed(scaling({1000, 1, 100}), ball({0, 0, 0}, 5, 20)));
   check_seen(placed(rotation(20, 30), placed(scaling({1, 1, 0.01}), ball({0, 0, 0}, 5, 20))));
 }
@@ -67,16 +67,16 @@ TEST_CASE("a singular matrix flattens a solid to nothing") {
   check_empty(placed("[[1,2,3,0],[2,4,6,0],[0,0,1,0],[0,0,0,1]]", body));
   check_seen(subtract({cube, placed("[[1,0,0,0],[0,0,0,0],[0,0,1,0],[0,0,0,1]]", cube)}));
 }
-TEST_CASE("a nearly singular matrix leaves a thin solid that is drawn within the bounds") {
+TEST_CASE("a nearly singular matrix gives a thin solid that is drawn within the bounds") {
   for (const double thin : {1e-4, 1e-7, 1e-9}) {
     look_obliquely(placed(fmt::format("[[1,1,0,0],[1,{},0,0],[0,0,1,0],[0,0,0,1]]", 1.0 + thin), body));
   }
 }
-TEST_CASE("matrices of numbers that are not finite leave nothing") {
+TEST_CASE("matrices with numbers that are not finite give nothing") {
   check_empty(placed("[[1,0,0,nan],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body));
   check_empty(placed("[[inf,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body));
 }
-TEST_CASE("zero, negative, NaN and infinite sizes leave nothing") {
+TEST_CASE("sizes that are zero or negative or not finite give nothing") {
   for (const char* size : {"0", "-1", "nan", "inf", "-inf"}) {
     CAPTURE(size);
     check_empty(fmt::format("cube(size=[{},1,1],center=false);\n", size));
@@ -87,7 +87,7 @@ TEST_CASE("zero, negative, NaN and infinite sizes leave nothing") {
   check_empty("cylinder($fn=9,$fa=12,$fs=2,h=1,r1=0,r2=0,center=false);\n");
   check_empty("cylinder($fn=9,$fa=12,$fs=2,h=1,r1=-1,r2=1,center=false);\n");
 }
-TEST_CASE("empty operands empty an intersection, and are nothing to a union or difference") {
+TEST_CASE("an empty operand empties an intersection and does not affect union or difference") {
   const std::string empty = "cube(size=[0,0,0],center=false);\n";
   check_empty(intersect({cube, empty}));
   check_empty(subtract({empty, cube}));
@@ -96,13 +96,13 @@ TEST_CASE("empty operands empty an intersection, and are nothing to a union or d
   check_empty(unite({empty, intersect({body, "group();\n"})}));
   check_empty("group();\n");
 }
-TEST_CASE("an intersection of solids that are disjoint is empty, and nothing to what it is subtracted from") {
+TEST_CASE("an intersection of disjoint solids is empty and subtracting it changes nothing") {
   const std::string disjoint = intersect({cube, box({20, 20, 20}, {30, 30, 30})});
   check_empty(disjoint);
   check_seen(subtract({body, disjoint}));
 }
-TEST_CASE("coefficients that fit no width are an error that names the primitive, never a wrong picture") {
-  // Faces that lean less and less from edge-on, which the picture is to show as surfaces all the same.
+TEST_CASE("an error names the primitive whose coefficients do not fit; no picture is wrong") {
+  // Faces ever closer to edge-on, which the picture still has to show as surfaces.
   Look how;
   how.sampling.z_bits = 30;
   how.sampling.fraction_bits = 20;
@@ -130,11 +130,11 @@ TEST_CASE("coefficients that fit no width are an error that names the primitive,
   CHECK(errors > 4);
   CHECK(drawn > 4);
 }
-TEST_CASE("a size no double holds and cameras that see nothing are clear errors") {
+TEST_CASE("reports a size that no double holds and a camera that sees nothing") {
   CHECK(holds(error_of("cube(size=[1e400,1,1],center=false);\n", {{0, -9, 0}, {0, 0, 0}, orthographic}), "test:1:"));
   CHECK_FALSE(error_of(cube, {{1, 2, 3}, {1, 2, 3}, perspective}).empty());
 }
-TEST_CASE("more memory than the machine has is an error that says how much is needed") {
+TEST_CASE("an error states the memory needed if it exceeds that of the machine") {
   std::string deep = cube;
   for (int i = 0; i < 5; ++i)
     deep = subtract({box({0, 0, 0}, {9.0 - i, 9, 9}), intersect({unite({deep, body}), cube})});

@@ -8,10 +8,10 @@ namespace {
 
 constexpr glm::dvec3 oblique{0.61, -0.74, 0.9};
 
-/// Solids of the largest unions and differences.
+/// Number of solids in the largest unions and differences.
 const int most = csgsim::testing::cases(10'000, 2'000);
 
-/// A block on a grid of 100 columns, through a plate of thickness 4 or not.
+/// A block on a grid of 100 columns that may extend through a plate of thickness 4.
 std::string peg(int index, double low, double high) {
   return box({index % 100, index / 100, low}, {index % 100 + 0.5, index / 100 + 0.5, high});
 }
@@ -22,7 +22,7 @@ std::vector<std::string> plate_and_pegs(int count) {
   return parts;
 }
 
-/// Nested from the left: (((plate op peg) op peg) ...).
+/// Nested to the left: (((plate op peg) op peg) ...).
 std::string left_deep(int count, const std::vector<std::string>& operators) {
   std::string head;
   std::string tail = box({0, 0, 0}, {100, 100, 4});
@@ -31,7 +31,7 @@ std::string left_deep(int count, const std::vector<std::string>& operators) {
   return head + tail;
 }
 
-/// Nested to the right: block - (block - (block - ...)), each a bit smaller.
+/// Nested to the right: block - (block - (block - ...)), each slightly smaller.
 std::string right_deep(int count) {
   std::string csg;
   for (int i = 0; i < count; ++i) csg += "difference(){\n" + box(glm::dvec3(0.01 * i), {50, 50, 50 - 0.01 * i});
@@ -64,40 +64,40 @@ std::string dimpled(int count) {
 
 }  // namespace
 
-TEST_CASE("a cut of more than 255 subtracted things is drawn right") {
+TEST_CASE("a difference with more than 255 subtracted solids is drawn correctly") {
   check_both_ways(subtract(plate_and_pegs(300)), 0);
   check_both_ways(subtract(plate_and_pegs(1000)), 0, false);
 }
-TEST_CASE("256 things subtracted from each other's overlap are drawn right") {
+TEST_CASE("256 overlapping subtracted solids are drawn correctly") {
   std::vector<std::string> parts{box({-30, -30, -30}, {30, 30, 30})};
   for (int i = 0; i < 256; ++i) parts.push_back(placed(rotation(7.0 * i, 3.0 * i), box({18, -20, -4}, {40, 20, 4})));
   check_both_ways(subtract(parts), 10, false);
 }
-TEST_CASE("a cube without N times the intersection of sphere and cylinder is drawn right for N from 1 to 100") {
+TEST_CASE("a cube minus 1 to 100 intersections of sphere and cylinder is drawn correctly") {
   for (const int count : {1, 2, 5, 11, 12, 31, 32}) {
     CAPTURE(count);
     check_both_ways(dimpled(count), 0);
   }
   check_both_ways(dimpled(100), 0, false);
 }
-TEST_CASE("a union of thousands of solids is drawn right") { check_both_ways(unite(plate_and_pegs(most)), 2, false); }
-TEST_CASE("a difference of thousands of solids is drawn right") {
+TEST_CASE("a union of thousands of solids is drawn correctly") { check_both_ways(unite(plate_and_pegs(most)), 2, false); }
+TEST_CASE("a difference of thousands of solids is drawn correctly") {
   check_both_ways(subtract(plate_and_pegs(most)), 2, false);
 }
-TEST_CASE("an intersection of 300 solids, each of which cuts a little off, is drawn right") {
+TEST_CASE("an intersection of 300 solids that each cut a little is drawn correctly") {
   std::vector<std::string> parts;
   for (int i = 0; i < 300; ++i)
     parts.push_back(placed(rotation(37.0 * i, 61.0 * i), box({-50, -50, -50}, {50, 50, 30})));
   check_both_ways(intersect(parts), 10, false);
 }
-TEST_CASE("a tree of unions 10000 deep is drawn right") { check_both_ways(left_deep(10000, {"union"}), 5, false); }
-TEST_CASE("a tree of differences 10000 deep is drawn right") {
+TEST_CASE("a tree of unions 10000 deep is drawn correctly") { check_both_ways(left_deep(10000, {"union"}), 5, false); }
+TEST_CASE("a tree of differences 10000 deep is drawn correctly") {
   check_both_ways(left_deep(10000, {"difference"}), 5, false);
 }
-TEST_CASE("a tree of unions and differences in turn 10000 deep is drawn right") {
+TEST_CASE("a tree of alternating unions and differences 10000 deep is drawn correctly") {
   check_both_ways(left_deep(10000, {"union", "difference"}), 5, false);
 }
-TEST_CASE("a tree that nests to the right, every solid overlapping every other, is drawn right") {
+TEST_CASE("a tree nested to the right with overlaps of all solids is drawn correctly") {
   check_both_ways(right_deep(40), 10);
   check_both_ways(right_deep(300), 10, false);
 }

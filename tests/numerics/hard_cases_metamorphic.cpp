@@ -25,8 +25,8 @@ std::vector<csgsim::view::Camera> cameras() {
   return all;
 }
 
-/// Both models give the same depths at every pixel, and right ones. The depth scale is fitted to the model's box, which
-/// has to be the same for both.
+/// Checks that both models give the same, correct depths at every pixel. The depth scale is fitted to the model's box,
+/// so both models must have the same box.
 void check_same_geometry(const std::string& a, const std::string& b) {
   std::uint64_t covered = 0;
   for (const csgsim::view::Camera& camera : cameras()) {
@@ -38,7 +38,7 @@ void check_same_geometry(const std::string& a, const std::string& b) {
   CHECK(covered > 1000);
 }
 
-/// Everything that can matter.
+/// A box around everything, for complements.
 const std::string world = box({-40, -40, -40}, {40, 40, 40});
 
 std::string complement(const std::string& part) { return subtract({world, part}); }
@@ -61,37 +61,37 @@ TEST_CASE("the order of an intersection's operands does not change the geometry"
   std::swap(parts[0], parts[1]);
   check_same_geometry(first, intersect(parts));
 }
-TEST_CASE("the order of what is subtracted does not change the geometry") {
+TEST_CASE("the order of subtracted solids does not change the geometry") {
   std::vector<std::string> parts = solids();
   const std::string first = subtract(parts);
   std::reverse(parts.begin() + 1, parts.end());
   check_same_geometry(first, subtract(parts));
 }
-TEST_CASE("the complement of the complement is the solid") {
+TEST_CASE("the complement of a complement is the solid") {
   const std::string body = subtract(solids());
   check_same_geometry(intersect({world, body}), intersect({body, world}));
   const std::string twice = intersect({box({0, 0, 0}, {10, 8, 6}), complement(complement(body))});
   check_same_geometry(intersect({box({0, 0, 0}, {10, 8, 6}), body}), twice);
 }
-TEST_CASE("A without B is A within the complement of B") {
+TEST_CASE("A minus B is A intersected with the complement of B") {
   const std::string a = unite({box({0, 0, 0}, {10, 8, 6}), box({10, 0, 0}, {14, 8, 4})});
   const std::string b = unite({ball({9, 7, 5}, 4, 10), cylinder({5, 4, 0}, 6, 3, 3, 12)});
   check_same_geometry(subtract({a, b}), intersect({a, complement(b)}));
 }
-TEST_CASE("de Morgan: what is outside a union is outside each, what is outside an intersection outside one") {
+TEST_CASE("de Morgan: complements of unions and intersections") {
   const std::string a = box({0, 0, 0}, {10, 8, 6});
   const std::string b = ball({9, 7, 5}, 4, 10);
   const std::string c = cylinder({5, 4, 0}, 6, 3, 3, 12);
   check_same_geometry(subtract({a, unite({b, c})}), intersect({subtract({a, b}), subtract({a, c})}));
   check_same_geometry(unite({subtract({a, b}), subtract({a, c})}), intersect({a, subtract({a, intersect({b, c})})}));
 }
-TEST_CASE("an intersection spreads over a union") {
+TEST_CASE("intersection distributes over union") {
   const std::string a = cylinder({5, 4, 0}, 6, 5, 4, 9);
   const std::string b = box({0, 0, 0}, {5, 8, 6});
   const std::string c = box({5, 0, 0}, {10, 8, 4});
   check_same_geometry(intersect({unite({b, c}), a}), unite({intersect({b, a}), intersect({c, a})}));
 }
-TEST_CASE("a solid split by a plane and put together again is the solid") {
+TEST_CASE("a solid split by a plane and united again is the solid") {
   const std::string body =
       subtract({unite({box({0, 0, 0}, {10, 8, 6}), ball({9, 7, 5}, 4, 10)}), cylinder({5, 4, 0}, 6, 3, 3, 12)});
   const std::string near_half = box({-40, -40, -40}, {4, 40, 40});
@@ -99,15 +99,15 @@ TEST_CASE("a solid split by a plane and put together again is the solid") {
   const std::string slanted = placed(rotation(31, 17), box({-60, -60, -60}, {60, 60, 2}));
   check_same_geometry(body, unite({intersect({body, slanted}), subtract({body, slanted})}));
 }
-TEST_CASE("what is cut off and what is left have nothing in common") {
+TEST_CASE("the two parts of a split solid do not intersect") {
   const std::string a = unite(solids());
   const std::string b = placed(rotation(31, 17), box({-60, -60, -60}, {60, 60, 2}));
   for (const csgsim::view::Camera& camera : cameras()) {
     CHECK(look(intersect({intersect({a, b}), subtract({a, b})}), camera).covered == 0);
   }
 }
-TEST_CASE("a model moved by whole pixels is the same picture moved by whole pixels") {
-  // In an orthographic picture along an axis a pixel is that many model units.
+TEST_CASE("moving a model by whole pixels moves its picture by whole pixels") {
+  // A number of model units per pixel, in an orthographic picture along an axis.
   const Look how;
   const double pixel = 2.0 * std::tan(11.25 * std::numbers::pi / 180.0) * 64.0 / how.sampling.height;
   const csgsim::view::Camera camera{{0.123, -64, 0.045}, {0.123, 0, 0.045}, orthographic};

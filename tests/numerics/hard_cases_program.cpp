@@ -61,7 +61,7 @@ TEST_CASE("the same model compiles to the same Program every time") {
     CHECK(compiled(projection).program == compiled(projection).program);
   }
 }
-TEST_CASE("the engines agree in every bit on the hardest of the models") {
+TEST_CASE("all engines agree in every bit on the hardest of the models") {
   const Verdict verdict = look_around(hard_model());
   CHECK(verdict.pictures == 16);
   CHECK(verdict.covered > 10000);

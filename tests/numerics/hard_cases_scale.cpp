@@ -13,14 +13,14 @@ constexpr glm::dvec3 oblique{0.61, -0.74, 0.52};
 
 }  // namespace
 
-TEST_CASE("a model of size 1e-6 is drawn as one of size 1, and one of size 1e6") {
+TEST_CASE("models of size 1e-6 and 1e6 are drawn as one of size 1") {
   for (const double size : {1e-6, 1.0, 1e6}) {
     const Verdict verdict = look_obliquely(placed(scaling(glm::dvec3(size)), bracket));
     CHECK(verdict.wrong == 0);
     CHECK(verdict.covered > 10000);
   }
 }
-TEST_CASE("solids of sizes from 1e-6 to 1e6 in one scene are drawn right from near each of them") {
+TEST_CASE("solids of sizes from 1e-6 to 1e6 in one scene are drawn correctly from nearby") {
   std::vector<std::string> side_by_side;
   for (int exponent = -6; exponent <= 6; ++exponent) {
     const double size = std::pow(10.0, exponent);
@@ -33,15 +33,15 @@ TEST_CASE("solids of sizes from 1e-6 to 1e6 in one scene are drawn right from ne
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
       const glm::dvec3 centre(1.5 * size, 0, 0);
       Look how;
-      // By itself the near plane would be at 1/256 of the distance to the farthest solid.
+      // The default near plane would be at 1/256 of the distance to the farthest solid.
       how.sampling.near = 4.0 * size;
       const Verdict verdict = look(csg, {centre + 10.0 * size * oblique, centre, projection}, how);
-      // What is smaller than 1e-11 of the scene, 6e-5, has vanished.
+      // Solids smaller than 1e-11 of the scene, 6e-5, have vanished.
       if (size >= 1e-2) CHECK(verdict.covered > 100);
     }
   }
 }
-TEST_CASE("a model 1e6 away from the origin is drawn right") {
+TEST_CASE("a model 1e6 away from the origin is drawn correctly") {
   for (const glm::dvec3 away : {glm::dvec3(1e6, 0, 0), glm::dvec3(-1e6, 1e6, 1e6), glm::dvec3(333333.3, -7e5, 1e6)}) {
     const Verdict verdict = look_obliquely(placed(translation(away), bracket));
     CHECK(verdict.covered > 10000);
@@ -64,13 +64,13 @@ TEST_CASE("a far plane a million times as far as the near plane is drawn within 
   CHECK(look(csg, {{0.1, 0, 0.7}, {0, 10, 0}, Projection::perspective}).covered > 1000);
   CHECK(look(csg, {{0.1, 0, 0.7}, {0, 10, 0}, Projection::orthographic}).covered > 1000);
 }
-TEST_CASE("a camera a million model sizes away sees the model right") {
+TEST_CASE("a camera a million model sizes away sees the model correctly") {
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-    // All of it in one pixel or so.
+    // The whole model covers about one pixel.
     look(bracket, {1e7 * oblique, {5, 3, 2}, projection});
   }
 }
-TEST_CASE("few depth bits and no fraction bits cost pixels only within the bounds") {
+TEST_CASE("few depth bits and no fraction bits cause only errors within the bounds") {
   for (const unsigned z_bits : {4U, 8U, 12U, 30U}) {
     for (const unsigned fraction_bits : {0U, 4U, 20U}) {
       CAPTURE(z_bits);

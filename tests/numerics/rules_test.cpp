@@ -8,7 +8,7 @@ using namespace csgsim;
 
 namespace {
 
-/// Pixels at which the machine's picture differs from the rules.
+/// Number of pixels at which the machine's picture differs from the rules.
 std::size_t wrong_pixels(const testing::Compiled& compiled) {
   const std::vector<testing::Seen> expected = testing::draw_by_rules(compiled.tree, compiled.scene, compiled.view);
   const observe::Frame frame = testing::draw(compiled.program);
@@ -44,28 +44,28 @@ void check_models(const view::Camera& camera, std::uint64_t first_seed,
 
 }  // namespace
 
-TEST_CASE("random models seen from the side are drawn as the rules say, orthographic") {
+TEST_CASE("random models seen from the side follow the rules orthographically") {
   check_models({{30, -45, 35}, {0, 0, 0}, view::Projection::orthographic}, 1);
 }
-TEST_CASE("random models seen from the side are drawn as the rules say, perspective") {
+TEST_CASE("random models seen from the side follow the rules in perspective") {
   check_models({{30, -45, 35}, {0, 0, 0}, view::Projection::perspective}, 101);
 }
-TEST_CASE("random models seen along an axis, with faces edge-on, are drawn as the rules say, orthographic") {
+TEST_CASE("random models with faces edge-on follow the rules orthographically") {
   check_models({{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic}, 201);
 }
-TEST_CASE("random models seen along an axis are drawn as the rules say, perspective") {
+TEST_CASE("random models seen along an axis follow the rules in perspective") {
   check_models({{0, -60, 0}, {0, 0, 0}, view::Projection::perspective}, 301);
 }
-TEST_CASE("random models seen straight from above are drawn as the rules say") {
+TEST_CASE("random models seen straight from above follow the rules") {
   check_models({{0, 0, 60}, {0, 0, 0}, view::Projection::orthographic}, 401);
 }
-TEST_CASE("random models around the eye are drawn as the rules say") {
+TEST_CASE("random models around the eye follow the rules") {
   check_models({{0.25, -1, 0.5}, {0, 3, 0}, view::Projection::perspective}, 501);
 }
-TEST_CASE("random models larger than the picture are drawn as the rules say") {
+TEST_CASE("random models larger than the picture follow the rules") {
   check_models({{9, -8, 7}, {0, 0, 0}, view::Projection::orthographic}, 601);
 }
-TEST_CASE("random models at low accuracy are drawn as the rules say: neither pruning nor colouring changes anything") {
+TEST_CASE("random models at low accuracy follow the rules with any pruning and colouring") {
   struct Accuracy {
     unsigned z_bits;
     unsigned fraction_bits;
@@ -85,7 +85,7 @@ TEST_CASE("random models at low accuracy are drawn as the rules say: neither pru
     }
   }
 }
-TEST_CASE("the thesis's objects are drawn as the rules say") {
+TEST_CASE("the objects of the thesis follow the rules") {
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);

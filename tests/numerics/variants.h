@@ -7,13 +7,13 @@
 
 namespace csgsim::testing {
 
-/// Everything that must not change a picture, one change at a time.
+/// All options that must not change a picture, one change at a time.
 std::vector<emit::Options> all_options();
 
-/// The same picture in parts: lines, and squares that fit it or do not.
+/// The same picture divided into lines and into squares, including squares that do not fit it.
 std::vector<Setup> in_parts(Setup how);
 
-/// Without facets, on the machines whose expressions are of degree 2.
+/// The same picture without facets, on the machines whose expressions are of degree 2.
 std::vector<Setup> on_quadratic_machines(Setup how);
 
 }  // namespace csgsim::testing

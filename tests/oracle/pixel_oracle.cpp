@@ -14,7 +14,7 @@ struct Interval {
   std::int64_t back = 0;
 };
 
-/// The greatest whole number whose square is not above that.
+/// The integer square root, rounded down.
 std::int64_t root_of(std::int64_t square) {
   std::int64_t root = 0;
   for (std::int64_t bit = std::int64_t{1} << 30; bit > 0; bit /= 2) {
@@ -23,7 +23,7 @@ std::int64_t root_of(std::int64_t square) {
   return root;
 }
 
-/// What is left of an interval within a quadric.
+/// The part of an interval inside a quadric.
 Interval within(Interval in, const view::ScreenQuadric& quadric, view::QuadricRole role, unsigned fraction_bits,
                 std::int64_t x, std::int64_t y) {
   const view::FixedQuadratic& f = quadric.discriminant;

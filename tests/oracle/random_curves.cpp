@@ -12,7 +12,8 @@ namespace csgsim::testing {
 
 namespace {
 
-// Each number is drawn in a statement of its own: compilers differ in the order of a call's arguments.
+// Each number is drawn in a separate statement: compilers differ in the order in which they evaluate a call's
+// arguments.
 
 glm::dvec3 on_grid(Random& random, int most) {
   glm::dvec3 place(0);
@@ -23,7 +24,7 @@ glm::dvec3 on_grid(Random& random, int most) {
   return place;
 }
 
-/// The axes that they become, by columns.
+/// The images of the axes under a random rotation by right angles, as columns.
 std::array<glm::dvec3, 3> right_angled(Random& random) {
   std::array<glm::dvec3, 3> axes{glm::dvec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}};
   const std::uint64_t first = random.below(3);
@@ -85,7 +86,7 @@ std::string tree(Random& random, unsigned primitives) {
     const unsigned most = left == primitives ? primitives - 1 : left;
     const unsigned next = 1 + static_cast<unsigned>(random.below(most));
     const std::string part = tree(random, next);
-    // The same again: what coincides is everywhere.
+    // Repeats the part, so that surfaces coincide everywhere.
     text += part;
     if (random.below(12) == 0) text += part;
     left -= next;

@@ -11,12 +11,13 @@ namespace csgsim::testing {
 
 namespace {
 
-/// Steps of half a unit from low to high.
+/// A random multiple of half a unit from low to high.
 double on_grid(Random& random, int low, int high) {
   return low + 0.5 * static_cast<double>(random.below(static_cast<std::uint64_t>(2 * (high - low)) + 1));
 }
 
-// Each number is drawn in a statement of its own: compilers differ in the order of a call's arguments.
+// Each number is drawn in a separate statement: compilers differ in the order in which they evaluate a call's
+// arguments.
 
 std::string place(Random& random) {
   const double z = on_grid(random, -3, 3);

@@ -24,7 +24,7 @@ Vector combine(const Vector& a, const Rational& s, const Vector& b) {
   return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
 }
 
-/// A line; t counts model units along the view axis.
+/// A line; t is in model units along the view axis.
 struct Ray {
   Vector origin;
   Vector direction;
@@ -58,7 +58,7 @@ class Eye {
   [[nodiscard]] const Vector& down() const { return down_; }
 
  private:
-  /// At right angles to both, right of the first where the second is up.
+  /// A vector perpendicular to both, to the right of the first if the second points up.
   static Vector normal_of(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
@@ -74,7 +74,7 @@ class Eye {
   Rational middle_y_;
 };
 
-/// A depth along a ray. Where the near plane cuts, it lies before a face at the same distance.
+/// A depth along a ray. A cut by the near plane lies before a face at the same distance.
 struct Place {
   Rational t;
   bool is_face = true;
@@ -82,13 +82,13 @@ struct Place {
   bool operator<(const Place& other) const { return t != other.t ? t < other.t : !is_face && other.is_face; }
 };
 
-/// What a solid fills: front <= z < back.
+/// The interval that a solid fills: front <= z < back.
 struct Interval {
   Place front;
   Place back;
 };
 
-/// The part of the ray in a solid; nothing if there is none.
+/// The part of the ray inside a solid; empty if there is none.
 std::optional<Interval> interval(const facet::Geometry& scene, const facet::Convex& solid, const Eye& eye,
                                  const Ray& ray, double near) {
   std::optional<Rational> front;

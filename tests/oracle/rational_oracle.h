@@ -9,9 +9,9 @@
 
 namespace csgsim::testing {
 
-/// Owners of the pixels of a small picture, ~0 where nothing is seen, by the rules of docs/numbers.md (half-open, ties,
-/// owner) in plain rational numbers: every plane of every primitive at every pixel, no bounds, no filter. Slow. A judge
-/// of sim/judges's exact_truth. Perspective: `near` is the distance of the near plane.
+/// Owners of the pixels of a small picture, ~0 for the background, by the rules of docs/numbers.md (half-open, ties,
+/// owner) in rational numbers: every plane of every primitive at every pixel, without bounds or filters. Slow. An
+/// independent judge of exact_truth in sim/judges. In perspective, `near` is the distance of the near plane.
 std::vector<std::uint32_t> rational_owners(const model::Tree& tree, const facet::Geometry& scene,
                                            const view::Camera& camera, std::uint32_t width, std::uint32_t height,
                                            double near);

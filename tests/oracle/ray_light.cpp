@@ -12,7 +12,7 @@ namespace {
 constexpr glm::dvec3 usual_colour{0.976, 0.843, 0.173};
 constexpr glm::dvec3 usual_cut_colour{0.616, 0.796, 0.318};
 
-/// From the upper left behind the eye.
+/// The default light, from the upper left behind the eye.
 scene::Light usual_light() {
   scene::Light light;
   light.axes = scene::Axes::camera;
@@ -57,7 +57,7 @@ RayFinish finish(const scene::Scene& scene, const model::Primitive& primitive, b
   return found;
 }
 
-/// The mean of the vertices on a plane of a solid.
+/// The mean of a solid's vertices on a plane.
 glm::dvec3 middle_on(const facet::Convex& solid, const facet::Plane& plane, const glm::dvec3& centre) {
   const double on_it = 1e-8 * (glm::length(solid.box.high - solid.box.low) + glm::length(solid.box.centre() - centre));
   glm::dvec3 sum(0);

@@ -16,37 +16,37 @@ namespace csgsim::testing {
 /// A light in model space.
 struct RayLight {
   bool is_point = false;
-  glm::dvec3 place{0};      ///< of a point light
-  glm::dvec3 direction{0};  ///< of length 1, to a directional light
-  glm::dvec3 colour{0};     ///< times its intensity
+  glm::dvec3 place{0};      ///< position of a point light
+  glm::dvec3 direction{0};  ///< unit vector towards a directional light
+  glm::dvec3 colour{0};     ///< colour multiplied by the intensity
 };
 
-/// A surface's colour and how it throws light back.
+/// A surface's colour and reflection coefficients.
 struct RayFinish {
   glm::dvec3 colour;
   scene::Material material;
 };
 
-/// The lights of a scene and the colours of its facets, each shaded as a whole: one normal and, for what is near, one
-/// place, the mean of the primitive's vertices that are on the facet's plane.
+/// The lights of a scene and the colours of its facets. Each facet is shaded as a whole with one normal and, for nearby
+/// lights, one position: the mean of the primitive's vertices on the facet's plane.
 class RayLighting {
  public:
-  /// Lights given in the camera's axes are where they are whatever eye looks. Keeps a reference to the model.
+  /// Lights given in camera axes stay in place for any eye, including mirrored ones. Keeps a reference to the model.
   RayLighting(const model::Tree& tree, const facet::Geometry& facets, const RayModel& model, const scene::Scene& scene,
               const view::EyeSpace& camera);
 
   [[nodiscard]] const std::vector<RayLight>& lights() const { return lights_; }
 
-  /// The cosine between a facet's normal and the way to a light.
+  /// The cosine between a facet's normal and the direction to a light.
   [[nodiscard]] double facing(const SurfacePoint& facet, const RayLight& light) const;
 
-  /// Whether a light that barely reaches a primitive's facets is seen on them all the same.
+  /// Whether a light at grazing incidence is still visible on the primitive's facets.
   [[nodiscard]] bool has_highlights(std::uint32_t primitive) const {
     return finishes_[primitive].material.specular > 0.0;
   }
 
-  /// Red, green and blue in [0, 1], not rounded. `counts` says of each light whether it is not in shadow; one that the
-  /// facet turns away from adds nothing. `eye` may be a mirrored one.
+  /// Red, green and blue in [0, 1], not rounded. `counts` states for each light whether it is unshadowed; a light
+  /// behind the facet contributes nothing. `eye` may be a mirrored eye.
   [[nodiscard]] glm::dvec3 colour(const SurfacePoint& facet, const std::vector<bool>& counts,
                                   const view::EyeSpace& eye) const;
 
@@ -59,8 +59,8 @@ class RayLighting {
   const RayModel& model_;
   glm::dvec3 ambient_;
   std::vector<RayLight> lights_;
-  std::vector<RayFinish> finishes_;               ///< one a primitive
-  std::vector<std::vector<glm::dvec3>> middles_;  ///< of the facets, a primitive and half-space
+  std::vector<RayFinish> finishes_;               ///< by primitive
+  std::vector<std::vector<glm::dvec3>> middles_;  ///< middles of the facets, by primitive and half-space
 };
 
 }  // namespace csgsim::testing

@@ -13,7 +13,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Span missed{{infinity}, {-infinity}};
 
-/// The t at which a ray meets a canonical plane, the same for all who ask.
+/// The t at which a ray meets a canonical plane, identical for all primitives with that plane.
 double meeting(const Ray& ray, const facet::Plane& plane, const glm::dvec3& centre) {
   return -(glm::dot(plane.normal, ray.origin - centre) + plane.offset) / glm::dot(plane.normal, ray.direction);
 }
@@ -44,7 +44,7 @@ std::vector<bool> held_at(const std::vector<Span>& spans, double t) {
   return held;
 }
 
-/// Whether something that rounding could move across it is nearer to a crossing than the gap.
+/// Whether all decisions about a crossing are separated by more than the gap, so that rounding cannot change them.
 bool is_apart(const Crossing& at, const std::vector<Span>& spans, double gap) {
   if (at.lead < gap) return false;
   return std::all_of(spans.begin(), spans.end(), [&](const Span& span) {
@@ -53,7 +53,7 @@ bool is_apart(const Crossing& at, const std::vector<Span>& spans, double gap) {
   });
 }
 
-/// Whether a primitive is missed by so little that rounding could put it in front of t.
+/// Whether a primitive is missed so narrowly that rounding could put it in front of t.
 bool is_almost_hit(const Span& span, double t, double gap) {
   return span.empty() && span.in.plane != span.out.plane && span.in.t - span.out.t < gap && span.out.t < t + gap;
 }

@@ -14,18 +14,18 @@ namespace csgsim::testing {
 struct Ray {
   glm::dvec3 origin;
   glm::dvec3 direction;
-  std::uint32_t plane = model::no_index;  ///< the canonical plane that the origin is on, exactly, if it is on one
+  std::uint32_t plane = model::no_index;  ///< the canonical plane that contains the origin exactly, if any
 };
 
-/// Where a ray passes from one side of a half-space to the other.
+/// The crossing of a ray from one side of a half-space to the other.
 struct Crossing {
   double t = 0;
-  std::uint32_t halfspace = model::no_index;  ///< index into facet::Convex::halfspaces; none where the ray begins
+  std::uint32_t halfspace = model::no_index;  ///< index into facet::Convex::halfspaces; none at the start of the ray
   std::uint32_t plane = model::no_index;
-  double lead = 0;  ///< t between this half-space and the next of the same primitive
+  double lead = 0;  ///< distance in t from this half-space to the next of the same primitive
 };
 
-/// What a primitive fills of a ray: in.t <= t < out.t. Empty unless in.t < out.t.
+/// The part of a ray inside a primitive: in.t <= t < out.t. Empty unless in.t < out.t.
 struct Span {
   Crossing in;
   Crossing out;
@@ -37,47 +37,46 @@ struct Span {
 struct SurfacePoint {
   double t = 0;
   std::uint32_t primitive = model::no_index;
-  std::uint32_t halfspace = model::no_index;  ///< none where the near plane cuts the primitive open
+  std::uint32_t halfspace = model::no_index;  ///< none for a cut by the near plane
   std::uint32_t plane = model::no_index;
-  bool is_clear = true;  ///< nothing up to here is decided by less than the gap
+  bool is_clear = true;  ///< whether all decisions up to this point exceed the gap
 };
 
 /// The surface points of a ray, nearest first.
 struct Surfaces {
   std::vector<SurfacePoint> points;
-  bool is_clear = true;  ///< it is not decided by less than the gap that there are no others
+  bool is_clear = true;  ///< whether the absence of other points exceeds the gap
 };
 
-/// Where a ray is looked along. Surfaces on the canonical plane that it begins at are left out.
+/// The part of a ray to search. Surfaces on the canonical plane of its origin are omitted.
 struct Stretch {
   double from = 0;
   std::uint32_t plane = model::no_index;
 };
 
-/// Whether something of the model is on a ray, and whether that is decided by more than the gap.
+/// Whether the model intersects a ray, and whether that decision exceeds the gap.
 struct Occlusion {
   bool is_blocked = false;
   bool is_clear = true;
 };
 
 /// A tree of convex primitives along a ray, in double precision. Coincident faces are one canonical plane
-/// (docs/numbers.md), so that they are met at exactly the same t. `gap`, in t, is what separates decisions that
-/// rounding might take otherwise: crossings of different planes that are closer than that, and primitives that are hit
-/// or missed by less.
+/// (docs/numbers.md), so a ray meets them at exactly the same t. Decisions that differ by less than `gap`, in t, are
+/// uncertain because of rounding: nearby crossings of different planes, and primitives hit or missed narrowly.
 class RayModel {
  public:
   /// Keeps references to both.
   RayModel(const model::Tree& tree, const facet::Geometry& scene);
 
-  /// All surface points beyond `from`: the `in` of a primitive, or the `out` of one that is taken away,
-  /// where every operand that an intersection (in positive form) combines it with holds the point. Of those at one t
-  /// only the first in tree order. What reaches through `from` is cut open there, unless that is on a plane.
+  /// All surface points beyond `from`: the `in` of a primitive, or the `out` of a subtracted one, if every operand that
+  /// an intersection (in positive form) combines with it contains the point. Of several at one t, only the first in
+  /// tree order. Primitives that extend through `from` are cut open there, unless that is on a plane.
   [[nodiscard]] Surfaces surfaces(const Ray& ray, const Stretch& stretch, double gap) const;
 
-  /// Whether the open stretch 0 < t < length meets the model's interior.
+  /// Whether the open interval 0 < t < length meets the model's interior.
   [[nodiscard]] Occlusion occlusion(const Ray& ray, double length, double gap) const;
 
-  /// Out of the model, of length 1: for a primitive that is taken away, into the primitive.
+  /// The unit normal out of the model: for a subtracted primitive, into the primitive.
   [[nodiscard]] glm::dvec3 normal(std::uint32_t primitive, std::uint32_t halfspace) const;
 
   [[nodiscard]] bool taken_away(std::uint32_t primitive) const { return rules_.taken_away(primitive); }

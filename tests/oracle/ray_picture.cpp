@@ -20,7 +20,7 @@ view::EyeSpace eye_of(const RayShot& shot) {
   return view::eye_space(shot.camera, sampling);
 }
 
-/// t counts distance along the view axis.
+/// The ray at a place in the picture; t is distance along the view axis.
 Ray ray_at(const view::EyeSpace& eye, const glm::dvec2& place) {
   const glm::dvec3 away = eye.to_model(eye.from_picture({place.x, place.y, 1}));
   if (eye.perspective) return {eye.eye, away - eye.eye};
@@ -29,7 +29,7 @@ Ray ray_at(const view::EyeSpace& eye, const glm::dvec2& place) {
 
 class Camera {
  public:
-  /// `around`: without a gap, for what only has to be the same.
+  /// `around` casts the neighbouring rays, with a gap of 0, as they only have to give equal results.
   Camera(const RaySight& sight, const RaySight& around, const RayShot& shot, double aside)
       : sight_(sight), around_(around), shot_(shot), eye_(eye_of(shot)), aside_(aside) {}
 

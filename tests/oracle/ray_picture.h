@@ -14,45 +14,44 @@
 
 namespace csgsim::testing {
 
-/// How a model is looked at.
+/// Camera and picture size.
 struct RayShot {
   view::Camera camera;
-  std::uint32_t width = 0;                  ///< pixels
-  std::uint32_t height = 0;                 ///< pixels
-  double near = 0;                          ///< perspective: distance of the near plane, model units
-  std::vector<glm::dvec2> samples{{0, 0}};  ///< from the pixel's centre, columns and rows; several: their mean
+  std::uint32_t width = 0;   ///< in pixels
+  std::uint32_t height = 0;  ///< in pixels
+  double near = 0;           ///< distance of the near plane in model units (perspective)
+  std::vector<glm::dvec2> samples{
+      {0, 0}};  ///< offsets from the pixel's centre in columns and rows; several are averaged
 };
 
-/// What may be decided otherwise by rounding.
+/// Tolerances for decisions that depend on rounding.
 struct RayDoubt {
-  /// Pixels. A pixel is certain only if the same is seen, layer by layer, in the same light, by rays that much to
-  /// either side of it.
+  /// Distance in pixels. A pixel is certain only if rays at this distance on either side see the same layers in the
+  /// same light.
   double aside = 0.01;
-  /// Model units along a ray (in perspective: along the view axis): surfaces of different planes that are nearer to one
-  /// another, or to something that hides light, are in doubt.
+  /// Distance in model units along a ray (in perspective along the view axis). Surfaces of different planes that are
+  /// closer than this to one another, or to an occluder, are uncertain.
   double gap = 1e-4;
 };
 
-/// What a pixel should show.
+/// The expected contents of a pixel.
 struct RayColour {
-  glm::dvec3 colour{0};                       ///< red, green, blue in [0, 1]; rounded to 8 bits a channel if it has one
-                                              ///< sample only after this
-  std::uint32_t primitive = model::no_index;  ///< of the nearest surface, by the first sample; none: the background
-  std::uint32_t halfspace = model::no_index;  ///< its facet, index into facet::Convex::halfspaces
-  double depth = std::numeric_limits<double>::infinity();  ///< distance from the eye along the view axis, model units
-  bool is_certain = true;  ///< never where the near plane cuts a solid open: that colour is not told
+  glm::dvec3 colour{0};  ///< red, green, blue in [0, 1]; with a single sample not rounded to 8 bits per channel
+  std::uint32_t primitive = model::no_index;               ///< owner of the nearest surface in the first sample, if any
+  std::uint32_t halfspace = model::no_index;               ///< its facet, index into facet::Convex::halfspaces
+  double depth = std::numeric_limits<double>::infinity();  ///< distance along the view axis, in model units
+  bool is_certain = true;  ///< false for cuts by the near plane, whose colour is unspecified
 };
 
-/// The picture of a model in a scene, pixel by pixel in row order, by casting rays: a judge of effects, which shares no
-/// arithmetic with what draws them. In double precision; each facet is shaded as a whole. Samples are rounded to 8 bits
-/// a channel before their mean is taken; nothing else is.
+/// The picture of a model in a scene, pixel by pixel in row order, by ray casting: an independent judge of effects,
+/// which shares no arithmetic with the code that draws them. In double precision; each facet is shaded as a whole.
+/// Samples are rounded to 8 bits per channel before they are averaged; nothing else is rounded.
 ///
-/// Of the scene it takes lights, ambient light, materials and the background; effects are as given, whatever the scene
-/// calls for.
+/// Uses the scene's lights, ambient light, materials and background. `effects` replaces the effects of the scene.
 std::vector<RayColour> ray_picture(const model::Tree& tree, const facet::Geometry& facets, const scene::Scene& scene,
                                    const RayShot& shot, const RayEffects& effects = {}, const RayDoubt& doubt = {});
 
-/// Levels of 255 by which a colour of 24 bits is off, of the channel that is most.
+/// Largest error of a channel of a 24-bit colour, in levels of 255.
 double off_by(std::uint32_t packed, const glm::dvec3& expected);
 
 }  // namespace csgsim::testing

@@ -10,7 +10,7 @@ namespace csgsim::testing {
 
 namespace {
 
-/// Cosines nearer to 0 than this could have either sign. What light they let fall on a facet is not seen.
+/// Cosines closer to 0 than this have an uncertain sign; the light they contribute is invisible.
 constexpr double edge_on = 1e-9;
 
 glm::dvec3 place_at(const Ray& ray, double t) { return ray.origin + t * ray.direction; }
@@ -21,7 +21,7 @@ glm::dvec3 mirrored(const glm::dvec3& place, const glm::dvec3& on_mirror, const 
   return on_mirror + turned_over(place - on_mirror, normal);
 }
 
-/// The eye behind the mirror that sees what the mirror shows.
+/// The mirrored eye that sees the contents of the mirror.
 view::EyeSpace mirrored(view::EyeSpace eye, const glm::dvec3& on_mirror, const glm::dvec3& normal) {
   eye.eye = mirrored(eye.eye, on_mirror, normal);
   for (glm::dvec3* axis : {&eye.axes.right, &eye.axes.up, &eye.axes.forward}) *axis = turned_over(*axis, normal);

@@ -12,59 +12,59 @@
 
 namespace csgsim::testing {
 
-/// What reflects.
+/// A mirror.
 struct RayMirror {
   std::uint32_t primitive = 0;
-  std::optional<std::uint32_t> halfspace;  ///< index into facet::Convex::halfspaces; none: all facets
-  double reflectance = 1;                  ///< part of the colour that is what the mirror shows, 0 to 1
+  std::optional<std::uint32_t> halfspace;  ///< index into facet::Convex::halfspaces; none for all facets
+  double reflectance = 1;                  ///< weight of the reflection in the colour, 0 to 1
 };
 
-/// Colours fade into one colour with the distance along the view axis; of what a mirror shows, with the whole way.
+/// Depth cue: colours fade with the distance along the view axis; those in a mirror with the length of the whole path.
 struct RayCue {
-  double begin = 0;  ///< distance of the eye, model units: not faded
-  double end = 1;    ///< nothing else is left
+  double begin = 0;  ///< distance in model units at which fading begins
+  double end = 1;    ///< distance at which only the fading colour remains
   glm::dvec3 colour{0};
 };
 
-/// What a picture shows besides shaded facets. As it is: nothing.
+/// Effects of a picture in addition to shaded facets. By default none.
 struct RayEffects {
   bool has_shadows = false;
-  std::vector<std::uint32_t> shadowless_lights;  ///< that shine through everything
+  std::vector<std::uint32_t> shadowless_lights;  ///< lights that cast no shadows
 
-  std::vector<double> opacity;  ///< 0 to 1, one a primitive; none: all are opaque
-  unsigned layers = 1;          ///< surfaces that are seen at most behind one another, if the first are not opaque
-  /// Screen-door: whether a primitive's surfaces are there at a pixel (column, row, primitive); none: all are.
+  std::vector<double> opacity;  ///< 0 to 1, by primitive; empty if all are opaque
+  unsigned layers = 1;          ///< maximum number of surfaces visible behind one another
+  /// Screen-door: whether a primitive's surfaces are drawn at a pixel (column, row, primitive); if empty, all are.
   std::function<bool(std::uint32_t, std::uint32_t, std::uint32_t)> is_there;
 
-  std::vector<RayMirror> mirrors;  ///< the first that holds for a facet counts
-  unsigned reflections = 0;        ///< mirrors that are seen in one another; after so many only their own colour
+  std::vector<RayMirror> mirrors;  ///< the first match for a facet applies
+  unsigned reflections = 0;        ///< maximum number of mirrors in one another; further ones show only their colour
 
-  std::optional<RayCue> cue;  ///< of surfaces, not of the background
+  std::optional<RayCue> cue;  ///< fading of surfaces, not of the background
 };
 
-/// What a pixel is about, whoever it is seen by.
+/// The pixel that a ray belongs to, also for rays of mirrored eyes.
 struct RayPixel {
   std::uint32_t x = 0;
   std::uint32_t y = 0;
 };
 
-/// What is seen along a ray.
+/// The result of a ray.
 struct RaySeen {
   glm::dvec3 colour{0};
-  SurfacePoint nearest;             ///< no primitive where nothing is seen
-  std::vector<std::uint32_t> path;  ///< every decision on the way: layers, lights that count, mirrors
-  bool is_clear = true;             ///< none of them by less than the gap
+  SurfacePoint nearest;             ///< without a primitive for the background
+  std::vector<std::uint32_t> path;  ///< all decisions: layers, unshadowed lights, mirrors
+  bool is_clear = true;             ///< whether all decisions exceed the gap
 };
 
-/// Looks along rays.
+/// Casts rays.
 class RaySight {
  public:
-  /// Keeps references. `gap`: see RayModel.
+  /// Keeps references. See RayModel for `gap`.
   RaySight(const RayModel& model, const RayLighting& lighting, const RayEffects& effects, const glm::dvec3& background,
            double gap)
       : model_(model), lighting_(lighting), effects_(effects), background_(background), gap_(gap) {}
 
-  /// What an eye sees along one of its rays; t counts distance along its axis.
+  /// The result of one of an eye's rays; t is distance along the eye's axis.
   [[nodiscard]] RaySeen look(const view::EyeSpace& eye, const Ray& ray, const Stretch& stretch, RayPixel pixel) const {
     return look(eye, ray, stretch, pixel, effects_.reflections);
   }

@@ -6,7 +6,7 @@
 
 namespace csgsim::testing {
 
-/// SplitMix64: small, and the same everywhere.
+/// SplitMix64: a small generator with the same numbers on every computer.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -19,7 +19,7 @@ class Random {
     return (z ^ (z >> 31U)) % limit;
   }
 
-  /// One of several.
+  /// A random element.
   template <class Value>
   Value one_of(std::initializer_list<Value> values) {
     return values.begin()[static_cast<std::size_t>(below(values.size()))];

@@ -4,7 +4,7 @@ namespace csgsim::testing {
 
 namespace {
 
-/// Whether every node of the tree holds the point.
+/// Evaluates for every node whether it contains the point.
 std::vector<bool> evaluate(const model::Tree& tree, const std::vector<bool>& held) {
   std::vector<bool> value(tree.nodes.size());
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {

@@ -7,26 +7,26 @@
 
 namespace csgsim::testing {
 
-/// When a primitive's surface is the model's, by the operators as the model states them.
+/// Decides when a primitive's surface is the model's, by the operators as stated in the model.
 class TreeRules {
  public:
   /// Keeps a reference to the tree.
   explicit TreeRules(const model::Tree& tree);
 
-  /// Whether the model holds a point. `held` says of each primitive whether it does.
+  /// Whether the model contains a point, given in `held` which primitives contain it.
   [[nodiscard]] bool holds(const std::vector<bool>& held) const;
 
-  /// Whether the primitive is on the right of an odd number of differences: then its back is what can be seen.
+  /// Whether the primitive is on the right of an odd number of differences, so that its back is the visible side.
   [[nodiscard]] bool taken_away(std::uint32_t primitive) const { return places_[leaf_of_[primitive]].taken_away; }
 
-  /// Whether the primitive's surface can be the model's just behind a point: up to the root no operator takes it away.
-  /// A union hides nothing (its other operands have surfaces of their own); an intersection or difference hides what is
-  /// outside its other operands; under the right of a difference the parts are exchanged. `held` says of each primitive
-  /// whether it holds the point.
+  /// Whether the primitive's surface can be the model's just behind a point: no operator up to the root removes it. A
+  /// union hides nothing (its other operands have separate surfaces); an intersection or difference hides points
+  /// outside its other operands; under the right of a difference the roles are exchanged. `held` lists the primitives
+  /// that contain the point.
   [[nodiscard]] bool shows(std::uint32_t primitive, const std::vector<bool>& held) const;
 
  private:
-  /// What is fixed about a node.
+  /// The constant properties of a node.
   struct Place {
     std::uint32_t parent = model::no_index;
     bool taken_away = false;

@@ -1,12 +1,12 @@
-"""The one channel of an OpenEXR file of scan lines of 32-bit floats, without or with ZIP compression, by the file's
-published layout alone."""
+"""Reads a single-channel OpenEXR file of scan lines of 32-bit floats, without or with ZIP compression, using only the
+published file layout."""
 
 import struct
 import zlib
 
 import numpy
 
-LINES = {0: 1, 2: 1, 3: 16}  # of a block, by the number of the compression: none, ZIPS, ZIP
+LINES = {0: 1, 2: 1, 3: 16}  # lines of a block, by the number of the compression: none, ZIPS, ZIP
 
 
 def _text(data, at):
@@ -15,7 +15,7 @@ def _text(data, at):
 
 
 def _attributes(data):
-    """Each attribute's bytes by its name, and where the header ends."""
+    """Returns each attribute's bytes by name, and where the header ends."""
     found, at = {}, 8
     while data[at] != 0:
         name, at = _text(data, at)
@@ -26,7 +26,7 @@ def _attributes(data):
 
 
 def _inflated(block):
-    """Bytes are stored as differences, the even ones first."""
+    """Decompresses a block, whose bytes are stored as differences, the even ones first."""
     raw = numpy.frombuffer(zlib.decompress(block), numpy.uint8).astype(numpy.int64)
     raw[1:] -= 128
     plain = numpy.cumsum(raw).astype(numpy.uint8)
@@ -37,7 +37,7 @@ def _inflated(block):
 
 
 def read(data):
-    """Rows of numbers."""
+    """Returns the rows of numbers."""
     attributes, at = _attributes(data)
     left, top, right, bottom = struct.unpack("<4i", attributes["dataWindow"])
     width, height = right - left + 1, bottom - top + 1

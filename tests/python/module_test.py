@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The Python module held against the command line: module_test.py CSGSIM SOURCE [NAMES...]"""
+"""Compares the Python module with the command line: module_test.py CSGSIM SOURCE [NAMES...]"""
 
 import json
 import math
@@ -37,11 +37,11 @@ RENDERS = [
     {**SMALL, "level": "cycle"},
     {**SMALL, "tolerance": "0.5px", "advice": True},
 ]
-NOT_OF_CALLS = ("frames", "turn", "quiet", "output", "stats")  # options of the command line, or that it was given here
+NOT_OF_CALLS = ("frames", "turn", "quiet", "output", "stats")  # options only of the command line or of this test
 
 
 def same_run(stats):
-    """Of stats what does not tell program from module, nor where they write."""
+    """The stats without entries that depend on program or module and on output places."""
     stats = support.without_time(stats)
     configuration = stats["configuration"]
     for key in ("command", "version"):
@@ -51,16 +51,16 @@ def same_run(stats):
 
 
 def same_page(text):
-    """Of a page of a run what does not tell program from module: its data, and its other lines."""
+    """The data and the other lines of a run's page, without entries that depend on program or module."""
     before, data, after = re.split(r'(?<=id="data">)(.*?)(?=</script>)', text, maxsplit=1)
     names_run = re.compile(r"id=command|/configuration/(command|version|options/(" + "|".join(NOT_OF_CALLS) + "))\"")
     return same_run(json.loads(data)), [line for line in (before + after).split("\n") if not names_run.search(line)]
 
 
-class Drawn(unittest.TestCase):
+class Pictures(unittest.TestCase):
     """Pictures, counts and Programs."""
 
-    def test_pictures_and_stats_are_those_of_render(self):
+    def test_pictures_and_stats_equal_those_of_render(self):
         for options in RENDERS:
             with self.subTest(options=options):
                 stats, picture = support.stats("render", FIGURE, **options)
@@ -71,7 +71,7 @@ class Drawn(unittest.TestCase):
                 self.assertEqual(list(drawing.stats), list(stats))
                 self.assertEqual(same_run(drawing.stats), same_run(stats))
 
-    def test_a_stats_dictionary_is_a_stats_file_that_is_run_again(self):
+    def test_rerun_accepts_a_stats_dictionary_as_file(self):
         drawing = csgsim.render(FIGURE, **SMALL)
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "stats.json")
@@ -79,7 +79,7 @@ class Drawn(unittest.TestCase):
             ended = support.command("rerun", str(file), anyway=True)
             self.assertEqual(ended.returncode, 0, ended.stderr)
 
-    def test_depths_and_owners_are_those_of_the_files(self):
+    def test_depths_and_owners_equal_those_of_the_files(self):
         for surface in ("nearest", "opaque"):
             options = {**SMALL, "surface": surface, "set": ["lights.0.direction=0,0,-1"]}
             with tempfile.TemporaryDirectory() as folder:
@@ -93,15 +93,15 @@ class Drawn(unittest.TestCase):
         self.assertTrue((drawing.owner >= 0).any() and (drawing.owner == -1).any())
         self.assertLess(drawing.owner.max(), len(drawing.program.primitives))
 
-    def test_files_are_written_as_render_writes_them(self):
+    def test_writes_files_as_render_does(self):
         _, picture = support.stats("render", FIGURE, **SMALL)
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "picture.png")
             csgsim.render(FIGURE, **SMALL, output=file)
             self.assertEqual(file.read_bytes(), picture)
 
-    def test_a_page_is_that_of_render(self):
-        """With the half-spaces of the model, which stories of pixels name."""
+    def test_a_page_equals_that_of_render(self):
+        """Includes the half-spaces of the model, which stories of pixels name."""
         pages = []
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "page.html")
@@ -110,7 +110,7 @@ class Drawn(unittest.TestCase):
                 pages.append(same_page(file.read_text(encoding="utf-8")))
         self.assertEqual(*pages)
 
-    def test_options_are_numbers_texts_paths_sequences_mappings_and_machines(self):
+    def test_options_accept_numbers_texts_paths_sequences_mappings_and_machines(self):
         said = support.without_time(csgsim.render(FIGURE, **SMALL, set=["alu.bits=2"], z_bits="16").stats)
         machine = csgsim.Machine("pixel-planes-4", **{"alu.bits": 2})
         for options in ({"size": (64, 48), "camera": (30, -40, 25, 0, 0, 2), "set": {"alu.bits": 2}, "z_bits": 16},
@@ -120,7 +120,7 @@ class Drawn(unittest.TestCase):
             del stats["configuration"], stats["knobs"]
             self.assertEqual(stats, {key: value for key, value in said.items() if key in stats})
 
-    def test_a_text_is_drawn_as_its_file(self):
+    def test_draws_a_text_as_its_file(self):
         text = pathlib.Path(FIGURE).read_text(encoding="utf-8")
         stats, picture = support.stats("render", FIGURE, **SMALL)
         drawing = csgsim.render(FIGURE, text=text, **SMALL, progress="none")
@@ -130,7 +130,7 @@ class Drawn(unittest.TestCase):
         self.assertEqual(unnamed.png(), picture)
         self.assertEqual(unnamed.stats["configuration"]["model"]["hash"], stats["configuration"]["model"]["hash"])
 
-    def test_openscad_source_goes_to_the_openscad_of_the_path(self):
+    def test_evaluates_openscad_source_with_the_openscad_on_the_path(self):
         with tempfile.TemporaryDirectory() as folder:
             openscad = pathlib.Path(folder, "openscad")
             openscad.write_text("#!/bin/sh\necho 'WARNING: kept' >&2\necho 'cube(size = [10, 10, 10], center = true);'\n",
@@ -146,7 +146,7 @@ class Drawn(unittest.TestCase):
         self.assertEqual(warned.filename, __file__)
         self.assertEqual(drawing.png(), csgsim.render(text="cube(size = 10, center = true);", size="32x32").png())
 
-    def test_programs_are_compiled_kept_and_run_as_by_the_commands(self):
+    def test_compiles_saves_and_runs_programs_as_the_commands_do(self):
         program = csgsim.compile(FIGURE, **SMALL, z_bits=16)
         drawing = csgsim.render(FIGURE, **SMALL, z_bits=16)
         with tempfile.TemporaryDirectory() as folder:
@@ -165,7 +165,7 @@ class Drawn(unittest.TestCase):
                     told.pop("configuration", None)
                 self.assertEqual(support.without_time(run.stats), support.without_time(stats))
 
-    def test_rows_of_a_program_are_its_lines(self):
+    def test_rows_of_a_program_equal_its_lines(self):
         program = csgsim.compile(FIGURE, **SMALL)
         lines = [line for line in program.text().splitlines() if line.startswith("  ")]
         rows = program.instructions
@@ -183,10 +183,10 @@ class Drawn(unittest.TestCase):
         self.assertEqual(program.machine.name, "pixel-planes-4")
 
 
-class Told(unittest.TestCase):
+class Reports(unittest.TestCase):
     """Stories, studies, machines, options."""
 
-    def test_stories_are_those_of_explain(self):
+    def test_stories_equal_those_of_explain(self):
         for subject, options in ((FIGURE, {**SMALL, "pixel": "30,24", "why_not": "p1"}), (FIGURE, {**SMALL, "point": "0,0,2"}),
                                  ("traces/thesis_fig_2_3.csgt", {"pixel": "200,300"})):
             said = support.done("explain", subject, **options)
@@ -196,7 +196,7 @@ class Told(unittest.TestCase):
         program = csgsim.Program.load("traces/thesis_fig_2_3.csgt")
         self.assertEqual(csgsim.explain(program, pixel=(200, 300)), told)
 
-    def test_rows_of_studies_are_those_of_their_files(self):
+    def test_rows_of_studies_equal_those_of_their_files(self):
         for name, options in (("sweep", {"strategy": "stack,list", "z_bits": "16,20"}),
                               ("compare", {"machines": "pixel-planes-4,scan-line", "fragments": "none", "sides": "none"}),
                               ("accuracy", {"views": 1})):
@@ -206,7 +206,7 @@ class Told(unittest.TestCase):
                 self.assertEqual(support.without_build(rows), support.without_build(told["points"]))
                 self.assertGreater(len(rows), 1)
 
-    def test_every_study_can_be_asked_for_what_it_takes(self):
+    def test_every_study_lists_its_options(self):
         self.assertEqual(csgsim.studies(), [name for name in csgsim.studies() if csgsim.options(name)])
         self.assertIn("advise", csgsim.studies())
         told = support.study("subdivide", FIGURE, size="64x48", subdivisions="2")
@@ -214,7 +214,7 @@ class Told(unittest.TestCase):
         self.assertEqual(list(asked), list(told))
         self.assertEqual(support.without_build(asked["points"]), support.without_build(told["points"]))
 
-    def test_a_study_in_a_folder_goes_on(self):
+    def test_a_study_in_a_folder_resumes(self):
         with tempfile.TemporaryDirectory() as folder:
             first = csgsim.sweep(FIGURE, size="32x32", strategy="stack", output=folder, no_plots=True)
             both = csgsim.sweep(FIGURE, size="32x32", strategy=["stack", "list"], output=folder, no_plots=True)
@@ -222,7 +222,7 @@ class Told(unittest.TestCase):
             kept = json.loads(pathlib.Path(folder, "sweep.json").read_text(encoding="utf-8"))
             self.assertEqual(kept["points"], both)
 
-    def test_machines_have_the_figures_of_the_manual(self):
+    def test_machines_have_the_parameters_of_the_manual(self):
         listed = support.done("manual", "machines", "all")
         for machine in csgsim.machines():
             self.assertIn(f"{machine.name}\n  {machine.description}\n", listed)
@@ -234,15 +234,15 @@ class Told(unittest.TestCase):
         from_file = csgsim.Machine("hw/machines/scan-line.toml")
         self.assertEqual(from_file, csgsim.Machine("scan-line"))
 
-    def test_options_are_those_of_help(self):
+    def test_options_equal_those_of_help(self):
         for command in ("render", "compile", "run", "explain", *csgsim.studies()):
             page = support.done(command, "--help")
             for option in csgsim.options(command):
                 self.assertIn("--" + option["name"].removesuffix("_").replace("_", "-"), page)
 
 
-class Refused(unittest.TestCase):
-    """Errors, warnings and what is not for Python."""
+class Errors(unittest.TestCase):
+    """Errors, warnings and options that do not apply to Python."""
 
     def refused(self, kind, message, call, *arguments, **options):
         with self.assertRaises(kind) as raised:
@@ -250,7 +250,7 @@ class Refused(unittest.TestCase):
         self.assertIn(message, str(raised.exception))
         return raised.exception
 
-    def test_errors_say_what_the_command_line_says(self):
+    def test_errors_equal_those_of_the_command_line(self):
         for subject, options in (("nowhere.csg", {}), (FIGURE, {"machine": "pixel-plane"}), (FIGURE, {"z_bits": 99}),
                                  (FIGURE, {"z_bitz": 16}), (FIGURE, {"strategy": "stak"}), (FIGURE, {"memory_bits": 8}),
                                  (FIGURE, {"set": ["alu.bitz=2"]}), ("traces/thesis_fig_2_3.csgt", {})):
@@ -268,7 +268,7 @@ class Refused(unittest.TestCase):
         self.assertGreater(error.column, 1)
         self.assertIsNone(self.refused(csgsim.Error, "z-bits", csgsim.render, FIGURE, z_bits=99).line)
 
-    def test_machines_programs_and_studies_are_refused_by_name(self):
+    def test_rejects_unknown_machines_programs_and_studies_by_name(self):
         self.refused(csgsim.Error, "pixel-planes-4", csgsim.Machine, "pixel-planes-3")
         self.refused(csgsim.Error, "alu.bits", csgsim.Machine, "pixel-planes-4", **{"alu.bitz": 2})
         self.refused(csgsim.Error, "that is a model", csgsim.Program.load, FIGURE)
@@ -277,7 +277,7 @@ class Refused(unittest.TestCase):
         self.refused(TypeError, "name a model", csgsim.render)
         self.refused(TypeError, "is not a text", csgsim.render, FIGURE, size=object())
 
-    def test_what_is_for_terminals_is_refused(self):
+    def test_rejects_options_for_terminals(self):
         self.refused(csgsim.UsageError, "--help", csgsim.render, FIGURE, help=True)
         self.refused(csgsim.UsageError, "zero byte", csgsim.render, FIGURE, size="8x8\0x9")
         self.refused(csgsim.UsageError, "zero byte", csgsim.render, f"{FIGURE}\0.csg")
@@ -286,7 +286,7 @@ class Refused(unittest.TestCase):
         self.refused(csgsim.UsageError, "--quiet", csgsim.sweep, FIGURE, quiet=True)
         self.refused(csgsim.UsageError, "--shard", csgsim.sweep, FIGURE, shard="1/2")
 
-    def test_nothing_is_printed_and_warnings_are_pythons(self):
+    def test_prints_nothing_and_issues_python_warnings(self):
         script = textwrap.dedent(f"""
             import csgsim, warnings
             warnings.simplefilter("error")
@@ -298,17 +298,17 @@ class Refused(unittest.TestCase):
         self.assertEqual(ended.stdout, "")
         self.assertIn("CsgsimWarning: warning: at the far end", ended.stderr.splitlines()[-1])
 
-    def test_a_process_clocks_one_machine_and_says_so(self):
+    def test_reports_a_second_clocked_machine_in_a_process(self):
         csgsim.render(FIGURE, size="16x16", level="cycle")
         csgsim.render(FIGURE, size="16x16", level="cycle")
         self.refused(csgsim.Error, "a separate process", csgsim.render, FIGURE, size="16x16", level="cycle", machine="scan-line")
 
 
-class Long(unittest.TestCase):
-    """Long work lets other threads go on, and ends at Ctrl-C."""
+class LongWork(unittest.TestCase):
+    """Long work does not block other threads, and ends at Ctrl-C."""
 
     def interrupted(self, call, *arguments, **options):
-        """Seconds until KeyboardInterrupt has come out, after Ctrl-C."""
+        """Seconds from Ctrl-C until KeyboardInterrupt is raised."""
         sent = []
 
         def send():
@@ -324,13 +324,13 @@ class Long(unittest.TestCase):
         finally:
             timer.cancel()
 
-    def test_runs_and_studies_are_interrupted(self):
+    def test_ctrl_c_interrupts_runs_and_studies(self):
         large = {"size": "2048x2048", "camera": "220,-255,135,2,0,5"}
         self.assertLess(self.interrupted(csgsim.render, CARBURETTOR, level="reference"), 20)
         self.assertLess(self.interrupted(csgsim.sweep, CARBURETTOR, **large), 20)
         self.assertEqual(csgsim.render(FIGURE, **SMALL).png(), support.stats("render", FIGURE, **SMALL)[1])
 
-    def test_other_threads_go_on_and_draw_the_same(self):
+    def test_other_threads_continue_and_draw_the_same(self):
         usual = csgsim.render(FIGURE, **SMALL).png()
         drawn, turns = [], 0
         levels = ("functional", "functional", "cycle", "cycle")

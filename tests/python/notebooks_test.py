@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The notebooks run, cell after cell, and their figures are the command line's: notebooks_test.py CSGSIM SOURCE [nbconvert]"""
+"""Runs the notebooks and compares their numbers with the command line: notebooks_test.py CSGSIM SOURCE [nbconvert]"""
 
 import contextlib
 import importlib.util
@@ -26,14 +26,14 @@ VIEW = {"size": "256x256", "camera": "220,-255,135,2,0,5"}
 
 
 def cells(name):
-    """The sources of a notebook's code cells, and whether outputs are kept in it."""
+    """The sources of a notebook's code cells, and whether it contains outputs."""
     notebook = json.loads((FOLDER / f"{name}.ipynb").read_text(encoding="utf-8"))
     code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
     return ["".join(cell["source"]) for cell in code], any(cell["outputs"] or cell["execution_count"] for cell in code)
 
 
 def carried_out(name):
-    """The names that the cells have made, and what they have printed."""
+    """Runs the cells; returns the names that they define, and their output."""
     names, printed = {"__name__": "__main__"}, io.StringIO()
     os.chdir(FOLDER)
     with contextlib.redirect_stdout(printed):
@@ -43,7 +43,7 @@ def carried_out(name):
 
 
 def owners(*operands, **options):
-    """Who is seen at each pixel, as --owner writes it."""
+    """The owner of each pixel, as written by --owner."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder, "owner.exr")
         support.done("render", *operands, **options, owner=file)
@@ -53,7 +53,7 @@ def owners(*operands, **options):
 class Notebooks(unittest.TestCase):
     """Each of the tasks of docs/view.md."""
 
-    def test_outputs_are_not_kept(self):
+    def test_notebooks_contain_no_outputs(self):
         for file in FOLDER.glob("*.ipynb"):
             self.assertFalse(cells(file.stem)[1], file.name)
 
@@ -75,7 +75,7 @@ class Notebooks(unittest.TestCase):
             support.done("compile", FIGURE, size="8x8", z_bits=8, fraction_bits=0, output=file)
             lines = support.done("disasm", str(file)).splitlines()
         self.assertIn(names["instruction"]["text"], next(line for line in lines if line.endswith("# i8")))
-        levels = [-88, -88, -111, -111, -55, -27]  # those after which docs/view.md has a probe in the wave among them
+        levels = [-88, -88, -111, -111, -55, -27]  # includes the levels probed in the wave of docs/view.md
         self.assertIn(f"{levels}\n", printed)
         for bits, stats in zip((1, 2, 4, 8), names["alu"]):
             said, _ = support.stats("render", CARBURETTOR, **VIEW, machine=f"pixel-planes-4+alu.bits={bits}")
@@ -94,7 +94,7 @@ class Notebooks(unittest.TestCase):
 
 
 def convert():
-    """Skipped without Jupyter: each notebook runs there as well."""
+    """Runs each notebook in Jupyter; skipped without it."""
     if importlib.util.find_spec("nbconvert") is None or importlib.util.find_spec("ipykernel") is None:
         sys.exit(77)
     with tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The typed stubs say what the module has: stubs_test.py SOURCE [mypy]"""
+"""Checks that the typed stubs match the module: stubs_test.py SOURCE [mypy]"""
 
 import ast
 import importlib.util
@@ -22,7 +22,7 @@ TYPES = {"flag": "bool", "whole number": "int", "number": "float", "text": "Text
 
 
 def parameters_of(function):
-    """Name, kind and whether there is a default, of a stub's function."""
+    """Name, kind and presence of a default for the parameters of a stub's function."""
     arguments = function.args
     plain = [*arguments.posonlyargs, *arguments.args]
     defaults = [False] * (len(plain) - len(arguments.defaults)) + [True] * len(arguments.defaults)
@@ -38,13 +38,13 @@ def parameters_of(function):
 
 
 def parameters_in(function):
-    """The same of the module's."""
+    """Name, kind and presence of a default for the parameters of the module's function."""
     for parameter in inspect.signature(function).parameters.values():
         yield parameter.name, parameter.kind.name, parameter.default is not inspect.Parameter.empty
 
 
 def options_in(name):
-    """Types by the names of options, of a class of the stub and of those that it is made of."""
+    """Types of options by name, for a class of the stub and its bases."""
     if name not in BODY:
         return {}
     options = {}
@@ -55,7 +55,7 @@ def options_in(name):
 
 
 def own(kind):
-    """What a class of the module defines itself, but for what is private."""
+    """Public members that a class of the module defines itself."""
     return {name: value for name, value in vars(kind).items()
             if callable(value) or isinstance(value, (property, classmethod)) if not re.match(r"_[a-z]|__(class|hash|module|dict|weak)", name)}
 
@@ -67,7 +67,7 @@ def bound(value):
 class Stubs(unittest.TestCase):
     """Names, signatures, options and examples."""
 
-    def test_every_name_is_there_and_no_other(self):
+    def test_the_stubs_have_every_name_and_no_other(self):
         public = {name for name in BODY if not name.startswith("_") and name not in OPTIONS.values()}
         self.assertEqual(sorted(public), sorted(csgsim.__all__))
         self.assertEqual(sorted(csgsim.__all__), csgsim.__all__)
@@ -87,7 +87,7 @@ class Stubs(unittest.TestCase):
                 if not is_property:
                     self.assertEqual(list(parameters_of(members[member])), list(parameters_in(bound(value))), f"{name}.{member}")
 
-    def test_attributes_are_those_that_objects_have(self):
+    def test_attributes_equal_those_of_objects(self):
         drawing = csgsim.render(text="cube(size = 1);", size="8x8")
         for thing in (drawing, csgsim.Machine("scan-line"), csgsim.explain(drawing.program, pixel=(4, 4))):
             name = type(thing).__name__
@@ -96,12 +96,12 @@ class Stubs(unittest.TestCase):
         figure = [node.target.id for node in BODY["Figure"].body if isinstance(node, ast.AnnAssign)]
         self.assertEqual(tuple(figure), csgsim.Figure._fields)
 
-    def test_options_are_those_of_the_commands_with_their_types(self):
+    def test_options_and_types_equal_those_of_the_commands(self):
         for command, name in OPTIONS.items():
             self.assertEqual(options_in(name), {row["name"]: TYPES[row["takes"]] for row in csgsim.options(command)}, name)
             self.assertIn(f"Unpack[{name}]", ast.unparse(BODY[command]))
 
-    def test_everything_says_what_it_is_with_an_example(self):
+    def test_everything_has_a_docstring_with_an_example(self):
         for name in csgsim.__all__:
             self.assertIn(">>> ", inspect.getdoc(getattr(csgsim, name)), name)
         self.assertTrue((pathlib.Path(csgsim.__file__).parent / "py.typed").exists())
@@ -117,14 +117,14 @@ WRONG = 'import csgsim\ncsgsim.render("a.csg", z_bitz=16)\n'
 
 
 def mypy(program):
-    """What mypy says of a program. Until 1.7 it has to be asked for types of options by their names."""
+    """mypy's output for a program. Until 1.7, mypy checks option types by name only on request."""
     environment = dict(os.environ, MYPYPATH=str(SOURCE.parent), MYPY_CACHE_DIR=os.devnull)
     return subprocess.run([sys.executable, "-m", "mypy", "--strict", "--enable-incomplete-feature=Unpack", "-c", program],
                           check=False, text=True, capture_output=True, env=environment)
 
 
 def check_types():
-    """Skipped without mypy: it takes a program that uses the module, and refuses one that does so wrongly."""
+    """mypy accepts a correct use of the module and rejects a wrong one; skipped without mypy."""
     if importlib.util.find_spec("mypy") is None:
         sys.exit(77)
     right, wrong = mypy(RIGHT), mypy(WRONG)

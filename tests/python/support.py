@@ -1,4 +1,4 @@
-"""What the tests of the Python module share: the command line's own answers, to hold the module's against."""
+"""Helpers for the tests of the Python module: results of the command line for comparison."""
 
 import json
 import os
@@ -6,13 +6,14 @@ import pathlib
 import subprocess
 import tempfile
 
-CSGSIM = None  # the program, which tests/python/*_test.py are given
+CSGSIM = None  # path of the program, an argument of tests/python/*_test.py
 SOURCE = None  # the repository
-FOLDER = None  # where commands run
+FOLDER = None  # working directory of commands
 
 
 def begin(program, source, below="."):
-    """To be called first. Programs that the tests start have the runtime of their sanitizers in them."""
+    """Must be called first. Removes the preloaded sanitizer runtime: programs started by the tests contain their
+    own."""
     os.environ.pop("LD_PRELOAD", None)
     global CSGSIM, SOURCE, FOLDER  # pylint: disable=global-statement
     CSGSIM, SOURCE = pathlib.Path(program).resolve(), pathlib.Path(source).resolve()
@@ -20,7 +21,7 @@ def begin(program, source, below="."):
 
 
 def words(options):
-    """Options as words of a command line: what Python calls z_bits is --z-bits there."""
+    """Options as arguments of a command line: z_bits in Python is --z-bits there."""
     for name, value in options.items():
         for each in value if isinstance(value, list) else [value]:
             yield f"--{name.replace('_', '-')}"
@@ -35,7 +36,7 @@ def command(*operands, **options):
 
 
 def done(*operands, **options):
-    """The same of a command that has to end well."""
+    """Runs a command that must succeed and returns its output."""
     ended = command(*operands, **options)
     if ended.returncode != 0:
         raise AssertionError(f"{operands} {options}: {ended.stderr}")
@@ -43,7 +44,7 @@ def done(*operands, **options):
 
 
 def stats(*operands, **options):
-    """What --stats writes, and the bytes of the picture."""
+    """The stats of --stats, and the bytes of the picture."""
     with tempfile.TemporaryDirectory() as folder:
         file, picture = pathlib.Path(folder, "stats.json"), pathlib.Path(folder, "picture.png")
         done(*operands, **options, stats=file, output=picture, progress="none")
@@ -58,12 +59,12 @@ def study(name, *operands, **options):
 
 
 def without_time(value):
-    """Without what differs from run to run: wall times."""
+    """The value without wall times, which differ from run to run."""
     if isinstance(value, dict):
         return {key: without_time(each) for key, each in value.items() if not key.startswith("wall_seconds")}
     return [without_time(each) for each in value] if isinstance(value, list) else value
 
 
 def without_build(rows):
-    """Rows of a study without which build has measured them: program and module are two."""
+    """Rows of a study without the build that measured them, as program and module differ in it."""
     return [{key: value for key, value in row.items() if key != "csgsim"} for row in without_time(rows)]

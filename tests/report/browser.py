@@ -1,4 +1,4 @@
-"""A headless Chromium that a test looks into, by its debugging protocol over a pipe."""
+"""A headless Chromium controlled by its debugging protocol over a pipe."""
 
 import base64
 import json
@@ -17,7 +17,7 @@ def find():
 
 
 class Browser:
-    """One page. Collects what goes wrong in it, and what it asks for from elsewhere."""
+    """One page. Collects its problems, and its requests to other servers."""
 
     def __init__(self, chromium):
         to_browser, self._commands = os.pipe()
@@ -103,7 +103,7 @@ class Browser:
             {"name": "prefers-reduced-motion", "value": "reduce" if still else "no-preference"}])
 
     def press(self, key):
-        """A key by its name: Tab, ArrowDown, Enter."""
+        """Presses a key by its name: Tab, ArrowDown, Enter."""
         codes = {"Tab": 9, "Enter": 13, "ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40, "End": 35,
                  "Home": 36, "Escape": 27}
         text = {"text": "\r"} if key == "Enter" else {}

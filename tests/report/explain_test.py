@@ -1,5 +1,5 @@
-"""Pages of --report hold the text of `csgsim explain` for the pixels that they offer, and the command that tells that of
-others.
+"""Pages of --report contain the text of `csgsim explain` for selected pixels, and the command that explains any other
+pixel.
 
 Usage: explain_test.py CSGSIM SOURCE_FOLDER"""
 
@@ -21,7 +21,7 @@ RUNS = [CARBURETTOR,
 
 
 def drawings_of(csgsim, words, page):
-    """The data of the drawings on the page that the command writes, and what the command prints."""
+    """The data of the drawings on the page that the command writes, and the command's output."""
     done = subprocess.run([csgsim, *words, "--report", page], check=words[0] != "diff", text=True, capture_output=True)
     html = pathlib.Path(page).read_text(encoding="utf-8")
     found = re.findall(r'<script type="application/json" id="drawing-\d">(.*?)</script>', html)
@@ -33,7 +33,7 @@ def text_of(story):
 
 
 def explained(csgsim, drawing, x, y):
-    """By the page's command."""
+    """The explanation of a pixel by the page's command."""
     program, *words = shlex.split(drawing["explain"])
     assert program == "csgsim", drawing["explain"]
     return subprocess.run([csgsim, *words, "--pixel", f"{x},{y}"], check=True, text=True, capture_output=True).stdout

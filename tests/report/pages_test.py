@@ -1,7 +1,7 @@
-"""Opens pages of csgsim --report in a headless Chromium, as a reader does: with a pointer, with keys alone, on a wide
-window and on a narrow one, light and dark, and without scripts.
+"""Opens pages of csgsim --report in a headless Chromium: with a pointer, with keys alone, in a wide and in a narrow
+window, light and dark, and without scripts.
 
-Usage: pages_test.py CSGSIM SOURCE_FOLDER. Exit code 77 where there is no Chromium."""
+Usage: pages_test.py CSGSIM SOURCE_FOLDER. Exit code 77 without Chromium."""
 
 import base64
 import json
@@ -15,10 +15,10 @@ import browser
 
 WIDE, NARROW = 1280, 390
 
-# Each cell of a table that says where its value stands in the stats, as [pointer, text].
+# Each table cell that names the place of its value in the stats, as [pointer, text].
 CELLS = "[...document.querySelectorAll('[data-at]')].map(cell => [cell.dataset.at, cell.textContent, cell.title])"
 
-# What stands out of the window, but for what a box of its own scrolls or hides.
+# Elements that extend beyond the window, except inside boxes that scroll or hide them.
 TOO_WIDE = """[...document.body.querySelectorAll('*')].filter(element => {
   const box = element.getBoundingClientRect();
   return box.width > 0 && box.right > innerWidth + 1 && !element.closest('.scroll, .told, svg');
@@ -101,7 +101,7 @@ def contrast(a, b):
 
 
 def check_colours(page, failures):
-    """Contrast as WCAG 2.1 asks for: of texts, of the focus, and of marks by their outlines. Series differ in grey."""
+    """Contrast required by WCAG 2.1: of texts, of the focus, and of marks by their outlines. Series differ in grey."""
     for dark in (False, True):
         page.window(WIDE, 900, dark)
         ground, text, faint, link, focus, *series = page.evaluate(PALETTE)
@@ -119,14 +119,14 @@ def focused(page, what):
 
 
 def tab_to(page, what, failures):
-    """Goes on by the tabulator until something like that has the focus, which shows."""
+    """Presses Tab until a matching element has the focus, which must be visible."""
     for _ in range(80):
         page.press("Tab")
         if focused(page, what):
             seen = page.evaluate("getComputedStyle(document.activeElement).outlineStyle") != "none"
             failures.check(seen, f"{what} does not show that it has the focus")
             return True
-    failures.check(False, f"the tabulator does not come to {what}")
+    failures.check(False, f"the tab key does not reach {what}")
     return False
 
 
@@ -135,21 +135,21 @@ def check_keys_of_render(page, stats, failures):
     if tab_to(page, "tr[data-p] button", failures):
         page.press("Enter")
         told = page.evaluate("document.querySelector('.price').textContent")
-        failures.check(f"{dearest[0]['clocks']:,}" in told, f"the price of the dearest is not told: {told!r}")
+        failures.check(f"{dearest[0]['clocks']:,}" in told, f"the cost of the most expensive primitive is not shown: {told!r}")
         page.press("ArrowDown")
         told = page.evaluate("document.querySelector('#told').textContent")
-        failures.check(f"clocks {dearest[1]['clocks']:,}" in told, f"the next primitive is not told: {told!r}")
+        failures.check(f"clocks {dearest[1]['clocks']:,}" in told, f"the next primitive is not shown: {told!r}")
     if tab_to(page, "input[type=range]", failures):
         page.press("Home")
         first = page.evaluate("document.querySelector('.state').textContent")
-        failures.check("0 instructions" in first, f"Home does not go to the beginning: {first!r}")
+        failures.check("0 instructions" in first, f"Home does not go to the first step: {first!r}")
         page.press("ArrowRight")
         page.press("ArrowRight")
         failures.check("Step 2 of" in page.evaluate("document.querySelector('.state').textContent"), "arrow keys do not step")
         page.press("End")
         last = page.evaluate("document.querySelector('.state').textContent")
         every = stats["instructions"]["total"] + stats["instructions"]["skipped"]
-        failures.check(f"{every:,} instructions" in last, f"the last step is not the last: {last!r}")
+        failures.check(f"{every:,} instructions" in last, f"End does not go to the last step: {last!r}")
 
 
 DRAWN_DIFFERENCE = """(async () => {
@@ -168,7 +168,7 @@ DRAWN_DIFFERENCE = """(async () => {
 
 
 def check_pointer_of_render(page, stats, failures):
-    failures.check(page.evaluate(DRAWN_DIFFERENCE) == 0, "the drawing's last step is not the picture")
+    failures.check(page.evaluate(DRAWN_DIFFERENCE) == 0, "the last step of the drawing differs from the picture")
     x, y = page.evaluate("""(() => {
       scrollTo(0, 0);
       const box = document.querySelector('.stage canvas').getBoundingClientRect();
@@ -176,14 +176,14 @@ def check_pointer_of_render(page, stats, failures):
     })()""")
     page.point(x, y, click=True)
     chosen = page.evaluate("Number(document.querySelector('tr.chosen')?.dataset.p ?? -1)")
-    failures.check(chosen >= 0, "a click on the picture chooses no primitive")
+    failures.check(chosen >= 0, "a click on the picture selects no primitive")
     if chosen >= 0:
         told = page.evaluate("document.querySelector('.price').textContent")
-        failures.check(f"{stats['by_primitive'][chosen]['clocks']:,}" in told, f"the price is another's: {told!r}")
-    failures.check(page.evaluate("!document.querySelector('.tip').hidden"), "pointing at the picture tells nothing")
+        failures.check(f"{stats['by_primitive'][chosen]['clocks']:,}" in told, f"the cost of another primitive is shown: {told!r}")
+    failures.check(page.evaluate("!document.querySelector('.tip').hidden"), "pointing at the picture shows no tooltip")
 
 
-# Texts of a plot that overlap or leave it, with the fonts that there are, and marks that leave it.
+# Texts of a plot that overlap or leave it, with the installed fonts, and marks that leave it.
 MISPLACED = """[...document.querySelectorAll('svg.plot')].flatMap(svg => {
   const frame = svg.getBoundingClientRect();
   const isOut = box => box.left < frame.left - 1 || box.right > frame.right + 1 || box.top < frame.top - 1 || box.bottom > frame.bottom + 1;
@@ -196,7 +196,8 @@ MISPLACED = """[...document.querySelectorAll('svg.plot')].flatMap(svg => {
 
 
 def check_plots(page, failures):
-    """Each plot is seen whole, if need be in a box that scrolls, and keeps its texts apart; it can be read without colours."""
+    """Each plot is visible as a whole, if necessary by scrolling; its texts are separate, and it is readable without
+    colours."""
     for width in (WIDE, NARROW):
         page.window(width, 900)
         for problem in page.evaluate(MISPLACED):
@@ -207,12 +208,12 @@ def check_plots(page, failures):
                        f"what of a plot is beside the window cannot be scrolled to at {width}")
     failures.check(page.evaluate("document.querySelectorAll('svg.plot .pt').length") > 0, "no plot has a mark")
     failures.check(page.evaluate("[...document.querySelectorAll('svg.plot')].every(svg => svg.getAttribute('aria-label') && svg.getAttribute('role'))"),
-                   "a plot without a text for who does not see it")
+                   "a plot without a text for screen readers")
     page.window(WIDE, 900)
 
 
-# How much of what is drawn differs between a PNG and an SVG of one plot, 0 to 1, in fields of 8 x 8 pixels, so that the
-# shapes of letters do not matter.
+# The share by which the PNG and the SVG of a plot differ, 0 to 1, in fields of 8 x 8 pixels, so that the shapes of
+# letters do not matter.
 PICTURE_DIFFERENCE = """(async (png, svg) => {
   const fields = async url => {
     const image = new Image();
@@ -244,7 +245,7 @@ def data_url(path, kind):
 
 
 def check_files_of_plots(page, folder, failures):
-    """gnuplot's picture of each plot is that of its SVG, and of no other plot's."""
+    """gnuplot's picture of each plot equals that of its SVG, and of no other plot's."""
     names = sorted(name[:-4] for name in os.listdir(folder) if name.endswith(".svg"))
     failures.check(len(names) >= 2, "fewer than two plots are drawn")
 
@@ -255,16 +256,16 @@ def check_files_of_plots(page, folder, failures):
     for i, name in enumerate(names):
         own, others = difference(name, name), difference(name, names[i - 1])
         failures.check(own < 0.2, f"{name}.png and {name}.svg differ by {own:.3f}")
-        failures.check(others > 1.5 * own, f"{name}.png is as near to {names[i - 1]}.svg ({others:.3f}) as to its own ({own:.3f})")
+        failures.check(others > 1.5 * own, f"{name}.png is as close to {names[i - 1]}.svg ({others:.3f}) as to its own ({own:.3f})")
 
 
 def check_keys_of_plots(page, failures):
     if tab_to(page, "svg.plot", failures):
         titles = page.evaluate("document.activeElement.closest('figure').querySelectorAll('tbody tr').length")
-        failures.check(titles > 0, "a plot has no values beside it")
+        failures.check(titles > 0, "a plot has no table of values")
         page.press("ArrowRight")
         told = page.evaluate("document.querySelector('#told').textContent")
-        failures.check(told != "" and told in page.evaluate("document.querySelector('.tip').textContent"), "a point does not tell its values")
+        failures.check(told != "" and told in page.evaluate("document.querySelector('.tip').textContent"), "a point does not show its values")
 
 
 def check_without_scripts(page, path, least, failures):
@@ -281,8 +282,8 @@ def check_without_scripts(page, path, least, failures):
 
 
 def check_names(page, failures):
-    """What somebody is told who does not see the page."""
-    failures.check(page.evaluate("[...document.images].every(image => image.alt)"), "a picture without a text")
+    """Texts for screen readers."""
+    failures.check(page.evaluate("[...document.images].every(image => image.alt)"), "an image without alternative text")
     failures.check(page.evaluate("[...document.querySelectorAll('table')].every(table => table.tHead && table.querySelector('th[scope=col]'))"),
                    "a table without headers")
     failures.check(page.evaluate("new Set([...document.querySelectorAll('[id]')].map(one => one.id)).size === document.querySelectorAll('[id]').length"),
@@ -290,9 +291,9 @@ def check_names(page, failures):
 
 
 def check_quiet(page, failures, harmless=()):
-    """Nothing is asked of elsewhere, and the console has no problem but those with a harmless word."""
+    """The page requests nothing from elsewhere, and the console has only problems with a harmless word."""
     elsewhere = [url for url in page.requests if not url.startswith(("file:", "data:"))]
-    failures.check(not elsewhere, f"the page asks for {elsewhere}")
+    failures.check(not elsewhere, f"the page requests {elsewhere}")
     for problem in page.problems:
         failures.check(any(word in problem for word in harmless), problem)
 
@@ -301,7 +302,7 @@ def main():
     csgsim, source = (os.path.abspath(argument) for argument in sys.argv[1:3])
     chromium = browser.find()
     if chromium is None:
-        print("skipped: there is no Chromium here; ./setup.sh report-test installs it")
+        print("skipped: Chromium is not installed; run ./setup.sh report-test")
         return 77
     model = os.path.join(source, "tests/models/carburettor.csg")
     view = [model, "--camera", "220,-255,135,2,0,5"]

@@ -1,4 +1,4 @@
-"""Draws the pictures of docs/view.md again: pages in a headless Chromium.
+"""Redraws the pictures of docs/view.md: pages in a headless Chromium.
 
 Usage, from the source folder: python3 tests/report/screenshots.py build/release/csgsim docs/pictures/report"""
 
@@ -38,7 +38,7 @@ def shot(csgsim, page, words, name, folder, width, height, dark, act=()):
                        stdout=subprocess.DEVNULL)
         page.window(width, height, dark)
         page.open(path)
-        # The folder that it was made in is nobody's business.
+        # Replaces the working folder in the command shown.
         shown = " ".join(["csgsim", *words, *(["-o", "out"] if is_study else []), "--report", "r.html"])
         page.evaluate(f"document.querySelector('#command').textContent = {shown!r}")
         for expression in act:
@@ -49,7 +49,7 @@ def shot(csgsim, page, words, name, folder, width, height, dark, act=()):
 def main():
     csgsim, folder = sys.argv[1], sys.argv[2]
     os.makedirs(folder, exist_ok=True)
-    page = browser.Browser(browser.find() or sys.exit("there is no Chromium here"))
+    page = browser.Browser(browser.find() or sys.exit("Chromium is not installed"))
     shot(csgsim, page, ["render", MODEL, *CAMERA], "render.png", folder, 1280, 1340, False, (CHOOSE, STEP, "document.activeElement.blur()"))
     shot(csgsim, page, ["render", MODEL, *CAMERA], "why.png", folder, 1280, 1000, False, WHY)
     shot(csgsim, page, ["accuracy", MODEL, *CAMERA, "--size", "128x128", "--views", "1", "--no-plots"], "accuracy.png", folder, 390, 1500, True)

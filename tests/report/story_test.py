@@ -1,7 +1,7 @@
 """Stories on pages of --report, and the page of two runs, in a headless Chromium, with the pointer and with keys.
 explain_test.py compares the texts with those of `csgsim explain`.
 
-Usage: story_test.py CSGSIM SOURCE_FOLDER. Exit code 77 where there is no Chromium."""
+Usage: story_test.py CSGSIM SOURCE_FOLDER. Exit code 77 without Chromium."""
 
 import json
 import os
@@ -15,7 +15,7 @@ import pages_test
 
 THESIS = ["tests/models/thesis_fig_2_3.csg", "--size", "64x48"]
 
-# What is shown of the first drawing's stories: all words but the blanks between them, as `csgsim explain` has them.
+# The visible text of the first drawing's story, normalized to the words of `csgsim explain`.
 SHOWN = """(() => {
   const story = document.querySelector('.why .story');
   return [...story.querySelectorAll('strong, .facts li, .events li')].map(item => {
@@ -24,10 +24,11 @@ SHOWN = """(() => {
   }).join(' ').replace(/⇒/g, '=>').replace(/\\s+/g, ' ');
 })()"""
 
-# The same of what the page holds for a pixel.
+# The text of a story in the page's data, normalized in the same way.
 HELD = """csgsimDrawings[0].why.stories[%d].parts.map(part => typeof part === 'string' ? part : part[0]).join('').replace(/\\n +clocks\\n/g, ' ').replace(/\\s+/g, ' ').trim()"""
 
-# In the gallery of two runs: pixels of the third picture that are no grey, and those of other colours in the first two.
+# In the gallery of two runs: number of coloured pixels in the third picture, and of pixels that differ between the
+# first two.
 MARKED = """(async () => {
   const [a, b, difference] = await Promise.all([...document.querySelectorAll('.gallery img')].map(async image => {
     await image.decode();
@@ -46,7 +47,7 @@ def until(page, expression, seconds=60):
     end = time.monotonic() + seconds
     while not page.evaluate(expression):
         if time.monotonic() > end:
-            raise RuntimeError(f"never came: {expression}; {page.problems}")
+            raise RuntimeError(f"timeout waiting for: {expression}; {page.problems}")
         time.sleep(0.02)
 
 
@@ -55,11 +56,11 @@ def spoken(page):
 
 
 def check_choices(page, failures):
-    """Each story can be chosen in the form, and is shown whole; each event leads to its step."""
+    """Each story can be selected in the form and is shown completely; each event leads to its step."""
     for i in range(page.evaluate("csgsimDrawings[0].why.stories.length")):
         page.evaluate(f"(() => {{ const {{choice}} = csgsimDrawings[0].why; choice.value = {i}; choice.dispatchEvent(new Event('change')); }})()")
         shown, held = page.evaluate(SHOWN), page.evaluate(HELD % i)
-        failures.check(shown == held, f"story {i} is shown otherwise:\n{shown}\nfor\n{held}")
+        failures.check(shown == held, f"story {i} differs:\n{shown}\nfor\n{held}")
         failures.check(spoken(page).startswith("pixel "), "a screen reader does not read the story")
         wrong = page.evaluate("""[...document.querySelectorAll('.why .events')][0] && [...document.querySelector('.why .events').querySelectorAll('button')].filter(button => {
             button.click();
@@ -80,13 +81,13 @@ def check_rows(page, failures):
 
 
 def check_keys(page, failures):
-    """By keys alone: the cursor moves, Enter asks, and the form does."""
+    """With keys alone: moves the cursor, opens a story with Enter, and uses the form."""
     page.evaluate("document.activeElement.blur(); csgsimDrawings[0].moveTo(20, 20)")
     if not pages_test.tab_to(page, ".drawing canvas", failures):
         return
     for key in ("ArrowRight", "ArrowDown", "ArrowDown"):
         page.press(key)
-    failures.check(spoken(page).startswith("21, 22: #"), f"the cursor is not told: {spoken(page)!r}")
+    failures.check(spoken(page).startswith("21, 22: #"), f"the cursor's pixel is not announced: {spoken(page)!r}")
     x, y = page.evaluate("(({x, y}) => [x, y])(csgsimDrawings[0].why.stories[1])")
     page.evaluate(f"csgsimDrawings[0].moveTo({x}, {y - 2})")
     page.press("ArrowDown")
@@ -104,11 +105,11 @@ def check_keys(page, failures):
     page.evaluate("document.querySelector('.ask button').focus()")
     if pages_test.tab_to(page, ".events button", failures):
         page.press("Enter")
-        failures.check(page.evaluate("document.activeElement.getAttribute('aria-current')") == "step", "an event is no link to its step")
+        failures.check(page.evaluate("document.activeElement.getAttribute('aria-current')") == "step", "an event does not link to its step")
 
 
 def check_pointer(page, failures):
-    # What is under the pointer is looked up where the last drawn frame has it: two frames after scrolling it is drawn.
+    # The pointer is located in the last drawn frame: two frames after scrolling, that frame is current.
     page.evaluate("""(() => {
       document.querySelector('.drawing canvas').scrollIntoView({block: 'center', behavior: 'instant'});
       window.isScrolled = false;
@@ -121,8 +122,8 @@ def check_pointer(page, failures):
       return [box.left + box.width * ({pixel[0]} + 0.5) / csgsimDrawings[0].width, box.top + box.height * ({pixel[1]} + 1.5) / csgsimDrawings[0].height];
     }})()""")
     page.point(x, y, click=True)
-    failures.check(page.evaluate(SHOWN).startswith(f"pixel {pixel[0]},{pixel[1]} shows"), "a click does not show the story of the pixel beside it")
-    failures.check(page.evaluate("document.querySelector('.tip').textContent").startswith(f"{pixel[0]}, {pixel[1] + 1}: #"), "the pixel under the pointer is not told")
+    failures.check(page.evaluate(SHOWN).startswith(f"pixel {pixel[0]},{pixel[1]} shows"), "a click does not show the story of the nearest pixel")
+    failures.check(page.evaluate("document.querySelector('.tip').textContent").startswith(f"{pixel[0]}, {pixel[1] + 1}: #"), "the tooltip does not name the pixel under the pointer")
 
 
 def check_looks(page, failures):
@@ -131,31 +132,31 @@ def check_looks(page, failures):
     pages_test.check_colours(page, failures)
     unnamed = page.evaluate("""[...document.querySelectorAll('button, input, select, canvas[tabindex]')].filter(element =>
         !element.textContent.trim() && !element.getAttribute('aria-label') && !element.closest('label')).map(element => element.outerHTML.slice(0, 120))""")
-    failures.check(unnamed == [], f"without a name for who does not see them: {unnamed}")
+    failures.check(unnamed == [], f"elements without an accessible name: {unnamed}")
     page.window(pages_test.WIDE, 900)
 
 
 def check_two(page, csgsim, path, failures):
-    """The page of two machines: the counts are those of each alone, and one click asks both."""
+    """The page of two machines: the counts equal those of each alone, and one click explains both."""
     failures.where = "two"
     done = subprocess.run([csgsim, "diff", *THESIS, "--machine-b", "pixel-planes-5", "--no-stories", "--report", path], text=True, capture_output=True)
-    failures.check(done.returncode == 1 and os.path.exists(path), f"no page of two: {done.stderr}")
+    failures.check(done.returncode == 1 and os.path.exists(path), f"no page for two runs: {done.stderr}")
     data = {side: json.loads(subprocess.run([csgsim, "render", *THESIS, *machine, "--stats", "-"], check=True, text=True, capture_output=True).stdout)
             for side, machine in (("a", []), ("b", ["--machine", "pixel-planes-5"]))}
     page.open(path)
     pages_test.check_numbers(page, data, 30, failures)
     texts = page.evaluate("[...document.querySelectorAll('p')].map(element => element.textContent)")
     first, pictures = (next(line for line in done.stdout.split("\n") if part in line) for part in ("first instruction that differs", "the pictures differ"))
-    failures.check(any(text.startswith(f"The first instruction that differs is {first.split()[0]}:") for text in texts), f"the first other instruction is not told: {texts[:6]}")
+    failures.check(any(text.startswith(f"The first instruction that differs is {first.split()[0]}:") for text in texts), f"the first differing instruction is not shown: {texts[:6]}")
     differ = int(pictures.split(" differ at ")[1].split()[0].replace(",", ""))
-    failures.check(any(f" differ at {differ:,} pixels" in text for text in texts), f"how many pixels differ is not told: {texts[:6]}")
+    failures.check(any(f" differ at {differ:,} pixels" in text for text in texts), f"the number of differing pixels is not shown: {texts[:6]}")
     marked, others = page.evaluate(MARKED)
     found = page.evaluate("JSON.parse(document.querySelector('#data').textContent).difference.pixels")
-    failures.check(0 < others <= found <= differ and marked == found, f"{others} pixels have another colour, {found} are said to differ, {marked} are marked, {differ} differ in any way")
+    failures.check(0 < others <= found <= differ and marked == found, f"{others} pixels differ in colour, the page states {found} and marks {marked}, and {differ} differ in any way")
     pixel = pictures.split("first ")[1].strip(":")
     page.evaluate(f"document.dispatchEvent(new CustomEvent('pixel', {{detail: {{pixel: [{pixel}]}}}}))")
     shown = page.evaluate("[...document.querySelectorAll('.shows')].map(element => element.textContent)")
-    failures.check(len(shown) == 2 and all(text.startswith(f"pixel {pixel} shows") for text in shown), f"not both are asked: {shown}")
+    failures.check(len(shown) == 2 and all(text.startswith(f"pixel {pixel} shows") for text in shown), f"not both runs are explained: {shown}")
     check_looks(page, failures)
 
 
@@ -163,7 +164,7 @@ def main():
     csgsim = os.path.abspath(sys.argv[1])
     chromium = browser.find()
     if chromium is None:
-        print("skipped: there is no Chromium here; ./setup.sh report-test installs it")
+        print("skipped: Chromium is not installed; run ./setup.sh report-test")
         return 77
     failures = pages_test.Failures()
     failures.where = "story"
@@ -181,7 +182,7 @@ def main():
             check_pointer(page, failures)
             check_looks(page, failures)
             check_two(page, csgsim, path, failures)
-            pages_test.check_quiet(page, failures, harmless=["willReadFrequently"])  # it is the test that reads
+            pages_test.check_quiet(page, failures, harmless=["willReadFrequently"])  # caused by the test's reads
         finally:
             page.close()
     print(f"2 pages, {failures.count} failures")

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Synthesises the Verilog with Yosys and writes what it costs.
+"""Synthesises the Verilog with Yosys and records its cost.
 
   area.py [--liberty FILE]   write hw/machines/area_table.h, and the tables of docs/area.md between their marks
-  area.py --check            synthesise the narrowest ALUs again and compare; exit code 1 if a figure has changed
+  area.py --check            synthesise the narrowest ALUs again and compare; exit code 1 if a number has changed
 
-Transistors are those of static CMOS that `stat -tech cmos` counts, mapped for area to NAND, NOR, AOI and OAI gates.
-FILE is a liberty library, such as osu05_stdcells.lib of Debian's qflow-tech-osu050; without it the columns of areas stay
-as they are. Tables and flip-flops of an iCE40 are what synth_ice40 makes of the same.
+Transistors are those of static CMOS counted by `stat -tech cmos`, mapped for area to NAND, NOR, AOI and OAI gates.
+FILE is a liberty library, such as osu05_stdcells.lib of Debian's qflow-tech-osu050; without it the columns of areas are
+kept. Tables and flip-flops of an iCE40 are results of synth_ice40.
 """
 
 import argparse
@@ -25,14 +25,14 @@ PAGE = ROOT / "docs" / "area.md"
 
 ALU_BITS = (1, 2, 4, 8, 16, 32)
 PAGE_ALU_BITS = (1, 2, 4, 8)
-NODE_BITS = ALU_BITS  # of a stream in a clock
+NODE_BITS = ALU_BITS  # bits of a stream per clock
 READS = (1, 2)
 MEMORY_BITS = (64, 72, 96, 128, 208, 256)
-CELL = {1: 3, 2: 5}  # transistors of a memory bit, by read ports: as hw/machines/area.h has it
+CELL = {1: 3, 2: 5}  # transistors of a memory bit, by read ports: as in hw/machines/area.h
 STATIC_CELL = {1: 6, 2: 8}
 RTL = ROOT / "hw" / "rtl"
 SOURCES = " ".join(str(path) for path in sorted(RTL.glob("*.v"))) + " area.v"
-WIDE_SOURCES = "area_wide.v"  # alone, so that what else is synthesised does not depend on it
+WIDE_SOURCES = "area_wide.v"  # a separate file, so that other syntheses do not depend on it
 SCRIPT = "+strash;dch;map,-a"
 
 
@@ -71,12 +71,13 @@ def ice40(top, values, sources):
 
 
 def pixel(alu_bits, reads, degree, liberty):
-    """With degree 2 also the flag for roots."""
+    """A pixel; with degree 2 it has the flag for roots."""
     return synthesised("area_pixel", {"ALU_BITS": alu_bits, "MEMORY_READS": reads, "ROOTS": degree - 1}, liberty)
 
 
 def node(bits, degree, liberty):
-    """Of degree 2 the mean of the nodes of a Y tree: half of them delay their slope by no bit, a quarter by one, an eighth by two."""
+    """A node; in degree 2 the mean of the nodes of a Y tree: half of them delay their slope by 0 bits, a quarter by 1,
+    an eighth by 2."""
     wide = {"BITS": bits} if bits > 1 else {}
     top = ("area_wide_node" if wide else "area_node") + ("_2" if degree == 2 else "")
     sources = WIDE_SOURCES if wide else SOURCES
@@ -96,7 +97,7 @@ def fifo(liberty):
 
 
 def shared(liberty):
-    """What the pixels share, of a machine with the figures of pixel-planes-4, by name."""
+    """The logic shared by all pixels of a machine with the parameters of pixel-planes-4, by name."""
     rows = {CONTROLLER: controller(liberty), FIFO: fifo(liberty),
             "delay of the control word, 18 clocks":
             synthesised("area_delay", {"ADDRESS": 7, "SIDE": 10, "LATENCY": 18}, liberty)}
@@ -119,7 +120,7 @@ def table(head, rows):
 
 
 def area_on_page(name):
-    """What the page has, for runs without a library."""
+    """The area stated on the page, for runs without a library."""
     row = re.search(rf"^\| {re.escape(name)} \|(.*)\|$", PAGE.read_text(), re.M)
     return row[1].split("|")[3].strip() if row else ""
 
@@ -222,7 +223,7 @@ def check():
         if line not in where:
             wrong.append(f"{what}, and {path.relative_to(ROOT)} says otherwise; run tests/rtl/area.py")
 
-    # It takes the whole machine.
+    # Yosys accepts the whole machine.
     yosys([f"read_verilog -I{RTL} {SOURCES}", "hierarchy -check -top pixel_planes", "proc", "check -assert", "stat"])
     nodes = {(bits, degree): node(bits, degree, None)["transistors"] for degree in (1, 2) for bits in (1, 2)}
     for (bits, degree), now in nodes.items():

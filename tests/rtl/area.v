@@ -1,7 +1,8 @@
-// What area.py has synthesised: a pixel without its memory, and what the machine has of controllers.
+// Synthesised by area.py: a pixel without its memory, and the logic shared by the whole machine.
 
-// A pixel's memory of ALU_BITS columns of cells, of which bit a is in column a mod ALU_BITS: so that adjacent bits are on
-// different bit lines. A port turns its columns so that place 0 of the ALU meets the bit addressed.
+// The rotator of a pixel's memory, which has ALU_BITS columns of cells with bit a in column a mod ALU_BITS, so that
+// adjacent bits are on different bit lines. A port rotates its columns so that place 0 of the ALU gets the bit
+// addressed.
 module rotator #(
   parameter ALU_BITS = 1,
   parameter TURN = 1
@@ -37,7 +38,7 @@ module area_pixel #(
   wire [ALU_BITS-1:0] memory_x;
   wire [ALU_BITS-1:0] memory_y;
   wire [ALU_BITS-1:0] written;
-  // The turns are addresses modulo ALU_BITS, a power of two; that of the write port is the other way round.
+  // The rotations are addresses modulo ALU_BITS, a power of two; the write port rotates in the opposite direction.
   wire [TURN-1:0] turn_x = LOW > 0 ? control[CW_X +: TURN] : 1'b0;
   wire [TURN-1:0] turn_y = LOW > 0 ? control[CW_Y +: TURN] : 1'b0;
   wire [TURN-1:0] turn_w = LOW > 0 ? control[CW_W +: TURN] : 1'b0;

@@ -1,7 +1,7 @@
-// What area.py has synthesised of trees that bring several bits in a clock; held against nothing but its size.
+// Synthesised by area.py: trees that deliver several bits per clock. Only their size is used.
 
-// A node of trees that bring BITS bits of a stream in a clock: the carry runs through them, and that of the highest is
-// kept.
+// A node of trees that deliver BITS bits of a stream per clock: the carry ripples through them, and that of the highest
+// bit is stored.
 module area_wide_node #(
   parameter BITS = 2
 ) (
@@ -28,17 +28,17 @@ module area_wide_node #(
   end
 endmodule
 
-// A node of their Y trees of degree 2, as area_node_2 is for one bit: its value and its slope, each passed on to one child
-// a clock later, and to the other with what h rows on make of them. The slope times h comes DELAY bits late, log2 h, from
-// as many registers: none in half of the nodes, one in a quarter, two in an eighth, so one in the mean. What has been
-// passed on holds the last BITS of these.
+// A node of their Y trees of degree 2, like area_node_2 for one bit: its value and its slope. One child receives both a
+// clock later, the other receives the values h rows further on. The slope times h arrives DELAY = log2 h bits late,
+// through that number of registers: none in half of the nodes, one in a quarter, two in an eighth, so one on average. The
+// register of forwarded values holds the last BITS of them.
 module area_wide_node_2 #(
   parameter DELAY = 1,
   parameter BITS = 2
 ) (
   input wire clk,
   input wire first,
-  input wire [BITS-1:0] counts,        // the delayed slope is of this stream, not of the one before
+  input wire [BITS-1:0] counts,        // the delayed slope belongs to this stream, not the previous one
   input wire [BITS-1:0] square,        // h * h * C
   input wire [BITS-1:0] square_slope,  // 2 * h * C
   input wire [BITS-1:0] value,

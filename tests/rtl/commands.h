@@ -19,28 +19,28 @@
 #include "tests/support/drawing.h"
 #include "tests/support/usual_cases.h"
 
-/// The commands of a program that runs a machine in SystemC and one in Verilog in lockstep. Their Lockstep has
-/// run(Programs, fault), which returns the first difference, or nothing, and clocks_compared().
+/// The commands of a program that runs a SystemC machine and a Verilog machine in lockstep. Their Lockstep has
+/// run(Programs, fault), which returns the first difference or an empty text, and clocks_compared().
 namespace csgsim::rtl {
 
 using Words = std::vector<std::string>;
 
-/// Programs that follow each other, with so many instructions a segment at most.
+/// Generates consecutive Programs with at most a number of instructions per segment.
 using AnyFrames = std::function<rc::Gen<std::vector<isa::Program>>(const machines::Machine&, std::size_t instructions)>;
 
-/// Any number of `least` to `most`, whatever the size that rapidcheck has come to.
+/// A random number from `least` to `most`, independent of rapidcheck's current size.
 std::uint32_t pick(std::uint32_t least, std::uint32_t most);
 
-/// Sets figures of the host: words from the third on are KEY=NUMBER.
+/// Sets parameters of the host: words from the third on are KEY=NUMBER.
 void set_figures(const Words& words, const std::map<std::string, std::uint32_t*>& known);
 
-/// Adds the instructions that the Programs have.
+/// Adds the opcodes that occur in the Programs.
 void add_instructions(std::span<const isa::Program> programs, std::set<isa::Opcode>& sent);
 
-/// Instructions of the table that a random Program for the machine may have.
+/// Number of opcodes that a random Program for the machine may contain.
 std::size_t possible_instructions(const machines::Machine& machine);
 
-/// random SEQUENCES INSTRUCTIONS ...: draws so many. Throws if an instruction that there may be never came.
+/// random SEQUENCES INSTRUCTIONS ...: draws SEQUENCES random sequences. Throws if a possible opcode never occurred.
 template <class Lockstep>
 int random_frames(const machines::Machine& machine, const AnyFrames& any_frames, const Words& words) {
   const auto sequences = static_cast<unsigned>(std::stoul(words.at(1)));
@@ -48,18 +48,17 @@ int random_frames(const machines::Machine& machine, const AnyFrames& any_frames,
   Lockstep lockstep(machine);
   std::set<isa::Opcode> sent;
   const int code = test::exit_code_of(sequences, [&] {
-    return rc::check("the Verilog has the registers and the memory of the SystemC in every clock", [&] {
+    return rc::check("Verilog and SystemC have equal registers and memory in every clock", [&] {
       const std::vector<isa::Program> frames = *any_frames(machine, instructions);
       const std::string difference = lockstep.run(frames, 0);
       if (!difference.empty()) RC_FAIL(difference);
       add_instructions(frames, sent);
     });
   });
-  constexpr unsigned many = 20;  ///< fewer need not have every instruction
+  constexpr unsigned many = 20;  ///< fewer sequences need not contain every opcode
   if (testing::draws_from_fixed_seed() && sequences >= many && code == 0 &&
       sent.size() != possible_instructions(machine))
-    throw std::runtime_error(
-        fmt::format("{} instructions were sent of {}", sent.size(), possible_instructions(machine)));
+    throw std::runtime_error(fmt::format("{} of {} opcodes occurred", sent.size(), possible_instructions(machine)));
   fmt::print("{} clocks compared\n", lockstep.clocks_compared());
   return code;
 }
@@ -73,12 +72,12 @@ int models(const machines::Machine& machine, const testing::Setup& setup, const 
         testing::compile_default_view(testing::model_path(words[i]), setup, view::Projection::perspective);
     const std::string difference = lockstep.run({&compiled.program, 1}, 0);
     if (!difference.empty()) throw std::runtime_error(words[i] + ": " + difference);
-    fmt::print("{}: equal, {} clocks compared so far\n", words[i], lockstep.clocks_compared());
+    fmt::print("{}: equal, {} clocks compared until now\n", words[i], lockstep.clocks_compared());
   }
   return 0;
 }
 
-/// The number of random sequences until one notices the fault; 0 if none of so many does.
+/// The number of random sequences until one detects the fault; 0 if none does.
 template <class Lockstep>
 unsigned noticed_by(Lockstep& lockstep, std::uint8_t fault, unsigned sequences,
                     const rc::Gen<std::vector<isa::Program>>& any_frames) {
@@ -90,7 +89,7 @@ unsigned noticed_by(Lockstep& lockstep, std::uint8_t fault, unsigned sequences,
   return 0;
 }
 
-/// faults SEQUENCES INSTRUCTIONS NUMBER...: all so many planted faults but those are noticed, and those are not.
+/// faults SEQUENCES INSTRUCTIONS NUMBER...: checks that all planted faults except those numbers are detected.
 template <class Lockstep>
 int faults(const machines::Machine& machine, const AnyFrames& any_frames, std::uint8_t planted, const Words& words) {
   const auto sequences = static_cast<unsigned>(std::stoul(words.at(1)));
@@ -98,17 +97,18 @@ int faults(const machines::Machine& machine, const AnyFrames& any_frames, std::u
   std::set<unsigned long> left_out;
   for (std::size_t i = 3; i < words.size(); ++i) left_out.insert(std::stoul(words[i]));
   Lockstep lockstep(machine);
-  if (noticed_by(lockstep, 0, sequences, frames) != 0) throw std::runtime_error("a difference without any fault");
+  if (noticed_by(lockstep, 0, sequences, frames) != 0) throw std::runtime_error("a difference without a planted fault");
   int code = 0;
   for (std::uint8_t fault = 1; fault <= planted; ++fault) {
     const unsigned noticed = noticed_by(lockstep, fault, sequences, frames);
-    fmt::print("fault {}: {}\n", fault, noticed == 0 ? "not noticed" : fmt::format("noticed by sequence {}", noticed));
+    fmt::print("fault {}: {}\n", fault,
+               noticed == 0 ? "not detected" : fmt::format("detected by sequence {}", noticed));
     if ((noticed == 0) != left_out.contains(fault)) code = 1;
   }
   return code;
 }
 
-/// What main returns: of `run`, or 2 if it throws.
+/// Exit code of main: the result of `run`, or 2 if it throws.
 int exit_code(int count, char** words, const std::function<int(const Words&)>& run);
 
 }  // namespace csgsim::rtl

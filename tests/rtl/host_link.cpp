@@ -13,7 +13,7 @@ void HostLink::load(link::FrameWords frame) {
 void HostLink::drive(const Outputs& outputs, Inputs& inputs) {
   inputs.word_valid = false;
   if (outputs.request) {
-    // A request that went out at the edge before is here; the word on the link is lost.
+    // A request sent at the previous edge has arrived; the word on the link is lost.
     next_ = outputs.request_from < frame_.begins.size() ? frame_.begins[outputs.request_from] : frame_.words.size();
     latent_ = link_.latency;
     on_link_ = link_.word_clocks;

@@ -9,15 +9,15 @@
 
 namespace csgsim::rtl {
 
-/// The host's end of the link, after docs/machines/pixel-planes.md.
+/// The host's end of the link, following docs/machines/pixel-planes.md.
 class HostLink {
  public:
   explicit HostLink(const machines::Link& link) : link_(link) {}
 
-  /// Puts a frame into the host's memory and forgets the one before.
+  /// Loads a frame into the host's memory in place of the previous one.
   void load(link::FrameWords frame);
 
-  /// What the host puts on the wires for the next edge, at which the machine's were `outputs`.
+  /// Sets the host's wires for the next edge, given the machine's `outputs` of the last one.
   void drive(const Outputs& outputs, Inputs& inputs);
 
  private:
@@ -25,9 +25,9 @@ class HostLink {
 
   machines::Link link_;
   link::FrameWords frame_;
-  std::size_t next_ = 0;       ///< the word on the link, or that will be
-  std::uint32_t latent_ = 0;   ///< clocks until it is on the link
-  std::uint32_t on_link_ = 0;  ///< clocks that it still has to be there
+  std::size_t next_ = 0;       ///< index of the current or next word on the link
+  std::uint32_t latent_ = 0;   ///< clocks until that word is on the link
+  std::uint32_t on_link_ = 0;  ///< clocks for which it remains there
 };
 
 }  // namespace csgsim::rtl

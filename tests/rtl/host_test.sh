@@ -1,5 +1,5 @@
 #!/bin/sh
-# The hosts of hw/rtl feed a machine in Icarus what they have to: host_test.v.
+# The hosts of hw/rtl feed a machine in Icarus: host_test.v.
 #   host_test.sh RTL_8X8 SOURCES FOLDER LATENCY WORD_CLOCKS
 set -eu
 bench=$1

@@ -1,6 +1,6 @@
-// The hosts of hw/rtl, in Icarus: a Program is drawn by two machines, one with a ROM, and one that is fed over a serial line
-// by the computer written here. Both are to give the answers and the picture of files that rtl_8x8 host has written, and the
-// first takes the clocks that the parameter says. Prints what is wrong, or "equal".
+// The hosts of hw/rtl in Icarus: a Program is drawn by two machines, one with a ROM, and one fed over a serial line by
+// the computer modelled here. Both must give the answers and the picture in the files written by rtl_8x8 host, and the
+// first must take the clocks given by a parameter. Prints the errors, or "equal".
 module host_test #(
   parameter WORDS = 1,
   parameter INSTRUCTIONS = 1,
@@ -9,7 +9,7 @@ module host_test #(
   parameter LATENCY = 5,
   parameter WORD_CLOCKS = 2
 );
-  localparam BIT = 5;       // clocks of a bit on the line
+  localparam BIT = 5;       // clocks per bit on the line
   localparam WINDOW = 3;
   localparam PIXELS = 64;
   localparam COLOUR_BITS = 20;
@@ -39,7 +39,7 @@ module host_test #(
     end
   endtask
 
-  // With the ROM, machine 0; over the line, machine 1.
+  // Machine 0 has the ROM; machine 1 is on the line.
   wire [1:0] frame, request, word_valid, word_ready, told, told_any, done, video_valid, video_frame, shown;
   wire [31:0] request_from [0:1];
   wire [31:0] word [0:1];
@@ -81,7 +81,7 @@ module host_test #(
         end
         if (video_valid[m])
           for (i = 0; i < 3; i = i + 1)
-            if (i < 2 || pixel % 8 != 0) begin  // 3, 3 and 2 of a row of 8
+            if (i < 2 || pixel % 8 != 0) begin  // a row of 8 is shown as 3, 3 and 2 pixels
               if (video[m][i*COLOUR_BITS +: COLOUR_BITS] !== picture[pixel]) complain("a pixel");
               pixel = pixel + 1;
             end
@@ -95,7 +95,7 @@ module host_test #(
     end
   endgenerate
 
-  // The computer: what comes,
+  // The computer's receiver.
   reg asks = 0;
   reg drawn = 0;
   integer from = 0;
@@ -142,7 +142,7 @@ module host_test #(
     endcase
   end
 
-  // and what goes.
+  // The computer's sender.
   integer next = WORDS;
   integer s, p;
   task send(input [7:0] value);

@@ -1,6 +1,6 @@
 #!/bin/sh
-# What CI has no time for, in a built tree: the lockstep at 64 x 64, with chains of 8 to 64 cells, and on machines that
-# numbers make up.
+# Tests that take too long for CI, in a built tree: the lockstep at 64 x 64, with chains of 8 to 64 cells, and on
+# machines with random parameters.
 #   large.sh BUILD    for instance build/release
 set -eu
 build=$1

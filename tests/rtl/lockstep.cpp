@@ -17,7 +17,7 @@ namespace {
 
 void put(Vector& vector, std::size_t bit, std::uint64_t value) { vector[bit / 64] |= value << bit % 64; }
 
-/// A plane of the SystemC machine, whose rows begin at whole words, without gaps.
+/// Packs a plane of the SystemC machine, whose rows begin at whole words, into a vector without gaps.
 void pack(std::span<const std::uint64_t> plane, array::PlaneShape shape, Vector& to) {
   to.assign((std::size_t{shape.width} * shape.height + 63) / 64, 0);
   std::size_t bit = 0;
@@ -26,7 +26,7 @@ void pack(std::span<const std::uint64_t> plane, array::PlaneShape shape, Vector&
   }
 }
 
-/// `count` bits of a vector from bit `first` on.
+/// Copies `count` bits of a vector from bit `first` on.
 void take(const Vector& from, std::size_t first, std::size_t count, Vector& to) {
   to.assign((count + 63) / 64, 0);
   for (std::size_t word = 0; word < to.size(); ++word) {
@@ -75,13 +75,13 @@ std::string Lockstep::run(std::span<const isa::Program> programs, std::uint8_t f
   return difference;
 }
 
-/// Puts the next frame into the host's memory.
+/// Loads the next frame into the host's memory.
 void Lockstep::next_frame() {
   host_.load(link::frame_words(programs_[drawn_], figures_.link.width));
   waiting_ = true;
 }
 
-/// After a difference: all is 0 on both.
+/// Clears both machines after a difference.
 void Lockstep::clear() {
   isa::Program program;
   program.shape = figures_.array;
@@ -93,7 +93,7 @@ void Lockstep::clear() {
   rtl_ = std::make_unique<Machine>();
 }
 
-/// In the middle of a clock all is settled.
+/// Compares the machines in the middle of a clock, when all signals have settled.
 void Lockstep::watch() {
   if (sc_core::sc_time_stamp() == sc_core::SC_ZERO_TIME) return next_trigger(machine_.period() * 1.5);
   look();
@@ -123,14 +123,14 @@ void Lockstep::edge() {
   if (outputs.done) finish_frame();
   if (!outputs.shown) return;
   while (scanned_out_ < frames_.size() && isa::frame_header(programs_[scanned_out_]).colour.width == 0) ++scanned_out_;
-  if (scanned_out_ == frames_.size()) return tell("the Verilog shows a picture that there is not");
+  if (scanned_out_ == frames_.size()) return report_difference("the Verilog shows an unexpected picture");
   frames_[scanned_out_].shown = seen_;
   frames_[scanned_out_++].picture = screen_.picture();
 }
 
-/// The Verilog is done with the one that it has begun.
+/// Records the end of the frame that the Verilog is drawing.
 void Lockstep::finish_frame() {
-  if (drawn_ == frames_.size()) return tell("the Verilog is done with a frame that there is not");
+  if (drawn_ == frames_.size()) return report_difference("the Verilog ends an unexpected frame");
   Frame& frame = frames_[drawn_];
   frame.clocks = rtl_->outputs().clocks;
   frame.counts = rtl_->outputs().counts;
@@ -148,12 +148,12 @@ void Lockstep::finish_frame() {
   if (++drawn_ < programs_.size()) next_frame();
 }
 
-void Lockstep::tell(std::string difference) {
+void Lockstep::report_difference(std::string difference) {
   if (difference_.empty()) difference_ = std::move(difference);
 }
 
 void Lockstep::compare_frames(const std::vector<systemc::RunReport>& reports) {
-  if (drawn_ != programs_.size()) return tell("the Verilog is not done with the frames");
+  if (drawn_ != programs_.size()) return report_difference("the Verilog has not ended all frames");
   for (std::size_t i = 0; i < frames_.size(); ++i) compare_frame(i, reports[i]);
 }
 
@@ -161,10 +161,10 @@ void Lockstep::compare_frame(std::size_t number, const systemc::RunReport& repor
   const Frame& frame = frames_[number];
   const auto expect = [&](std::string_view what, std::uint64_t expected, std::uint64_t actual) {
     if (expected != actual)
-      tell(fmt::format("frame {}: {} {} in SystemC, {} in Verilog", number, what, expected, actual));
+      report_difference(fmt::format("frame {}: {} {} in SystemC, {} in Verilog", number, what, expected, actual));
   };
   expect("clocks", report.clocks, frame.clocks);
-  if (frame.answers != report.answers) tell(fmt::format("frame {}: the answers differ", number));
+  if (frame.answers != report.answers) report_difference(fmt::format("frame {}: the answers differ", number));
   const auto& activities = report.account.parts.front().clocks;
   for (std::size_t i = 0; i < counted.size(); ++i) {
     const auto found = std::find_if(activities.begin(), activities.end(),
@@ -177,9 +177,10 @@ void Lockstep::compare_frame(std::size_t number, const systemc::RunReport& repor
     expect("interval_clocks", report.interval_clocks, frames_[number + 1].begun - frame.begun);
   if (isa::frame_header(programs_[number]).colour.width == 0) return;
   expect("shown_clocks", report.shown_clocks, frame.shown - frame.begun);
-  if (frame.picture != frame.drawn) tell(fmt::format("frame {}: what is scanned out is not what was drawn", number));
+  if (frame.picture != frame.drawn)
+    report_difference(fmt::format("frame {}: the scanned-out picture differs from the drawn one", number));
   if (!report.picture.empty() && frame.picture != report.picture)
-    tell(fmt::format("frame {}: the pictures differ", number));
+    report_difference(fmt::format("frame {}: the pictures differ", number));
 }
 
 void Lockstep::compare_plane(const char* what, const Vector& expected, const Vector& actual, std::string_view which) {

@@ -18,29 +18,29 @@
 
 namespace csgsim::rtl {
 
-/// Runs Programs on the machine in SystemC and on that in Verilog, each with a host's link of its own, and compares the
-/// registers and the memory of every pixel in every clock. One a process, as SystemC elaborates once.
+/// Runs Programs on the machine in SystemC and on that in Verilog, each with a separate host link, and compares the
+/// registers and the memory of every pixel in every clock. One per process, as SystemC elaborates once.
 class Lockstep final : public sc_core::sc_module {
  public:
   explicit Lockstep(const machines::Machine& machine);
 
-  /// Draws the Programs one after the other. Returns where the two differ first, or nothing if they agree to the end,
-  /// in answers, clocks, what these were spent on, intervals and pictures too. With the planted fault of that number in
-  /// the Verilog; 0: none.
+  /// Draws the Programs one after the other. Returns the first difference, or an empty text if all is equal including
+  /// answers, clocks, activities, intervals and pictures. `fault` is the number of the planted fault in the Verilog; 0:
+  /// none.
   std::string run(std::span<const isa::Program> programs, std::uint8_t fault = 0);
 
   [[nodiscard]] std::uint64_t clocks_compared() const { return clocks_compared_; }
 
  private:
-  /// What the Verilog made of a frame.
+  /// Results of the Verilog for a frame.
   struct Frame {
-    std::uint64_t begun = 0;   ///< edge
-    std::uint64_t shown = 0;   ///< edge
-    std::uint32_t clocks = 0;  ///< until it was drawn
+    std::uint64_t begun = 0;   ///< edge at its start
+    std::uint64_t shown = 0;   ///< edge at its display
+    std::uint32_t clocks = 0;  ///< clocks until it was drawn
     std::vector<bool> answers{};
     std::array<std::uint32_t, counted.size()> counts{};
-    std::vector<std::uint32_t> drawn{};    ///< the colours that stood in the SystemC's memory then
-    std::vector<std::uint32_t> picture{};  ///< that was scanned out
+    std::vector<std::uint32_t> drawn{};    ///< colours in the SystemC machine's memory at that time
+    std::vector<std::uint32_t> picture{};  ///< scanned-out picture
   };
 
   void watch();
@@ -51,7 +51,7 @@ class Lockstep final : public sc_core::sc_module {
   void compare();
   void compare_frames(const std::vector<systemc::RunReport>& reports);
   void compare_frame(std::size_t number, const systemc::RunReport& report);
-  void tell(std::string difference);
+  void report_difference(std::string difference);
   void compare_plane(const char* what, const Vector& expected, const Vector& actual, std::string_view which = {});
   void clear();
   [[nodiscard]] std::uint64_t edges() const;
@@ -63,13 +63,13 @@ class Lockstep final : public sc_core::sc_module {
   std::uint8_t fault_ = 0;
   bool comparing_ = false;
   std::uint64_t begin_ = 0;  ///< edge at which the frame begins
-  std::uint64_t seen_ = 0;   ///< edges that the Verilog has had
+  std::uint64_t seen_ = 0;   ///< edges received by the Verilog
   std::uint64_t clocks_compared_ = 0;
   std::span<const isa::Program> programs_;
-  std::vector<Frame> frames_;    ///< those that the Verilog has begun
-  std::size_t drawn_ = 0;        ///< of these
-  std::size_t scanned_out_ = 0;  ///< of these, those before that one are
-  bool waiting_ = false;         ///< a frame lies in the host's memory
+  std::vector<Frame> frames_;    ///< frames begun by the Verilog
+  std::size_t drawn_ = 0;        ///< number of drawn frames
+  std::size_t scanned_out_ = 0;  ///< number of scanned-out frames
+  bool waiting_ = false;         ///< whether a frame is in the host's memory
   Screen screen_;
   std::string difference_;
   Vector plane_;

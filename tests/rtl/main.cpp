@@ -1,15 +1,15 @@
 // rtl_NAME random SEQUENCES INSTRUCTIONS [KEY=NUMBER...]
-//   So many sequences of random Programs, with so many instructions a segment at most, on the machine in SystemC and on
-//   the Verilog, in lockstep. latency= and word= are clocks of the link. RC_PARAMS overrides seed and number.
+//   Runs SEQUENCES sequences of random Programs, with at most INSTRUCTIONS per segment, on the machine in SystemC and
+//   on the Verilog, in lockstep. latency= and word= are clocks of the link. RC_PARAMS overrides seed and number.
 // rtl_NAME models MODEL...
-//   Test models, drawn by both.
+//   Draws test models on both.
 // rtl_NAME faults SEQUENCES INSTRUCTIONS NUMBER...
-//   Every planted fault but those is noticed within so many random sequences, and those are not.
+//   Every planted fault except those NUMBERs must be detected within SEQUENCES random sequences.
 // rtl_NAME host SEED LATENCY WORD_CLOCKS
-//   Writes what host_test.v takes, into files here, of a random Program that asks, skips and is shown; and prints its
-//   parameters. The clocks are the SystemC's.
+//   Writes the input files of host_test.v for a random Program that asks questions, skips and shows a picture; prints
+//   its parameters. The clocks are those of the SystemC machine.
 // rtl_NAME speed PRIMITIVES
-//   Seconds of both on the benchmarks' typical mix, by pixel and clock; the fastest of some runs.
+//   Measures both on the benchmarks' typical mix, per pixel and clock; the fastest of some runs.
 
 #include <fmt/format.h>
 #include <rapidcheck.h>
@@ -31,9 +31,9 @@ namespace csgsim::rtl {
 
 namespace {
 
-constexpr std::uint8_t planted_faults = 27;  ///< in hw/rtl/faults.vh
+constexpr std::uint8_t planted_faults = 27;  ///< number of faults in hw/rtl/faults.vh
 
-/// The figures that are the host's: latency= and word= are clocks of the link.
+/// The machine with parameters of the host: latency= and word= are clocks of the link.
 machines::Machine machine_with(const Words& words) {
   machines::Machine machine = machine_of_parameters();
   set_figures(words, {{"latency", &machine.link.latency}, {"word", &machine.link.word_clocks}});
@@ -61,7 +61,7 @@ std::uint64_t run_verilog(Machine& machine, const link::FrameWords& words, const
   return machine.outputs().clocks;
 }
 
-/// Nanoseconds of processor time a pixel and clock; the fastest of some runs.
+/// Nanoseconds of processor time per pixel and clock; the fastest of some runs.
 template <class Run>
 double pixel_clock_ns(const char* what, const isa::ArrayShape& shape, Run run) {
   constexpr int runs = 3;
@@ -94,7 +94,7 @@ int speed(const Words& words) {
   return 0;
 }
 
-/// Asks, skips and is shown.
+/// Whether the Program asks questions, skips, and shows a picture.
 bool is_telling(const isa::Program& program, const systemc::RunReport& report) {
   return !report.answers.empty() && report.skipped > 0 && !report.picture.empty() && program.segments.size() == 1;
 }
@@ -136,7 +136,7 @@ int run(const Words& words) {
   if (words.at(0) == "random") return random_frames<Lockstep>(machine_with(words), arbitrary_frames, words);
   if (words.at(0) == "models") return models<Lockstep>(machine, setup_of(machine), words);
   if (words.at(0) == "faults") return faults<Lockstep>(machine, arbitrary_frames, planted_faults, words);
-  throw std::invalid_argument("no such test: " + words.at(0));
+  throw std::invalid_argument("unknown test: " + words.at(0));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The machine of hw/rtl with its pixels on wires, for who compares them: pixel (x, y) is number y * WIDTH + x. With PROBES 0
-// these are 0, for who measures how fast the machine is simulated.
+// The machine of hw/rtl with its pixels' state on wires for comparison: pixel (x, y) has index y * WIDTH + x. With
+// PROBES 0 these wires are 0, to measure the speed of simulation.
 module probed_planes #(
   parameter WIDTH = 8,
   parameter HEIGHT = 8,

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Icarus and Yosys take the Verilog of hw/rtl without a warning; Verilator does so in every build.
-#   quiet.sh SOURCES [cell_chain=FOLDER] WORDS...    a set of parameters a word, KEY=NUMBER separated by commas; of pixel_planes,
-#                                                   or of the chain of cells in a folder of hw/rtl
+# Icarus and Yosys accept the Verilog of hw/rtl without warnings; Verilator checks it in every build.
+#   quiet.sh SOURCES [cell_chain=FOLDER] WORDS...    each word is a set of parameters, KEY=NUMBER separated by commas,
+#   for
+#                                                   pixel_planes or for the chain of cells in a folder of hw/rtl
 set -eu
 cd "$1/hw/rtl"
 shift

@@ -10,8 +10,8 @@
 
 namespace csgsim::rtl {
 
-/// Valid Programs for the machine that follow each other, one to three, with so many instructions a segment at most and
-/// equally wide colours; one in four times with none. They leave out the bits of a second buffer.
+/// One to three consecutive valid Programs for the machine, with at most `instructions` per segment and equally wide
+/// colours, or in one of four cases no colours. They leave the bits of a second buffer unused.
 rc::Gen<std::vector<isa::Program>> arbitrary_frames(const machines::Machine& machine, std::size_t instructions);
 
 }  // namespace csgsim::rtl

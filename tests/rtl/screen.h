@@ -7,14 +7,14 @@
 
 namespace csgsim::rtl {
 
-/// Gathers the pixels that the Verilog shows into pictures.
+/// Collects the pixels shown by the Verilog into pictures.
 class Screen {
  public:
-  /// Of so many columns; pixels have so many wires.
+  /// A screen with `width` columns, whose pixels have `colour_bits` wires.
   Screen(std::uint32_t width, std::uint32_t pixels, std::uint32_t colour_bits)
       : width_(width), pixels_(pixels), colour_bits_(colour_bits) {}
 
-  /// What is shown in a clock.
+  /// Records the pixels shown in a clock.
   void show(const Outputs& outputs);
 
   /// The colours since the last first pixel of a picture, in row order.
@@ -22,7 +22,7 @@ class Screen {
 
  private:
   std::uint32_t width_;
-  std::uint32_t pixels_;  ///< a clock
+  std::uint32_t pixels_;  ///< pixels per clock
   std::uint32_t colour_bits_;
   std::uint32_t column_ = 0;
   std::vector<std::uint32_t> picture_;

@@ -5,7 +5,7 @@
 
 namespace csgsim::rtl {
 
-/// Bit i is bit i % 64 of word i / 64.
+/// A bit vector: bit i is bit i % 64 of word i / 64.
 using Vector = std::vector<std::uint64_t>;
 
 }  // namespace csgsim::rtl

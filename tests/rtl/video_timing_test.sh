@@ -1,5 +1,5 @@
 #!/bin/sh
-# Sync signals come when they have to: video_timing_test.v.
+# Checks the timing of sync signals: video_timing_test.v.
 #   video_timing_test.sh SOURCES PROGRAM
 set -eu
 iverilog -g2005 -Wall -s video_timing_test -o "$2" "$1/tests/rtl/video_timing_test.v" "$1/hw/rtl/video_timing.v"

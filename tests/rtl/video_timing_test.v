@@ -1,4 +1,4 @@
-// Sync signals of two pictures of 5 x 4 pixels, in Icarus. Prints what is wrong, or "equal".
+// Checks sync signals of two pictures of 5 x 4 pixels in Icarus. Prints the errors, or "equal".
 module video_timing_test;
   reg clk = 0;
   reg reset = 1;

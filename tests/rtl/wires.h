@@ -10,7 +10,7 @@
 
 namespace csgsim::rtl {
 
-/// What is on wires, of which Verilator makes a number, or words of 32 bits.
+/// The value on wires, which Verilator represents as a number or as words of 32 bits.
 template <std::unsigned_integral Number>
 void assign(Vector& to, Number from) {
   to.assign(1, from);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""tests/scenes/draw.py CSGSIM [FOLDER]: draws every scene of this folder, and prints what each costs as a Markdown table.
+"""tests/scenes/draw.py CSGSIM [FOLDER]: draws every scene of this folder and prints the costs as a Markdown table.
 
-With FOLDER, the pictures go there as NAME.png. Each scene's first line names its model and options."""
+With FOLDER, the pictures are written there as NAME.png. Each scene's first line names its model and options."""
 import json
 import pathlib
 import shutil

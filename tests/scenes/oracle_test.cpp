@@ -9,9 +9,9 @@ using namespace csgsim;
 
 namespace {
 
-constexpr std::uint32_t side = 40;  // pixels of a picture
+constexpr std::uint32_t side = 40;  // of a picture in pixels
 
-/// Effects that rays do not know, whose own tests judge them: off, so that all the rest is judged.
+/// Effects without a model in the ray tracer, which have separate tests: switched off, so that all others are checked.
 const std::vector<std::string> not_judged{"effects.smooth.on=false", "effects.equalise.on=false",
                                           "effects.edges.on=false", "effects.depth_cue.on=false",
                                           "effects.antialias.adaptive=false"};
@@ -20,7 +20,7 @@ bool names(const testing::SceneFile& file, const std::string& effect) {
   return file.text.find("[effects." + effect + "]") != std::string::npos;
 }
 
-/// The number behind a key of the file; a scene of these says each key once.
+/// The number of a key in the file; scenes contain each key at most once.
 unsigned number_of(const testing::SceneFile& file, const std::string& key, unsigned otherwise) {
   const std::size_t at = file.text.find("\n" + key + " = ");
   return at == std::string::npos ? otherwise : static_cast<unsigned>(std::stoul(file.text.substr(at + key.size() + 4)));
@@ -39,7 +39,7 @@ std::vector<std::string> sets_for(const testing::SceneFile& file) {
   return sets;
 }
 
-/// Flat faces of materials that mirror: not those around balls, cylinders and cones.
+/// Flat faces of mirror materials, without those of balls, cylinders and cones.
 std::vector<testing::RayMirror> mirrors_of(const testing::DrawnScene& drawn) {
   std::vector<testing::RayMirror> mirrors;
   for (std::uint32_t i = 0; i < drawn.compiled.tree.primitives.size(); ++i) {
@@ -65,8 +65,8 @@ testing::RayEffects effects_of(const testing::SceneFile& file, const testing::Dr
   return effects;
 }
 
-/// Levels that rounding may be off: one a layer that is blended and one a reflection (host/effects/layers.h,
-/// mirrors.h), one for the mean of samples, and half of one.
+/// Tolerance for rounding in levels: one for each blended layer and each reflection (host/effects/layers.h, mirrors.h),
+/// one for the mean of samples, and one half.
 double bound_of(const testing::RayEffects& effects, std::size_t samples) {
   const bool blends = std::any_of(effects.opacity.begin(), effects.opacity.end(), [](double one) { return one < 1; });
   return 0.51 + (blends ? effects.layers : 0) + effects.reflections * (blends ? effects.layers : 1.0) +
@@ -75,7 +75,7 @@ double bound_of(const testing::RayEffects& effects, std::size_t samples) {
 
 }  // namespace
 
-TEST_CASE("every scene shows what rays say, wherever rounding cannot decide otherwise") {
+TEST_CASE("every scene equals the ray-traced picture except where rounding decides") {
   const std::vector<testing::SceneFile> files = testing::scene_files();
   CHECK(files.size() >= 12);
   const auto step = testing::cases<std::size_t>(1, 2);
@@ -87,7 +87,7 @@ TEST_CASE("every scene shows what rays say, wherever rounding cannot decide othe
     testing::RayShot shot{file.camera, side, side, drawn.compiled.view.depth.near};
     if (names(file, "antialias")) shot.samples = effects::sample_offsets(number_of(file, "samples", 4));
     testing::RayDoubt doubt;
-    // Models are in millimetres and centimetres: three steps of depth.
+    // Models are in millimetres or centimetres; the tolerance is three depth steps.
     doubt.gap = 3 * drawn.compiled.view.depth_step;
     const auto expected =
         testing::ray_picture(drawn.compiled.tree, drawn.compiled.scene, drawn.scene, shot, effects, doubt);
@@ -101,10 +101,10 @@ TEST_CASE("every scene shows what rays say, wherever rounding cannot decide othe
       const double off = testing::off_by(frame.colour[i], expected[i].colour);
       worst = std::max(worst, off);
       if (off > bound_of(effects, shot.samples.size())) {
-        if (++wrong < 4) MESSAGE("column ", i % side, " row ", i / side, " is off by ", off);
+        if (++wrong < 4) MESSAGE("column ", i % side, " row ", i / side, ": error ", off);
       }
     }
-    MESSAGE(file.name, ": ", judged, " of ", expected.size(), " pixels judged, off by ", worst, " levels at most");
+    MESSAGE(file.name, ": ", judged, " of ", expected.size(), " pixels checked, error at most ", worst, " levels");
     CHECK(wrong == 0);
     CHECK(judged > expected.size() / 2);
   }

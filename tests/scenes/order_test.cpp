@@ -12,7 +12,7 @@ std::string at(double x, double y, double z, const std::string& solid) {
          "],[0,0,0,1]]){" + solid + "}\n";
 }
 
-/// Parts of a scene, no two of whose surfaces lie in one plane.
+/// Parts of a scene without coplanar surfaces.
 const std::vector<std::string> parts{
     "color([0.8,0.8,0.7,1]){" + at(-20, -20, -3, "cube(size=[40,40,2.5],center=false);") + "}",
     "color([0.2,0.5,0.9,0.4]){" + at(-6, -9, 0, "cube(size=[9,2,11],center=false);") + "}",
@@ -51,7 +51,7 @@ std::vector<std::uint32_t> picture_of(const std::vector<std::string>& some) {
 
 }  // namespace
 
-TEST_CASE("a picture with effects is the same whatever the order of parts in the file") {
+TEST_CASE("a picture with effects does not depend on the order of parts in the file") {
   std::vector<std::string> turned = parts;
   const std::vector<std::uint32_t> first = picture_of(parts);
   for (std::size_t turn = 1; turn < parts.size(); ++turn) {

@@ -11,8 +11,8 @@ using namespace csgsim;
 
 namespace {
 
-constexpr std::uint32_t side = 256;  // pixels of a picture
-constexpr std::size_t every = 3;     // of the primitives is measured
+constexpr std::uint32_t side = 256;  // of a picture in pixels
+constexpr std::size_t every = 3;     // measures every third primitive
 
 testing::SceneFile vehicle(const std::string& scene) {
   return {"vehicle",
@@ -30,7 +30,7 @@ observe::Stats run(const testing::Compiled& compiled) {
   return stats.stats();
 }
 
-/// Clocks of the surfaces of all primitives that have pixels in the rectangle of this one.
+/// Clocks for the surfaces of all primitives with pixels in the rectangle of this one.
 std::uint64_t work_in_rectangle(const testing::Compiled& compiled, const observe::Stats& stats, std::size_t primitive) {
   std::uint64_t clocks = 0;
   const view::PixelRect& own = compiled.view.extents[primitive].pixels;
@@ -44,7 +44,7 @@ std::string only_line(const model::Primitive& primitive) {
   return "from_line = " + std::to_string(primitive.location.line) + "\n";
 }
 
-/// Worst price of an effect on one primitive, in work of its rectangle, over all that `price` gives one for.
+/// Highest price of an effect on one primitive, relative to the work of its rectangle, where `price` gives one.
 template <class Price>
 double worst_ratio(const std::string& effect, const Price& price) {
   const testing::DrawnScene plain = testing::compile_scene(vehicle(""), side, side);
@@ -61,12 +61,12 @@ double worst_ratio(const std::string& effect, const Price& price) {
     sum += ratio;
     ++count;
   }
-  MESSAGE(effect, ": ", count, " primitives, ", worst, " of their rectangles' work at most, ", sum / count,
+  MESSAGE(effect, ": ", count, " primitives, ", worst, " times their rectangles' work at most, ", sum / count,
           " on average");
   return worst;
 }
 
-/// Clocks billed to the second effect of a scene, the first being flat shading.
+/// Clocks charged to the second effect of a scene; the first is flat shading.
 std::uint64_t billed(const std::string& scene) {
   const observe::Stats stats = run(testing::compile_scene(vehicle(scene), side, side).compiled);
   return stats.by_effect.size() < 3 ? 0 : stats.by_effect[1].clocks;
@@ -76,20 +76,20 @@ constexpr double most = 1.2;
 
 }  // namespace
 
-TEST_CASE("glass on one primitive of the vehicle costs 1.2 times the work of its rectangle at most") {
+TEST_CASE("glass on one primitive costs at most 1.2 times the work of its rectangle") {
   CHECK(worst_ratio("transparency", [](const testing::Compiled& compiled, std::size_t i) {
           return billed("[[materials]]\n" + only_line(compiled.tree.primitives[i]) + "opacity = 0.5\n");
         }) <= most);
 }
 
-TEST_CASE("the shadow of one primitive of the vehicle costs 1.2 times the work of its rectangle at most") {
+TEST_CASE("the shadow of one primitive costs at most 1.2 times the work of its rectangle") {
   CHECK(worst_ratio("shadows", [](const testing::Compiled& compiled, std::size_t i) {
           return billed("[[lights]]\ndirection = [-0.5, 0.75, -0.9]\n[effects.shadows]\n" +
                         only_line(compiled.tree.primitives[i]));
         }) <= most);
 }
 
-TEST_CASE("smoothness of one primitive of the vehicle costs 1.2 times the work of its rectangle at most") {
+TEST_CASE("smoothness of one primitive costs at most 1.2 times the work of its rectangle") {
   const testing::DrawnScene smooth = testing::compile_scene(vehicle("[effects.smooth]\n"), side, side);
   const machines::Machine machine = kinds::load("pixel-planes-4");
   CHECK(worst_ratio("smooth", [&](const testing::Compiled& /*compiled*/, std::size_t i) {
@@ -103,7 +103,7 @@ TEST_CASE("smoothness of one primitive of the vehicle costs 1.2 times the work o
 
 namespace {
 
-/// A floor, and thin triangular plates above it, which neither hide nor shade one another.
+/// A floor below thin triangular plates, which neither hide nor shade one another.
 std::string plates(int count) {
   std::string text = "multmatrix([[1,0,0,-60],[0,1,0,-60],[0,0,1,-2],[0,0,0,1]]){cube(size=[120,120,2],center=false);}";
   for (int i = 0; i < count; ++i) {
@@ -115,7 +115,7 @@ std::string plates(int count) {
   return text;
 }
 
-/// Clocks of all instructions that draw so many plates.
+/// Clocks of all instructions for a number of plates.
 std::uint64_t clocks_of_plates(int count, const std::string& scene) {
   testing::Setup setup;
   setup.camera = {{90, -140, 110}, {0, 0, 0}, view::Projection::orthographic};
@@ -127,12 +127,12 @@ std::uint64_t clocks_of_plates(int count, const std::string& scene) {
 
 }  // namespace
 
-TEST_CASE("one more triangle with its shadow stays within twice the published estimate") {
+TEST_CASE("an extra triangle with its shadow costs at most twice the published estimate") {
   const std::string lit = "[[lights]]\ndirection = [0.2, 0.4, -1]\n";
   const std::uint64_t plain = clocks_of_plates(3, lit) - clocks_of_plates(2, lit);
   const std::string shadows = lit + "[effects.shadows]\n";
   const std::uint64_t shadowed = clocks_of_plates(3, shadows) - clocks_of_plates(2, shadows);
-  MESSAGE(plain, " clocks, ", shadowed, " with shadow; published are 333 and 476");
+  MESSAGE(plain, " clocks, ", shadowed, " with shadow; published: 333 and 476");
   CHECK(plain > 200);
   CHECK(plain < 2 * 333);
   CHECK(shadowed > plain);

@@ -7,20 +7,20 @@
 
 namespace csgsim::testing {
 
-/// A file of tests/scenes. Its first line says the model, and what else `csgsim render` needs to draw it:
+/// A file of tests/scenes. Its first line names the model and the other options that `csgsim render` needs:
 /// `# model: NAME.csg --camera 1,2,3,4,5,6 --memory-bits 128`.
 struct SceneFile {
   std::string name;
   std::string text;
-  std::string model;  ///< path
+  std::string model;  ///< path of the model
   view::Camera camera;
 };
 
-/// All of them, by name. Throws std::runtime_error for one whose first line cannot be read.
+/// All scene files, by name. Throws std::runtime_error for one whose first line cannot be read.
 std::vector<SceneFile> scene_files();
 
-/// The scene's picture on the whole-picture machine with ample memory, with keys set on top of the file's. The options'
-/// scene and effects are the file's.
+/// The scene's picture on the whole-picture machine with ample memory, with keys added to those of the file. The scene
+/// and effects of the options come from the file.
 struct DrawnScene {
   Compiled compiled;
   scene::Scene scene;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t side = 400;
 
-/// A model in a scene, as a machine draws it with some keys set.
+/// A model in a scene, drawn by a machine with some keys set.
 struct Drawn {
   testing::Compiled compiled;
   scene::Scene scene;
@@ -55,7 +55,7 @@ std::vector<software::TracedPixel> traced(const testing::Compiled& compiled, con
   return software::trace(scene, *directory, options, false).pixels;
 }
 
-/// Whether values of a picture differ within so many pixels of a place.
+/// Whether values of a picture differ within `within` pixels of a place.
 template <class Value>
 bool is_at_edge(const Value& value, std::size_t pixel, int within) {
   const int x = static_cast<int>(pixel % side);
@@ -72,10 +72,10 @@ struct Tally {
   std::size_t judged = 0;
   std::size_t dark = 0;
   std::size_t differ = 0;
-  std::size_t neither = 0;  ///< as bright as with the light, nor as without it
+  std::size_t neither = 0;  ///< neither as bright as with the light nor as dark as without it
 };
 
-/// The machine's shadows, by pictures without shadows and without the light, beside those of rays.
+/// Compares the machine's shadows, obtained from pictures without shadows and without the light, with ray-traced ones.
 Tally judge_shadows(const std::string& csg, const view::Camera& camera, const std::string& light) {
   const std::string text = "[ambient]\nintensity = 0.3\n[[lights]]\n" + light + "\n[effects.shadows]\n";
   const Drawn with = drawn(csg, camera, text, {});
@@ -88,13 +88,13 @@ Tally judge_shadows(const std::string& csg, const view::Camera& camera, const st
   const auto is_lit = [&](std::size_t pixel) { return with.frame.colour[pixel] == bright.frame.colour[pixel]; };
   const auto facet = [&](std::size_t pixel) { return pixels[pixel].surface.facet; };
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    if (bright.frame.colour[i] == dark.frame.colour[i]) continue;  // the light does not reach it
+    if (bright.frame.colour[i] == dark.frame.colour[i]) continue;  // the light does not affect the pixel
     ++tally.judged;
     tally.dark += is_lit(i) ? 0U : 1U;
     tally.neither += is_lit(i) || with.frame.colour[i] == dark.frame.colour[i] ? 0U : 1U;
     if (is_lit(i) == (pixels[i].surface.lit != 0)) continue;
     ++tally.differ;
-    // Depth is in whole steps, so that a shadow's edge may be a part of a pixel off.
+    // Depth is quantized, so a shadow's edge may be off by a part of a pixel.
     CHECK((is_at_edge(is_lit, i, 1) || is_at_edge(facet, i, 1)));
   }
   return tally;
@@ -117,7 +117,7 @@ const view::Camera above{{70, -90, 75}, {0, 0, 3}, view::Projection::perspective
 
 }  // namespace
 
-TEST_CASE("the machine's shadows are those of rays to the light, but at their edges") {
+TEST_CASE("the machine's shadows equal ray-traced ones except at their edges") {
   const view::Camera beside{{60, -110, 60}, {0, 0, 3}, view::Projection::orthographic};
   for (const auto& [camera, light] :
        {std::pair{above, "direction = [0.4, 0.7, -1]"}, std::pair{above, "direction = [-0.7, 0.2, -0.6]"},
@@ -127,14 +127,14 @@ TEST_CASE("the machine's shadows are those of rays to the light, but at their ed
     const std::string said(light);
     CAPTURE(said);
     const Tally tally = judge_shadows(things, camera, light);
-    MESSAGE(tally.judged, " pixels that light falls on, ", tally.dark, " in shadow, ", tally.differ, " differ");
+    MESSAGE(tally.judged, " lit pixels, ", tally.dark, " in shadow, ", tally.differ, " differ");
     CHECK(tally.neither == 0);
     CHECK(tally.judged > 50'000);
     CHECK(tally.dark > tally.judged / 60);
     CHECK(tally.differ * 20'000 <= tally.judged);
   }
 }
-TEST_CASE("the machine's shadows on the thesis's car and carburettor are those of rays, but at their edges") {
+TEST_CASE("shadows on the thesis's models equal ray-traced ones except at their edges") {
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     if (one.name != "terrain_vehicle" && one.name != "carburettor") continue;
     CAPTURE(one.name);
@@ -142,14 +142,14 @@ TEST_CASE("the machine's shadows on the thesis's car and carburettor are those o
     std::ostringstream csg;
     csg << file.rdbuf();
     const Tally tally = judge_shadows(csg.str(), one.camera, "direction = [0.4, 0.7, -1]");
-    MESSAGE(tally.judged, " pixels that light falls on, ", tally.dark, " in shadow, ", tally.differ, " differ");
+    MESSAGE(tally.judged, " lit pixels, ", tally.dark, " in shadow, ", tally.differ, " differ");
     CHECK(tally.dark > tally.judged / 60);
     CHECK(tally.neither == 0);
     CHECK(tally.differ * 10'000 <= tally.judged);
   }
 }
-TEST_CASE("the machine's mirrors show what rays in them meet, but at its edges") {
-  // A colour for each primitive's line, and no light but ambient, so that a colour tells whose surface is seen.
+TEST_CASE("the machine's mirrors equal ray-traced ones except at their edges") {
+  // Each primitive's line has a colour and the only light is ambient, so the colour identifies the visible surface.
   constexpr std::array<std::array<double, 3>, 10> palette{{{1, 0, 0},
                                                            {0, 0, 0},
                                                            {0, 1, 0},

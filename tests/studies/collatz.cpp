@@ -32,7 +32,7 @@ struct CollatzRow {
     visit("number", row.number);
     visit("addend", row.addend);
     studies::Inputs::columns(row.inputs, visit);
-    visit("clocks", row.steps);  // whose title on a page is the vocabulary's
+    visit("clocks", row.steps);  // its title on a page comes from the vocabulary
     visit("highest", row.highest);
     visit("reason", row.reason);
   }

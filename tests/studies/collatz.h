@@ -4,8 +4,8 @@
 
 namespace csgsim::testing {
 
-/// A study of nothing that csgsim knows: how many steps numbers of a file take to 1. What a new study needs of the rest
-/// of the house is nothing but its row.
+/// A study unrelated to csgsim: the number of steps in which the numbers of a file reach 1. It shows that a new study
+/// needs nothing but its row.
 extern const studies::StudyRow collatz_row;
 
 }  // namespace csgsim::testing

@@ -25,7 +25,7 @@ using Words = std::vector<std::string>;
 
 constexpr std::array<const studies::StudyRow*, 1> rows{&testing::collatz_row};
 
-/// A folder with numbers in it, in which the study is run.
+/// A folder with a file of numbers, in which the study runs.
 class Place {
  public:
   explicit Place(const std::string& name) : path_(fs::path(CSGSIM_BINARY_DIR) / "scratch_studies" / name) {
@@ -57,7 +57,7 @@ class Place {
     return nlohmann::json::parse(content(file))["points"];
   }
 
-  /// Runs the command in a line of its own.
+  /// Runs a command line.
   static void run(const Words& words, const studies::StudyRow& row = testing::collatz_row) {
     shell::CommandLine line("csgsim: a study that lives here alone", "csgsim");
     app::add_study(line, row);
@@ -65,7 +65,7 @@ class Place {
     line.run(words, {});
   }
 
-  /// Runs the study of the numbers, into the folder.
+  /// Runs the study of the numbers with the given output folder.
   void study(const std::string& folder, const Words& more = {}) const {
     Words words{"collatz", *this / "numbers.txt", "-o", *this / folder};
     words.insert(words.end(), more.begin(), more.end());
@@ -78,7 +78,7 @@ class Place {
 
 }  // namespace
 
-TEST_CASE("a study that the house does not know has a table, JSON, plots and a page") {
+TEST_CASE("a new study gets a table and JSON and plots and a page") {
   const Place place("whole");
   place.study("out", {"--addends", "1,3", "--report", place / "page.html"});
   const std::string table = place.content("out/collatz.csv");
@@ -87,7 +87,7 @@ TEST_CASE("a study that the house does not know has a table, JSON, plots and a p
   CHECK(place.content("out/collatz.study") == "csgsim collatz\n");
   const nlohmann::json points = place.points("out/collatz.json");
   REQUIRE(points.size() == 8);
-  CHECK(points[0]["clocks"] == 111);  // of 27, which everybody knows
+  CHECK(points[0]["clocks"] == 111);  // the well-known value for 27
   CHECK(points[0]["highest"] == 9232);
   CHECK(points[2]["number"] == "6");
   CHECK(points[2]["clocks"] == 8);
@@ -97,7 +97,7 @@ TEST_CASE("a study that the house does not know has a table, JSON, plots and a p
   for (const char* const part : {"Steps to 1: ", ">clocks<", ">111<"}) CHECK(page.find(part) != std::string::npos);
 }
 
-TEST_CASE("a study that need not keep anything keeps it where it is asked to, and else shows it alone") {
+TEST_CASE("a study with an optional folder writes files only if -o is given") {
   const Place place("unkept");
   studies::StudyRow row = testing::collatz_row;
   row.folder = studies::Folder::optional;
@@ -109,14 +109,14 @@ TEST_CASE("a study that need not keep anything keeps it where it is asked to, an
   CHECK(place.points("out/collatz.json")[0]["clocks"] == 111);
 }
 
-TEST_CASE("a study goes on where it was, and measures anew what was measured from something else") {
+TEST_CASE("a study resumes and remeasures points whose inputs changed") {
   const Place place("again");
   place.study("out", {"--no-plots"});
   const std::string table = place.content("out/collatz.csv");
   place.write("out/collatz.csv", table.substr(0, table.size() - 5));
   place.study("out", {"--no-plots"});
   CHECK(place.content("out/collatz.csv") == table);
-  // Rows are taken as they are, of whatever csgsim wrote them: a number that was changed stays.
+  // Rows of any build of csgsim are kept as they are: an edited number remains.
   std::string changed = table;
   changed.replace(changed.find(",111,"), 5, ",112,");
   place.write("out/collatz.csv", changed);
@@ -129,7 +129,7 @@ TEST_CASE("a study goes on where it was, and measures anew what was measured fro
   CHECK_FALSE(place.points("out/collatz.json")[1].contains("clocks"));
 }
 
-TEST_CASE("shards of a study are gathered to the files of one process, and a missing one is told") {
+TEST_CASE("gathers shards of a study into the files of one process and names missing ones") {
   const Place place("shards");
   place.study("one", {"--addends", "1,3,5", "--no-plots"});
   for (const char* const shard : {"1/3", "3/3"}) place.study("out", {"--addends", "1,3,5", "--shard", shard});
@@ -142,12 +142,12 @@ TEST_CASE("shards of a study are gathered to the files of one process, and a mis
     CHECK(place.content(std::string("out") + file) == place.content(std::string("one") + file));
 }
 
-TEST_CASE("options of all studies are checked for a study that the house does not know") {
+TEST_CASE("checks the common options of studies for a new study") {
   const Place place("options");
   for (const Words& words : {Words{"--addends", "0"}, Words{"--shard", "3/2"}, Words{"--threads", "0"},
                              Words{"--report", "page.txt"}, Words{"--shard", "1/2", "--report", "page.html"}})
     CHECK_THROWS_AS(place.study("out", words), session::UsageError);
-  CHECK_THROWS_AS(Place::run({"collatz", place / "numbers.txt"}), session::UsageError);  // without -o
+  CHECK_THROWS_AS(Place::run({"collatz", place / "numbers.txt"}), session::UsageError);  // -o is missing
   place.write("numbers.txt", "none\n");
   CHECK_THROWS_AS(place.study("out", {"--no-plots"}), InputError);
 }

@@ -39,13 +39,13 @@ isa::Program carburettor(emit::Strategy strategy) {
       .program;
 }
 
-/// A point with what it is made from.
+/// A point and the job that draws it.
 struct Drawn {
   studies::DesignPoint point;
   studies::Job job;
 };
 
-/// One model under every strategy with several depths: each job shares the model with the others.
+/// One model under every strategy with several depths: all jobs share the model.
 std::vector<Drawn> drawn_points() {
   model::Tree tree = read::read_csg_file(testing::model_path("thesis_fig_2_3"));
   facet::Geometry scene = facet::make_geometry(tree);
@@ -68,7 +68,7 @@ std::vector<Drawn> drawn_points() {
   return all;
 }
 
-/// Measures all on four threads, without drawing if that is not asked for.
+/// Measures all points on four threads, with or without drawing.
 template <class Finished>
 void measure_all(const std::vector<Drawn>& all, bool is_drawn, const Finished& finished) {
   studies::measure_each(
@@ -78,8 +78,7 @@ void measure_all(const std::vector<Drawn>& all, bool is_drawn, const Finished& f
 
 }  // namespace
 
-TEST_CASE(
-    "a picture of several tiles, its clocks, what is skipped and the work are the same on any number of threads") {
+TEST_CASE("picture and counts of several tiles are equal for any number of threads") {
   for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list}) {
     const isa::Program program = carburettor(strategy);
     const Run one = run(program, 1);
@@ -96,7 +95,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("points of one model measured on four threads are those measured on one") {
+TEST_CASE("points of one model measured on four threads equal those measured on one") {
   const std::vector<Drawn> all = drawn_points();
   std::vector<studies::SweepRow> rows;
   measure_all(all, true, [&](studies::SweepRow row) { rows.push_back(std::move(row)); });
@@ -108,7 +107,7 @@ TEST_CASE("points of one model measured on four threads are those measured on on
   }
 }
 
-TEST_CASE("what a receiver throws while others still measure comes out once, and nothing is received after it") {
+TEST_CASE("a receiver's exception is rethrown once and nothing is received after it") {
   std::size_t received = 0;
   const auto fails_at_the_third = [&](const studies::SweepRow& /*row*/) {
     if (++received == 3) throw std::runtime_error("the disk is full");
@@ -117,7 +116,7 @@ TEST_CASE("what a receiver throws while others still measure comes out once, and
   CHECK(received == 3);
 }
 
-TEST_CASE("a mesh is the same on any number of threads, and so is a refusal of too much work") {
+TEST_CASE("a mesh and the refusal of too much work are equal for any number of threads") {
   namespace convert = software::convert;
   for (const char* const name : {"corpus/thread", "corpus/mesh_booleans", "models/carburettor"}) {
     CAPTURE(name);

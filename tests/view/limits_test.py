@@ -28,8 +28,8 @@ def run(*words, **options):
     return subprocess.run([CSGSIM, *words], cwd=SOURCE, check=False, text=True, capture_output=True, **options)
 
 
-class Limited(unittest.TestCase):
-    """No request takes memory, threads or time from others, with the token or without."""
+class Limits(unittest.TestCase):
+    """No request deprives others of memory, threads or time, with the token or without."""
 
     MOST_MEMORY = 150 << 20
 
@@ -60,14 +60,14 @@ class Limited(unittest.TestCase):
         self.assertEqual(answer[0], status, answer)
         self.assertTrue(json.loads(answer[1])["error"])
 
-    def test_a_header_without_an_end_is_refused(self):
+    def test_rejects_an_endless_header(self):
         for begin in (self.stranger(), self.own()):
             self.refused(431, begin + b"X: ", *[b"a" * (1 << 20)] * 50)
             self.refused(431, begin, *[b"a: b\r\n" * 100_000] * 50)
             self.refused(431, begin + b"a: b\r\n" * 101 + b"\r\n")
         self.refused(431, b"GET /" + b"a" * 100_000)
 
-    def test_a_body_without_a_length_is_refused(self):
+    def test_rejects_a_body_without_a_length(self):
         megabyte = b"a" * (1 << 20)
         chunks = [b"100000\r\n" + megabyte + b"\r\n"] * 50
         self.refused(403, self.stranger("Transfer-Encoding: chunked\r\n\r\n"), *chunks)
@@ -75,20 +75,20 @@ class Limited(unittest.TestCase):
         self.refused(403, self.stranger("\r\n"), *[megabyte] * 50)
         self.refused(411, self.own("\r\n"), *[megabyte] * 50)
 
-    def test_a_body_that_grows_is_refused(self):
+    def test_rejects_a_compressed_body(self):
         bomb = gzip.compress(bytes(1 << 20)) * 1000
         fields = f"Content-Encoding: gzip\r\nContent-Length: {len(bomb)}\r\n\r\n"
         self.refused(403, self.stranger(fields), bomb)
         self.refused(415, self.own(fields), bomb)
 
-    def test_a_body_is_as_long_as_allowed_and_no_longer(self):
+    def test_accepts_a_body_up_to_its_limit(self):
         most = 4 << 20
         body = b'{"source": ""}'
         self.refused(413, self.own(f"Content-Length: {most + 1}\r\n\r\n"))
         status, _ = self.server.raw(self.own(f"Connection: close\r\nContent-Length: {most}\r\n\r\n"), body + b" " * (most - len(body)))
         self.assertIn(status, (200, 422))
 
-    def test_brackets_in_brackets_are_refused(self):
+    def test_rejects_deeply_nested_brackets(self):
         deep = "[" * 200_000 + "]" * 200_000
         wide = ",".join(f'"k{i}":1' for i in range(300_000))
         for body in (deep, f'{{"knobs":{{"size":{deep}}}}}', f'{{"a":{deep},"b":{{}}}}', f'{{"knobs":{{"set":{deep}}}}}', f'{{{wide}}}',
@@ -100,7 +100,7 @@ class Limited(unittest.TestCase):
                 self.assertIn(b"too many", answer)
                 self.assertLess(time.monotonic() - begin, 10)
 
-    def test_slow_connections_shut_nobody_out_and_end(self):
+    def test_slow_connections_block_no_one_and_end(self):
         begin = time.monotonic()
         slow = [socket.create_connection(("127.0.0.1", self.server.port), timeout=30) for _ in range(30)]
         for connection in slow:
@@ -117,7 +117,7 @@ class Limited(unittest.TestCase):
         for connection in slow:
             connection.close()
 
-    def test_a_body_that_drips_ends_too(self):
+    def test_ends_a_connection_with_a_slow_body(self):
         with socket.create_connection(("127.0.0.1", self.server.port), timeout=30) as connection:
             connection.sendall(self.own("Content-Length: 100\r\n\r\n"))
             for _ in range(4):
@@ -127,7 +127,7 @@ class Limited(unittest.TestCase):
         self.assertEqual(status, 408)
         self.assertTrue(json.loads(body)["error"])
 
-    def test_of_many_connections_those_are_closed_that_have_shown_nothing(self):
+    def test_closes_idle_connections_if_there_are_many(self):
         idle = [socket.create_connection(("127.0.0.1", self.server.port), timeout=30) for _ in range(200)]
         self.assertEqual(self.server.post("draw", {})[0], 200)
         threads = pathlib.Path(f"/proc/{self.server.process.pid}/status").read_text()
@@ -136,7 +136,7 @@ class Limited(unittest.TestCase):
         for connection in idle:
             connection.close()
 
-    def test_what_is_sent_behind_a_request_is_the_next_one(self):
+    def test_handles_pipelined_requests(self):
         one = f"GET /{self.server.token}/view.js HTTP/1.1\r\nHost: {self.server.host}\r\n\r\n"
         last = one.replace("\r\n\r\n", "\r\nConnection: close\r\n\r\n")
         with socket.create_connection(("127.0.0.1", self.server.port), timeout=30) as connection:
@@ -148,14 +148,14 @@ class Limited(unittest.TestCase):
 
 
 SCAD = """#!/bin/sh
-# In place of OpenSCAD: an endless text has no end.
+# Stands in for OpenSCAD: the evaluation of an endless text never ends.
 text=$(cat)
 case "$text" in *endless*) echo $$ > "$CSGSIM_TEST_PID"; sleep 1000;; *) printf '%s\\n' "$text";; esac
 """
 
 
-class Evaluated(unittest.TestCase):
-    """An evaluation that does not end holds up nothing else, and ends."""
+class Evaluation(unittest.TestCase):
+    """An endless evaluation delays no other request, and is terminated."""
 
     CUBE = {"source": "cube(size=[1,2,3],center=true);"}
     ENDLESS = {"source": "endless();"}
@@ -176,7 +176,7 @@ class Evaluated(unittest.TestCase):
         return server
 
     def begun(self, server, wish):
-        """A thread that asks, once OpenSCAD has begun, and what it is answered."""
+        """Starts a thread that requests an evaluation; returns it and its answers once OpenSCAD has started."""
         answers = []
 
         def ask():
@@ -202,7 +202,7 @@ class Evaluated(unittest.TestCase):
             time.sleep(0.05)
         return False
 
-    def test_it_ends_after_its_time_and_others_are_answered_meanwhile(self):
+    def test_ends_at_its_time_limit_without_delaying_others(self):
         server = self.serve("--evaluation-time", "3")
         self.assertEqual(server.post("draw", {})[0], 200)
         thread, answers = self.begun(server, self.ENDLESS)
@@ -220,7 +220,7 @@ class Evaluated(unittest.TestCase):
         self.assertLess(seconds, 15)
         self.assertTrue(self.openscad_has_ended())
 
-    def test_it_is_cancelled_by_its_name(self):
+    def test_is_cancelled_by_its_name(self):
         server = self.serve("--evaluation-time", "600")
         thread, answers = self.begun(server, self.ENDLESS | {"evaluation": "mine"})
         self.assertEqual(server.post("progress", {"evaluation": "other"}), (200, {}))
@@ -236,7 +236,7 @@ class Evaluated(unittest.TestCase):
         self.assertTrue(self.openscad_has_ended())
         self.assertEqual(server.post("draw", {})[0], 200)
 
-    def test_ten_seconds_are_usual(self):
+    def test_the_default_limit_is_ten_seconds(self):
         self.assertRegex(" ".join(run("view", "--help").stdout.split()), r"--evaluation-time SECONDS [^\[]*\[[^\]]*; 10 if not given\]")
         server = self.serve()
         status, _, body = server.get("about")
@@ -252,7 +252,7 @@ class Evaluated(unittest.TestCase):
         self.assertTrue(self.openscad_has_ended())
         thread.join(20)
 
-    def test_the_end_of_the_last_page_ends_it(self):
+    def test_closing_the_last_page_ends_it(self):
         server = self.serve("--evaluation-time", "600", "--patience", "1")
         thread, _ = self.begun(server, self.ENDLESS)
         server.stream().close()
@@ -260,7 +260,7 @@ class Evaluated(unittest.TestCase):
         self.assertTrue(self.openscad_has_ended())
         thread.join(20)
 
-    def test_no_pipe_is_waited_for(self):
+    def test_does_not_wait_for_a_pipe(self):
         pipe = pathlib.Path(self.folder.name) / "pipe.csg"
         os.mkfifo(pipe)
         done = run("view", str(pipe), timeout=20)
@@ -278,7 +278,7 @@ class Evaluated(unittest.TestCase):
             self.assertEqual(status, 422, answer)
         self.assertLess(time.monotonic() - begin, 10)
 
-    def test_an_include_of_a_pipe_ends_after_its_time(self):
+    def test_an_include_of_a_pipe_ends_at_the_time_limit(self):
         if not shutil.which("openscad"):
             self.skipTest("there is no openscad")
         os.mkfifo(pathlib.Path(self.folder.name) / "pipe.scad")

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""The page of csgsim view in a headless Chromium, as somebody uses it: with a pointer, with keys, on a phone, in the dark.
+"""The page of csgsim view in a headless Chromium: used with a pointer, with keys, on a phone and in dark mode.
 
-Usage: page_test.py CSGSIM SOURCE_FOLDER [PICTURE]. With PICTURE the page is photographed for docs/view.md. Exit code 77 where there is no Chromium."""
+Usage: page_test.py CSGSIM SOURCE_FOLDER [PICTURE]. With PICTURE, takes a screenshot for docs/view.md. Exit code 77
+without Chromium."""
 
 import os
 import pathlib
@@ -18,7 +19,7 @@ from viewed import viewed  # noqa: E402
 
 
 def photograph(seen, name, selector):
-    """For docs/view.md, if that was asked for."""
+    """Takes a screenshot for docs/view.md, if requested."""
     if len(sys.argv) < 4:
         return
     seen.evaluate(f"document.querySelector('{selector}').scrollIntoView({{behavior: 'instant'}})")
@@ -39,7 +40,7 @@ def box_of_picture(seen):
 
 
 def turns_under_the_pointer(seen):
-    """Twenty pictures, however slow a build beside sanitizers is: speed.py measures the rate."""
+    """Draws twenty pictures at any rate, as sanitized builds are slow; speed.py measures the rate."""
     first = seen.text("command")
     left, top, _ = box_of_picture(seen)
     count = seen.evaluate("window.drawnPictures")
@@ -49,8 +50,8 @@ def turns_under_the_pointer(seen):
         drag(seen.page, left + 100, top + 200, 80 if turn % 2 else 40, 20, 6)
         turn += 1
     rate = (seen.evaluate("window.drawnPictures") - count) / (time.monotonic() - begin)
-    seen.check(seen.evaluate("window.drawnPictures") >= count + 20, "twenty pictures are drawn under the pointer")
-    print(f"{rate:.1f} pictures a second under a pointer that moves ten times a second")
+    seen.check(seen.evaluate("window.drawnPictures") >= count + 20, "a moving pointer draws twenty pictures")
+    print(f"{rate:.1f} pictures per second with a pointer that moves ten times per second")
     seen.settled()
     seen.check(seen.text("command") != first, "the camera has been turned")
     seen.check_same("turned")
@@ -70,11 +71,11 @@ def turns_by_keys(seen):
 def turns_knobs(seen):
     seen.set("machine", "pixel-planes-5")
     seen.settled()
-    seen.check("--machine pixel-planes-5" in seen.text("command"), "the machine is another")
+    seen.check("--machine pixel-planes-5" in seen.text("command"), "the machine has changed")
     seen.check_same("on another machine")
     seen.set("machine", "pixel-planes-6")
     seen.until("!document.getElementById('error').hidden")
-    seen.check("pixel-planes-" in seen.text("error"), "a wrong machine is told")
+    seen.check("pixel-planes-" in seen.text("error"), "an unknown machine is reported")
     seen.set("machine", "")
     seen.until("document.getElementById('error').hidden")
 
@@ -83,11 +84,11 @@ def calls_for_effects(seen):
     on = "[data-key=\"effects.depth_cue.on\"]"
     seen.evaluate(f"(() => {{ const e = document.querySelector('{on}'); e.value = 'true'; e.dispatchEvent(new Event('change')); }})()")
     seen.settled()
-    seen.check("--set effects.depth_cue.on=true" in seen.text("command"), "the form writes what csgsim reads: " + seen.text("command"))
+    seen.check("--set effects.depth_cue.on=true" in seen.text("command"), "the form writes a valid option: " + seen.text("command"))
     seen.check_same("with an effect")
     seen.set("set", "effects.depth_cue.on=false")
     seen.settled()
-    seen.check(seen.evaluate(f"document.querySelector('{on}').value") == "false", "the form shows what is written")
+    seen.check(seen.evaluate(f"document.querySelector('{on}').value") == "false", "the form shows the written option")
     seen.set("set", "")
     seen.settled()
 
@@ -97,7 +98,7 @@ def asks_why(seen):
     seen.page.point(left + width / 2, top + width / 2, click=True)
     seen.until("document.getElementById('story').textContent.length > 100")
     story = seen.text("story")
-    seen.check("pixel" in story, "the pixel's story is told")
+    seen.check("pixel" in story, "the pixel's story is shown")
     off = seen.evaluate("(() => { const m = document.getElementById('mark').getBoundingClientRect(); return [m.left + m.width / 2, m.top + m.height / 2]; })()")
     seen.check(abs(off[0] - left - width / 2) < 3 and abs(off[1] - top - width / 2) < 3, f"the mark is where the click was: {off}")
     seen.set("why-not", "p1")
@@ -106,14 +107,14 @@ def asks_why(seen):
 
 
 def move(seen, number):
-    """To an instant."""
+    """Goes to an instant."""
     seen.evaluate("document.getElementById('tinted').checked = false")
     seen.set("instant", str(number))
     seen.settled()
 
 
 def goes_through_time(seen):
-    """By the slider, a field, an event of the story, an instruction of the listing, a line of the source, the tree."""
+    """Goes to instants by slider, field, event of the story, instruction of the listing, source line, and tree."""
     seen.settled()
     count = int(seen.evaluate("document.getElementById('instant').max"))
     move(seen, count)
@@ -121,12 +122,12 @@ def goes_through_time(seen):
     seen.set("field", "Z1", "change")
     move(seen, count // 3)
     number = int(seen.evaluate("document.getElementById('instant').value"))
-    seen.check(f"before i{number} of" in seen.text("at"), "it tells where it is: " + seen.text("at"))
-    seen.check("white" in seen.text("scale"), "the scale of Z1 is told")
+    seen.check(f"before i{number} of" in seen.text("at"), "the place of the instant is shown: " + seen.text("at"))
+    seen.check("white" in seen.text("scale"), "the scale of Z1 is shown")
     seen.after("shownInstants", lambda: seen.evaluate("document.querySelectorAll('#events button')[1].click()"))
     event = seen.evaluate("document.querySelectorAll('#events button')[1].textContent")
     last = int(event.split()[0].split("i")[-1])
-    seen.check(int(seen.evaluate("document.getElementById('instant').value")) == last + 1, f"an event leads behind its last instruction: {event}")
+    seen.check(int(seen.evaluate("document.getElementById('instant').value")) == last + 1, f"an event leads to the instant after its last instruction: {event}")
     seen.after("shownInstants", lambda: seen.click("#listing button"))
     seen.check(seen.evaluate("document.querySelector('#listing [aria-current=true]').textContent.startsWith('i' + document.getElementById('instant').value + ' ')"),
                "the listing shows where it is")
@@ -135,10 +136,10 @@ def goes_through_time(seen):
     at = len("\n".join(lines[:line])) + 2
     seen.after("shownInstants", lambda: seen.evaluate(f"(() => {{ const s = document.getElementById('source'); s.setSelectionRange({at}, {at}); s.click(); }})()"))
     seen.check(f"@{line + 1}:" in seen.text("at"), "a line of the source leads to its primitive")
-    seen.check(f"@{line + 1}:" in seen.evaluate("document.querySelector('#tree [aria-current=true]').textContent"), "the tree shows it")
+    seen.check(f"@{line + 1}:" in seen.evaluate("document.querySelector('#tree [aria-current=true]').textContent"), "the tree marks the primitive")
     seen.after("shownInstants", lambda: seen.click("#tree [data-primitive='3'] button"))
-    seen.check("render p3 " in seen.text("at"), "the tree leads to it: " + seen.text("at"))
-    seen.check("Active tree of p3 " in seen.text("active-of"), "what is left of the tree is told: " + seen.text("active-of"))
+    seen.check("render p3 " in seen.text("at"), "the tree leads to the primitive: " + seen.text("at"))
+    seen.check("Active tree of p3 " in seen.text("active-of"), "the active tree is shown: " + seen.text("active-of"))
     seen.evaluate("document.getElementById('tinted').checked = true")
     seen.set("instant", str(count // 5))
     seen.settled()
@@ -149,7 +150,7 @@ def goes_down_to_the_wires(seen):
     begin, end = seen.evaluate("document.getElementById('clocks').textContent").replace(",", "").split("clocks ")[1].split(":")[0].split(" to ")
     seen.after("shownLanes", lambda: seen.click("#clocks"))
     told = seen.text("lanes-told")
-    seen.check(told.startswith(f"Clock {int(begin):,} of ") and "controller issuing" in told, f"the clock is told: {told}")
+    seen.check(told.startswith(f"Clock {int(begin):,} of ") and "controller issuing" in told, f"the clock is shown: {told}")
     seen.check(seen.evaluate("document.querySelectorAll('#lane-names li').length") > 4, "parts have lanes")
     canvas = "const c = document.getElementById('lanes').getContext('2d').getImageData(2, 2, 400, 60).data; return new Set(c.filter((_, i) => i % 4 < 3)).size;"
     seen.check(seen.evaluate("(() => { " + canvas + " })()") > 5, "lanes are painted")
@@ -165,18 +166,18 @@ def goes_down_to_the_wires(seen):
     seen.after("shownInstants", lambda: seen.page.press("Enter"))
     seen.check(seen.evaluate("document.getElementById('instant').value") != number, "a clock leads to its instant")
     seen.after("shownLanes", lambda: seen.click("#frame"))
-    seen.check(f"of 0 to {seen.stats_of_command()['shown_clocks']:,}:" in seen.text("lanes-told"), "the whole frame: " + seen.text("lanes-told"))
+    seen.check(f"of 0 to {seen.stats_of_command()['shown_clocks']:,}:" in seen.text("lanes-told"), "the lanes cover the whole frame: " + seen.text("lanes-told"))
     seen.after("shownLanes", lambda: seen.click("#nearer"))
 
 
 def compares_two(seen):
     seen.after("comparedTwo", lambda: seen.click("#keep"))
-    seen.check("pictures are equal" in seen.text("differs"), "A is itself")
+    seen.check("pictures are equal" in seen.text("differs"), "A equals itself")
     seen.after("comparedTwo", lambda: seen.set("z-bits", "8"))
     told = seen.text("differs")
-    seen.check("pixels differ" in told and "instruction that differs is i" in told, f"what differs is told: {told}")
+    seen.check("pixels differ" in told and "instruction that differs is i" in told, f"the differences are shown: {told}")
     seen.check(seen.evaluate("document.querySelectorAll('#counts tr:first-child td').length") == 2, "counts stand side by side")
-    seen.check(seen.evaluate("document.getElementById('timeline').hidden"), "lanes of another drawing are gone")
+    seen.check(seen.evaluate("document.getElementById('timeline').hidden"), "lanes of the previous drawing are hidden")
     photograph(seen, "two", "#keep")
     seen.set("z-bits", "")
     seen.settled()
@@ -190,26 +191,26 @@ def edits_the_source(seen):
 
 
 ENDLESS = """#!/bin/sh
-# In place of OpenSCAD: an endless text has no end.
+# Stands in for OpenSCAD: the evaluation of an endless text never ends.
 text=$(cat)
 case "$text" in *endless*) sleep 1000;; *) printf '%s\\n' "$text";; esac
 """
 
 
 def cancels_what_does_not_end(seen, server):
-    """With a model of OpenSCAD: the progress of an evaluation, its button, and that a new text takes the place of an old one."""
+    """With a model of OpenSCAD: the progress of an evaluation, its cancel button, and its replacement by a new text."""
     seen.open(server)
     seen.set("source", "endless();")
     seen.until("!document.getElementById('working').hidden")
     seen.until("document.getElementById('doing').textContent.includes('evaluating the model')")
-    seen.check("of at most 600 s" in seen.text("doing"), "the progress has its limit: " + seen.text("doing"))
+    seen.check("of at most 600 s" in seen.text("doing"), "the progress shows the limit: " + seen.text("doing"))
     left, top, width = box_of_picture(seen)
     seen.page.point(left + width / 2, top + width / 2, click=True)
     seen.until("document.getElementById('story').textContent.length > 100")
-    seen.check(not seen.evaluate("document.getElementById('working').hidden"), "the earlier picture is explained meanwhile")
+    seen.check(not seen.evaluate("document.getElementById('working').hidden"), "the previous picture can still be explained")
     seen.click("#cancel")
     seen.until("!document.getElementById('error').hidden")
-    seen.check("cancelled" in seen.text("error"), "it is cancelled: " + seen.text("error"))
+    seen.check("cancelled" in seen.text("error"), "the evaluation is cancelled: " + seen.text("error"))
     seen.until("document.getElementById('working').hidden")
     seen.set("source", "endless();\n")
     seen.until("!document.getElementById('working').hidden")
@@ -237,16 +238,16 @@ def use(seen, server):
         seen.evaluate("document.querySelectorAll('details').forEach(each => { each.open = false; })")
         seen.page.window(1280, 1000)
         seen.page.screenshot(sys.argv[3], full=False)
-    # What Chromium says of answers that tell of an error is no fault of the page.
+    # Chromium reports error answers as problems; they are expected here.
     problems = [each for each in seen.page.problems if "422" not in each]
     seen.check(problems == [], f"{problems}")
     own = [url for url in seen.page.requests if not url.startswith((server.address, "data:"))]
-    seen.check(own == [], f"asked for elsewhere: {own}")
+    seen.check(own == [], f"requests to other servers: {own}")
 
 
 def main():
     if not (chromium := browser.find()):
-        print("there is no Chromium; ./setup.sh report-test installs one")
+        print("Chromium is not installed; run ./setup.sh report-test")
         return 77
     csgsim = pathlib.Path(sys.argv[1]).resolve()
     server = Server(csgsim, "tests/models/carburettor.csg", "--camera", "220,-255,135,2,0,5", "--size", "512x512", cwd=SOURCE)

@@ -1,4 +1,4 @@
-"""A csgsim view that a test asks."""
+"""A csgsim view server for tests."""
 
 import http.client
 import json
@@ -10,7 +10,7 @@ import urllib.parse
 
 
 def answer_from(connection):
-    """Status and body of what comes, until its end."""
+    """Reads an answer until its end; returns status and body."""
     data = b""
     try:
         while block := connection.recv(65536):
@@ -24,13 +24,13 @@ def answer_from(connection):
 
 
 class Server:
-    """Runs from its making to stop()."""
+    """Runs from construction to stop()."""
 
     def __init__(self, csgsim, *words, cwd=None, env=None):
         self.process = subprocess.Popen([csgsim, "view", *words], cwd=cwd, env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         line = self.process.stdout.readline()
         if not re.fullmatch(r"http://127\.0\.0\.1:\d+/[0-9a-f]{32}/\n", line):
-            raise RuntimeError(f"no address: {line!r} {self.process.stderr.read()!r}")
+            raise RuntimeError(f"no address printed: {line!r} {self.process.stderr.read()!r}")
         self.address = line.strip()
         where = urllib.parse.urlsplit(self.address)
         self.port = where.port
@@ -44,7 +44,8 @@ class Server:
         self.process.stderr.close()
 
     def ask(self, method, path, body=None, **headers):
-        """Status, headers and bytes of the answer to a request as the page makes it, but for what `headers` say otherwise; None leaves one out."""
+        """Sends a request like the page; `headers` replace its headers, or remove them if None. Returns status, headers
+        and body."""
         own = {"Host": self.host}
         if method == "POST":
             own |= {"Origin": "http://" + self.host, "Content-Type": "application/json", "Sec-Fetch-Site": "same-origin"}
@@ -65,7 +66,7 @@ class Server:
             connection.close()
 
     def raw(self, *pieces, seconds=20):
-        """Status and body of the answer to bytes that are sent as they are, or None where the connection ends without one."""
+        """Sends raw bytes; returns status and body, or None if the connection ends without an answer."""
         with socket.create_connection(("127.0.0.1", self.port), timeout=seconds) as connection:
             try:
                 for piece in pieces:
@@ -75,15 +76,15 @@ class Server:
             return answer_from(connection)
 
     def stream(self):
-        """A connection that stays open, as a page's."""
+        """A connection that stays open, like that of a page."""
         connection = socket.create_connection(("127.0.0.1", self.port), timeout=20)
         connection.sendall(f"GET /{self.token}/alive HTTP/1.1\r\nHost: {self.host}\r\n\r\n".encode())
         if b" 200 " not in (head := connection.recv(4096)):
-            raise RuntimeError(f"no stream: {head!r}")
+            raise RuntimeError(f"no event stream: {head!r}")
         return connection
 
     def most_memory(self):
-        """The most bytes that it has had in memory."""
+        """Peak memory of the server, in bytes."""
         status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
         return 1024 * int(re.search(r"VmHWM:\s*(\d+) kB", status)[1])
 
@@ -91,6 +92,6 @@ class Server:
         return self.ask("GET", f"/{self.token}/{name}")
 
     def post(self, name, wish):
-        """Status and JSON."""
+        """Posts a request; returns status and JSON."""
         status, _, body = self.ask("POST", f"/{self.token}/{name}", json.dumps(wish))
         return status, json.loads(body)

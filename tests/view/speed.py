@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How many pictures a second csgsim view draws as a model is turned: speed.py CSGSIM. Prints a table."""
+"""Measures how many pictures per second csgsim view draws while a model is turned: speed.py CSGSIM. Prints a table."""
 
 import math
 import pathlib
@@ -10,7 +10,7 @@ from server import Server
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PICTURES = 40
-# Model, eye and centre as elsewhere in docs/, options.
+# Model, eye and centre as elsewhere in docs/, and options.
 ROWS = [
     ("carburettor", (220, -255, 135, 2, 0, 5), {}),
     ("terrain_vehicle", (560, -590, 420, -5, 0, 68), {"projection": "perspective"}),

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""The three tasks of docs/view.md done in the page of csgsim view alone, in a headless Chromium. What it shows has to equal what the commands of that page write as JSON.
+"""Solves the three tasks of docs/view.md in the page of csgsim view, in a headless Chromium, and compares the results
+with the JSON of the commands in docs/view.md.
 
-Usage: tasks_test.py CSGSIM SOURCE_FOLDER. Exit code 77 where there is no Chromium."""
+Usage: tasks_test.py CSGSIM SOURCE_FOLDER. Exit code 77 without Chromium."""
 
 import json
 import pathlib
@@ -22,7 +23,7 @@ TREES = ("tests/models/thesis_fig_2_3.csg", "--size", "8x8", "--z-bits", "8", "-
 
 
 def points_of(seen, study, *words):
-    """What a study writes."""
+    """The points written by a study."""
     with tempfile.TemporaryDirectory() as folder:
         seen.run(study, *words, "-o", folder)
         return json.loads((pathlib.Path(folder) / f"{study}.json").read_text())["points"]
@@ -32,32 +33,33 @@ def check_counts(seen, point, what):
     rows = seen.counts()
     for name, key in (("clocks until drawn", "clocks"), ("clocks from one frame to the next", "interval_clocks"), ("pixel operations", "pixel_operations")):
         if key in point:
-            seen.check(rows[name] == f"{point[key]:,}", f"{what}: {name} {rows[name]}, {point[key]:,} by the command")
+            seen.check(rows[name] == f"{point[key]:,}", f"{what}: {name} {rows[name]}, {point[key]:,} from the command")
 
 
 def what_would_a_machine_have_made_of_this_part(seen):
     stats = json.loads(seen.run("render", BRACKET, "--advice", "--stats", "-", "--progress", "none"))
     check_counts(seen, stats | {"pixel_operations": stats["pixel_operations"]["total"]}, "the bracket")
-    seen.check(seen.text("bound") == stats["bound_by"]["sentence"], "what bounds it: " + seen.text("bound"))
+    seen.check(seen.text("bound") == stats["bound_by"]["sentence"], "bottleneck: " + seen.text("bound"))
     seen.click("#advise")
     seen.settled()
     advice = seen.evaluate("[...document.querySelectorAll('#advice strong')].map(each => each.textContent)")
-    seen.check(advice == [knob["option"] for knob in stats["knobs"]] and advice, f"what would help: {advice}")
+    seen.check(advice == [knob["option"] for knob in stats["knobs"]] and advice, f"advice: {advice}")
     for knob, told in zip(stats["knobs"], seen.evaluate("[...document.querySelectorAll('#advice li')].map(each => each.textContent)")):
-        seen.check(f"{knob['clocks_after']:,} clocks" in told and f"instead of {knob['clocks_before']:,}" in told, f"what it is worth: {told}")
+        seen.check(f"{knob['clocks_after']:,} clocks" in told and f"instead of {knob['clocks_before']:,}" in told, f"stated saving: {told}")
     dearest = max(stats["by_primitive"], key=lambda each: each["clocks"])
-    seen.check(dearest["name"].split("@")[0] in seen.evaluate("document.getElementById('tree').textContent"), "the dearest primitive is in the tree")
-    seen.set("curves", "facets")  # as compare draws
+    seen.check(dearest["name"].split("@")[0] in seen.evaluate("document.getElementById('tree').textContent"), "the most expensive primitive is in the tree")
+    seen.set("curves", "facets")  # like compare
     for point in points_of(seen, "compare", BRACKET, "--fragments", "none", "--sides", "none"):
         seen.set("machine", point["machine"])
         seen.settled()
         check_counts(seen, point, point["machine"])
         rate = float(seen.counts()["frames a second"])
-        seen.check(abs(rate / point["frames_per_second"] - 1) < 1e-3, f"{point['machine']}: {rate} frames a second, {point['frames_per_second']} by the command")
+        seen.check(abs(rate / point["frames_per_second"] - 1) < 1e-3, f"{point['machine']}: {rate} frames a second, {point['frames_per_second']} from the command")
 
 
 def streams_of(seen, lanes, width):
-    """The numbers of so many bits that lanes carry, lowest bit first, as somebody reads them clock by clock: of each the first that begins in the window."""
+    """Reads the numbers of `width` bits that lanes carry, lowest bit first, clock by clock: of each lane, the first
+    that begins in the window."""
     seen.evaluate("document.getElementById('lanes').focus()")
     begin, end = (int(each.replace(",", "")) for each in re.search(r"of ([\d,]+) to ([\d,]+):", seen.text("lanes-told")).groups())
     while not seen.text("lanes-told").startswith(f"Clock {begin:,} "):
@@ -66,9 +68,9 @@ def streams_of(seen, lanes, width):
     for _ in range(begin, end):
         told = dict(re.findall(r"pixel_5_3 (tree_\w+) (\w+)", seen.text("lanes-told")))
         for lane in lanes:
-            # The number before may still be under way.
+            # The previous number may still be in progress.
             if lane in told and (bits[lane] or told[lane + "_bit"] == "0") and len(bits[lane]) < width:
-                seen.check(int(told[lane + "_bit"]) == len(bits[lane]), f"{lane}: bits come in order")
+                seen.check(int(told[lane + "_bit"]) == len(bits[lane]), f"{lane}: bits arrive in order")
                 bits[lane].append(int(told[lane]))
         seen.page.press("ArrowRight")
     return {lane: sum(bit << place for place, bit in enumerate(each)) - (each[-1] << width) for lane, each in bits.items()}
@@ -86,10 +88,10 @@ def how_do_the_trees_form_it(seen):
     seen.set("probes", " ".join("tree." + lane[5:].replace("_", ":") for lane in lanes))
     seen.after("shownLanes", lambda: seen.click("#probing button[type=submit]"))
     read = streams_of(seen, lanes, int(re.search(r"\(w(\d+)", text).group(1)))
-    seen.check(read == lanes, f"each level streams what it adds: {read}, {lanes} by A, B and C of {text}")
+    seen.check(read == lanes, f"each level streams its partial sum: {read}, {lanes} by A, B and C of {text}")
     seen.after("savedWaves", lambda: seen.click("#save-wave"))
     probes = [word for lane in lanes for word in ("--probe", "tree." + lane[5:].replace("_", ":"))]
-    seen.check(seen.evaluate("window.savedWave") == seen.run("wave", *TREES, "--window", "i8:i9", "--pixel", "5,3", *probes, "-o", "-"), "the wave is the command's")
+    seen.check(seen.evaluate("window.savedWave") == seen.run("wave", *TREES, "--window", "i8:i9", "--pixel", "5,3", *probes, "-o", "-"), "the wave equals that of the command")
 
 
 def what_do_width_and_memory_change(seen):
@@ -117,9 +119,9 @@ def which_instruction_made_this_pixel_wrong(seen):
     seen.click("#why button")
     seen.until("!document.getElementById('story').hidden && document.getElementById('story').textContent.includes('why not')")
     words = (BRACKET, "--z-bits", "8", "--pixel", "344,389", "--why-not", "p2")
-    seen.check(seen.text("story") == seen.run("explain", *words), "the story is the command's")
+    seen.check(seen.text("story") == seen.run("explain", *words), "the story equals that of the command")
     told = json.loads(seen.run("explain", *words, "--json", "-"))
-    seen.check(len(told["events"]) == seen.evaluate("document.querySelectorAll('#events button').length"), "each event is there")
+    seen.check(len(told["events"]) == seen.evaluate("document.querySelectorAll('#events button').length"), "each event is shown")
     number = int(re.search(r"behind p0 [^:]*:\d+: i(\d+)", seen.text("story")).group(1))
     seen.set("instant", str(number))
     seen.settled()
@@ -142,7 +144,7 @@ TASKS = (((BRACKET,), what_would_a_machine_have_made_of_this_part), (TREES, how_
 
 def main():
     if not (chromium := browser.find()):
-        print("there is no Chromium; ./setup.sh report-test installs one")
+        print("Chromium is not installed; run ./setup.sh report-test")
         return 77
     csgsim = pathlib.Path(sys.argv[1]).resolve()
     failures = 0

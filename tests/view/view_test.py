@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""csgsim view, asked as its page asks it, and as nobody should: view_test.py CSGSIM SOURCE [NAMES...]"""
+"""Requests to csgsim view, from its page and from attackers: view_test.py CSGSIM SOURCE [NAMES...]"""
 
 import base64
 import json
@@ -27,7 +27,7 @@ def run(*words, **options):
 
 
 def of_render(folder, *words):
-    """The stats of csgsim render, but for what differs from run to run and for the configuration."""
+    """The stats of csgsim render, without those that differ from run to run and without the configuration."""
     stats = pathlib.Path(folder) / "stats.json"
     picture = pathlib.Path(folder) / "picture.png"
     done = run("render", *words, "--stats", str(stats), "-o", str(picture), "--progress", "none")
@@ -41,8 +41,8 @@ def without_wall(value):
     return [without_wall(each) for each in value] if isinstance(value, list) else value
 
 
-class Asked(unittest.TestCase):
-    """What the page shows is what the commands give."""
+class Answers(unittest.TestCase):
+    """The page shows the results of the commands."""
 
     @classmethod
     def setUpClass(cls):
@@ -54,7 +54,7 @@ class Asked(unittest.TestCase):
         cls.server.stop()
         cls.folder.cleanup()
 
-    def test_the_page_comes_whole_and_may_use_nothing_else(self):
+    def test_serves_the_whole_page_with_a_strict_content_policy(self):
         for name, kind in (("", "text/html"), ("page.css", "text/css"), ("view.css", "text/css"), ("view.js", "text/javascript"), ("lanes.js", "text/javascript")):
             status, headers, body = self.server.get(name)
             self.assertEqual(status, 200)
@@ -64,7 +64,7 @@ class Asked(unittest.TestCase):
             self.assertEqual(headers["Cache-Control"], "no-store")
             self.assertNotIn(b"http://", body)
 
-    def test_it_tells_the_model_and_what_can_be_turned(self):
+    def test_describes_the_model_and_its_options(self):
         status, _, body = self.server.get("about")
         about = json.loads(body)
         self.assertEqual(status, 200)
@@ -72,7 +72,7 @@ class Asked(unittest.TestCase):
         self.assertIn("pixel-planes-5", about["machines"])
         self.assertIn("bits", about["strategies"])
 
-    def test_a_picture_and_its_stats_are_those_of_render(self):
+    def test_picture_and_stats_equal_those_of_render(self):
         for knobs in (SMALL, SMALL | {"machine": "pixel-planes-5"}, SMALL | {"machine": "scan-line", "projection": "perspective"},
                       SMALL | {"strategy": "bits", "z-bits": "16", "set": ["alu.bits=4"], "snap": True}):
             words = [word for name, value in knobs.items() for each in (value if isinstance(value, list) else [value])
@@ -86,14 +86,14 @@ class Asked(unittest.TestCase):
                                    check=True, text=True, capture_output=True).stdout
             self.assertEqual(without_wall(json.loads(again)), stats)
 
-    def test_a_turned_camera_gives_what_a_fresh_start_gives(self):
+    def test_a_turned_camera_gives_the_picture_of_a_fresh_start(self):
         _, first = self.server.post("draw", {"knobs": SMALL})
         for eye in ("30,-40,25,0,0,2", "-20,35,11,0,0,2", "30,-40,25,0,0,2"):
             _, turned = self.server.post("draw", {"knobs": SMALL | {"camera": eye}})
             self.assertEqual(turned["stats"]["clocks"] == first["stats"]["clocks"], eye.startswith("30"))
             self.assertEqual(turned["camera"], eye)
 
-    def test_a_pixel_is_explained_as_explain_does(self):
+    def test_explains_a_pixel_as_explain_does(self):
         status, answer = self.server.post("explain", {"knobs": SMALL, "pixel": "32,24", "why_not": "p1"})
         self.assertEqual(status, 200, answer)
         words = [word for name, value in SMALL.items() for word in (f"--{name}", value)]
@@ -102,7 +102,7 @@ class Asked(unittest.TestCase):
         text = run("explain", MODEL, *words, "--pixel", "32,24", "--why-not", "p1").stdout
         self.assertEqual(answer["text"], text)
 
-    def test_lanes_are_those_of_wave(self):
+    def test_lanes_equal_those_of_wave(self):
         file = pathlib.Path(self.folder.name) / "parts.json"
         for machine in ("pixel-planes-4", "scan-line", "pixel-planes-5+ring.channels=4"):
             knobs = SMALL | {"machine": machine}
@@ -125,7 +125,7 @@ class Asked(unittest.TestCase):
                           for begin, clocks, text in recorded.get((lane["part"], lane["name"]), []) if begin < middle + 200 and begin + clocks > middle]
                 self.assertEqual(lane["stretches"], within, lane["name"])
 
-    def test_a_wave_is_that_of_wave_and_lanes_of_a_pixel_too(self):
+    def test_the_wave_and_a_pixels_lanes_equal_those_of_wave(self):
         knobs = {"size": "8x8", "z-bits": "8", "fraction-bits": "0"}
         probing = {"pixel": "5,3", "window": "i8:i9", "probes": ["tree.x:0", "tree.y:3"]}
         words = ["--size", "8x8", "--z-bits", "8", "--fraction-bits", "0", "--pixel", "5,3", "--window", "i8:i9", "--probe", "tree.x:0", "--probe", "tree.y:3"]
@@ -137,7 +137,7 @@ class Asked(unittest.TestCase):
         lanes = {lane["name"]: lane["stretches"] for lane in answer["lanes"] if lane["part"] == "pixel_5_3"}
         self.assertTrue(lanes["tree_x_0"] and lanes["tree_y_3"] and lanes["enable"])
 
-    def test_probing_takes_no_other_words(self):
+    def test_probing_accepts_no_other_options(self):
         for probing in ({"pixel": "5,3 -o x", "window": "i8"}, {"pixel": "--help", "window": "i8"}, {"pixel": "5,3", "window": "i8", "probes": ["--output=x"]},
                         {"pixel": "999,3", "window": "i8"}, {"pixel": "5,3", "window": "i999999"}):
             status, answer = self.server.post("wave", {"knobs": SMALL, **probing})
@@ -146,7 +146,7 @@ class Asked(unittest.TestCase):
         for probing in ({"pixel": 5}, {"pixel": "5,3", "window": ["i8"]}, {"pixel": "5,3", "probes": "tree.x:1"}, {"begin": "x"}, {"begin": -1}):
             self.assertEqual(self.server.post("lanes", {"knobs": SMALL, **probing})[0], 400)
 
-    def test_verdict_and_advice_are_those_of_render(self):
+    def test_verdict_and_advice_equal_those_of_render(self):
         knobs = SMALL | {"z-bits": "8"}
         stats, _ = of_render(self.folder.name, MODEL, *[word for name, value in knobs.items() for word in (f"--{name}", value)], "--check", "--advice")
         status, answer = self.server.post("verdict", {"knobs": knobs})
@@ -155,7 +155,7 @@ class Asked(unittest.TestCase):
         self.assertEqual((status, answer.get("knobs")), (200, stats["knobs"]), answer)
         self.assertTrue(answer["knobs"])
 
-    def test_an_effect_of_the_form_is_one_of_a_scene(self):
+    def test_an_effect_of_the_form_equals_one_of_a_scene(self):
         _, _, body = self.server.get("about")
         for effect in json.loads(body)["effects"]:
             if effect["is_list"]:
@@ -164,14 +164,14 @@ class Asked(unittest.TestCase):
             status, answer = self.server.post("draw", {"knobs": knobs})
             self.assertEqual(status, 200, (effect["name"], answer))
 
-    def test_an_instant_is_found_by_its_clock(self):
+    def test_finds_an_instant_by_its_clock(self):
         _, at = self.server.post("instant", {"knobs": SMALL, "number": 9})
         begin, end = at["clocks"]
         for clock in (begin, end - 1):
             _, found = self.server.post("instant", {"knobs": SMALL, "clock": clock})
             self.assertEqual(found["number"], 9)
 
-    def test_an_edited_source_is_drawn_and_not_written(self):
+    def test_draws_an_edited_source_without_writing_it(self):
         before = (SOURCE / MODEL).read_text()
         status, answer = self.server.post("draw", {"knobs": SMALL, "source": "cube(size=[1,2,3],center=true);"})
         self.assertEqual((status, answer["stats"]["model"]["primitives"]), (200, 1))
@@ -191,7 +191,7 @@ class Asked(unittest.TestCase):
         status, answer = self.server.post("explain", {"knobs": SMALL, "pixel": "64,0"})
         self.assertEqual(status, 422, answer)
 
-    def test_a_source_of_openscad_is_evaluated_in_its_folder(self):
+    def test_evaluates_openscad_source_in_its_folder(self):
         if not shutil.which("openscad"):
             self.skipTest("there is no openscad")
         folder = pathlib.Path(self.folder.name)
@@ -209,7 +209,7 @@ class Asked(unittest.TestCase):
         finally:
             server.stop()
 
-    def test_the_report_is_of_the_picture_that_was_drawn_last(self):
+    def test_the_report_shows_the_last_picture(self):
         self.server.post("draw", {"knobs": SMALL})
         status, headers, body = self.server.get("report")
         self.assertEqual(status, 200)
@@ -217,8 +217,8 @@ class Asked(unittest.TestCase):
         self.assertIn(b"30,-40,25,0,0,2", body)
 
 
-class Attacked(unittest.TestCase):
-    """Nobody else is answered, and nothing ends it."""
+class Attacks(unittest.TestCase):
+    """Rejects foreign requests, and none of them ends the server."""
 
     @classmethod
     def setUpClass(cls):
@@ -239,31 +239,31 @@ class Attacked(unittest.TestCase):
         self.assertNotIn("Access-Control-Allow-Origin", answered)
         self.assertNotIn(b"picture", text)
 
-    def test_another_name_is_refused(self):
+    def test_rejects_another_host_name(self):
         for host in ("evil.example", f"evil.example:{self.server.port}", "127.0.0.1", f"127.0.0.1:{self.server.port + 1}", f"[::1]:{self.server.port}"):
             self.refused(403, Host=host)
             self.refused(403, "GET", f"/{self.server.token}/", Host=host)
 
-    def test_another_origin_is_refused(self):
+    def test_rejects_another_origin(self):
         for origin in ("http://evil.example", "null", f"https://127.0.0.1:{self.server.port}", f"http://127.0.0.1:{self.server.port}.evil.example", None):
             self.refused(403, Origin=origin)
         for site in ("cross-site", "same-site"):
             self.refused(403, Sec_Fetch_Site=site)
             self.refused(403, "GET", f"/{self.server.token}/about", Sec_Fetch_Site=site)
 
-    def test_without_the_token_there_is_nothing(self):
+    def test_answers_nothing_without_the_token(self):
         token = self.server.token
         for path in ("/", "/draw", "//draw", f"/{token[:-1]}/draw", f"/{token}0/draw", f"/{token.upper()}x/draw", f"/{'0' * 32}/draw", f"/x/../{token}/draw"):
             self.refused(403, path=path)
         self.refused(403, "GET", f"/{token}")
 
-    def test_no_file_is_given(self):
+    def test_serves_no_files(self):
         for path in ("../../etc/passwd", "..%2f..%2fetc%2fpasswd", "%2e%2e/%2e%2e/etc/passwd", "/etc/passwd", "view.js/../../x", "page.css%00", "thesis_fig_2_3.csg"):
             status, _, body = self.server.ask("GET", f"/{self.server.token}/{path}")
             self.assertIn(status, (400, 403, 404))
             self.assertNotIn(b"root:", body)
 
-    def test_no_file_is_read_that_the_model_does_not_import(self):
+    def test_reads_only_files_that_the_model_imports(self):
         for source in ('import(file="/etc/passwd");', 'import(file="../../../../../../etc/passwd");', 'surface(file="/etc/hostname");'):
             status, answer = self.server.post("draw", {"source": source})
             self.assertEqual(status, 422)
@@ -272,13 +272,13 @@ class Attacked(unittest.TestCase):
                       {"imports-from": "/"}, {"config": "/etc/passwd"}, {"model": "/etc/passwd"}, {"limit": "1000000000"}, {"port": "1"}):
             status, answer = self.server.post("draw", {"knobs": knobs})
             self.assertEqual(status, 400, answer)
-        # A word that looks like an option is a value.
+        # A word that looks like an option is treated as a value.
         for knobs in ({"size": "--scene=/etc/passwd"}, {"camera": "-1,-2,-3,0,0,0 --scene /etc/passwd"}, {"set": ["--scene", "/etc/passwd"]}):
             status, answer = self.server.post("draw", {"knobs": knobs})
             self.assertEqual(status, 422, answer)
             self.assertNotIn("root:", answer["error"])
 
-    def test_what_is_no_wish_is_refused(self):
+    def test_rejects_malformed_requests(self):
         for body in ("", "{", "[]", "1", "null", '"draw"', "{}{}", '{"knobs": []}', '{"knobs": {"size": 3}}', '{"knobs": {"set": "a"}}', '{"source": 3}',
                      "\xff", '{"knobs": {"size": ["x"]}}', "[" * 100_000):
             self.refused(400, body=body)
@@ -290,14 +290,14 @@ class Attacked(unittest.TestCase):
             self.assertGreaterEqual(status, 400)
             self.assertNotIn("Access-Control-Allow-Origin", headers)
 
-    def test_a_body_that_is_too_long_is_refused(self):
+    def test_rejects_a_body_that_is_too_long(self):
         try:
             status, _, _ = self.server.ask("POST", f"/{self.server.token}/draw", json.dumps({"source": "x" * 5_000_000}))
             self.assertEqual(status, 413)
         except (BrokenPipeError, ConnectionResetError):
             pass
 
-    def test_a_thousand_broken_requests_do_no_harm(self):
+    def test_survives_a_thousand_broken_requests(self):
         drawn = random.Random(1)
         whole = (f"POST /{self.server.token}/draw HTTP/1.1\r\nHost: {self.server.host}\r\nOrigin: http://{self.server.host}\r\n"
                  "Content-Type: application/json\r\nContent-Length: 20\r\n\r\n{\"knobs\": {\"snap\":1}}").encode()
@@ -321,7 +321,7 @@ class Attacked(unittest.TestCase):
                     except ConnectionResetError:
                         pass
 
-    def test_two_browsers_are_each_answered_their_own(self):
+    def test_answers_two_browsers_independently(self):
         wrong = []
 
         def turn(size):
@@ -338,10 +338,10 @@ class Attacked(unittest.TestCase):
         self.assertEqual(wrong, [])
 
 
-class Ended(unittest.TestCase):
-    """It ends with its last page."""
+class Shutdown(unittest.TestCase):
+    """The server ends with its last page."""
 
-    def test_it_ends_some_time_after_the_last_page_was_closed(self):
+    def test_ends_some_time_after_the_last_page_was_closed(self):
         server = Server(CSGSIM, MODEL, "--patience", "1", cwd=SOURCE)
         try:
             first, second = server.stream(), server.stream()
@@ -353,7 +353,7 @@ class Ended(unittest.TestCase):
         finally:
             server.stop()
 
-    def test_a_page_that_is_open_is_told_something_twice_a_second(self):
+    def test_sends_an_open_page_a_message_twice_a_second(self):
         server = Server(CSGSIM, MODEL, cwd=SOURCE)
         try:
             page = server.stream()
@@ -366,7 +366,7 @@ class Ended(unittest.TestCase):
         finally:
             server.stop()
 
-    def test_a_port_in_use_is_told(self):
+    def test_reports_a_port_in_use(self):
         server = Server(CSGSIM, MODEL, cwd=SOURCE)
         try:
             done = run("view", MODEL, "--port", str(server.port), timeout=20)
@@ -375,7 +375,7 @@ class Ended(unittest.TestCase):
         finally:
             server.stop()
 
-    def test_what_is_no_model_is_refused_before_anything_is_served(self):
+    def test_rejects_a_bad_model_before_it_serves(self):
         for word, code in (("nothing.csg", 1), ("traces/thesis_fig_2_3.csgt", 2), ("-", 2)):
             done = run("view", word, timeout=20, input="")
             self.assertEqual(done.returncode, code, done.stderr)

@@ -1,4 +1,4 @@
-"""The page of csgsim view as a test uses it in a headless Chromium."""
+"""The page of csgsim view in a headless Chromium, for tests."""
 
 import contextlib
 import json
@@ -16,7 +16,7 @@ TOO_WIDE = """[...document.body.querySelectorAll('*')].filter(element => {
 
 @contextlib.contextmanager
 def viewed(chromium, server, csgsim, folder):
-    """The page of a server, open in a window of its own. Both are ended behind it."""
+    """The page of a server, open in a separate window. Ends both afterwards."""
     page = browser.Browser(chromium)
     try:
         page.window(1280, 900)
@@ -27,7 +27,7 @@ def viewed(chromium, server, csgsim, folder):
 
 
 class Viewed:
-    """A page that is open, and what has been found wrong with it."""
+    """An open page, which counts failed checks."""
 
     def __init__(self, page, csgsim, folder):
         self.page = page
@@ -55,10 +55,10 @@ class Viewed:
             if self.page.evaluate(expression):
                 return
             time.sleep(0.02)
-        raise RuntimeError(f"never came: {expression}; {self.page.problems}")
+        raise RuntimeError(f"timeout waiting for: {expression}; {self.page.problems}")
 
     def settled(self):
-        """Waits until all that was wished is shown."""
+        """Waits until all requests are answered and shown."""
         self.until("window.isAtRest()")
 
     def text(self, name):
@@ -72,7 +72,7 @@ class Viewed:
         self.page.evaluate(f"document.querySelector({json.dumps(selector)}).click()")
 
     def after(self, counter, act):
-        """Does something, and waits until what counts on has counted."""
+        """Performs an action, and waits until a counter of the page has increased."""
         before = self.page.evaluate(f"window.{counter} || 0")
         act()
         self.until(f"(window.{counter} || 0) > {before}")
@@ -85,7 +85,7 @@ class Viewed:
         return subprocess.run([self.csgsim, *words], cwd=self.folder, check=True, text=True, capture_output=True, **options).stdout
 
     def stats_of_command(self):
-        """Those of the command that the page names."""
+        """The stats of the command that the page shows."""
         words = self.text("command").replace("csgsim", str(self.csgsim), 1) + " --stats - --progress none"
         return json.loads(subprocess.run(["bash", "-c", words], cwd=self.folder, check=True, text=True, capture_output=True).stdout)
 
@@ -98,11 +98,11 @@ class Viewed:
             self.check(clocks == f"{stats['by_purpose'][name.replace(' ', '_')]['clocks']:,}", f"{what}: {name}")
 
     def too_wide(self):
-        """What stands out of the window on its right."""
+        """Elements that extend beyond the right edge of the window."""
         return self.page.evaluate(TOO_WIDE)
 
     def edit_the_source(self):
-        """Another model, a wrong one, and the first again."""
+        """Enters another model, an incorrect one, and the first again."""
         source = self.evaluate("document.getElementById('source').value")
         self.set("source", "cube(size=[20,20,20],center=true);")
         self.settled()
@@ -111,14 +111,14 @@ class Viewed:
         self.until("!document.getElementById('error').hidden")
         self.check(self.evaluate("document.getElementById('source').selectionStart === document.getElementById('source').selectionEnd"), "nothing is selected")
         self.check(self.evaluate("document.getElementById('fault-line').textContent") == "2", "the line of the error is marked")
-        self.check("line 2" in self.text("fault-told"), "and told: " + self.text("fault-told"))
+        self.check("line 2" in self.text("fault-told"), "the line of the error is stated: " + self.text("fault-told"))
         self.set("source", source)
         self.until("document.getElementById('error').hidden")
         self.check(self.evaluate("document.getElementById('fault').hidden && document.getElementById('fault-line').hidden"), "no error is marked")
         self.settled()
 
     def types_through_errors(self):
-        """Slowly enough that each prefix is drawn, or refused: the text is as typed, and the caret behind it."""
+        """Types slowly enough that each prefix is drawn or rejected: text and caret must be as typed."""
         source = self.evaluate("document.getElementById('source').value")
         typed = "cube(size=[20,20,20],center=true);\nsphere(r=12,$fn=24);\n"
         self.set("source", "")
@@ -129,18 +129,18 @@ class Viewed:
                 self.page.send("Input.dispatchKeyEvent", type="char", text="\r")
             else:
                 self.page.send("Input.dispatchKeyEvent", type="char", text=character)
-            # Some faster than it is drawn, others not before the answer is there.
+            # Types some keys faster than they are drawn, and others only after the answer.
             if number % 3 == 0:
                 time.sleep(0.3)
                 self.settled()
                 errors += self.evaluate("document.getElementById('fault-line').hidden ? 0 : 1")
             at = self.evaluate("(() => { const s = document.getElementById('source'); return [s.value, s.selectionStart, s.selectionEnd]; })()")
             if at != [typed[:number + 1], number + 1, number + 1]:
-                self.check(False, f"what is typed stays, and the caret behind it: {at}")
+                self.check(False, f"typed text and caret are kept: {at}")
                 break
         self.check(errors > 5, f"errors were marked meanwhile: {errors}")
         self.settled()
-        self.check(self.counts()["primitives, half-spaces"].startswith("2, "), f"what was typed is drawn: {self.counts()}")
+        self.check(self.counts()["primitives, half-spaces"].startswith("2, "), f"the typed text is drawn: {self.counts()}")
         self.set("source", source)
         self.settled()
 
@@ -154,6 +154,6 @@ class Viewed:
         self.check(at[0] > 40 and at[1] > 4 and 10 < at[2] < 60 and at[3] > 10, f"the mark is under the second line: {at}")
         self.click("#fault-told")
         begin = self.evaluate("document.getElementById('source').selectionStart")
-        self.check(begin > 35 and begin == self.evaluate("document.getElementById('source').selectionEnd"), f"a click on the message leads there: {begin}")
+        self.check(begin > 35 and begin == self.evaluate("document.getElementById('source').selectionEnd"), f"a click on the message selects its place: {begin}")
         self.set("source", source)
         self.settled()

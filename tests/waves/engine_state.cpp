@@ -13,7 +13,7 @@ namespace csgsim::test {
 
 namespace {
 
-/// Reads one pixel after each instruction.
+/// Records one pixel after each instruction.
 class Watcher final : public engine::Observer {
  public:
   struct State {
@@ -61,7 +61,7 @@ std::uint32_t segment_of(const isa::Program& program, std::uint32_t x, std::uint
     return x >= region.x && x - region.x < region.width && y >= region.y && y - region.y < region.height;
   };
   const auto found = std::find_if(program.segments.begin(), program.segments.end(), holds);
-  if (found == program.segments.end()) throw std::invalid_argument("a pixel outside the picture");
+  if (found == program.segments.end()) throw std::invalid_argument("the pixel is outside the picture");
   return static_cast<std::uint32_t>(found - program.segments.begin());
 }
 
@@ -91,7 +91,7 @@ EngineState::EngineState(const isa::Program& program, const machines::Machine& m
     boundaries_.push_back({&program.segments[segment].instructions[state.index], number + state.index, span.begin,
                            span.end, state.memory, state.enable});
   }
-  if (boundaries_.size() < 2) throw std::invalid_argument("a pixel on which nothing is done");
+  if (boundaries_.size() < 2) throw std::invalid_argument("no instruction works on the pixel");
   boundaries_.front().end = boundaries_[1].begin;
 }
 

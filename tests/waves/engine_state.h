@@ -11,24 +11,24 @@
 
 namespace csgsim::test {
 
-/// A pixel after each instruction, as the reference has it, with the clocks in which the instruction is carried out
-/// there, which are worked out without stepping.
+/// A pixel's states in the reference after each instruction, with the clocks in which the instruction executes there,
+/// computed without stepping.
 class EngineState {
  public:
-  /// Memory and enable of the pixel in its segment, of which there is one.
+  /// Records memory and enable of the pixel in its segment. The pixel must belong to exactly one segment.
   EngineState(const isa::Program& program, const machines::Machine& machine, std::uint32_t x, std::uint32_t y);
 
-  /// What the field holds throughout the clock; none in the clocks in which an instruction that writes it, or the
-  /// clearing, is carried out, and before them all and behind them all.
+  /// The field's value throughout the clock. Empty while the clearing or an instruction that writes the field executes,
+  /// before the first and after the last instruction.
   [[nodiscard]] std::optional<std::uint64_t> field_at(isa::Field field, std::uint64_t clock) const;
-  /// The same of the enable bit.
+  /// The enable bit throughout the clock, or empty as above.
   [[nodiscard]] std::optional<bool> enable_at(std::uint64_t clock) const;
 
-  /// The instruction that is carried out at the pixel in that clock, numbered as in the whole Program; none between
+  /// The instruction that executes at the pixel in that clock, numbered as in the whole Program; empty between
   /// instructions.
   [[nodiscard]] std::optional<std::uint64_t> instruction_at(std::uint64_t clock) const;
 
-  [[nodiscard]] std::uint64_t first_clock() const;  ///< after the clearing
+  [[nodiscard]] std::uint64_t first_clock() const;  ///< first clock after the clearing
   [[nodiscard]] std::uint64_t last_clock() const { return boundaries_.back().end; }
 
  private:
@@ -37,14 +37,14 @@ class EngineState {
     std::uint64_t number = 0;
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
-    std::vector<bool> memory;  ///< after it
+    std::vector<bool> memory;  ///< memory after the instruction
     bool enable = false;
   };
 
-  /// The last that is over when the clock begins; null if there is none, or it is the last of all.
+  /// The last boundary before the clock begins; null if there is none, or if it is the last of all.
   [[nodiscard]] const Boundary* before(std::uint64_t clock) const;
 
-  std::vector<Boundary> boundaries_;  ///< the first is the clearing
+  std::vector<Boundary> boundaries_;  ///< starts with the clearing
 };
 
 }  // namespace csgsim::test

@@ -13,7 +13,7 @@ using namespace csgsim::testing::cli;
 using csgsim::test::EngineState;
 using csgsim::test::Vcd;
 
-/// A machine whose pixels are not all at the same instruction, and what its wave shows of its other parts.
+/// A machine whose pixels may be at different instructions, and the other parts shown in its wave.
 struct Case {
   std::string machine;
   std::string top;
@@ -35,8 +35,8 @@ const std::vector<Case> cases{
      {"display.segment", "bus.master", "barrier.gathered", "node_3_3.subsegment", "pixel_12_8.image"}},
 };
 
-/// The wave of pixel 12,8 about the first clocks in which it is worked on.
-void hold(const Case& one) {
+/// Compares the wave of pixel 12,8 with the reference, from shortly before its first instruction on.
+void check_wave(const Case& one) {
   constexpr std::uint64_t clocks = 600;
   const Folder folder;
   const std::string file = folder / "p.csgt";
@@ -55,7 +55,7 @@ void hold(const Case& one) {
   const Vcd vcd(content(folder / "w.vcd"));
   const std::uint64_t period = 1'000'000'000'000 / machine.clock_hz;
   for (const std::string& part : one.parts) CHECK_NOTHROW((void)vcd.at(one.top + "." + part, vcd.last_time()));
-  std::size_t held = 0;
+  std::size_t compared = 0;
   for (std::uint64_t clock = begin; clock < end; ++clock) {
     const auto shown = [&, time = (clock + 1) * period](const std::string& name) {
       return vcd.number_at(one.top + ".pixel_12_8." + name, time);
@@ -68,22 +68,22 @@ void hold(const Case& one) {
       CAPTURE(named.name);
       const auto expected = state.field_at(named.field, clock);
       if (expected) REQUIRE(shown(named.name) == expected);
-      if (expected) ++held;
+      if (expected) ++compared;
     }
   }
-  CHECK(held > 100);
+  CHECK(compared > 100);
 }
 
 }  // namespace
 
-TEST_CASE("a wave of any kind of machine shows its parts, and what the reference has at the pixel at every clock") {
+TEST_CASE("a wave of any machine shows its parts and the reference's values in every clock") {
   for (const Case& one : cases) {
     CAPTURE(one.machine);
-    hold(one);
+    check_wave(one);
   }
 }
 
-TEST_CASE("levels of trees are refused where there are no trees") {
+TEST_CASE("rejects tree levels for a machine without trees") {
   const Folder folder;
   const std::string file = folder / "p.csgt";
   succeeded(run("compile " + model("basics_csg") + " --view-all --size 8x4 --machine scan-line -o " + file));
@@ -98,7 +98,7 @@ TEST_CASE("levels of trees are refused where there are no trees") {
         std::string::npos);
 }
 
-TEST_CASE("the wave of a multi-processor may end before the model has come") {
+TEST_CASE("the wave of a multi-processor may end before the model has arrived") {
   const Folder folder;
   const Outcome outcome =
       run("wave " + model("basics_csg") +

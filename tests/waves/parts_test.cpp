@@ -11,8 +11,8 @@ struct Stretch {
   std::uint64_t clocks = 0;
 };
 
-/// What a file has of each lane, `PART.LANE`, in its order; times are held against clocks of so many picoseconds.
-std::map<std::string, std::vector<Stretch>> lanes_of(const nlohmann::json& file, double period_ps) {
+/// The stretches of each lane, `PART.LANE`, in the order of the file. Checks times against clocks of `period_ps`.
+std::map<std::string, std::vector<Stretch>> read_lanes(const nlohmann::json& file, double period_ps) {
   std::map<int, std::string> parts;
   std::map<int, std::string> names;
   std::map<std::string, std::vector<Stretch>> lanes;
@@ -39,7 +39,7 @@ Clocks clocks_of(const std::vector<Stretch>& lane) {
   return clocks;
 }
 
-/// A small frame of a machine: its lanes, and what a run counts of its parts, but for what they never do.
+/// A small frame of a machine: its lanes, and the nonzero counts of its parts in a run.
 struct Frame {
   explicit Frame(const std::string& machine, const std::string& window = "", double period_ps = 100e3) {
     const Folder folder;
@@ -47,7 +47,7 @@ struct Frame {
     const Outcome wave = run("wave" + options + window + " -o " + (folder / "parts.json"));
     REQUIRE_MESSAGE(wave.code == 0, wave.err);
     CHECK(folder.files() == 1);
-    lanes = lanes_of(json(folder / "parts.json"), period_ps);
+    lanes = read_lanes(json(folder / "parts.json"), period_ps);
     const Outcome outcome =
         run("render" + options + " --level cycle -o " + (folder / "p.png") + " --stats " + (folder / "s.json"));
     REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
@@ -67,14 +67,14 @@ struct Frame {
 
 }  // namespace
 
-TEST_CASE("what the parts of a scan-line array are at over a frame adds up to what a run counts of them") {
+TEST_CASE("lanes of a scan-line array over a frame add up to the counts of a run") {
   const Frame frame("scan-line");
   for (const char* const part : {"host", "link", "entry"}) {
     CAPTURE(part);
     CHECK(clocks_of(frame.lanes.at(part + std::string(".activity"))) == frame.counted.at(part));
   }
 }
-TEST_CASE("what the link of a frame buffer is at over a frame is what a run counts of it, until the picture is shown") {
+TEST_CASE("the link's lane of a frame buffer equals a run's counts until the picture ends") {
   const Frame frame("pixel-planes-4");
   const Clocks link = clocks_of(frame.lanes.at("host.state"));
   const Clocks& counted = frame.counted.at("host link");
@@ -85,7 +85,7 @@ TEST_CASE("what the link of a frame buffer is at over a frame is what a run coun
   for (const auto& [name, clocks] : link) all += clocks;
   CHECK(all == frame.shown_clocks);
 }
-TEST_CASE("what the parts of a pixel-square machine wait for over a frame is what a run counts of it") {
+TEST_CASE("waits of the pixel-square machine's parts equal the counts of a run") {
   const Frame frame("pixel-square");
   const Clocks sender = clocks_of(frame.lanes.at("sender.state"));
   const Clocks& counted = frame.counted.at("sender");
@@ -94,7 +94,7 @@ TEST_CASE("what the parts of a pixel-square machine wait for over a frame is wha
   CHECK(sender.at("waiting_for_renderer") == counted.at("waiting_for_renderer"));
   CHECK(clocks_of(frame.lanes.at("host.state")).at("sending") == frame.counted.at("host").at("working"));
 }
-TEST_CASE("ring and frame buffer work in the clocks that a run counts, the screen's turns besides") {
+TEST_CASE("ring and frame buffer work in the counted clocks except for screen refresh") {
   const Frame frame("pixel-planes-5", "", 25e3);
   // The edge that ends the frame takes its last word.
   const auto all_but_the_last = [](std::uint64_t clocks) { return clocks - 1; };
@@ -106,7 +106,7 @@ TEST_CASE("ring and frame buffer work in the clocks that a run counts, the scree
   CHECK(buffer.contains("refreshing") == counted.contains("refreshing"));
   if (counted.contains("refreshing")) CHECK(buffer.at("refreshing") == counted.at("refreshing"));
 }
-TEST_CASE("trees stream, and the picture is shown, in lanes of their own") {
+TEST_CASE("trees and scan-out have separate lanes") {
   const Frame frame("pixel-planes-4");
   const Clocks root = clocks_of(frame.lanes.at("root.state"));
   CHECK(root.at("streaming") > 0);
@@ -114,7 +114,7 @@ TEST_CASE("trees stream, and the picture is shown, in lanes of their own") {
   const std::vector<Stretch>& shown = frame.lanes.at("scan_out.state");
   CHECK(shown.back().begin + shown.back().clocks == frame.shown_clocks);
 }
-TEST_CASE("lanes of a pixel and its trees have, clock for clock, what a wave of them has") {
+TEST_CASE("lanes of a pixel and its trees equal their wave clock for clock") {
   const Folder folder;
   const std::string words = "wave " + model("thesis_fig_2_3") +
                             " --size 8x8 --z-bits 8 --fraction-bits 0 --window i8:i10" +
@@ -123,7 +123,7 @@ TEST_CASE("lanes of a pixel and its trees have, clock for clock, what a wave of 
     const Outcome outcome = run(words + (folder / name));
     REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
   }
-  const auto lanes = lanes_of(json(folder / "w.json"), 100e3);
+  const auto lanes = read_lanes(json(folder / "w.json"), 100e3);
   const csgsim::test::Vcd vcd(content(folder / "w.vcd"));
   for (const char* const name : {"pixel_5_3.tree_x_3", "pixel_5_3.enable", "root.bit", "controller.bit"}) {
     CAPTURE(name);
@@ -135,7 +135,7 @@ TEST_CASE("lanes of a pixel and its trees have, clock for clock, what a wave of 
     CHECK(compared > 5);
   }
 }
-TEST_CASE("a lane's stretches follow each other, and what follows is something else") {
+TEST_CASE("stretches of a lane follow each other and adjacent ones differ") {
   const Frame frame("pixel-planes-5", " --window 300:900", 25e3);
   CHECK(frame.lanes.size() > 20);
   for (const auto& one : frame.lanes) {
@@ -152,7 +152,7 @@ TEST_CASE("a lane's stretches follow each other, and what follows is something e
     }
   }
 }
-TEST_CASE("of what the parts are at without a pixel there are only clocks, and to a file only by its name") {
+TEST_CASE("without a pixel a file of parts accepts only windows of clocks and needs .json") {
   misused("wave traces/x.csgt --at owner -o parts.json", "name one, as in --pixel 100,20");
   misused("wave traces/x.csgt --window i3 -o parts.json", "FIRST:END");
   misused("wave traces/x.csgt --lanes -o parts.vcd", "a name that ends in .json");

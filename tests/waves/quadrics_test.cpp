@@ -16,13 +16,12 @@ using csgsim::test::EngineState;
 using csgsim::test::Vcd;
 using isa::Opcode;
 
-constexpr isa::Field root_field{0, 31};  // a root of 15 bits above what is left
+constexpr isa::Field root_field{0, 31};  // a root of 15 bits above the remainder
 constexpr isa::Field root{16, 15};
 constexpr isa::Field depth{40, 15};
 constexpr std::uint16_t width = 36;
 
-/// An ellipsoid whose axes are askew to the picture, about pixel 12,8, as depth; x and y counted from the region's
-/// corner.
+/// The depth of an ellipsoid with axes oblique to the picture, at pixel 12,8; x and y count from the region's corner.
 std::vector<isa::Instruction> ellipsoid(const isa::Region& region) {
   constexpr std::int64_t scale = 5000;
   const std::int64_t x = 12 - static_cast<std::int64_t>(region.x);
@@ -93,7 +92,7 @@ const std::vector<Case> cases{
     {"pixel-planes-5+alu.bits=4+evaluator.bits=4", "pixel_square", {"renderer_0.root.xy", "renderer_0.root.bits"}},
 };
 
-void hold(const Case& one) {
+void check_wave(const Case& one) {
   const Folder folder;
   const Drawn frame = drawn(one.machine, folder);
   const EngineState state(frame.program, frame.machine, 12, 8);
@@ -102,7 +101,7 @@ void hold(const Case& one) {
   const Vcd vcd = recorded(frame, one.machine, fmt::format("--window {}:{}", begin, end), folder / "w.vcd");
   const std::uint64_t period = 1'000'000'000'000 / frame.machine.clock_hz;
   for (const std::string& part : one.parts) CHECK_NOTHROW((void)vcd.at(one.top + "." + part, vcd.last_time()));
-  std::size_t held = 0;
+  std::size_t compared = 0;
   for (std::uint64_t clock = begin; clock < end; ++clock) {
     const auto shown = [&, time = (clock + 1) * period + period / 2](const std::string& name) {
       return vcd.number_at(one.top + ".pixel_12_8." + name, time);
@@ -113,20 +112,20 @@ void hold(const Case& one) {
       CAPTURE(named.name);
       const auto expected = state.field_at(named.field, clock);
       if (expected) REQUIRE(shown(named.name) == expected);
-      if (expected && *expected != 0) ++held;
+      if (expected && *expected != 0) ++compared;
     }
   }
-  CHECK(held > 20);
+  CHECK(compared > 20);
 }
 
-TEST_CASE("a wave of any kind of machine shows roots and quadratic expressions as the reference has them") {
+TEST_CASE("a wave of any machine shows the reference's roots and quadratic expressions") {
   for (const Case& one : cases) {
     CAPTURE(one.machine);
-    hold(one);
+    check_wave(one);
   }
 }
 
-TEST_CASE("probed alone from the instruction after squares on, a pixel does what it does in the whole machine") {
+TEST_CASE("a pixel probed alone behaves as in the whole machine from after squares on") {
   const Folder folder;
   const std::string name = "pixel-powers";
   const Drawn one = drawn(name, folder);
@@ -144,7 +143,7 @@ TEST_CASE("probed alone from the instruction after squares on, a pixel does what
 /// 2^bits - 1.
 std::int64_t mask(unsigned bits) { return (std::int64_t{1} << bits) - 1; }
 
-TEST_CASE("level by level the trees form the value at a node's first leaf, and its slopes there") {
+TEST_CASE("tree levels form the value at a node's first leaf and its slopes there") {
   const Folder folder;
   const std::string name = "pixel-powers";
   const Drawn one = drawn(name, folder);
@@ -154,8 +153,8 @@ TEST_CASE("level by level the trees form the value at a node's first leaf, and i
   const Vcd vcd = recorded(one, name, words, folder / "w.vcd");
   const isa::Linear& s = one.program.segments.front().instructions[1].linear;
   const isa::Linear& l = one.program.segments.front().instructions[2].linear;
-  // Of 5 levels over 24 columns the second has seen that x = 12 = 01100b is 8 at least; of 4 over 16 rows the first
-  // that y is 8.
+  // After 2 of 5 levels over 24 columns, x = 12 = 01100b is known to be at least 8; after 1 of 4 over 16 rows, y is
+  // known to be 8.
   struct Stream {
     std::string name;
     std::int64_t value;
@@ -178,11 +177,11 @@ TEST_CASE("level by level the trees form the value at a node's first leaf, and i
       gathered |= static_cast<std::int64_t>(*vcd.number_at("frame_buffer.pixel_12_8." + stream.name, time)) << *bit;
       if (*bit + 1 == width && gathered == (stream.value & mask(width))) ++found;
     }
-    CHECK(found == 2);  // of the two instructions that have squares before them
+    CHECK(found == 2);  // the two instructions preceded by squares
   }
 }
 
-TEST_CASE("in the wave of a scene a curved surface has the root and the depth that its story tells") {
+TEST_CASE("a curved surface has the root and depth in a wave that explain reports") {
   const Folder folder;
   const std::string scene =
       " " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 64x64 --machine pixel-powers --pixel 32,32 ";

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Photographs GTKWave with a wave of each kind of machine: docs/pictures/waves/KIND.png, or in the folder that is named.
+# Takes screenshots of GTKWave with a wave of each kind of machine: docs/pictures/waves/KIND.png, or in the given folder.
 # Needs csgsim on the PATH, and the packages gtkwave, xvfb, imagemagick, iverilog.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -28,10 +28,10 @@ show() {
   DISPLAY=$display import -window root -trim +repage "$2"
   kill $viewer
   wait $viewer 2> /dev/null || true
-  test "$(stat -c %s "$2")" -gt 20000 || { echo "$2 shows nothing" >&2; exit 1; }
+  test "$(stat -c %s "$2")" -gt 20000 || { echo "$2 is empty" >&2; exit 1; }
 }
 
-# The first command of docs/debugging.md.
+# The first command in docs/debugging.md.
 csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --at owner -o "$work/frame_buffer.vcd" > /dev/null
 show frame_buffer "$pictures/frame_buffer.png"
 
@@ -40,11 +40,11 @@ photograph pixel_square pixel-square+divider.kind=host 256x256 128,120
 photograph multi_processor multi-processor 128x128 64,60
 photograph bit_serial_memory simdram-ddr4 64x48 32,24
 
-# docs/debugging.md
+# From docs/debugging.md.
 csgsim wave tests/debugging/fig_2_3_fault.txt --pixel 60,48 --window i50 -o "$work/fault.vcd" > /dev/null
 show fault "$pictures/fault.png"
 
-# docs/hardware.md
+# From docs/hardware.md.
 csgsim rtl pixel-planes-4 tests/models/thesis_fig_2_3.csg --size 16x16 -o "$work/design" > /dev/null
 csgsim wave tests/models/thesis_fig_2_3.csg --size 16x16 --pixel 5,5 --window i10:i14 -o "$work/design/csgsim.vcd" > /dev/null
 make -s -C "$work/design" beside > /dev/null

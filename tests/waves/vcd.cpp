@@ -22,7 +22,7 @@ std::string unescaped(const std::string& text) {
   return result;
 }
 
-/// The sections of a dump, and what stands in them and between them.
+/// Checks the sections of a dump and their contents.
 class Sections {
  public:
   explicit Sections(std::size_t variables) : variables_(variables) {}
@@ -63,8 +63,8 @@ class Sections {
   }
 
   std::size_t variables_;
-  std::string open_;             ///< keyword of the section at hand; empty between sections
-  std::set<std::string> given_;  ///< codes in it
+  std::string open_;             ///< keyword of the current section; empty between sections
+  std::set<std::string> given_;  ///< codes that occurred in it
   bool has_begun_ = false;
   bool is_off_ = false;
   std::uint64_t off_since_ = 0;
@@ -100,8 +100,8 @@ void Vcd::read_header(std::istream& in) {
       std::string full;
       for (const std::string& scope : scopes) full += scope + ".";
       full += name;
-      if (!codes_.emplace(full, code).second) throw std::runtime_error("two variables " + full);
-      if (!changes_.emplace(code, Changes{}).second) throw std::runtime_error("two variables of code " + code);
+      if (!codes_.emplace(full, code).second) throw std::runtime_error("duplicate variable " + full);
+      if (!changes_.emplace(code, Changes{}).second) throw std::runtime_error("duplicate variable code " + code);
       if (word != "$end" && word != "[" + std::to_string(std::stoul(width) - 1) + ":0]")
         throw std::runtime_error(full + " of " + width + " bits has the range " + word);
     }
@@ -116,7 +116,7 @@ void Vcd::read_changes(std::istream& in) {
   for (std::string word; in >> word;) {
     if (word.front() == '#') {
       const std::uint64_t time = std::stoull(word.substr(1));
-      if (now && time < *now) throw std::runtime_error("the time goes back to " + word);
+      if (now && time < *now) throw std::runtime_error("time decreases to " + word);
       if (!now) first_time_ = time;
       now = time;
       last_time_ = time;

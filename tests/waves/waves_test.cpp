@@ -19,10 +19,10 @@ struct Place {
   std::uint32_t y;
 };
 
-/// A model drawn small, and a wave of it.
+/// A small picture of a model, and the window and pixels of its wave.
 struct Case {
   std::string machine;
-  std::string options;  ///< of compile
+  std::string options;  ///< options of compile
   std::vector<Place> pixels;
   std::string window;
 };
@@ -43,15 +43,15 @@ Vcd recorded(const Case& one, const std::string& program, const std::string& fil
   return Vcd(content(file));
 }
 
-/// Holds a wave of the case against the reference at every clock of the window; tells how often something was held.
-std::size_t hold_against_engine(const Case& one, const std::string& top) {
+/// Compares a wave of the case with the reference at every clock of the window; returns the number of comparisons.
+std::size_t compare_with_engine(const Case& one, const std::string& top) {
   const Folder folder;
   const isa::Program program = compiled(one, folder / "p.csgt");
   const Vcd vcd = recorded(one, folder / "p.csgt", folder / "w.vcd");
   machines::Machine machine = kinds::load(one.machine);
   machines::adopt(machine, program);
   const std::uint64_t period = 1'000'000'000'000 / machine.clock_hz;
-  std::size_t held = 0;
+  std::size_t compared = 0;
   for (const Place& pixel : one.pixels) {
     const EngineState state(program, machine, pixel.x, pixel.y);
     const std::string part = fmt::format("{}.pixel_{}_{}.", top, pixel.x, pixel.y);
@@ -67,15 +67,15 @@ std::size_t hold_against_engine(const Case& one, const std::string& top) {
         if (!expected) continue;
         CAPTURE(named.name);
         REQUIRE(vcd.number_at(part + named.name, middle) == expected);
-        ++held;
+        ++compared;
       }
       if (const auto enable = state.enable_at(clock)) {
         REQUIRE(vcd.number_at(part + "enable", middle) == static_cast<std::uint64_t>(*enable));
-        ++held;
+        ++compared;
       }
     }
   }
-  return held;
+  return compared;
 }
 
 const std::vector<Case> frame_buffers{
@@ -84,14 +84,14 @@ const std::vector<Case> frame_buffers{
     {"pixel-planes-4+alu.bits=8+evaluator.bits=3", "--size 20x20", {{10, 11}}, "0:1500"},
 };
 
-TEST_CASE("a wave of a frame buffer shows what the reference has, at every clock") {
+TEST_CASE("a wave of a frame buffer equals the reference at every clock") {
   for (const Case& one : frame_buffers) {
     CAPTURE(one.machine);
-    CHECK(hold_against_engine(one, "frame_buffer") > 4000);
+    CHECK(compare_with_engine(one, "frame_buffer") > 4000);
   }
 }
 
-TEST_CASE("the instruction at the pixels is the one whose clocks they are, with its words") {
+TEST_CASE("a wave shows the instruction in progress at the pixels with its text") {
   const Case& one = frame_buffers.front();
   const Folder folder;
   const isa::Program program = compiled(one, folder / "p.csgt");
@@ -124,7 +124,7 @@ TEST_CASE("the instruction at the pixels is the one whose clocks they are, with 
   CHECK(instructions > 1500);
 }
 
-TEST_CASE("what the probed pixels do alone is what they do in the whole machine") {
+TEST_CASE("probed pixels alone behave as in the whole machine") {
   const std::string tree = " --probe tree.x:3 --probe tree.x:7 --probe tree.y:0 --probe tree.y:6";
   for (const std::string machine : {"pixel-planes-4", "pixel-planes-4+alu.bits=16+evaluator.bits=5",
                                     "pixel-planes-4+evaluator.register_levels=3"}) {
@@ -146,7 +146,7 @@ TEST_CASE("what the probed pixels do alone is what they do in the whole machine"
   }
 }
 
-TEST_CASE("the wave of stepped trees, which levels of trees ask for, is that of trees that are worked out") {
+TEST_CASE("the wave of stepped trees equals that of computed trees") {
   const std::string tree = " --probe tree.x:0 --probe tree.x:4 --probe tree.x:6 --probe tree.y:2 --probe tree.y:5";
   for (const std::string machine : {"pixel-planes-4", "pixel-planes-4+alu.bits=4+evaluator.bits=4",
                                     "pixel-planes-4+alu.bits=4+evaluator.bits=3+evaluator.register_levels=2"}) {
@@ -170,15 +170,15 @@ TEST_CASE("the wave of stepped trees, which levels of trees ask for, is that of 
 /// 2^bits - 1.
 std::int64_t mask(unsigned bits) { return (std::int64_t{1} << bits) - 1; }
 
-/// Of trees that bring so many bits in a clock.
-void hold_levels(const std::string& machine_name, unsigned tree_bits, std::uint64_t clocks) {
+/// Compares tree levels with the expression, for trees that deliver `tree_bits` bits per clock.
+void check_levels(const std::string& machine_name, unsigned tree_bits, std::uint64_t clocks) {
   CAPTURE(machine_name);
   const Folder folder;
   const Case one{machine_name, "--size 16x8", {{11, 5}}, fmt::format("0:{}", clocks + 100)};
   const isa::Program program = compiled(one, folder / "p.csgt");
   const std::string tree = " --probe tree.x:0 --probe tree.x:2 --probe tree.x:4 --probe tree.y:3";
   const Vcd vcd = recorded(one, folder / "p.csgt", folder / "w.vcd", tree);
-  // On the way to x = 11, binary 1011, level 2 has seen its bits of worth 8 and 4: C + 8 A.
+  // Level 2 on the path to x = 11, binary 1011, has received the bits of weight 8 and 4: C + 8 A.
   struct Level {
     std::string name;
     std::int64_t a;
@@ -200,7 +200,8 @@ void hold_levels(const std::string& machine_name, unsigned tree_bits, std::uint6
       if (!bit) continue;
       if (*bit == 0) gathered = 0;
       gathered |= static_cast<std::int64_t>(*vcd.number_at(name, middle)) << *bit;
-      const auto number = state.instruction_at(clock + 7 - level.delay);  // when that bit is at the pixels
+      const auto number =
+          state.instruction_at(clock + 7 - level.delay);  // the clock in which that bit reaches the pixels
       if (!number) continue;
       const isa::Linear& linear = program.segments.front().instructions[*number].linear;
       if (*bit + tree_bits < linear.width) continue;
@@ -212,13 +213,13 @@ void hold_levels(const std::string& machine_name, unsigned tree_bits, std::uint6
   CHECK(streams > 100);
 }
 
-TEST_CASE("level by level the trees form A x + C and then A x + B y + C, however many bits they bring in a clock") {
-  hold_levels("pixel-planes-4", 1, 3900);
-  hold_levels("pixel-planes-4+alu.bits=4+evaluator.bits=3", 3, 1900);
-  hold_levels("pixel-planes-4+alu.bits=32+evaluator.bits=32", 32, 700);
+TEST_CASE("tree levels form A x + C and then A x + B y + C for any bits per clock") {
+  check_levels("pixel-planes-4", 1, 3900);
+  check_levels("pixel-planes-4+alu.bits=4+evaluator.bits=3", 3, 1900);
+  check_levels("pixel-planes-4+alu.bits=32+evaluator.bits=32", 32, 700);
 }
 
-TEST_CASE("the wave of the last write of a field ends with the clock that shows what was written") {
+TEST_CASE("the wave of a field's last write ends with the clock that shows the result") {
   const Folder folder;
   const Case one{"pixel-planes-4", "--size 24x16", {{12, 8}}, ""};
   const isa::Program program = compiled(one, folder / "p.csgt");
@@ -237,7 +238,7 @@ TEST_CASE("the wave of the last write of a field ends with the clock that shows 
   CHECK(state.instruction_at(last) != state.instruction_at(last - 1));
 }
 
-TEST_CASE("every clock has its number, and padding adds clocks at both ends of each window") {
+TEST_CASE("a wave numbers its clocks and padding adds clocks at both ends of each window") {
   const Folder folder;
   const Case one{"pixel-planes-4", "--size 24x16", {{12, 8}}, "100:110"};
   compiled(one, folder / "p.csgt");
@@ -249,7 +250,7 @@ TEST_CASE("every clock has its number, and padding adds clocks at both ends of e
     CHECK(vcd.number_at("frame_buffer.clock_number", (clock + 1) * period + period / 2) == clock);
 }
 
-TEST_CASE("padding ends where the frame begins, and where clocks end") {
+TEST_CASE("padding ends at the start of the frame and at the largest clock number") {
   const Folder folder;
   const Case one{"pixel-planes-4", "--size 24x16", {{12, 8}}, ""};
   compiled(one, folder / "p.csgt");
@@ -260,7 +261,7 @@ TEST_CASE("padding ends where the frame begins, and where clocks end") {
   CHECK(file.find("$dumpoff") == std::string::npos);
 }
 
-TEST_CASE("windows that touch by their padding are one") {
+TEST_CASE("windows whose padding overlaps merge into one") {
   const Folder folder;
   const Case apart{"pixel-planes-4", "--size 24x16", {{12, 8}}, ""};
   compiled(apart, folder / "p.csgt");
@@ -272,7 +273,7 @@ TEST_CASE("windows that touch by their padding are one") {
   CHECK(content(folder / "w.vcd").find("$dumpoff") == std::string::npos);
 }
 
-TEST_CASE("a file is as long as its window") {
+TEST_CASE("the size of a file is proportional to its window") {
   const Folder folder;
   const Case one{"pixel-planes-4", "--size 32x32", {{16, 16}}, ""};
   compiled(one, folder / "p.csgt");

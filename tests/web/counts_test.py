@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Models of tests/models and tests/corpus, drawn by csgsim.wasm in node: counts are those of the command that the page names.
+"""Draws models of tests/models and tests/corpus with csgsim.wasm in node: counts must equal those of the command shown.
 
-counts_test.py CSGSIM SOURCE SITE [WORDS...]: with WORDS models with a word in their path. Exit code 77 where there is no SITE, or no node. What
-differs and what is refused is printed."""
+counts_test.py CSGSIM SOURCE SITE [WORDS...]: WORDS select models by a word in their path. Exit code 77 without SITE or
+node. Prints differences and rejected models."""
 
 import json
 import pathlib
@@ -15,12 +15,12 @@ from web_page import Answering
 
 CSGSIM, SOURCE, SITE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 KNOBS = {"size": "256x256", "view-all": True}
-# What the page has not, or what has no picture.
+# Error texts for features that the page lacks, and for models without a picture.
 REFUSED = ("this page does not include", "cannot read files", "there is no solid in it")
 
 
 def counts_of(value, path=""):
-    """All leaves of the JSON, by where they are, but those that tell of the run and not of the machine."""
+    """All leaves of the JSON by path, except those that describe the run instead of the machine."""
     if isinstance(value, (dict, list)):
         items = value.items() if isinstance(value, dict) else enumerate(value)
         return {where: leaf for key, each in items if key not in ("configuration", "wall_seconds", "rerun", "accuracy")
@@ -29,7 +29,7 @@ def counts_of(value, path=""):
 
 
 def native(command, folder):
-    """The stats and the picture's bytes."""
+    """The stats of the native program."""
     words = command.replace("csgsim", str(CSGSIM), 1)
     subprocess.run(["bash", "-c", f"cd {SOURCE} && {words} --progress none -o {folder}/picture.png --stats {folder}/stats.json"], check=True, capture_output=True)
     return json.loads((folder / "stats.json").read_text())
@@ -67,6 +67,6 @@ def main():
 
 if __name__ == "__main__":
     if not (SITE / "csgsim.wasm").exists() or not shutil.which("node"):
-        print("there is no page to test, or no node; ./setup.sh web makes both")
+        print("the page or node is missing; run ./setup.sh web")
         sys.exit(77)
     sys.exit(main())

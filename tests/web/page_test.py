@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""The page without a program in a headless Chromium, behind a static server: page_test.py CSGSIM SOURCE SITE [PICTURE].
+"""The page without a server program in a headless Chromium, behind a static server: page_test.py CSGSIM SOURCE SITE
+[PICTURE].
 
-With PICTURE the page is photographed for docs/view.md. Exit code 77 where there is no SITE, or no Chromium."""
+With PICTURE, takes a screenshot for docs/view.md. Exit code 77 without SITE or Chromium."""
 
 import base64
 import contextlib
@@ -27,7 +28,7 @@ PIXELS = """(() => { const image = document.getElementById('picture'), canvas = 
 
 
 def pixels_of_command(seen):
-    """What csgsim render draws by the command that the page names."""
+    """The picture of csgsim render for the command that the page shows."""
     with tempfile.TemporaryDirectory() as folder:
         words = seen.text("command").replace("csgsim", str(CSGSIM), 1) + f" --progress none -o {folder}/picture.ppm"
         subprocess.run(["bash", "-c", words], cwd=seen.folder, check=True, capture_output=True)
@@ -35,20 +36,20 @@ def pixels_of_command(seen):
 
 
 def check_same(seen, what):
-    """Counts and picture."""
+    """Compares counts and picture."""
     seen.check_same(what)
     seen.check(base64.b64decode(seen.evaluate(PIXELS)) == pixels_of_command(seen), what + ": the picture")
 
 
 def until_new(seen, expression):
-    """On the page that comes next: what is asked of the one that goes may be lost."""
+    """Waits on the next page: requests of the page being left may be lost."""
     end = time.monotonic() + 60
     while time.monotonic() < end:
         with contextlib.suppress(RuntimeError):
             if seen.evaluate(f"!window.old && {expression}"):
                 return
         time.sleep(0.05)
-    raise RuntimeError(f"never came: {expression}; {seen.page.problems}")
+    raise RuntimeError(f"timeout waiting for: {expression}; {seen.page.problems}")
 
 
 def opened(seen, address):
@@ -71,7 +72,7 @@ def turns_under_the_pointer(seen):
         time.sleep(0.02)
     seen.page.send("Input.dispatchMouseEvent", type="mouseReleased", **mouse)
     seen.settled()
-    seen.check(seen.evaluate("window.drawnPictures") >= count + 20, "twenty pictures are drawn under the pointer")
+    seen.check(seen.evaluate("window.drawnPictures") >= count + 20, "a moving pointer draws twenty pictures")
     seen.check(seen.text("command") != first, "the camera has been turned")
     check_same(seen, "turned")
 
@@ -98,7 +99,7 @@ def asks_why(seen):
     seen.click("#why button")
     seen.until("document.getElementById('story').textContent.length > 100")
     told = seen.run(*seen.text("command").replace("csgsim render", "explain").split(), "--pixel", "256,256")
-    seen.check(seen.text("story").strip() == told.strip(), "the story is that of csgsim explain")
+    seen.check(seen.text("story").strip() == told.strip(), "the story equals that of csgsim explain")
 
 
 def goes_through_time(seen):
@@ -110,18 +111,18 @@ def goes_through_time(seen):
     seen.check(seen.evaluate("document.getElementById('then').src === document.getElementById('picture').src"), "the last instant is the picture")
     seen.set("instant", str(count // 3))
     seen.settled()
-    # Not where an instruction is left out: the next that is not.
+    # A skipped instruction leads to the next executed one.
     number = int(seen.evaluate("document.getElementById('instant').value"))
-    seen.check(count // 3 <= number < count and f"before i{number} of" in seen.text("at"), "it tells where it is: " + seen.text("at"))
+    seen.check(count // 3 <= number < count and f"before i{number} of" in seen.text("at"), "the place of the instant is shown: " + seen.text("at"))
 
 
 def judges_and_compares(seen):
     seen.click("#judge")
     seen.until("document.getElementById('verdict').textContent.includes('pixels')")
     seen.after("comparedTwo", lambda: seen.click("#keep"))
-    seen.check("pictures are equal" in seen.text("differs"), "A is itself")
+    seen.check("pictures are equal" in seen.text("differs"), "A equals itself")
     seen.after("comparedTwo", lambda: seen.set("z-bits", "8"))
-    seen.check("pixels differ" in seen.text("differs"), "what differs is told: " + seen.text("differs"))
+    seen.check("pixels differ" in seen.text("differs"), "the differences are shown: " + seen.text("differs"))
     seen.set("z-bits", "")
     seen.settled()
 
@@ -132,23 +133,23 @@ def refuses_wires(seen):
 
 
 def opens_a_file(seen, address):
-    """As if it had been dropped."""
+    """Drops a file onto the page."""
     drop = """(() => { const data = new DataTransfer(); data.items.add(new File([%r], %r));
       document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true})); window.drawnPictures = 0; window.old = true; })()"""
     seen.evaluate(drop % ("cube(size=[3,4,5],center=false);", "own.csg"))
     until_new(seen, "window.drawnPictures > 0")
     seen.settled()
-    seen.check(seen.text("title") == "own.csg" and seen.counts()["primitives, half-spaces"] == "1, 6", "one's own file is drawn")
+    seen.check(seen.text("title") == "own.csg" and seen.counts()["primitives, half-spaces"] == "1, 6", "a dropped file is drawn")
     seen.evaluate(drop % ("cube(3);", "own.scad"))
     until_new(seen, "document.getElementById('error') && !document.getElementById('error').hidden")
-    seen.check("export the model as .csg" in seen.text("error"), "OpenSCAD's source is refused: " + seen.text("error"))
+    seen.check("export the model as .csg" in seen.text("error"), "OpenSCAD source is rejected: " + seen.text("error"))
     seen.page.send("Page.navigate", url=address + "?model=nothing.csg")
     until_new(seen, "document.getElementById('error') && document.getElementById('error').textContent.includes('choose one of')")
 
 
 def use(seen, address):
     opened(seen, address)
-    seen.check("camera 220,-255,135,2,0,5" in seen.text("command"), "the first model begins as it should: " + seen.text("command"))
+    seen.check("camera 220,-255,135,2,0,5" in seen.text("command"), "the first model has its default camera: " + seen.text("command"))
     check_same(seen, "as it begins")
     if len(sys.argv) > 4:
         seen.page.window(1280, 1000)
@@ -159,18 +160,18 @@ def use(seen, address):
     for part in (turns_under_the_pointer, turns_knobs, edits_the_source, asks_why, goes_through_time, judges_and_compares, refuses_wires):
         part(seen)
     opened(seen, address + "?model=terrain_vehicle.csg&machine=pixel-planes-5&size=256x256")
-    seen.check("--machine pixel-planes-5" in seen.text("command"), "the address turns knobs: " + seen.text("command"))
+    seen.check("--machine pixel-planes-5" in seen.text("command"), "the address sets options: " + seen.text("command"))
     check_same(seen, "a model by its address")
     opens_a_file(seen, address)
     own = [url for url in seen.page.requests if not url.startswith((address, "data:", "blob:"))]
-    seen.check(own == [], f"asked for elsewhere: {own}")
+    seen.check(own == [], f"requests to other servers: {own}")
     problems = [each for each in seen.page.problems if "nothing.csg" not in each]
     seen.check(problems == [], f"{problems}")
 
 
 def main():
     if not (SITE / "csgsim.wasm").exists() or not (chromium := browser.find()):
-        print("there is no page to test, or no Chromium; ./setup.sh web makes both")
+        print("the page or Chromium is missing; run ./setup.sh web")
         return 77
     server = StaticServer(SITE)
     with viewed(chromium, server, CSGSIM, SOURCE / "tests/models") as seen:

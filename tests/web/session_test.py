@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What csgsim.wasm answers in node is what csgsim view answers: session_test.py CSGSIM SOURCE SITE. Exit code 77 where there is no SITE, or no node."""
+"""csgsim.wasm in node gives the answers of csgsim view: session_test.py CSGSIM SOURCE SITE. Exit code 77 without SITE
+or node."""
 
 import base64
 import itertools
@@ -31,7 +32,7 @@ WISHES = [
 
 
 def pixels_of(url):
-    """Width, height and bytes of a PNG with the filter sub, as the page gets it."""
+    """Width, height and bytes of a PNG with the filter sub, as sent to the page."""
     file = base64.b64decode(url.removeprefix("data:image/png;base64,"))
     width, height = struct.unpack(">II", file[16:24])
     length, = struct.unpack(">I", file[33:37])
@@ -45,7 +46,7 @@ def pixels_of(url):
 
 
 def rendered(command):
-    """The same of what the command that the page names draws."""
+    """Width, height and bytes of the picture drawn by the command that the page shows."""
     words = command.replace("csgsim", str(CSGSIM), 1) + " --progress none -o picture.ppm"
     ppm = subprocess.run(["bash", "-c", f"cd $(mktemp -d) && {words.replace('tests/', str(SOURCE) + '/tests/')} >/dev/null && cat picture.ppm && rm -r $PWD"],
                          check=True, capture_output=True).stdout
@@ -54,7 +55,7 @@ def rendered(command):
 
 
 def without(value, *keys):
-    """Without what differs: the times, and pictures, whose files are packed otherwise."""
+    """The value without times, and without pictures, whose files are compressed differently."""
     if isinstance(value, dict):
         return {key: without(each, *keys) for key, each in value.items() if key not in keys}
     return [without(each, *keys) for each in value] if isinstance(value, list) else value
@@ -62,7 +63,7 @@ def without(value, *keys):
 
 class Session(unittest.TestCase):
     def both(self, model):
-        """Native, and in node."""
+        """A native server, and csgsim.wasm in node."""
         file = f"tests/models/{model}"
         server = Server(CSGSIM, file, cwd=SOURCE)
         self.addCleanup(server.stop)
@@ -76,7 +77,7 @@ class Session(unittest.TestCase):
         self.assertEqual((other, without(told, "picture", "seconds")), (status, without(expected, "picture", "seconds")), question)
         return told
 
-    def test_pictures_counts_and_stories_are_those_of_the_native_program(self):
+    def test_pictures_counts_and_stories_equal_those_of_the_native_program(self):
         for model, knobs in WISHES:
             with self.subTest(model=model, knobs=knobs):
                 both = self.both(model + ".csg")
@@ -86,7 +87,7 @@ class Session(unittest.TestCase):
                 at = f"{drawn['width'] // 2},{drawn['height'] // 2}"
                 self.assertGreater(len(self.check_same(both, "explain", {**wish, "pixel": at, "why_not": "p1"})["text"]), 100)
 
-    def test_time_trees_judgements_and_comparisons_are_those_of_the_native_program(self):
+    def test_instants_trees_verdicts_and_comparisons_equal_those_of_the_native_program(self):
         both = self.both("carburettor.csg")
         wish = {"knobs": {**CARBURETTOR, "size": "128x128"}}
         for number in (0, 100, 5000, 10 ** 9):
@@ -96,7 +97,7 @@ class Session(unittest.TestCase):
             self.check_same(both, question, wish)
         self.check_same(both, "two", {"a": wish, "b": {"knobs": {**wish["knobs"], "z-bits": "8"}}})
 
-    def test_a_source_is_edited_and_errors_have_their_places(self):
+    def test_draws_an_edited_source_and_places_errors(self):
         both = self.both("thesis_fig_2_3.csg")
         self.check_same(both, "draw", {"knobs": {"size": "64x64"}, "source": "cube(size=[20,20,20],center=true);"})
         for source in ("cube(", "sphere(r=;", "cube(size=[20,20,20]);\nnothing();", 'import(file="a.amf");'):
@@ -106,7 +107,7 @@ class Session(unittest.TestCase):
         self.check_same(both, "draw", {"knobs": {"machine": "pixel-planes-6"}})
         self.check_same(both, "draw", {"knobs": {"z-bits": "99"}})
 
-    def test_what_is_not_there_is_refused_with_what_has_it(self):
+    def test_rejects_missing_features_and_names_an_alternative(self):
         _, answering = self.both("thesis_fig_2_3.csg")
         for question, wish, told in (("lanes", {}, "csgsim view"), ("wave", {"pixel": "1,1", "window": "i0:i4"}, "csgsim view"),
                                      ("draw", {"source": 'text(text="A");'}, "text()"), ("draw", {"source": 'import(file="a.stl");'}, "a.stl")):
@@ -126,7 +127,7 @@ class Session(unittest.TestCase):
         self.assertEqual(status, 200)
         self.assertTrue(page.startswith("<!DOCTYPE html>"))
 
-    def test_more_memory_than_there_is_is_an_error_and_it_goes_on(self):
+    def test_reports_too_little_memory_and_continues(self):
         _, answering = self.both("thesis_fig_2_3.csg")
         self.assertEqual(answering.post("draw", {"knobs": {"size": "16384x16384"}}), (422, {"error": "there is not enough memory"}))
         self.assertEqual(answering.post("draw", {"knobs": {"size": "64x64"}})[0], 200)
@@ -134,6 +135,6 @@ class Session(unittest.TestCase):
 
 if __name__ == "__main__":
     if not (SITE / "csgsim.wasm").exists() or not shutil.which("node"):
-        print("there is no page to test, or no node; ./setup.sh web makes both")
+        print("the page or node is missing; run ./setup.sh web")
         sys.exit(77)
     unittest.main(argv=sys.argv[:1])

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How large the page without a program is: size.py SITE. Prints a table."""
+"""Measures the size of the page without a server program: size.py SITE. Prints a table."""
 
 import gzip
 import pathlib

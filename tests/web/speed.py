@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""How many pictures a second the page without a program shows in a headless Chromium as a model is turned: speed.py SITE. Prints a table."""
+"""Measures how many pictures per second the page without a server program shows in a headless Chromium while a model is
+turned: speed.py SITE. Prints a table."""
 
 import json
 import pathlib

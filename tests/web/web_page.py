@@ -1,4 +1,4 @@
-"""The page without a program, for tests: its csgsim.wasm in node, and the page behind a static server."""
+"""The page without a server program, for tests: its csgsim.wasm in node, and the page behind a static server."""
 
 import json
 import pathlib
@@ -23,13 +23,13 @@ class Answering:
         self.begun = self.send({"begin": [name, text, knobs or {}]})
 
     def send(self, message):
-        """Status and text."""
+        """Sends a message; returns status and text."""
         self.process.stdin.write(json.dumps(message) + "\n")
         self.process.stdin.flush()
         return json.loads(self.process.stdout.readline())
 
     def post(self, question, wish):
-        """Status and JSON, as of the server of csgsim view."""
+        """Sends a request; returns status and JSON, like the server of csgsim view."""
         status, body = self.send({"question": question, "wish": wish})
         return status, json.loads(body)
 
@@ -41,7 +41,7 @@ class Answering:
 
 
 class StaticServer:
-    """Python's own, which knows nothing but files."""
+    """Python's file server."""
 
     def __init__(self, folder):
         self.process = subprocess.Popen([sys.executable, "-u", "-m", "http.server", "0", "--bind", "127.0.0.1", "--directory", folder],

@@ -1,6 +1,6 @@
 #!/bin/sh
-# What OpenSCAD's own camera shows of part.scad: NAME.pbm for each line of cameras.txt, 1 where the model is seen. Takes
-# openscad, xvfb-run, netpbm and python3.
+# Renders part.scad with OpenSCAD for each line of cameras.txt and writes NAME.pbm: 1 where the model is visible.
+# Needs openscad, xvfb-run, netpbm and python3.
 set -eu
 folder=$(cd "$(dirname "$0")" && pwd)
 openscad -o "$folder/part.csg" "$folder/part.scad"

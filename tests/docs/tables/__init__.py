@@ -1,1 +1,1 @@
-"""The tables of the pages, a file a page."""
+"""The tables of the pages, one file per page."""

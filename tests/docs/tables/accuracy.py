@@ -1,4 +1,4 @@
-"""docs/accuracy.md."""
+"""Tables of docs/accuracy.md."""
 
 from figures import ruled
 from runs import Record
@@ -15,24 +15,25 @@ CURVED = {"sphere": (SPHERE, "fn,tolerance,curves", "1,0.1,0.02,0.005,0.002,0.00
           "fig. 2.3": ("fig_2_3", "fn,tolerance,curves", "0.05,0.01,0.002,0.0004,0.0001"),
           "carburettor": ("carburettor", "fn,tolerance,curves", "0.11,0.06,0.0278,0.01,0.002,0.0005"),
           "vehicle": ("vehicle", "fn,tolerance,curves", "0.4,0.1,0.02,0.005,0.002,0.001")}
-# Table 7.3 of the thesis: half-spaces in the model, seconds of scan conversion and in all.
+# Table 7.3 of the thesis: half-spaces of the model, seconds of scan conversion and in total.
 TABLE_7_3 = {0.11: (1258, 32.6, 89.7), 0.06: (2042, 34.5, 102.5), 0.0278: (3876, 42.3, 139.7)}
 
 
 def curves_of(figures, name):
-    """The points of facets and of curved surfaces without them, of four views."""
+    """The points of facets and of curved surfaces without them, for four views."""
     model, knobs, tolerances = CURVED[name]
     return figures.accuracy(model, f"--machine pixel-powers --knobs {knobs} --tolerances {tolerances}")
 
 
 def nearest(points, exact):
-    """The facets of the fewest clocks with no more pixels off than the curved surfaces have; the least wrong if there are none."""
+    """The cheapest facets with at most the wrong pixels of the curved surfaces; otherwise the most accurate ones."""
     facets = [each for each in points if each.knob in ("fn", "tolerance") or each.value == "facets"]
     return min(facets, key=lambda each: (max(each.facet_wrong, exact.facet_wrong), each.clocks))
 
 
 def compared(figures, name):
-    """The points, those without facets first, and of these the exact ones; the model's own facets, and those nearest to exact."""
+    """The points without facets first, with the exact ones among them; the model's own facets, and those closest to
+    exact."""
     points = curves_of(figures, name)
     own = {each.value: each for each in points if each.knob == "curves"}
     best = nearest(points, own["exact"])
@@ -51,7 +52,7 @@ def named(point):
 
 
 def curves(figures):
-    """What is drawn without facets, beside the facets of the model and those that are as right, or nearest to it."""
+    """Drawing without facets, compared with the model's facets and with those of equal or nearest accuracy."""
     rows = []
     for name, of in curved(figures).items():
         for each in of.drawn:
@@ -99,7 +100,7 @@ def facets(figures):
 
 
 def levels(figures):
-    """Times are those of the machine that made the page."""
+    """Times measured on the computer that generated the page."""
     printed = figures.runs.run(f"csgsim levels {figures.model('fig_2_3')} --size 256x256").printed
     rows = []
     for line in printed.splitlines():

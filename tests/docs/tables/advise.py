@@ -1,12 +1,12 @@
-"""docs/design-space.md: the commands that it shows, run, and what they print."""
+"""Tables of docs/design-space.md: output of the commands shown there."""
 
 PAGE = "docs/design-space.md"
 RECOMMENDATION = "fewest bits"
-LISTED = range(60, 65)  # bits of the vehicle's front that are shown
+LISTED = range(60, 65)  # bits of the vehicle's front to show
 
 
 def asked(figures, model):
-    """The run of the command that the page shows for a model; where wishes cannot all be met, it ends with 1."""
+    """Runs the command that the page shows for a model; its exit code is 1 if not all wishes can be met."""
     command = figures.shown(PAGE, f"csgsim advise tests/models/{model}.csg")
     words, _, _ = command.rpartition(" -o ")
     return figures.runs.run(f"{words} --progress none -o $OUT/advice > $OUT/printed || [ $? = 1 ]; cp $OUT/advice/advise.svg $OUT/{model}.svg")
@@ -21,7 +21,7 @@ def folder(figures, model):
 
 
 def printed(figures, model):
-    """What the command prints: its front, and its recommendations."""
+    """The output of the command: its front, and its recommendations."""
     text = (folder(figures, model) / "printed").read_text(encoding="utf-8")
     first = text.index(RECOMMENDATION)
     recommended = text[first:].splitlines()
@@ -33,7 +33,7 @@ def fenced(lines):
 
 
 def front(figures, model):
-    """The heading, the lines of the front with some numbers of bits, and what is said of it."""
+    """The heading, the lines of the front for some numbers of bits, and the text after the front."""
     lines, _ = printed(figures, model)
     rows = [n for n, line in enumerate(lines) if line.split() and line.split()[0].isdigit()]
     shown = [lines[n] for n in rows if int(lines[n].split()[0]) in LISTED]

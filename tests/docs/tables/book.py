@@ -1,4 +1,4 @@
-"""docs/README.md: the table of contents, in the order of the book."""
+"""The table of contents in docs/README.md, in the order of the book."""
 
 import sys
 

@@ -1,10 +1,10 @@
-"""docs/machines/comparison.md, and what bounds the scan-line array."""
+"""Tables of docs/machines/comparison.md, and the bottlenecks of the scan-line array."""
 
 from figures import THESIS_MODELS, ruled
 
 
 def clocks(figures, machine, *changes):
-    """Of facets, which all machines draw: of the same instructions."""
+    """Points of facets, which all machines draw with the same instructions."""
     changed = "".join(f"+{change}" for change in changes)
     return [figures.clocks(model, f"--curves facets --machine {machine}{changed}") for model in THESIS_MODELS]
 
@@ -48,7 +48,7 @@ def scan_line(figures):
 
 
 def varied(figures, machine, key, title, *values):
-    """A row for each value of a figure."""
+    """A row for each value of a parameter."""
     return ruled((title, *THESIS_MODELS),
                  [(name(value), *thousands(clocks(figures, machine, f"{key}={value}"))) for value in values])
 
@@ -80,7 +80,7 @@ def dividing(figures):
 
 
 def beside(title, *groups):
-    """The head of a table with the models of several machines side by side."""
+    """The table head for the models of several machines side by side."""
     return (title, *(f"{group}: {model}" if group and n == 0 else model
                      for group in groups for n, model in enumerate(THESIS_MODELS)))
 
@@ -115,7 +115,7 @@ def ring(figures):
 
 
 def screens(figures):
-    """Without a divider, which would bound the frame."""
+    """The machines without a divider, which would limit the frame."""
     twice = {"pixel-square": "frame_buffer.banks=2", "pixel-planes-5": "frame_buffer.banks=4"}
     varied = [("nothing is shown", False, "refresh.rate=ideal"), ("unchanged", False), ("`refresh.bits` 256", False, "refresh.bits=256", "refresh.clocks=1"),
               ("that, and twice the banks", True, "refresh.bits=256", "refresh.clocks=1"),

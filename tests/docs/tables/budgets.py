@@ -1,4 +1,4 @@
-"""docs/performance.md: a sphere without facets."""
+"""The sphere without facets in docs/performance.md."""
 
 from figures import ruled
 
@@ -50,7 +50,7 @@ def widths(figures):
 
 
 def planes_5(figures):
-    """What the abstract of Pixel-planes 5 says, and what our renderers' clocks and figures make of it."""
+    """Numbers from the abstract of Pixel-planes 5, and those computed from our renderers' clocks and parameters."""
     clock, renderers = 40e6, 16
     triangle = max(each.clocks for each in figures.render("tests/budgets/triangle.csgt", "", "run").by_primitive)
     ball = own(figures.render(SPHERE, "--machine pixel-powers"))

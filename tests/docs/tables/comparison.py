@@ -1,9 +1,9 @@
-"""docs/machines/comparison.md."""
+"""Tables of docs/machines/comparison.md."""
 
 from figures import THESIS_MODELS, point, row, ruled
 
 MACHINES = ("pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5", "pixel-powers", "multi-processor")
-LEAST_SHARE = 0.001  # of a figure that is ideal, for a row of its own
+LEAST_SHARE = 0.001  # minimum share of an ideal parameter to get its own row
 
 
 def four_digits(value):
@@ -34,7 +34,7 @@ def machines(figures):
 
 
 def shares(points, machine):
-    """What each figure is worth where it is ideal, as a share of the clocks of the machine as it is."""
+    """The saving of each ideal parameter, as a share of the unchanged machine's clocks."""
     own = [each for each in points if each.machine == machine]
     as_it_is = next(each for each in own if not each.ideal).clocks
     return {each.ideal: (as_it_is - each.clocks) / as_it_is for each in own if each.ideal}

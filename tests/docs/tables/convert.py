@@ -1,4 +1,4 @@
-"""docs/convert.md: how long conversions take, beside OpenSCAD's."""
+"""Durations of conversions in docs/convert.md, compared with OpenSCAD's."""
 
 from math import prod
 
@@ -11,7 +11,7 @@ FLAT = ("flat_top",)
 
 
 def seconds(figures, command):
-    """Of a processor, in the command and what it calls."""
+    """Processor time of the command and its child processes."""
     timed = f"export TIMEFORMAT='%U %S'; {{ time {command} > $OUT/out.txt 2> $OUT/err.txt; }} 2>&1"
     return sum(map(float, figures.runs.run(timed).printed.split()[-2:]))
 

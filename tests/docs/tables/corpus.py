@@ -1,4 +1,4 @@
-"""docs/performance.md: OpenSCAD's own examples on the machines."""
+"""OpenSCAD's own examples on the machines, in docs/performance.md."""
 
 import collections
 import re
@@ -14,7 +14,7 @@ SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 class Corpus:
-    """What csgsim corpus found."""
+    """The results of csgsim corpus."""
 
     def __init__(self, run):
         table = run.json("corpus.json")
@@ -27,11 +27,11 @@ class Corpus:
         return [point for point in self.drawn if point.machine == machine]
 
     def bounds(self, machine):
-        """Which part bounds how many models, the most frequent first; parts that are alike are one."""
+        """The number of models limited by each part, the most frequent first; similar parts count as one."""
         return collections.Counter(re.sub(r" [\d,]+$", "", point.bound_by) for point in self.of(machine)).most_common()
 
     def share(self, machine, *purposes):
-        """Of all clocks, in per cent, those of these purposes."""
+        """The share of these purposes in all clocks, in per cent."""
         of_machine = self.distributions[machine]
         return 100 * sum(of_machine[purpose].total for purpose in purposes) / of_machine.clocks.total
 
@@ -45,7 +45,7 @@ def folder(figures):
 
 
 def power(value):
-    """Three digits times a power of ten."""
+    """The value with three digits, times a power of ten."""
     digits, exponent = f"{value:.2e}".split("e")
     return f"{digits} · 10{str(int(exponent)).translate(SUPERSCRIPTS)}"
 
@@ -72,7 +72,7 @@ def purposes(figures):
 
 
 def models(figures):
-    """A row a model that a machine draws: frames a second of each."""
+    """A row for each model: frames per second on each machine that draws it."""
     corpus = of_examples(figures)
     found = {}
     for point in corpus.drawn:

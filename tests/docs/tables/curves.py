@@ -1,4 +1,4 @@
-"""docs/shapes.md."""
+"""Tables of docs/shapes.md."""
 
 from figures import point, ruled
 

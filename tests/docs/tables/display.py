@@ -1,4 +1,5 @@
-"""docs/software.md: table 5.1 of the thesis, whose own figures stand in italics, its rivals, and the pixels that come out wrong."""
+"""Tables of docs/software.md: table 5.1 of the thesis, whose own numbers are in italics, its rivals, and wrong
+pixels."""
 
 from figures import ruled
 from tables.software import italic, three_digits, whole
@@ -10,7 +11,7 @@ LIST_PRIORITY = ("list-priority", "list-priority/depth-buffer")
 OBJECTS = ("cylinders", "carburettor", "vehicle", "house")
 PROCESSORS = ("mc68000", "i486dx2")
 
-# Columns in the order of its tolerances.
+# Columns are in the order of the tolerances.
 THESIS = {
     "tolerance": ("2", "1", "0.5", "0.25"),
     "polygons": (96, 144, 192, 256),
@@ -20,7 +21,7 @@ THESIS = {
     "sorting": (0.82, 1.35, 2.08, 3.33),
     "scan_conversion": (5.58, 7.10, 8.82, 11.20),
     "depth_test": (4.59, 5.67, 6.98, 8.64),
-    "initialisation": (3.61, 3.68, 3.74, 3.78),  # what its total has besides
+    "initialisation": (3.61, 3.68, 3.74, 3.78),  # additional part of its total
     "total": (17.08, 22.20, 28.20, 36.93),
 }
 SECONDS = {"preprocessing": "preprocessing, s", "transformation": "transformation, s", "sorting": "retrieval and sort, s",
@@ -54,7 +55,7 @@ def table_5_1(figures):
 
 
 def a_polygon(figures):
-    """Milliseconds of a phase for each polygon after clipping."""
+    """Milliseconds of a phase against the number of polygons after clipping."""
     points = [of(cylinders(figures), "list-priority/depth-buffer", fragments=n) for n in FRAGMENTS]
     lines = []
     for key in ("preprocessing", "transformation", "sorting"):
@@ -80,7 +81,7 @@ def rivals(figures):
 
 
 def small(figures):
-    """All methods of a picture that the suite makes: exact counts, and seconds by phase."""
+    """All methods for a picture that the suite draws: exact counts, and seconds by phase."""
     points = figures.display("fig_2_3", "--size 64x48")
     rows = []
     for method in METHODS:
@@ -121,7 +122,7 @@ def wrong(figures):
 
 
 def few_bits(figures):
-    """Wrong pixels of list priority by cause, with fewer and fewer bits."""
+    """Wrong pixels of list priority by cause, for decreasing numbers of bits."""
     lines = []
     for method in LIST_PRIORITY:
         for bits in (16, 12, 8):

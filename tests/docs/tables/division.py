@@ -1,4 +1,4 @@
-"""docs/machines/pixel-square.md, from what bench_division prints."""
+"""Tables of docs/machines/pixel-square.md, from the output of bench_division."""
 
 import re
 
@@ -11,7 +11,7 @@ PRUNINGS = (("the divider's prunings", None), ("with `space`", "with space"), ("
 
 
 class Report:
-    """A model's part of what bench_division prints."""
+    """A model's part of the output of bench_division."""
 
     def __init__(self, text):
         self.text = text
@@ -32,7 +32,8 @@ class Report:
 
 
 def reports(figures):
-    """Of three models in squares of 16, of the same in squares of 128, of three tolerances in squares of 8."""
+    """Reports of three models in squares of 16, of the same in squares of 128, and of three tolerances in squares of
+    8."""
     parts = figures.runs.run("bench_division").printed.strip().split("\n\n")
     parts = [Report(part) for part in parts]
     return parts[0:3], parts[3:6], parts[6:]
@@ -87,7 +88,7 @@ def ratios(values):
 
 
 def table_7_3(figures):
-    """Beside the thesis's ratios."""
+    """Our ratios next to those of the thesis."""
     _, _, points = reports(figures)
     groups, squares = ([each.counted(name) for each in points] for name in ("two: groups", "two: squares"))
     together = [a[1] + b[1] for a, b in zip(groups, squares)]

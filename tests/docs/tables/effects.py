@@ -1,4 +1,4 @@
-"""docs/effects.md: what adaptive anti-aliasing saves, and how far its picture is off."""
+"""Savings and errors of adaptive anti-aliasing, in docs/effects.md."""
 
 from figures import ruled
 

@@ -1,4 +1,4 @@
-"""docs/design-space.md: the processes that come with csgsim, from their files."""
+"""The processes included in csgsim, from their files, for docs/design-space.md."""
 
 import tomllib
 

@@ -1,31 +1,32 @@
-"""docs/performance.md: what a backend on a GPU would reach, by the simulator's counts and published figures."""
+"""Estimate of a GPU backend from the simulator's counts and published data, in docs/performance.md."""
 
 from figures import ruled
 
-# An NVIDIA A100 by its maker: the whitepaper of the architecture (2020), the CUDA C++ Programming Guide for capability 8.0.
-PROCESSORS = 108  # streaming multiprocessors
+# NVIDIA A100, from the whitepaper of its architecture (2020) and the CUDA C++ Programming Guide for capability 8.0.
+PROCESSORS = 108  # number of streaming multiprocessors
 CLOCK = 1.41e9  # Hz
-LANES = 64  # integer operations a clock of a processor
-SHARED = 164 * 1024  # bytes of shared memory of a processor
-RESERVED = 1024  # of these for the system, a block
-SHARED_WIDTH = 128  # bytes a clock of a processor
-LINK = 31.5e9  # bytes a second over 16 lanes of PCI Express 4
-# Clocks as measured by Abdelkhalik and others, arXiv 2208.11174.
-DEPENDENT = 4  # from an operation to the next that needs its result
+LANES = 64  # integer operations per clock and processor
+SHARED = 164 * 1024  # bytes of shared memory per processor
+RESERVED = 1024  # of these reserved for the system, per block
+SHARED_WIDTH = 128  # bytes per clock and processor
+LINK = 31.5e9  # bytes per second over 16 lanes of PCI Express 4
+# Clocks measured by Abdelkhalik and others, arXiv 2208.11174.
+DEPENDENT = 4  # from an operation to a dependent one
 SHARED_LATENCY = 23
 L2_LATENCY = 200
 
-# Our tile: a block of threads, each with a word of 32 pixels of every plane. By corners numbers lie there as such, 4 bytes each.
+# Our tile: a block of threads, each with a word of 32 pixels of every plane. Tiles classified by corners store numbers
+# directly, 4 bytes each.
 THREADS = 64 * 64 // 32
-BITS = 72  # of memory a pixel, and E beside them
-NUMBERS, NUMBER_BITS = 3, 64  # two depths and a colour, and the bits that they have of these
-CHAIN = 10  # operations in a row that decide a word by the corners of its pixels, or a pixel by itself, behind two looks into shared memory
-STEP = 15  # operations of a word's bit step: the sum and its carry, masked by E, and the next bits of F, bit-sliced over 32 pixels
-STEP_BYTES = 12  # of shared memory: two bits of each pixel are read, one is written
-PICTURE = 12  # bytes a pixel that go to the host: depth, owner, colour
-MEETING = 3 * L2_LATENCY  # clocks in which all blocks meet: a count, a look, what comes of it
+BITS = 72  # bits of memory per pixel, without E
+NUMBERS, NUMBER_BITS = 3, 64  # two depths and a colour, and their bits of BITS
+CHAIN = 10  # dependent operations that classify a word by its corners, or a single pixel, after two shared-memory reads
+STEP = 15  # operations of a word's bit step: sum and carry under E, and the next bits of F, for 32 pixels at once
+STEP_BYTES = 12  # bytes of shared memory: two bits of each pixel are read, one is written
+PICTURE = 12  # bytes per pixel sent to the host: depth, owner, colour
+MEETING = 3 * L2_LATENCY  # clocks of a barrier over all blocks: increment, poll, and result
 
-CORE_SECONDS = 40e-9  # of an instruction at a tile on one core: What bounds it
+CORE_SECONDS = 40e-9  # per instruction and tile on one core, from the section What bounds it
 
 SUBJECTS = (("carburettor", "512x512"), ("vehicle", "512x512"), ("house", "512x512"), ("carburettor", "2048x2048"))
 
@@ -35,17 +36,17 @@ def tile_bytes(bits, numbers=0):
 
 
 def blocks(size):
-    """Tiles of so many bytes that fit into a processor's shared memory."""
+    """Number of tiles of `size` bytes that fit into a processor's shared memory."""
     return SHARED // (size + RESERVED)
 
 
 def chain():
-    """Clocks from an instruction to the next at a tile whose words the corners decide; of an open one, once more."""
+    """Clocks per instruction for a tile whose words are classified by corners; twice that for an open one."""
     return 2 * SHARED_LATENCY + CHAIN * DEPENDENT
 
 
 def step_clocks():
-    """Clocks of a bit step at a tile: by operations, or by shared memory."""
+    """Clocks of a bit step at a tile: limited by operations or by shared memory."""
     return max(STEP * THREADS / LANES, STEP_BYTES * THREADS / SHARED_WIDTH)
 
 
@@ -61,7 +62,7 @@ def pixels(size):
 
 
 def seconds(work, dense):
-    """What the GPU takes: by the longest tile of each stretch, or by all tiles on all processors, whichever is longer."""
+    """Time on the GPU: limited by the longest tile of each stretch, or by all tiles on all processors."""
     if dense:
         longest, everything = work["longest_steps"] * step_clocks(), work["steps"] * step_clocks()
     else:
@@ -71,7 +72,7 @@ def seconds(work, dense):
 
 
 def tile(_):
-    """What a tile and an instruction take."""
+    """Cost of a tile and of an instruction."""
     sizes = tile_bytes(BITS), tile_bytes(BITS - NUMBER_BITS, NUMBERS)
     rows = [("bytes of shared memory a tile", *(f"{size:,}" for size in sizes)),
             ("tiles at a time, of a processor and of the GPU", *(f"{blocks(size)}, {blocks(size) * PROCESSORS}" for size in sizes)),

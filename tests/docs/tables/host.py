@@ -1,4 +1,4 @@
-"""docs/host.md."""
+"""Tables of docs/host.md."""
 
 import math
 
@@ -9,7 +9,7 @@ PROCESSORS = ("mc68000", "i486dx2", "i860")
 
 
 def milliseconds(clocks, each):
-    """Of so many clocks of the point's machine."""
+    """Milliseconds of a number of clocks of the point's machine."""
     return 1e3 * clocks * each.simulated_seconds / each.clocks
 
 
@@ -23,7 +23,7 @@ def hosted(machine, processor):
 
 
 def on_hosts(figures, model, options=""):
-    """The points of all machines with each host, by both: all of one call, so that all are of the same picture."""
+    """The points of all machines with each host, by both: from a single call, so that all draw the same picture."""
     pairs = [(machine, processor) for machine in MACHINES for processor in PROCESSORS]
     points = figures.compare(model, f"{options}--machines {','.join(hosted(*pair) for pair in pairs)} --fragments none --sides none")
     return dict(zip(pairs, points, strict=True))
@@ -49,7 +49,7 @@ EXACT = ("old_example011", "thesis_fig_2_3")
 
 
 def exact(figures):
-    """Every clock of the machine that its host takes, of models that take no time."""
+    """Exact numbers: clocks of each machine with each host, for models that take little time."""
     of_models = [on_hosts(figures, f"tests/models/{model}.csg", "--view-all ") for model in EXACT]
     rows = [(f"`{machine}`", f"`{processor}`", *(f"{points[machine, processor].host_clocks:,}" for points in of_models))
             for machine in MACHINES for processor in PROCESSORS]
@@ -60,7 +60,7 @@ PRUNINGS = ("all", "no-space", "no-separation", "no-halfspaces", "no-hidden", "n
 
 
 def prunings(figures):
-    """What each pruning takes the host, and is worth to the machine."""
+    """The host time of each pruning, and its saving on the machine."""
     rows = []
     for machine in ("pixel-planes-4", "scan-line"):
         for pruning in PRUNINGS:

@@ -1,4 +1,4 @@
-"""docs/machines/NAME.md: the figures of a machine, from its file."""
+"""The parameters of a machine, from its file, for docs/machines/NAME.md."""
 
 import re
 import tomllib
@@ -23,15 +23,15 @@ def value_of(figure):
 
 
 def in_words_of_pages(source):
-    """The source as pages cite: Jansen 1987 is the thesis, or `thesis` before the number of a section, figure or table, without the
-    comma of an apposition behind it. An x between numbers is a times sign."""
+    """The source in the form of the pages: Jansen 1987 becomes the thesis, or `thesis` before the number of a section,
+    figure or table, without a comma after it. An x between numbers becomes a times sign."""
     source = re.sub(r"(?<!as in )(Jansen 1987, section [\d.]+\d), (?=[a-z])", r"\1 ", source)
     source = re.sub(r"Jansen 1987, (?:sections? (?=\d)|(?=fig|table))", "thesis ", source)
     return re.sub(r"(?<=\d) x (?=\d)", " × ", re.sub(r"Jansen 1987", "the thesis", source))
 
 
 def shortened(source):
-    """The first clauses of the source, as many as a cell has room for."""
+    """The first clauses of the source, as far as they fit into a cell."""
     source = in_words_of_pages(source)
     clauses = re.split(r"(?<=[;:,])\s", source)
     text = clauses[0]

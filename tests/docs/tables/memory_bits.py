@@ -1,4 +1,4 @@
-"""docs/accuracy.md."""
+"""Tables of docs/accuracy.md."""
 
 from figures import PERSPECTIVE, point, ruled
 
@@ -35,7 +35,7 @@ STACK_BITS = range(3, 10)
 
 
 def table_6_1(figures):
-    """The thesis's columns are in the order that its section 6.4 makes; the scan has no heads of them."""
+    """The thesis's columns follow the order of its section 6.4; the column headings are illegible in the scan."""
     bits = f"{STACK_BITS[0]}..{STACK_BITS[-1]}"
     points = [of_bits(figures.sweep("vehicle", f"{PERSPECTIVE} --strategy bits --stack-bits {bits}"), m) for m in STACK_BITS]
     thesis = (("scan-conversions", ["118"] * 7), ("depth-buffer tests", ["151"] + ["118"] * 6),
@@ -64,7 +64,7 @@ def strategies(figures):
 
 def stored(figures):
     """What keeping depths takes and saves, with facets and without, with all prunings and with none."""
-    rows = []
+    """Memory and clocks of stored depths, with facets and without, with all prunings and with none."""
     for model in MODELS:
         for how, options in ((model, ""), (f"{model}, without prunings", " --pruning none"),
                              (f"{model} on `pixel-powers`, without facets", " --machine pixel-powers")):
@@ -77,7 +77,7 @@ def stored(figures):
 
 
 def polygons(figures):
-    """What drawing face by face takes. The last is an imported mesh."""
+    """Memory and clocks of drawing face by face. The last model is an imported mesh."""
     rows = []
     for name, model in (*((model, model) for model in MODELS), ("molecule", "tests/models/molecule.csg"), ("sphere", "tests/models/sphere.csg"),
                         ("an imported torus", "tests/corpus/import_stl_binary.csg")):
@@ -99,7 +99,7 @@ def widths(figures):
 
 
 def prunings(figures):
-    """In active trees and clocks; `bits` 3 of the house is what its `stack` is."""
+    """Savings in active trees and clocks; `bits` 3 of the house equals its `stack`."""
     names = ",".join(pruning for _, pruning in PRUNINGS)
     points = {model: figures.sweep(model, f"{PERSPECTIVE} --strategy stack,bits --stack-bits 3 --pruning {names}")
               for model in MODELS}
@@ -116,7 +116,7 @@ def prunings(figures):
 
 
 def early_out(figures):
-    """What asking whether a pixel is left is worth, in both projections."""
+    """The saving of early out, in both projections."""
     varied = [(model, "") for model in ("vehicle", "carburettor", "house")]
     varied += [(model, " --strategy bits --stack-bits 3") for model in ("vehicle", "carburettor")]
     varied += [(model, " --colouring field --memory-bits 110") for model in ("vehicle", "carburettor", "house")]

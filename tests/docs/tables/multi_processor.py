@@ -1,4 +1,4 @@
-"""docs/machines/multi-processor.md."""
+"""Tables of docs/machines/multi-processor.md."""
 
 from figures import THESIS_MODELS, ruled
 
@@ -17,7 +17,7 @@ def stages(figures):
     return ruled(("", *THESIS_MODELS), rows)
 
 
-# What is other than in the machine's file.
+# Changes to the machine's file.
 PROGRAMS = (("", "unchanged"), ("+node.branches=none", "without branches"), ("+lists.kind=instructions", "whole instructions in lists"),
             ("+lists.kind=instructions+node.branches=none", "neither"), ("+node.program=native", "a native program"),
             ("+rendering.order=scan-line", "scan-line order"), ("+rendering.order=scan-line+node.program=native", "and a native program"),

@@ -1,4 +1,4 @@
-"""docs/lessons.md: one instruction of One pixel on the wires, worked out by hand and held against a wave of the machine."""
+"""One instruction of One pixel, signal by signal, computed by hand and compared with a wave, for docs/lessons.md."""
 
 import re
 
@@ -12,14 +12,14 @@ from .one_pixel_exercises import debug, issued
 from .one_pixel_story import LATENCY, Differs, X, Y, compiled, last_keep, story
 from .tasks import Wave
 
-NUMBER = 24  # of the instruction in which the pixel leaves A's classification
+NUMBER = 24  # the instruction that removes the pixel from A's classification
 LEVELS = [f"{axis}_{depth}" for axis in "xy" for depth in range(4)]
 PROBES = " ".join(f"--probe tree.{level.replace('_', ':')}" for level in LEVELS)
-OPCODE, LINK = 11, 32  # linear_gt; bits of a word of the link
+OPCODE, LINK = 11, 32  # linear_gt; bits of a link word
 
 
 class Wires:
-    """The instruction, and what the wires have in each of its clocks."""
+    """The instruction, and the signals in each of its clocks."""
 
     def __init__(self, figures):
         self.text = story(figures).stream[NUMBER].text
@@ -38,7 +38,7 @@ class Wires:
         return int(text, 2) if set(text) <= {"0", "1"} else None
 
     def times(self, level):
-        """What A and B have been multiplied by where a level begins: the highest bits of the column, then of the row."""
+        """The multiples of A and B at the input of a level: the highest bits of the column, then of the row."""
         depth = int(level[-1])
         upper = lambda place: place & (16 - (16 >> depth))
         return (upper(X), 0) if level[0] == "x" else (X, upper(Y))
@@ -48,7 +48,7 @@ class Wires:
         return a * self.plane.a + b * self.plane.b + self.plane.c
 
     def bits(self, level):
-        """The bits that enter a level, and the clocks in which they do; they have to be those of the sum."""
+        """The bits that enter a level, and their clocks; they must equal those of the sum."""
         begin = self.first + LEVELS.index(level)
         found = []
         for n in range(self.width):
@@ -68,7 +68,7 @@ def said(figures):
 
 
 def link(figures):
-    """The operands as they stand in the words of the link."""
+    """The operands in the words of the link."""
     wires = Wires(figures)
     z1 = re.search(r"^\.field Z1 \[(\d+)\+:(\d+)\]", story(figures).listing, re.MULTILINE)
     rows, used = [], 0
@@ -102,7 +102,7 @@ MEANING = {"-": "fraction bit, not compared", "compare_from_0": "K := maj(F, ¬Z
 
 
 def pixel(figures):
-    """Clock by clock what meets at the pixel, and what K and E are then."""
+    """Clock by clock, the bits that meet at the pixel, and K and E afterwards."""
     wires, rows = Wires(figures), []
     carry = enabled = None
     for n in range(wires.width):
@@ -121,7 +121,7 @@ def pixel(figures):
 
 
 def after(function, f, z1, carry, enabled):
-    """K and E after a step, by its meaning."""
+    """K and E after a step, by its definition."""
     majority = lambda a, b, c: int(a + b + c >= 2)
     if function == "compare_from_0":
         carry = majority(f, 1 - z1, 0)
@@ -140,7 +140,7 @@ FRACTION, FIELD, BEYOND = "#e4e4e4", "#cfe2f8", "#f9cdc8"
 
 
 def pictures(figures):
-    """The bits of the sum on their way down the trees, a clock a level."""
+    """The bits of the sum on their way down the trees, one level per clock."""
     wires = Wires(figures)
     rows = [*((f"{level[0].upper()} level {level[-1]}", wires.bits(level)) for level in LEVELS),
             (f"pixel {X},{Y}", [wires.plane.sum_at(X, Y) >> n & 1 for n in range(wires.width)])]
@@ -162,7 +162,7 @@ def pictures(figures):
 
 
 def answers(figures):
-    """The answers by hand, and the commands that show them, which are run."""
+    """The answers by hand, with the commands that show them, which are run."""
     wires, hand = Wires(figures), story(figures).hand
     runs, x, y = figures.runs, 9, 8
     asked = debug(f"until i{NUMBER + 1}", f"print E[{x},{y}]")
@@ -186,7 +186,7 @@ def answers(figures):
 
 
 def wires_at(figures, column, row):
-    """What streams into level 0 of the Y tree of a column."""
+    """The bits that enter level 0 of the Y tree of a column."""
     run = figures.runs.run(f"{compiled(8)}; csgsim wave $OUT/step.csgt --probe {column},{row} --probe tree.y:0 --window i{NUMBER} -o $OUT/column.vcd >&2")
     clocks = {}
     wave = Wave(run.folder / "column.vcd")

@@ -1,4 +1,4 @@
-"""docs/lessons.md: the stream of a small model, what one pixel has after each part of it, and what that costs."""
+"""The stream of a small model, the state of one pixel after each part of it, and its cost, for docs/lessons.md."""
 
 import re
 
@@ -34,7 +34,7 @@ def minus(number):
 
 
 def planes(figures):
-    """The planes of all faces, each worked out at the pixel."""
+    """The planes of all faces, each evaluated at the pixel."""
     hand, faces = story(figures).hand, {}
     for (box, face), plane in sorted(hand.planes.items(), key=lambda each: (each[0][1].axis, each[0][1].place(each[0][0]))):
         faces.setdefault((is_in(box, face), plane), []).append((box, face))
@@ -87,7 +87,7 @@ def what(name):
 
 
 def stream(figures, *names):
-    """The steps whose names begin so, and what the pixel has after each."""
+    """The steps with that prefix, and the state of the pixel after each."""
     rows = []
     for step in story(figures).steps:
         if step.name.startswith(" ".join(names)) and not (len(names) == 1 and " in " in step.name):
@@ -101,14 +101,14 @@ HOLD = {"le": ("F ≤ Z1", lambda value, z1: value <= z1), "gt": ("F > Z1", lamb
 
 
 def edge(text):
-    """What an edge test asks, and its value at the pixel."""
+    """The condition of an edge test, and its value at the pixel."""
     of = re.fullmatch(r"edge_not_negative ((-?)([xy])(?: ([+-]) (\d+))?) \(w\d+\)", text)
     value = (-1 if of[2] else 1) * {"x": X, "y": Y}[of[3]] + int((of[4] or "+") + (of[5] or "0"))
     return f"{of[1]} ≥ 0", value
 
 
 def answers_to(stream_part, names, z1):
-    """Of each instruction: what it asks or does, F, whether that holds; and Z1 and E after it."""
+    """For each instruction: its condition or effect, F, and whether the condition holds; then Z1 and E."""
     enabled = True
     for each in stream_part:
         name, plane = each.text.split()[0], by_hand.expression(each.text)
@@ -133,7 +133,7 @@ def answers_to(stream_part, names, z1):
 
 
 def one_by_one(figures, *named):
-    """The instructions of a step, each with what the pixel answers; csgsim debug has to say the same after each."""
+    """The instructions of a step, each with the pixel's result; csgsim debug must agree after each."""
     told_by = story(figures)
     step, before = told_by.step(" ".join(named)), told_by.steps[told_by.steps.index(told_by.step(" ".join(named))) - 1]
     names = {plane: is_in(box, face) for (box, face), plane in told_by.hand.planes.items()}
@@ -150,7 +150,7 @@ def one_by_one(figures, *named):
 
 
 def serial(figures):
-    """How a plane meets Z1 bit by bit, the least first."""
+    """Comparison of a plane with Z1 bit by bit, starting with the lowest."""
     told_by = story(figures)
     text = told_by.stream[last_keep(told_by)].text
     plane, width = by_hand.expression(text), int(re.search(r"\(w(\d+)", text)[1])
@@ -193,7 +193,7 @@ MACHINES = {
 }
 
 
-PAGES = dict.fromkeys(("pixel-planes-4", "pixel-planes-5", "pixel-powers"), "pixel-planes")  # of several machines
+PAGES = dict.fromkeys(("pixel-planes-4", "pixel-planes-5", "pixel-powers"), "pixel-planes")  # shared pages
 
 
 def machines(figures):
@@ -211,7 +211,7 @@ def machines(figures):
 
 
 def followed(figures):
-    """What sentences say of the pixel and the stream."""
+    """Numbers in the page's sentences about the pixel and the stream."""
     told_by = story(figures)
     hand, keep = told_by.hand, last_keep(told_by)
     top, lines = hand.planes["A", by_hand.Face(2, True)], hand.rectangles["A"]

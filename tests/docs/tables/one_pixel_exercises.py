@@ -6,7 +6,7 @@ import by_hand
 
 from .one_pixel_story import MODEL, STEPS, VIEW, X, Y, Differs, compiled, is_in, last_keep, story, stream_and_hand
 
-SAME_VIEW = '"${VIEW[@]}"'  # what the page's VIEW holds, in bash and in zsh
+SAME_VIEW = '"${VIEW[@]}"'  # the page's VIEW, in bash and in zsh
 
 
 def debug(*lines):
@@ -14,12 +14,12 @@ def debug(*lines):
 
 
 def render(told, options):
-    """A command that draws the model with other options, and prints lines of what it takes."""
+    """A command that draws the model with other options, and prints selected lines of its costs."""
     return f"csgsim render $MODEL {SAME_VIEW} --z-bits 8 {options} | grep {told}"
 
 
 def solved(told_by, coarse):
-    """The answers by hand: (words, command, what the command has to print)."""
+    """The answers by hand: (words, command, expected output)."""
     hand, keep = told_by.hand, last_keep(told_by)
     at = {name: told_by.step(name) for name in STEPS}
     nearer, left = (sum(now.mask for now in at[f"B {name}"].after.values()) for name in ("test", "mask"))
@@ -49,13 +49,13 @@ def solved(told_by, coarse):
 
 
 def issued(printed):
-    """How many clocks an instruction is issued in, as csgsim debug tells it."""
+    """The number of clocks in which an instruction is issued, from csgsim debug."""
     first, last = re.search(r"issued in clocks (\d+)\.\.(\d+)", printed).groups()
     return int(last) - int(first) + 1
 
 
 def answers(figures):
-    """Each answer, and the command that shows it, which is run: what it prints has to have the answer in it."""
+    """Each answer, with the command that shows it, which is run: its output must contain the answer."""
     runs = figures.runs
     rows = []
     for n, (words, command, wanted) in enumerate(solved(story(figures), stream_and_hand(runs, 6)[2]), 1):

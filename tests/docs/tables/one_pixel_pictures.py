@@ -4,7 +4,7 @@ import html
 
 import by_hand
 
-CELL, EDGE = 26, 24  # a pixel of the grid, and the room for numbers of rows and columns
+CELL, EDGE = 26, 24  # size of a pixel, and of the margin with the numbers of rows and columns
 SIDE = by_hand.SIDE
 INK, PALE, PAPER, OUTLINE = "#1a1a1a", "#9a9a9a", "#ffffff", "#d0006f"
 BOX_INK = {"A": "#1f5fae", "B": "#8a5a00", "N": "#b3261e"}
@@ -33,7 +33,8 @@ def picture(width, height, title, parts):
 
 
 def grid(title, cell, legend, followed, over=()):
-    """cell(x, y) is the number of a pixel, or "", and the colour behind it; legend a list of (colour, words)."""
+    """A grid: cell(x, y) returns the number of a pixel, or "", and its background; legend is a list of (colour,
+    words)."""
     parts = [text(EDGE + CELL * (n + 0.5), EDGE - 7, n, 10, PALE) for n in range(SIDE)]
     parts += [text(EDGE - 7, EDGE + CELL * (n + 0.5) + 4, n, 10, PALE, "end") for n in range(SIDE)]
     for y in range(SIDE):
@@ -52,7 +53,7 @@ def grid(title, cell, legend, followed, over=()):
 
 
 def edges():
-    """The boxes' edges where the camera sees them, those of what is taken away dashed."""
+    """The boxes' edges as seen by the camera, those of the subtracted box dashed."""
     found = []
     for name in by_hand.BOXES:
         at = [[EDGE + CELL * each for each in by_hand.seen(corner)[:2]] for corner in by_hand.corners(name)]
@@ -70,7 +71,7 @@ def final(story, followed):
 
 
 def facets(story, followed):
-    """Z1 of A, and which of its forward planes is the greatest there."""
+    """Z1 of A, and its greatest forward plane at each pixel."""
     after, hand = story.step("A render").after, story.hand
     words = {"x": "X = 12, the right side", "y": "Y = 0, the left side", "z": "Z = 4, the top"}
 
@@ -82,7 +83,7 @@ def facets(story, followed):
 
 
 def classified(story, name, followed, words):
-    """Z1 where the surface is nearer than Z2, by what the classification leaves of it."""
+    """Z1 where the surface is nearer than Z2, by the result of classification."""
     tested, masked = story.step(f"{name} test").after, story.step(f"{name} mask").after
     kept = TINTS[name[0]]
 
@@ -111,7 +112,7 @@ def node(x, y, words, fill=PAPER, width=46):
 
 
 def tree():
-    """The model's tree, and its positive form beside it."""
+    """The model's tree, next to its positive form."""
     parts = []
     for middle, top, last, words in ((105, "−", "N", "as it is written"), (325, "∩", "¬N", "positive form")):
         places = {"top": (middle, 60), "union": (middle - 40, 120), "last": (middle + 48, 120), "a": (middle - 76, 180), "b": (middle - 4, 180)}
@@ -125,7 +126,7 @@ def tree():
 
 
 def ray(story, followed):
-    """The followed pixel's ray: what is before and behind the boxes' fronts and backs, and what is left."""
+    """The tracked pixel's ray: intervals between the boxes' fronts and backs, and the remaining solid."""
     hand, (x, y) = story.hand, followed
     left, scale = 60, 350 / 255
     spans = {name: (hand.front(name, x, y), hand.back(name, x, y)) for name in by_hand.BOXES}
@@ -141,11 +142,11 @@ def ray(story, followed):
     return picture(430, 216, f"The ray of pixel {x},{y}: depths of the boxes, and what is left of them", parts)
 
 
-SMALL, SPACE = 7, 22  # a pixel of a small grid, and the room between grids
+SMALL, SPACE = 7, 22  # size of a pixel of a small grid, and space between grids
 
 
 def enabled(story, followed):
-    """E of all pixels at some instants: where it is 1, dark."""
+    """E of all pixels at some instants; 1 is dark."""
     def after(name):
         return {place: now.enabled for place, now in story.step(name).after.items()}
 
@@ -171,7 +172,7 @@ PURPOSES = {"setup": "#9a9a9a", "render": "#5b8fd0", "classify": "#e0a030", "sta
 
 
 def stream(story):
-    """The instructions as they follow each other, a clock a step to the right, a row a surface."""
+    """The instructions in order, one clock per step to the right, one row per surface."""
     rows = [("", "setup", "setup"), ("A", "A render", "A shade"), ("B", "B render", "B shade"), ("N, in A", "N render", "N in A shade"),
             ("in B", "N in B test", "N in B shade")]
     left, scale, high, parts = 66, 620 / sum(each.clocks for each in story.stream), 34, []

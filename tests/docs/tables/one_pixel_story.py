@@ -1,6 +1,7 @@
-"""The stream of docs/lessons.md, in steps, and what every pixel has after each.
+"""The stream of docs/lessons.md in steps, with the state of every pixel after each.
 
-Nothing is shown before csgsim debug has told, of every pixel after every step, what tests/docs/by_hand.py works out."""
+The state computed by tests/docs/by_hand.py is compared with csgsim debug for every pixel and step before it is
+shown."""
 
 import functools
 import re
@@ -13,7 +14,7 @@ VIEW = "--size 16x16 --fraction-bits 4 --camera 30,-24,36,6,6,4"
 OPTIONS = f"{VIEW} --z-bits 8 --strategy bits"
 X, Y = 7, 5
 BOXES = "ABN"
-LATENCY, OR_LEVELS = 8, 2  # of 16 x 16 pixels: a level a bit of x and y; 256 pixels meet in four gates of 64, those in one
+LATENCY, OR_LEVELS = 8, 2  # for 16 x 16 pixels: a level per bit of x and y; two levels of OR gates
 STEPS = ["setup", "A render", "A test", "A skip", "A classify", "A mask", "A merge", "A shade",
          "B render", "B test", "B skip", "B classify", "B mask", "B merge", "B shade", "N render",
          "N in A test", "N in A skip", "N in A classify", "N in A mask", "N in A merge", "N in A shade",
@@ -22,7 +23,7 @@ STEPS = ["setup", "A render", "A test", "A skip", "A classify", "A mask", "A mer
 
 @dataclass
 class Instruction:
-    """A line of the disassembly: its text, purpose, boxes, and the clocks that the rules give it."""
+    """A line of the disassembly: its text, purpose, boxes, and the clocks by the rules."""
 
     text: str
     purpose: str
@@ -32,7 +33,7 @@ class Instruction:
 
 @dataclass
 class Step:
-    """Instructions first to last, and what every pixel has after them: {(x, y): by_hand.Pixel}."""
+    """Instructions first to last, and the state of every pixel after them: {(x, y): by_hand.Pixel}."""
 
     name: str
     first: int
@@ -42,7 +43,7 @@ class Step:
 
 
 class Differs(ValueError):
-    """csgsim and what was worked out by hand are not the same."""
+    """Raised if csgsim and the computation by hand differ."""
 
 
 def read(listing):
@@ -58,11 +59,12 @@ def read(listing):
 
 
 def begins(stream):
-    """The first instruction of each step: where another purpose or box begins, or what only begins a step."""
+    """The first instruction of each step, where the purpose or box changes, or an instruction that only begins a
+    step."""
     found, was = [0], stream[0]
     for n, each in enumerate(stream[1:], 1):
         name, purpose = each.text.split()[0], each.purpose
-        is_next = purpose == "render" and each.box != was.box  # a surface
+        is_next = purpose == "render" and each.box != was.box  # the next surface
         is_next |= name == "enable_all" and was.purpose == "shade" or name == "field_lt" and n - 1 != found[-1]
         is_next |= name in ("skip_if_none", "copy") or was.text.startswith("skip_if_none")
         is_next |= purpose == "stack" and was.purpose == "classify" or purpose == "shade" != was.purpose
@@ -73,7 +75,7 @@ def begins(stream):
 
 
 def told(printed):
-    """What csgsim debug prints of every pixel at each of its stops: [{(x, y): {field: value}}]."""
+    """The output of csgsim debug for every pixel at each of its stops: [{(x, y): {field: value}}]."""
     stops, pixel = [], None
     for line in printed.splitlines():
         at = re.match(r"> print (\d+),(\d+)$", line)
@@ -102,14 +104,14 @@ def compiled(z_bits):
 
 
 def stream_and_hand(runs, z_bits):
-    """The disassembly with so many bits of depth, its instructions, and the picture by hand."""
+    """The disassembly for a number of bits of depth, its instructions, and the picture by hand."""
     listing = runs.run(f"{compiled(z_bits)}; csgsim disasm $OUT/step.csgt").printed
     stream = read(listing)
     return listing, stream, by_hand.ByHand([plane for each in stream if (plane := by_hand.expression(each.text))], z_bits)
 
 
 class Story:
-    """The stream in steps, each with what all pixels have after it."""
+    """The stream in steps, each with the state of all pixels after it."""
 
     def __init__(self, runs):
         self.listing, self.stream, self.hand = stream_and_hand(runs, 8)
@@ -124,7 +126,7 @@ class Story:
         self.check_clocks()
 
     def watched(self, runs, numbers):
-        """What the followed pixel has after each of these instructions."""
+        """The state of the tracked pixel after each of these instructions."""
         stops = "".join(f"until i{n + 1}\nprint 0,0\nprint {X},{Y}\n" for n in numbers)
         return told(runs.run(f"{compiled(8)}; csgsim debug $OUT/step.csgt -x - <<'END'\n{stops}END").printed)
 
@@ -144,7 +146,7 @@ class Story:
         return steps
 
     def check_clocks(self):
-        """The clocks by the rules are those of the stats, purpose by purpose."""
+        """Checks that the clocks by the rules equal those of the stats, by purpose."""
         for purpose, of in self.stats.by_purpose.items():
             by_rule = LATENCY if purpose == "latency" else self.clocks(purpose)
             if by_rule != of.clocks:
@@ -171,6 +173,6 @@ def is_in(box, face):
 
 
 def last_keep(told_by):
-    """The instruction that brings the pixel A's depth."""
+    """The instruction that sets the pixel to A's depth."""
     step = told_by.step("A render")
     return next(n for n in range(step.last, step.first, -1) if told_by.stream[n].text.startswith("keep_max"))

@@ -1,4 +1,4 @@
-"""docs/lessons.md: how a plane is rounded, and the planes of a seam that opens."""
+"""Rounding of a plane, and the planes of a seam that opens, for docs/lessons.md."""
 
 import re
 
@@ -13,11 +13,11 @@ MODEL = "tests/docs/models/two_passes.csg"
 CAMERA = "--camera 30,-24,36,3.2,8.2,3"
 VIEW = f"--size 16x16 {CAMERA}"
 X, Y = 7, 7
-FACE = ("N", by_hand.Face(1, True))  # Y = 8 of docs/lessons.md
+FACE = ("N", by_hand.Face(1, True))  # the face Y = 8 in docs/lessons.md
 
 
 def rounded(figures):
-    """A plane of One pixel before it was rounded, from boxes and camera, and after."""
+    """A plane of One pixel before rounding, from boxes and camera, and after."""
     hand = story(figures).hand
     plane, at = hand.planes[FACE], lambda x, y: hand.exact(*FACE, x, y) * 2**by_hand.FRACTION_BITS
     exact = (at(1, 0) - at(0, 0), at(0, 1) - at(0, 0), at(0, 0))
@@ -34,7 +34,8 @@ def shown(figures, options="", pixel=(X, Y), model=MODEL):
 
 
 def planes(figures, options):
-    """The planes where the second pass ends and the first begins on the pixel's ray: the least back of p2, the greatest front of p1."""
+    """The planes where the second pass ends and the first begins on the pixel's ray: the least back of p2, and the
+    greatest front of p1."""
     listing = figures.runs.run(f"csgsim compile {MODEL} {VIEW} {options} -o $OUT/seam.csgt >&2; csgsim disasm $OUT/seam.csgt").printed
     found = {}
     for box, names in (("p1", "linear_lt"), ("p2", "keep_min|load_linear")):
@@ -60,7 +61,7 @@ def seam(figures):
     return Record(ends=ends, begins=begins, thick=begins - ends, x=X, y=Y)
 
 
-SAME_VIEW = '"${VIEW[@]}"'  # what the page's VIEW holds, in bash and in zsh
+SAME_VIEW = '"${VIEW[@]}"'  # the page's VIEW, in bash and in zsh
 REACHING = "sed '/0, 0, 6/s/6/5/; s/4, 8/5, 8/' $MODEL > reach.csg; "
 
 
@@ -69,7 +70,7 @@ def explain(options):
 
 
 def answers(figures):
-    """Each answer, and the command that shows it, which is run: what it prints has to have the answer in it."""
+    """Each answer, with the command that shows it, which is run: its output must contain the answer."""
     floor = shown(figures, "--snap")[1]
     rows = [(f"{floor - seam(figures).ends:,} steps: the floor is at {floor:,}", explain(" --snap"), f"depth     {floor} steps"),
             (f"No: {seam(figures).thick} steps of a million are far less than one of 256, and both planes round to the same depth", explain(" --z-bits 8"), "shows p1"),

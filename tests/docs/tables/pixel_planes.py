@@ -1,4 +1,4 @@
-"""docs/machines/pixel-planes.md: what a second buffer is worth."""
+"""The saving of a second buffer, for docs/machines/pixel-planes.md."""
 
 import re
 
@@ -9,7 +9,7 @@ CLOCK = 10e6  # Hz
 
 
 def pace(figures, model, buffers):
-    """Frames a second of three frames, of each and of all, while the camera turns."""
+    """Frames per second of three frames, each and in total, while the camera turns."""
     run = figures.runs.run(f"csgsim render {figures.model(model)} --memory-bits 96 --frames 3 --turn 5 --progress none"
                                f" --machine pixel-planes-4+scan_out.buffers={buffers} -o $OUT/frame.png")
     intervals = [int(line.split()[3].replace(",", "")) for line in run.printed.splitlines() if re.match(r"\d+\s\s", line)]

@@ -1,4 +1,4 @@
-"""docs/host.md: what operations cost on the processors that come with csgsim, from their files."""
+"""Prices of operations on the processors included in csgsim, from their files, for docs/host.md."""
 
 import re
 import tomllib
@@ -8,7 +8,7 @@ from runs import ROOT
 
 
 def instruction(figure):
-    """Of which instruction the price is."""
+    """The instruction with that price."""
     return figure["source"].partition(": ")[2]
 
 
@@ -25,7 +25,7 @@ def prices(figures):
 
 
 def factors(figures):
-    """Of each program, and where the figure is from."""
+    """Factors of each program, with their sources."""
     names = figures.names_of("processors")
     described = [tomllib.loads((ROOT / f"hw/processors/{name}.toml").read_text(encoding="utf-8")) for name in names]
     rows = [row(f"`compiler.{key}`", *(f"{one['compiler'][key]['value'] / 1000:.2f}" for one in described), described[0]["compiler"][key]["source"].partition(";")[0])

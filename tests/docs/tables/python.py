@@ -1,4 +1,4 @@
-"""docs/python.md: what its code prints, all of it in one Python that has the module."""
+"""Output of the code in docs/python.md, run in a single Python process with the module."""
 
 import re
 import shlex
@@ -16,12 +16,12 @@ for number, source in enumerate(sys.argv[2:]):
 
 
 def sources():
-    """The page's blocks of Python, in their order."""
+    """The page's blocks of Python, in order."""
     return re.findall(r"^```python\n(.*?)^```$", (ROOT / PAGE).read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
 
 
 def printed(figures, number):
-    """What a block of the page prints."""
+    """The output of a block of the page."""
     command = shlex.join([str(figures.runs.build / "python/python3"), "-c", DRIVER])
     folder = figures.runs.run(f'{command} "$OUT" {shlex.join(sources())}').folder
     return "```\n" + (folder / f"{number}.txt").read_text(encoding="utf-8") + "```"

@@ -1,4 +1,4 @@
-"""docs/reproduction.md: results that the thesis has in its text alone, beside its own tables and ours."""
+"""Results stated only in the thesis's text, next to its tables and ours, for docs/reproduction.md."""
 
 from figures import PERSPECTIVE, THESIS_MODELS, per_cent, point, ruled
 from tables import display, memory_bits, software, sweeps, thesis, tracing
@@ -27,12 +27,12 @@ def our_seconds(figures, model, method, coherence):
 
 
 def quotients(seconds, over, under):
-    """By model: what one (method, coherence) takes by what another one does."""
+    """By model: the time of one (method, coherence) divided by that of another."""
     return [seconds(model, *over) / seconds(model, *under) for model in THESIS_MODELS]
 
 
 def list_processing(seconds, evaluations):
-    """By model: of the seconds with the list structure, by the standard traversal, what is not of evaluations, in %."""
+    """By model: the share of time outside evaluations, in %, for the standard traversal with the list structure."""
     shares = []
     for model in THESIS_MODELS:
         an_evaluation = seconds(model, "standard", "all-points") / evaluations(model, "all-points")
@@ -41,7 +41,7 @@ def list_processing(seconds, evaluations):
 
 
 def of_classification(figures):
-    """Sections 4.1, 4.4 and 4.6."""
+    """Results of sections 4.1, 4.4 and 4.6."""
     ours = lambda model, method, coherence: our_seconds(figures, model, method, coherence)  # noqa: E731
     both = (thesis_seconds, ours)
     standard, all_points, kept = "standard", "all-points", "list-structure"
@@ -80,7 +80,7 @@ def of_classification(figures):
 
 
 def of_list_priority(figures):
-    """Section 5.2."""
+    """Results of section 5.2."""
     points = [display.of(display.cylinders(figures), "list-priority/depth-buffer", fragments=n) for n in display.FRAGMENTS]
     polygons, seconds = [each.clipped_polygons for each in points], [each.seconds.mc68000.total for each in points]
     theirs = display.THESIS
@@ -107,7 +107,7 @@ def of_list_priority(figures):
 
 
 def of_projection(figures):
-    """Sections 2.4 and 7.4.1: what primary rays take by what projective methods do."""
+    """Results of sections 2.4 and 7.4.1: time of primary rays divided by that of projective methods."""
     rays = [point(tracing.primary(figures, model), directory="excell").seconds.mc68000.all for model in THESIS_MODELS]
     shares = {method: [taken / display.shown(figures, model, method).seconds.mc68000.total for taken, model in zip(rays, THESIS_MODELS)]
               for method in ("list-priority/depth-buffer", "scan-line")}
@@ -116,7 +116,7 @@ def of_projection(figures):
 
 
 def of_rays(figures):
-    """Sections 5.1.3 and 5.3."""
+    """Results of sections 5.1.3 and 5.3."""
     by_steps, by_halves = ([point(tracing.primary(figures, model), directory=name) for model in THESIS_MODELS] for name in ("excell", "excell-recursive"))
     grown = {each.polygons: each for each in tracing.growing(figures) if each.directory == "excell"}
     few, many = sorted(grown)[2:4]
@@ -142,7 +142,7 @@ def of_rays(figures):
 
 
 def of_trees(figures):
-    """Sections 6.1, 6.3 and 6.4."""
+    """Results of sections 6.1, 6.3 and 6.4."""
     swept = lambda options: figures.sweep("vehicle", f"{PERSPECTIVE} --strategy bits --stack-bits 3..9{options}")  # noqa: E731
     compared = [[memory_bits.of_bits(points, bits).classified for bits in memory_bits.STACK_BITS] for points in (swept(""), swept(" --pruning none"))]
     saved = [100 * (1 - each[-1] / each[0]) for each in ([236, 236, 140, 131, 123, 123, 123], *compared)]
@@ -162,7 +162,7 @@ def of_trees(figures):
 
 
 def of_machines(figures):
-    """Sections 7.2, 7.4 and 8.1."""
+    """Results of sections 7.2, 7.4 and 8.1."""
     frames = [1 / figures.render(model, PERSPECTIVE).simulated_seconds for model in THESIS_MODELS]
     planes = figures.machine_file("pixel-planes-4")
     bits = planes["array.width"] * planes["array.height"] * planes["clock.frequency"]

@@ -1,4 +1,5 @@
-"""docs/software.md: tables 4.9 and 4.10 of the thesis, whose own figures stand in italics, and software beside the machines."""
+"""Tables of docs/software.md: tables 4.9 and 4.10 of the thesis, whose own numbers are in italics, and software
+compared with machines."""
 
 import math
 import tomllib
@@ -19,7 +20,7 @@ TABLE_4_9 = {
     "vehicle": {"met": 231_536, "sequences": 21_706, "different": 705, "evaluations": (316_579, 85_144, 19_385, 1_647)},
     "house": {"met": 261_904, "sequences": 11_579, "different": 107, "evaluations": (276_579, 14_325, 1_322, 141)},
 }
-# Seconds in the order of OF_THESIS; a question mark where the scan that was read does not tell which cell it is.
+# Seconds in the order of OF_THESIS; a question mark where the scan does not show to which cell a number belongs.
 TABLE_4_10 = {
     "carburettor": {"standard": ("774", "325", "99", "86"), "early-out": ("722", "305", "96", "86"), "positional": ("348", "202", "54", "52"),
                     "status": ("349", "218", "56", "53"), "bit-parallel": ("311", "147", "47", "52"),
@@ -49,7 +50,7 @@ def italic(text):
 
 
 def three_digits(value):
-    """Three digits, more before the point as they are."""
+    """The value with three digits, or all digits before the point if more."""
     if value == 0:
         return "0"
     digits = max(0, 2 - math.floor(math.log10(value)))
@@ -61,7 +62,8 @@ def near(model):
 
 
 def beside(figures, rows, seen=lambda model: model):
-    """Ours and the thesis's, model by model; a row is a name, ours of a model's points, the thesis's of the model. `seen` names the view."""
+    """Ours and the thesis's values, model by model; a row is a name, a function of a model's points for ours, and one
+    of the model for the thesis's. `seen` names the view."""
     head = [""]
     for model in THESIS_MODELS:
         head += [model, italic("thesis")]
@@ -98,7 +100,7 @@ def table_4_9(figures):
 
 
 def operators(figures):
-    """Lines of table 4.9: ours as the compiler counts them."""
+    """Lines of table 4.9 with operators: ours counted by the compiler."""
     for name, thesis in OPERATORS.items():
         cells = []
         for model in THESIS_MODELS:
@@ -121,7 +123,7 @@ def per_ray(figures, seen=lambda model: model):
 
 
 def per_ray_near(figures):
-    """The same from cameras whose rays meet as much as the thesis's."""
+    """Table 4.9 from cameras whose rays hit the model as often as those of the thesis."""
     met = ("% of rays that have points", lambda points: f"{100 * points[0].met_rays / points[0].rays:.1f}",
            lambda model: f"{100 * TABLE_4_9[model]['met'] / 262_144:.1f}")
     head, rule, *others = per_ray(figures, near).splitlines()
@@ -141,7 +143,7 @@ def seconds_near(figures):
 
 
 def early_out(figures):
-    """What early out saves, with the operands of unions as they come and from the last to the first."""
+    """The saving of early out, with the operands of unions in the given and in reverse order."""
     rows = []
     for shape in ("balanced", "reversed"):
         cells = []
@@ -159,7 +161,8 @@ CLOSED = " --methods standard,positional,status --coherences all-points --proces
 
 
 def closed(figures):
-    """The vehicle as it is, and closed, in a low tree and in the tree as written: ms a ray for all points. The last row divides ours by the thesis's."""
+    """The vehicle unchanged, and closed, in a low tree and in the original tree: ms per ray for all points. The last
+    row divides ours by the thesis's."""
     methods = ("standard", "positional", "status")
     commands = figures.shown("docs/reproduction.md", "sed -E").replace("classify closed.csg", "classify $MODEL")
     rows = []
@@ -201,7 +204,7 @@ def table_4_10(figures):
 
 
 def visits(figures):
-    """What an evaluation and a node of the tree take, by the standard traversal."""
+    """Time of an evaluation and of a node of the tree, for the standard traversal."""
     rows = []
     for model in THESIS_MODELS:
         standard = of(figures.classify(model), "standard", "all-points")
@@ -269,20 +272,20 @@ def file_of(processor):
 
 
 def priced(processor, operations, program="factor"):
-    """Seconds of operations, by the processor's file; a program has a compiler's factor."""
+    """Seconds of operations, by the processor's file; a program has a compiler factor."""
     file = file_of(processor)
     clocks = sum(count * file["price"][name]["value"] for name, count in operations.items())
     return clocks * file["compiler"][program]["value"] / 1000 / file["clock"]["frequency"]["value"]
 
 
 def classifying(processor, one, program):
-    """Seconds of classification, of which the traversal has a compiler's factor of its own."""
+    """Seconds of classification; its traversal has a separate compiler factor."""
     traversal = priced(processor, one.traversal_operations)
     return priced(processor, one.operations) - traversal + priced(processor, one.traversal_operations, program)
 
 
 def parts(figures):
-    """Where the seconds of a picture go, by status/list-structure."""
+    """Seconds of a picture by phase, for status/list-structure."""
     rows = []
     for processor in PROCESSORS:
         for model in THESIS_MODELS:
@@ -293,7 +296,7 @@ def parts(figures):
 
 
 def best(points, processor):
-    """What takes fewest seconds for the whole picture."""
+    """The fastest method for the whole picture."""
     return min((each for each in points if not each.reason), key=lambda each: each.seconds[processor].all)
 
 
@@ -309,7 +312,7 @@ def compared(figures, model):
 
 
 def hardware(figures):
-    """Frames of the machines, and how many of them go into the best picture of each processor."""
+    """Frames per second of the machines, and their ratio to the fastest picture of each processor."""
     rows = []
     software = {(model, processor): best(figures.classify(model), processor) for model in THESIS_MODELS for processor in PROCESSORS}
     for machine in MACHINES:
@@ -332,7 +335,8 @@ def hardware(figures):
 
 
 def line(points, machine, across):
-    """A machine's line of logarithms through its last two points: size and seconds of the last, the exponent between them."""
+    """A machine's line in logarithms through its last two points: size and seconds of the last, the exponent between
+    them."""
     own = [each for each in points if each.machine == machine]
     if across == "halfspaces":
         sizes = sorted((each.halfspaces, each.simulated_seconds) for each in own if each.width == 512 and each.fragments > 0)
@@ -346,7 +350,7 @@ MOST_HALFSPACES, LEAST_PIXELS = 1e9, 64
 
 
 def meeting(of_machine, of_software, across):
-    """Where software would take no longer, by the lines."""
+    """The size from which software is at least as fast, by the lines."""
     size, seconds, exponent = of_machine
     _, other, other_exponent = of_software
     if other < seconds:
@@ -360,7 +364,7 @@ def meeting(of_machine, of_software, across):
 
 
 def crossings(figures):
-    """Exponents, and the size at which software would take no longer."""
+    """Exponents, and the size from which software is at least as fast."""
     rows = []
     for model in ("carburettor", "vehicle"):
         points = compared(figures, model)
@@ -382,12 +386,12 @@ WITH_FRAME_BUFFER = ("pixel-square", "pixel-planes-5")
 
 
 def dollars(processor, bits):
-    """Of ordinary memory, at the price of its time."""
+    """Price of ordinary memory at that time, in dollars."""
     return f"{bits / 8 / 2**20 * file_of(processor)['memory']['price']['value']:,.0f}"
 
 
 def memory(figures):
-    """Bits, transistors and dollars of a picture of 512 x 512, the vehicle."""
+    """Bits, transistors and dollars for a picture of 512 x 512 of the vehicle."""
     points = compared(figures, "vehicle")
     rows = []
     for machine in MACHINES:
@@ -402,7 +406,7 @@ def memory(figures):
     return ruled(("", "bits of memory", "transistors", "dollars"), rows)
 
 
-TIMES = 5  # that something is measured, of which the least is told
+TIMES = 5  # number of measurements; the least is reported
 
 
 def wall(figures, model):
@@ -413,7 +417,8 @@ def wall(figures, model):
 
 
 def least(runs, columns):
-    """Seconds of what rays meet, and of the classification of each column, the least of all runs that have it."""
+    """Seconds of intersecting rays, and of the classification of each column; the least over all runs that contain
+    it."""
     rays = min(each.wall_seconds_rays for points in runs for each in points if each.wall_seconds_rays > 0)
     return [rays, *(min(each.wall_seconds_classification for points in runs for each in points
                         if (each.method, each.coherence) == column) for column in columns)]
@@ -438,7 +443,7 @@ GROWN = {"cubes": (17, 167, 1667, 16667), "drilled": (4, 42, 417, 4167)}
 
 
 def grown(figures, name):
-    """The points of runs of a grid's sizes, made as the page shows; what takes long is run once."""
+    """The points of runs for a grid's sizes, as the page shows them; slow ones run once."""
     shown = figures.shown("docs/software.md", "grid()").split("csgsim classify")
     rest = shown[1].split("cubes_17.csg")[1]
     command = rest + " --no-plots --progress none -o "
@@ -451,7 +456,7 @@ def grown(figures, name):
 
 
 def growth(figures):
-    """Milliseconds against half-spaces, and from the least to the largest the exponent."""
+    """Milliseconds against half-spaces, and the exponent from the smallest to the largest."""
     rows = []
     for name in GROWN:
         columns = []

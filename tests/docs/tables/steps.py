@@ -1,16 +1,16 @@
-"""Pages that are typed: all of their commands are run, one after the other, as they stand there; what they print is
-shown."""
+"""Pages with typed commands: all of their commands are run in order as they stand, and their output is shown."""
 
 from runs import ROOT
 
-NOT_RUN = ("./setup.sh", "export PATH")  # of whoever reads it; a test has a build already
+NOT_RUN = ("./setup.sh", "export PATH")  # commands for the reader; the test already has a build
 MOST_LINES = 12
-STAND_IN = ROOT / "tests/docs/stand_in"  # where there is no OpenSCAD
+STAND_IN = ROOT / "tests/docs/stand_in"  # used if OpenSCAD is not installed
 VARIES = ("simulated in",)
 
 
 class Steps:
-    """The indented code of a page, or of a section of it, one text per stretch of lines, in a folder with `links` to the repository."""
+    """The indented code of a page, or of a section of it, one text per stretch of lines, run in a folder with `links`
+    to the repository."""
 
     def __init__(self, page, links, not_run=(), section=None):
         self.page = page
@@ -33,16 +33,16 @@ class Steps:
         return [text for text in found if text]
 
     def script(self):
-        """A command for bash: what step N prints goes to $OUT/N.txt."""
+        """A bash command that writes the output of step N to $OUT/N.txt."""
         links = "".join(f"ln -s {ROOT}/{link} {link}\n" for link in self.links)
         return f"cd $OUT; PATH=$PATH:{STAND_IN}\n{links}" + "\n".join(f"{{\n{text}\n}} > {n}.txt" for n, text in enumerate(self.texts()))
 
     def printed(self, figures, number, most=MOST_LINES):
-        """What a step prints: its first lines, without what depends on the machine's speed."""
+        """The first lines of a step's output, without parts that depend on the computer's speed."""
         return self.lines(figures, number, 0, most)
 
     def lines(self, figures, number, first, most=MOST_LINES):
-        """So many lines of what a step prints, from a line on, counted from 0, or from the one that begins so."""
+        """`most` lines of a step's output, from a line given by its number, counted from 0, or by its beginning."""
         text = (self.folder(figures) / f"{number}.txt").read_text(encoding="utf-8")
         lines = [line.rstrip() for line in text.splitlines() if not line.startswith(VARIES)]
         begin = int(first) if str(first).isdigit() else next((i for i, line in enumerate(lines) if line.startswith(first)), None)
@@ -51,5 +51,5 @@ class Steps:
         return "\n".join(["```", *"\n".join(lines[begin : begin + int(most)]).rstrip().splitlines(), "```"])
 
     def folder(self, figures, below="."):
-        """Where the files are that the commands make, in a folder of theirs."""
+        """The folder with the files written by the commands."""
         return figures.runs.run(self.script()).folder / below

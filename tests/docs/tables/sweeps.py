@@ -1,4 +1,4 @@
-"""docs/reproduction.md: table 3.1 of the thesis, whose own figures stand in italics."""
+"""Tables of docs/reproduction.md: table 3.1 of the thesis, whose own numbers are in italics."""
 
 import math
 
@@ -11,7 +11,7 @@ TABLE_3_1 = {
     "most_elements": (16, 23, 50, 142),
     "most_vertices": (38, 51, 115, 327),
 }
-# Seconds of a PDP-11/44; the scan has the first one without its point.
+# Seconds of a PDP-11/44; the scan shows the first one without its point.
 SECONDS = ("0.10?", "0.24", "1.02", "11.04")
 NAMES = {
     "elements": "elements",
@@ -22,7 +22,7 @@ NAMES = {
 
 
 def held_by_root(held, elements):
-    """The thesis expects that what is held grows with the root of the elements (3.3.3)."""
+    """The elements held divided by the root of all elements; the thesis expects a constant (3.3.3)."""
     return held / math.sqrt(elements)
 
 
@@ -33,7 +33,7 @@ def patch(figures):
 
 
 def held_and_elements(figures):
-    """Of the filter, by tolerance: the most elements held, and all of them."""
+    """For the filter, by tolerance: the most elements held, and all elements."""
     return tuple([patch(figures)["filter", tolerance][key] for tolerance in TOLERANCES] for key in ("most_elements", "elements"))
 
 

@@ -1,4 +1,4 @@
-"""The three tasks of docs/view.md, and the values that their wave shows in the multiplier trees."""
+"""The three tasks of docs/view.md, and the values in the multiplier trees shown by their wave."""
 
 import re
 
@@ -13,7 +13,7 @@ SIZE = 8
 
 
 class Wave:
-    """The samples of a VCD: for each time what every signal holds then."""
+    """The samples of a VCD: the values of all signals at each time."""
 
     def __init__(self, path):
         self.names = {}
@@ -36,8 +36,8 @@ class Wave:
         self.samples.append(held)
 
     def streamed(self, signal, width):
-        """The first number of `width` bits that a wire carries whole, a bit a clock from the lowest on. Their indices
-        are on the wire beside it; those of a number that began before the window have no lowest bit."""
+        """The first complete number of `width` bits on a wire, one bit per clock from the lowest on. Their indices are
+        on a second wire; a number that began before the window lacks its lowest bit."""
         bits = []
         for sample in self.samples[1:]:
             index, bit = int(sample[self.names[signal + "_bit"]], 2), int(sample[self.names[signal]])
@@ -51,20 +51,20 @@ class Wave:
 
 
     def instruction(self):
-        """What the controller carries out first."""
+        """The first instruction of the controller."""
         name = self.names["controller.text"]
         text = next(sample[name] for sample in self.samples if sample.get(name, "-") != "-")
         return text.replace("\\x20", " ")
 
 
 def expression(text):
-    """A, B, C and the width of `A*x + B*y + C (wN`, as csgsim disasm writes it."""
+    """A, B, C and the width of `A*x + B*y + C (wN`, as written by csgsim disasm."""
     form = re.search(r"(-?\d+)\*x ([+-] \d+)\*y ([+-] \d+) \(w(\d+)", text)
     return tuple(int(part.replace(" ", "")) for part in form.groups())
 
 
 def trees(figures, column, row):
-    """What each level of the trees has of the sum on the way to a pixel: streamed in the wave, and worked out."""
+    """The partial sum of each level of the trees on the path to a pixel: streamed in the wave, and computed."""
     column, row = int(column), int(row)
     wave = Wave(folder(figures) / "trees.vcd")
     text = wave.instruction()
@@ -72,7 +72,7 @@ def trees(figures, column, row):
     table = [f"The instruction is `{text}`.", "", "| wire | value | expression |", "|---|---:|---|"]
     for level in LEVELS:
         axis, depth = level[0], int(level[2])
-        upper = lambda place: place & (SIZE - (SIZE >> depth))  # its highest bits, as many as there are levels above
+        upper = lambda place: place & (SIZE - (SIZE >> depth))  # its highest bits, one per level above
         times_a, times_b = (upper(column), 0) if axis == "x" else (column, upper(row))
         streamed = wave.streamed(f"pixel_{column}_{row}.tree_{level}", width)
         if streamed != times_a * a + times_b * b + c:

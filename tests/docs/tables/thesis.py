@@ -1,4 +1,4 @@
-"""docs/reproduction.md: tables 7.2 and 7.3 of the thesis, whose own figures stand in italics."""
+"""Tables of docs/reproduction.md: tables 7.2 and 7.3 of the thesis, whose own numbers are in italics."""
 
 from figures import ruled
 
@@ -13,7 +13,7 @@ def cursive(values):
 
 
 def between(ours, thesis):
-    """Ours and the thesis's in turn."""
+    """Alternates our values and the thesis's."""
     return [cell for pair in zip(ours, cursive(thesis or [""] * len(ours))) for cell in pair]
 
 
@@ -53,7 +53,7 @@ def node_table_7_2(figures):
 
 
 def tolerances(figures, machine, rows):
-    """Rows are name, value of a point, format, whether ratios tell anything, the thesis's values and their ratios."""
+    """Rows are name, value of a point, format, whether ratios are meaningful, the thesis's values and their ratios."""
     points = figures.subdivide("carburettor", f"{SIZE} {machine} {TOLERANCES}")
     head = ("half-spaces in the model", *(f"{each.halfspaces:,}" for each in points), "ratios",
             "*thesis: 1258*", "*2042*", "*3876*", "*ratios*")

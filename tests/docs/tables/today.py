@@ -1,5 +1,6 @@
-"""docs/machines/bit-serial-memory.md: Pixel-planes beside the memories of today. All rows of a table that are of one model come from one call
-of `csgsim compare`, so that every machine draws the same facets, and a picture that differs is an error."""
+"""Tables of docs/machines/bit-serial-memory.md: Pixel-planes compared with current memories. All rows of a model come
+from a single call of `csgsim compare`, so that every machine draws the same facets, and a differing picture is an
+error."""
 
 from figures import THESIS_MODELS, row, ruled
 
@@ -21,7 +22,7 @@ EXACT = ("models/old_example011", "models/thesis_fig_2_3")
 
 
 def compared(figures, model, machines=tuple(dict.fromkeys((*MACHINES, *CHANGED))), options=""):
-    """What each machine takes for the same picture of the model."""
+    """Points of each machine for the same picture of the model."""
     points = figures.compare(model, f"{options}--machines {','.join(machines)} --fragments none --sides none")
     return dict(zip(machines, points, strict=True))
 
@@ -32,7 +33,7 @@ def times(figures):
 
 
 def joules(machine, point):
-    """Set off where the model of a process gives them, and not figures of the machine."""
+    """Joules of a frame, in italics if they come from the model of a process instead of parameters of the machine."""
     return f"*{point.frame_joules:.3g}*" if machine in OLD else f"{point.frame_joules:.3g}"
 
 
@@ -79,7 +80,7 @@ def limits(figures):
 
 
 def exact(figures):
-    """Every digit, of models that take no time."""
+    """Exact numbers, for models that take little time."""
     machines = (*CHANGED, "simdram-ddr4", "simdram-ddr4" + TREES, "ambit-ddr4")
     of_models = [compared(figures, f"tests/{model}.csg", machines, "--view-all ") for model in EXACT]
     rows = []

@@ -1,4 +1,5 @@
-"""docs/software.md: table 5.2 and figures 5.7 to 5.9 of the thesis, whose own figures stand in italics, and rivals of EXCELL."""
+"""Tables of docs/software.md: table 5.2 and figures 5.7 to 5.9 of the thesis, whose own numbers are in italics, and
+rivals of EXCELL."""
 
 from figures import PERSPECTIVE, THESIS_MODELS, point, ruled
 from tables.software import italic, three_digits, whole
@@ -8,7 +9,7 @@ NAMES = {"primary": "primary rays", "shadow": "and to lights", "mirror": "and in
 DIRECTORIES = ("excell", "excell-recursive", "boxes", "octree", "grid", "kd-tree", "bvh")
 BUCKETS = (1, 2, 4, 6, 8, 12, 16, 20, 24)
 TOLERANCES = "2,0.5,0.1,0.02,0.005"
-# Without and with item buffer: facets tested a ray, facets met a ray, minutes.
+# Without and with item buffer: facets tested per ray, facets hit per ray, minutes.
 TABLE_5_2 = {"primary": (("15.70", "0.32"), ("0.59", "0.32"), ("81.88", "18.12")),
              "shadow": (("22.36", "6.95"), ("1.23", "0.96"), ("109.06", "46.18")),
              "mirror": (("29.58", "14.20"), ("1.83", "1.55"), ("140.35", "76.55"))}
@@ -44,7 +45,7 @@ def table_5_2(figures):
 
 
 def passes(figures):
-    """Primary rays by the test of facets and by what makes the item buffer."""
+    """Primary rays by the test of facets and by the method of the item buffer."""
     rows = []
     for test in ("space", "projected"):
         for buffer in ("without", "list-priority", "depth-lists"):
@@ -54,7 +55,7 @@ def passes(figures):
 
 
 def fitted(tested, seconds, rays=65_536):
-    """Of seconds = rays (a + b tested): a and b in ms, by least squares."""
+    """Least-squares fit of seconds = rays (a + b tested): a and b in ms."""
     n, values = len(tested), [1e3 * each / rays for each in seconds]
     mean, middle = sum(tested) / n, sum(values) / n
     slope = sum((x - mean) * (y - middle) for x, y in zip(tested, values)) / sum((x - mean) ** 2 for x in tested)
@@ -62,7 +63,7 @@ def fitted(tested, seconds, rays=65_536):
 
 
 def fit(figures):
-    """What a ray takes besides tests, and what a test takes."""
+    """Time of a ray without tests, and time of a test."""
     thesis = [(float(tested[i]), 60 * float(taken[i])) for tested, _, taken in TABLE_5_2.values() for i in (0, 1)]
     rows = [(italic("thesis, six cells"), *(italic(f"{each:.{digits}f}") for each, digits in zip(fitted(*zip(*thesis)), (1, 2))), "")]
     for model in THESIS_MODELS:
@@ -92,7 +93,7 @@ def directories(figures):
 
 
 def histogram(figures):
-    """Rays by cells: shares of all, in EXCELL."""
+    """Rays by number of cells: shares of all, in EXCELL."""
     rows = []
     most = 16
     for model in THESIS_MODELS:
@@ -140,7 +141,7 @@ NODES = 16
 
 
 def nodes(figures):
-    """Ray tracing on the multi-processor, on paper: all rays, with item buffer, shared evenly."""
+    """Estimate of ray tracing on the multi-processor: all rays, with item buffer, evenly distributed."""
     rows = []
     for model in THESIS_MODELS:
         one = {cast: point(excell(figures, model), cast=cast, facet_test="space", item_buffer="depth-lists") for cast in CAST}

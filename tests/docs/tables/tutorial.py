@@ -1,4 +1,4 @@
-"""docs/tutorial.md"""
+"""Blocks of docs/tutorial.md."""
 
 from .steps import Steps
 

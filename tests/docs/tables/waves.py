@@ -1,4 +1,4 @@
-"""docs/debugging.md: what stepped trees take."""
+"""Cost of stepped trees, for docs/debugging.md."""
 
 from figures import THESIS_MODELS, ruled
 
@@ -6,7 +6,7 @@ TIMES = 3
 
 
 def seconds(figures, model, form):
-    """Of that many runs at the cycle level, the least."""
+    """Least wall time of several runs at the cycle level."""
     return min(figures.render(model, f"--level cycle --evaluator {form} -o $OUT/{form}-{run}.png").wall_seconds for run in range(TIMES))
 
 

@@ -1,18 +1,18 @@
-/* The methods of ../programs.s in C, for what compilers make of them: docs/host.md. */
+/* The methods of ../programs.s in C, to measure compiled code: docs/host.md. */
 
 enum { primitive, set_union, difference, intersection };
 
 struct node {
   short kind;
-  short number; /* of a leaf's primitive */
-  short status; /* of a status tree: 0 out, -1 in */
+  short number; /* number of a leaf's primitive */
+  short status; /* for a status tree: 0 out, -1 in */
   struct node *left, *right;
-  struct node *father; /* of a status tree: 0 of the root */
-  short middle;        /* of positional coding: the first code of the right side, */
-  short last;          /* and the last of the node */
+  struct node *father; /* for a status tree: 0 in the root */
+  short middle;        /* for positional coding: first code of the right side */
+  short last;          /* for positional coding: last code of the node */
 };
 
-short statuses[1024]; /* of primitives */
+short statuses[1024]; /* by primitive */
 struct node *leaves[1024];
 
 struct levels {
@@ -21,11 +21,11 @@ struct levels {
 };
 
 enum { no_code = 0x7fff };
-short list[1026]; /* codes of the primitives that are in, in their order; behind them no_code */
-short codes[1024]; /* of primitives */
+short list[1026]; /* codes of the primitives around the point, sorted; ends with no_code */
+short codes[1024]; /* by primitive */
 
 unsigned long status_bits;
-unsigned long bits[32]; /* of primitives */
+unsigned long bits[32]; /* by primitive */
 
 short standard(struct node *node) {
   short left, right;
@@ -103,9 +103,9 @@ unsigned long bit_parallel(struct levels *levels) {
 void invert_bit(short number) { status_bits ^= bits[number]; }
 
 static short *next;
-static short code; /* that is searched for */
+static short code; /* the code to search for */
 
-/* Of a node that has the code. */
+/* Evaluates a node that has the code. */
 static short find(struct node *node) {
   short left, status;
   if (node->kind == primitive) {

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""`make beside` of a design: waves of csgsim and of the Verilog are equal, and planted faults of hw/rtl/faults.vh are told with
-the signal that shows them.
+"""`make beside` of a design: the waves of csgsim and of the Verilog are equal, and planted faults of hw/rtl/faults.vh
+are reported with the signal that shows them.
 
   beside_test.py CSGSIM
 
-The exit code is 77 where Icarus is not there."""
+The exit code is 77 if Icarus is not installed."""
 
 import pathlib
 import sys
@@ -21,9 +21,9 @@ def check(csgsim, folder):
     run([csgsim, "wave", MODEL, "--machine", "pixel-planes-4", "--size", "8x8", "--pixel", "3,4", "--pixel", "0,7", "--window", "0:900",
          "-o", folder / "csgsim.vcd", "--quiet"])
     beside = ["make", "-s", "-C", folder, "beside"]
-    told = run(beside).stdout
-    if "clocks 0 to 899: 17 signals are equal" not in told:
-        stop(told)
+    printed = run(beside).stdout
+    if "clocks 0 to 899: 17 signals are equal" not in printed:
+        stop(printed)
     wave, view = (folder / "beside.vcd").read_text(), (folder / "beside.gtkw").read_text()
     for scope in ("frame_buffer", "testbench", "verilog"):
         if f"$scope module {scope} $end" not in wave:

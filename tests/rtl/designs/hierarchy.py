@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Draws the machine's modules and the wires between them, as Yosys finds both in hw/rtl: boxes in boxes as modules are in
-modules, and an arrow from what drives a wire to what reads it. Laid out by Graphviz.
+"""Draws the machine's modules and the wires between them, as found by Yosys in hw/rtl: nested boxes for nested modules,
+and an arrow from the driver of a wire to its reader. Laid out by Graphviz.
 
   hierarchy.py OUT.svg"""
 
@@ -18,11 +18,11 @@ TOP = "pixel_planes"
 FIGURES = {"WIDTH": 4, "HEIGHT": 4, "MEMORY_BITS": 16, "CHIP": 8, "FIFO_DEPTH": 2, "FAN_IN": 4, "COLOUR_BITS": 6, "CLEAR_CLOCKS": 3,
            "SCAN_SHARED": 1}
 EVERYWHERE = {"clk", "reset"}
-MANY = 3  # names on an arrow
+MANY = 3  # maximum number of names on an arrow
 
 
 def elaborated():
-    """The modules of the machine with these figures, as Yosys has them."""
+    """The modules of the machine with these parameters, from Yosys."""
     values = " ".join(f"-chparam {name} {value}" for name, value in FIGURES.items())
     files = " ".join(str(path) for path in sorted(RTL.glob("*.v")))
     with tempfile.TemporaryDirectory() as folder:
@@ -43,21 +43,21 @@ class Drawing:
     def __init__(self, modules):
         self.modules = modules
         self.lines = []
-        self.wires = collections.defaultdict(lambda: (set(), set()))  # bit: who drives it, who reads it
-        self.labels = {}                               # of bits
+        self.wires = collections.defaultdict(lambda: (set(), set()))  # by bit: drivers and readers
+        self.labels = {}                               # by bit
         self.number = 0
         top = next(name for name, module in modules.items() if int(module["attributes"].get("top", "0"), 2))
         self.outside(top, self.place(top, 1, {}, ""))
 
     @staticmethod
     def nets(scope, bits, bit):
-        """The wires, as the whole machine counts them, of a bit of a module that stands for all that are drawn as one box."""
+        """The machine-level wires of a bit of a module, for all instances that are drawn as one box."""
         if not isinstance(bit, int):
             return set()
         return bits.get(bit, {(scope, bit)})
 
     def place(self, name, count, bits, indent):
-        """A module, of whose ports `bits` has the wires outside, by its own numbers."""
+        """Draws a module; `bits` maps its port bits to the wires outside."""
         module = self.modules[name]
         self.number += 1
         scope = self.number
@@ -86,7 +86,7 @@ class Drawing:
         return scope
 
     def is_drawn(self, cell, name):
-        """Delays, and modules in modules of their own name, are a part of what they are in."""
+        """Delays, and modules inside modules of the same name, are not drawn separately."""
         return cell["type"] in self.modules and plain(cell["type"]) not in ("delay", plain(name))
 
     def label(self, module, scope, bits):
@@ -97,8 +97,8 @@ class Drawing:
                         self.labels.setdefault(whole, label)
 
     def connect(self, module, scope, box, bits, name):
-        """What the module's own logic drives and reads; what has nothing in it drives its outputs and reads its inputs.
-        Returns whether there is anything."""
+        """Adds the module's own logic as driver and reader; a module without inner modules drives its outputs and reads
+        its inputs. Returns whether it has any connection."""
         cells = [cell for cell in module["cells"].values() if not self.is_drawn(cell, name)]
         is_leaf = len(cells) == len(module["cells"])
         ends = [("output" if one["direction"] == "output" else "input", one["bits"])
@@ -118,7 +118,7 @@ class Drawing:
 
     @staticmethod
     def words(names):
-        """What stands at an arrow: wires by name, with how many they are."""
+        """The text of an arrow: wires by name, with their number."""
         short = collections.Counter()
         for name, count in names.items():
             short[name.split(".")[-1]] += count

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What fits on which iCE40: designs of `csgsim rtl`, synthesised, placed and routed, as `make ice40` does it. The table goes into
-docs/hardware.md and into the README of every design. Takes minutes a row.
+"""Finds which designs fit on which iCE40: designs of `csgsim rtl`, synthesised, placed and routed as by `make ice40`.
+The table is copied into docs/hardware.md and the README of every design. Takes minutes per row.
 
   place.py CSGSIM"""
 
@@ -21,12 +21,12 @@ BEGIN, END = "<!-- placed -->\n", "<!-- end -->"
 PARTS = {"hx8k": "HX8K", "up5k": "UP5K"}
 FULL, FED = "`pixel-planes-4`", "`pixel-planes-4`, fed over a serial line"
 WORDS = {FULL: [MODEL], FED: []}
-# Of each part the most pixels that fit, and a row or column more, which do not.
+# For each part, the most pixels that fit, and one row or column more, which does not fit.
 ROWS = [(FULL, "hx8k", "8x8"), (FULL, "hx8k", "16x8"), (FULL, "hx8k", "16x9"), (FULL, "up5k", "9x8"), (FULL, "up5k", "10x8"), (FED, "hx8k", "8x8")]
 
 
 def placed(csgsim, words, part, size):
-    """Cells of a table row: logic cells, RAMs, MHz; or what is too many."""
+    """Cells of a table row: logic cells, RAMs, MHz; or the resource that is exceeded."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         run([csgsim, "rtl", "pixel-planes-4", *words, "--size", size, "-o", folder, "--quiet"])
@@ -37,7 +37,8 @@ def placed(csgsim, words, part, size):
             stop(f"{size} on {part}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
         logic, rams = used["ICESTORM_LC"], used["ICESTORM_RAM"]
         if done.returncode != 0:
-            print(f"place.py: {size} on {part} is not placed: {re.findall('ERROR.*', log + done.stderr)[:1]}", file=sys.stderr)
+            print(f"place.py: {size} on {part} could not be placed: {re.findall('ERROR.*', log + done.stderr)[:1]}",
+            file=sys.stderr)
             return [f"{logic[0]:,} of {logic[1]:,}", f"{rams[0]} of {rams[1]}", "does not fit"]
         clocks = json.loads((folder / f"{part}.report.json").read_text())["fmax"]
         return [f"{logic[0]:,} of {logic[1]:,}", f"{rams[0]} of {rams[1]}", f"{min(one['achieved'] for one in clocks.values()):.1f}"]

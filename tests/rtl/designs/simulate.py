@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Designs of `csgsim rtl`, drawn by Icarus and Verilator, held against csgsim's clocked level: the picture byte for byte, the
-clocks of a frame, where they go, when its instructions begin; of a sequence of the same frame, when each is drawn, shown and
-followed by the next; and of a frame that none follows, when it has been shown. Neither simulator warns.
+"""Simulates designs of `csgsim rtl` in Icarus and Verilator and compares them with csgsim's clocked level: the picture
+byte for byte; the clocks of a frame by activity, and when its instructions begin; for a sequence of the same frame,
+when each is drawn, shown and followed by the next; and when a frame without a successor has been shown. Neither
+simulator may warn.
 
   simulate.py CSGSIM SIMULATOR NAME...   rows of that name, with icarus or verilator
-  simulate.py CSGSIM SIMULATOR long      all of them; with icarus those of 256 pixels at most
+  simulate.py CSGSIM SIMULATOR long      all rows; with icarus those of at most 256 pixels
 
-The exit code is 77 where the simulator is not there."""
+The exit code is 77 if the simulator is not installed."""
 
 import argparse
 import json
@@ -36,7 +37,7 @@ class Row:
 
 ROWS = {
     "small": Row("thesis_fig_2_3", "8x8"),
-    # A scan-out wider than the array, and channels of 2, 3 and 2 bits.
+    # A scan-out wider than the array, and colour channels of 2, 3 and 2 bits.
     "corners": Row("thesis_fig_2_3", "8x6", options=("--set", "scan_out.pixels=16", "--colour-bits", "7")),
     "16": Row("thesis_fig_2_3", "16x16"),
     "odd": Row("thesis_fig_2_3", "13x10", options=("--set", "scan_out.pixels=3", "--colour-bits", "16", "--set", "link.width=10")),
@@ -50,44 +51,45 @@ ROWS = {
 
 
 def drawn(simulator, frames, folder):
-    """What the testbench tells, and what was warned of."""
+    """Simulates the design; returns what the testbench prints, and all warnings."""
     program, command = {"icarus": ("icarus.vvp", ["vvp", "-n", "icarus.vvp"]), "verilator": ("verilated/testbench", ["verilated/testbench"])}[simulator]
     warned = run(["make", "-s", program, "OPTIMISE=-O0"], folder).stderr
-    told = run([*command, f"+picture={simulator}.ppm", f"+frames={frames}", "+trace=trace.txt"], folder)
+    printed = run([*command, f"+picture={simulator}.ppm", f"+frames={frames}", "+trace=trace.txt"], folder)
     run(["make", "-s", f"{simulator}.png"], folder)
-    return told.stdout, warned + told.stderr
+    return printed.stdout, warned + printed.stderr
 
 
 def shown_alone(simulator, folder):
-    """The clocks until a frame has been shown that none follows: what the testbench tells where the host has but one."""
+    """The clocks until a frame without a successor has been shown, from a testbench whose host has only one frame."""
     system = folder / "system.v"
     endless = ".FRAMES(0)"
     text = system.read_text()
     if endless not in text:
         stop(f"system.v has no {endless}")
     system.write_text(text.replace(endless, ".FRAMES(1)"))
-    told, _ = drawn(simulator, 1, folder)
-    return of_frame(told, 0, r"shown after (\d+) clocks")
+    printed, _ = drawn(simulator, 1, folder)
+    return of_frame(printed, 0, r"shown after (\d+) clocks")
 
 
-def of_frame(told, frame, pattern):
-    """The number that the testbench tells of a frame, or None."""
-    found = re.search(rf"^frame {frame}: .*?{pattern}", told, re.M)
+def of_frame(printed, frame, pattern):
+    """The number that the testbench prints for a frame, or None."""
+    found = re.search(rf"^frame {frame}: .*?{pattern}", printed, re.M)
     return int(found[1]) if found else None
 
 
 def times_of_sequence(csgsim, words, row, folder):
-    """Of each frame that another follows: the clocks until it is drawn, until it has been shown, and until the next begins."""
-    told = run([csgsim, "render", *words, "--machine", row.machine, "--level", "cycle", "--frames", str(row.frames + 1), "-o",
+    """For each frame with a successor: the clocks until it is drawn, until it has been shown, and until the next
+    begins."""
+    printed = run([csgsim, "render", *words, "--machine", row.machine, "--level", "cycle", "--frames", str(row.frames + 1), "-o",
                 folder / "sequence.png"]).stdout
-    rows = re.findall(r"^(\d+) +([\d,]+) +([\d,]+) +([\d,]+)$", told, re.M)
+    rows = re.findall(r"^(\d+) +([\d,]+) +([\d,]+) +([\d,]+)$", printed, re.M)
     if len(rows) != row.frames + 1:
-        stop(f"not {row.frames + 1} frames in\n{told}")
+        stop(f"expected {row.frames + 1} frames in\n{printed}")
     return [tuple(int(cell.replace(",", "")) for cell in cells[1:]) for cells in rows[:-1]]
 
 
 def begins_of_instructions(csgsim, words, row, folder):
-    """The clock in which the controller sends the first step of each instruction, by csgsim."""
+    """The clock in which the controller sends the first step of each instruction, from csgsim."""
     run([csgsim, "wave", *words, "--machine", row.machine, "-o", folder / "parts.json", "--quiet"])
     events = json.loads((folder / "parts.json").read_text())["traceEvents"]
     lane = next(event["tid"] for event in events if event["ph"] == "M" and event["name"] == "thread_name" and
@@ -95,19 +97,19 @@ def begins_of_instructions(csgsim, words, row, folder):
     return sorted(event["args"]["clock"] for event in events if event["ph"] == "X" and event["tid"] == lane)
 
 
-def alone(simulator, told, controller, folder):
-    """shown_clocks is of a frame that none follows. With one buffer the next begins when the last row has been latched, so
-    this one is shown as if there were none; with two the refresh words wait for the next one's instructions."""
-    return shown_alone(simulator, folder) if "copying" in controller else of_frame(told, 0, r"shown after (\d+) clocks")
+def alone(simulator, printed, controller, folder):
+    """The clocks until a frame without a successor is shown. With one buffer the next frame begins when the last row
+    has been latched, so it does not matter; with two the refresh words wait for the next frame's instructions."""
+    return shown_alone(simulator, folder) if "copying" in controller else of_frame(printed, 0, r"shown after (\d+) clocks")
 
 
 def compare(csgsim, simulator, name, folder):
-    """What is not as csgsim has it, a line each."""
+    """Differences from csgsim, one per line."""
     row = ROWS[name]
     model = MODELS / f"{row.model}.csg"
     words = [str(model), "--size", row.size, *row.options]
     stats = designed(csgsim, row.machine, words, folder)
-    told, warned = drawn(simulator, row.frames, folder)
+    printed, warned = drawn(simulator, row.frames, folder)
     wrong = []
 
     def expect(what, ours, theirs):
@@ -116,27 +118,27 @@ def compare(csgsim, simulator, name, folder):
 
     controller = stats["account"]["parts"]["controller"]
     expect("warnings", "", warned)
-    expect("clocks", stats["clocks"], of_frame(told, 0, r"drawn after (\d+) clocks"))
+    expect("clocks", stats["clocks"], of_frame(printed, 0, r"drawn after (\d+) clocks"))
     for frame, times in enumerate(times_of_sequence(csgsim, words, row, folder)):
         for what, clocks in zip(("drawn", "shown", "next"), times):
-            expect(f"frame {frame}, {what}", clocks, of_frame(told, frame, rf"{what} after (\d+) clocks"))
-    expect("interval_clocks", stats["interval_clocks"], of_frame(told, row.frames - 1, r"next after (\d+) clocks"))
+            expect(f"frame {frame}, {what}", clocks, of_frame(printed, frame, rf"{what} after (\d+) clocks"))
+    expect("interval_clocks", stats["interval_clocks"], of_frame(printed, row.frames - 1, r"next after (\d+) clocks"))
     expect("clocks in which instructions begin", begins_of_instructions(csgsim, words, row, folder),
            [int(line) for line in (folder / "trace.txt").read_text().split()])
     shared = "scan_out.port=own" not in row.options
     bits = int(re.search(r"VIDEO_BITS = (\d+)", (folder / "testbench.v").read_text())[1])
-    expect("refresh words", int(row.size.split("x")[1]) * bits if shared else 0, of_frame(told, 0, r"with (\d+) refresh words"))
+    expect("refresh words", int(row.size.split("x")[1]) * bits if shared else 0, of_frame(printed, 0, r"with (\d+) refresh words"))
     for part in PARTS + [part for part in OF_TWO_BUFFERS if part in controller]:
-        expect(part, controller[part], of_frame(told, 0, rf"\b{part} (\d+)"))
+        expect(part, controller[part], of_frame(printed, 0, rf"\b{part} (\d+)"))
     expect("the picture's bytes", hash((folder / "csgsim.ppm").read_bytes()), hash((folder / f"{simulator}.ppm").read_bytes()))
-    expect("shown_clocks", stats["shown_clocks"], alone(simulator, told, controller, folder))
+    expect("shown_clocks", stats["shown_clocks"], alone(simulator, printed, controller, folder))
     if not wrong:
-        print(f"{name}, {simulator}: {stats['clocks']} clocks, the next frame after {stats['interval_clocks']}, and every byte of the picture")
+        print(f"{name}, {simulator}: {stats['clocks']} clocks, the next frame after {stats['interval_clocks']}, and an equal picture")
     return wrong
 
 
 def fitting(simulator):
-    """Rows that do not take hours."""
+    """Names of the rows that do not take hours."""
     return [name for name, row in ROWS.items() if simulator != "icarus" or math.prod(map(int, row.size.split("x"))) <= MOST_OF_ICARUS]
 
 

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""How fast a frame is simulated: the design in Icarus and in Verilator, and csgsim's clocked level with trees worked out
-and with trees stepped adder by adder. Prints a table of time a clock.
+"""Measures simulation speed of a frame: the design in Icarus and in Verilator, and csgsim's clocked level with computed
+trees and with trees stepped adder by adder. Prints a table of time per clock.
 
-Time is the processor's, user and system, of a whole program; from that of many frames is taken that of the same program without
-them: of a testbench with one frame, of csgsim at its functional level, which compiles each frame and draws it without clocks.
+Time is processor time, user and system, of a whole program. The time of many frames is reduced by that of the same
+program without them: a testbench with one frame, or csgsim at its functional level, which compiles and draws without
+clocks.
 
   speed.py CSGSIM [SIZE...]"""
 
@@ -20,11 +21,11 @@ from tools import MODELS, existing, run
 MODEL = MODELS / "thesis_fig_2_3.csg"
 FRAMES = {"icarus": 3, "verilator": 60, "csgsim": 40}
 ROUNDS = 3
-MOST_OF_ICARUS = 256  # pixels, beyond which a frame takes minutes
+MOST_OF_ICARUS = 256  # pixels; larger frames take minutes
 
 
 def fastest(command, folder):
-    """Seconds of the processor that the command takes, from start to end."""
+    """Processor seconds of the command, from start to end; the least of some runs."""
     found = []
     for _ in range(ROUNDS):
         begin = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -35,21 +36,21 @@ def fastest(command, folder):
 
 
 def clocked(csgsim, size, evaluator, folder):
-    """Seconds of a clock at the clocked level, of a sequence of the same frame."""
+    """Seconds per clock at the clocked level, for a sequence of the same frame."""
     words = [csgsim, "render", MODEL, "--size", size, "--frames", str(FRAMES["csgsim"])]
     with_clocks = fastest([*words, "--level", "cycle", "--evaluator", evaluator], folder)
     return (with_clocks - fastest([*words, "--level", "functional"], folder)) / clocks_of_sequence(words, folder)
 
 
 def clocks_of_sequence(words, folder):
-    """Until the last frame has been shown."""
+    """Clocks until the last frame has been shown."""
     frames = re.findall(r"^\d+ +[\d,]+ +([\d,]+) +([\d,]+)$", run([*words, "--level", "cycle"], folder).stdout, re.M)
     shown, intervals = ([int(cell.replace(",", "")) for cell in cells] for cells in zip(*frames))
     return sum(intervals[:-1]) + shown[-1]
 
 
 def simulated(command, simulator, interval, folder):
-    """Seconds of a clock, of what a testbench draws beyond its first frame."""
+    """Seconds per clock of the frames that a testbench draws after its first."""
     once, often = (fastest([*command, "+picture=x.ppm", f"+frames={frames}"], folder) for frames in (1, FRAMES[simulator]))
     return (often - once) / ((FRAMES[simulator] - 1) * interval)
 
@@ -84,7 +85,7 @@ def main():
     parser.add_argument("csgsim", type=existing)
     parser.add_argument("sizes", nargs="*", default=["8x8", "16x16", "64x64"])
     options = parser.parse_args()
-    print("| pixels | Icarus, µs a clock | Verilator | csgsim, trees stepped | csgsim | Verilator, ns a pixel and clock | csgsim |")
+    print("| pixels | Icarus, µs per clock | Verilator | csgsim, trees stepped | csgsim | Verilator, ns per pixel and clock | csgsim |")
     print("|--:|--:|--:|--:|--:|--:|--:|")
     for size in options.sizes:
         print(row(options.csgsim, size), flush=True)

@@ -1,4 +1,4 @@
-"""What the scripts of this folder share: commands that they run, and where things are."""
+"""Helpers shared by the scripts of this folder: running commands, and paths."""
 
 import json
 import pathlib
@@ -12,7 +12,7 @@ SKIPPED = 77  # exit code of a test that cannot run here
 
 
 def attempt(command, folder=None):
-    """What comes of a command, whatever that is: `returncode`, `stdout`, `stderr`."""
+    """Runs a command, which may fail, and returns its `returncode`, `stdout` and `stderr`."""
     return subprocess.run(command, cwd=folder, capture_output=True, text=True)
 
 
@@ -21,7 +21,7 @@ def stop(why):
 
 
 def run(command, folder=None):
-    """The same of a command that has to succeed: if it does not, the script ends with what it said."""
+    """Runs a command that must succeed; otherwise the script ends with its output."""
     done = attempt(command, folder)
     if done.returncode != 0:
         stop(f"{' '.join(map(str, command))}:\n{done.stdout}{done.stderr}")
@@ -29,7 +29,8 @@ def run(command, folder=None):
 
 
 def plant(folder, fault):
-    """Builds a fault of hw/rtl/faults.vh, by number or by macro, into a design's own copy of the modules, in place of any other."""
+    """Activates a fault of hw/rtl/faults.vh, by number or macro, in a design's copy of the modules, replacing any
+    other."""
     none = "FAULT(NUMBER) 1'b0"
     text = (ROOT / "hw/rtl/faults.vh").read_text()
     if none not in text:
@@ -38,7 +39,7 @@ def plant(folder, fault):
 
 
 def designed(csgsim, machine, words, folder):
-    """Writes a design, and what csgsim's clocked level draws, csgsim.ppm. Returns its stats."""
+    """Writes a design, and the picture of csgsim's clocked level, csgsim.ppm. Returns its stats."""
     run([csgsim, "rtl", machine, *words, "-o", folder, "--quiet"])
     run([csgsim, "render", *words, "--machine", machine, "--level", "cycle", "-o", folder / "csgsim.ppm", "--stats",
          folder / "csgsim.json", "--quiet"])
@@ -46,13 +47,13 @@ def designed(csgsim, machine, words, folder):
 
 
 def existing(path):
-    """For argparse: a file that is there."""
+    """The path of an existing file, for argparse."""
     return pathlib.Path(path).resolve(strict=True)
 
 
 def skip_without(programs):
-    """Ends the script where one of them is not installed."""
+    """Ends the script if one of the programs is not installed."""
     missing = [program for program in programs if not shutil.which(program)]
     if missing:
-        print(f"there is no {missing[0]}; ./setup.sh test installs it")
+        print(f"{missing[0]} is not installed; run ./setup.sh test")
         sys.exit(SKIPPED)

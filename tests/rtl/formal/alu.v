@@ -1,6 +1,6 @@
-// A step of a pixel's processor is its truth table, whatever the control word, the registers, and what memory and trees
-// deliver: the table below has the sum and the carry of each place by p, q and carry, thesis 7.2.1. E, K, G, the latch and
-// what is written, where, follow as hw/rtl/control_word.vh says of each bit. Nothing is assumed.
+// A step of a pixel's processor follows its truth table for any control word, registers, memory and tree bits: the
+// table below gives the sum and the carry of each place from p, q and carry, thesis 7.2.1. E, K, G, the latch and the
+// memory writes follow the description of each bit in hw/rtl/control_word.vh. There are no assumptions.
 module alu_check #(
   parameter ALU_BITS = 1,
   parameter MEMORY_READS = 1,

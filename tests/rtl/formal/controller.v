@@ -1,9 +1,9 @@
-// The controller never stands still while it could go on: wherever it is, either what it waits for is not there (a frame, a
-// whole command, an answer, the last row of the picture before), or it sends a refresh word, or it leaves the state, or it comes nearer to
-// leaving it: instructions and copies in the order of their places, clears and the way to the pixels by counts. So it stays
-// in none of these states for more clocks than a command has places, or memory, or the trees' levels. Assumed: commands are
-// valid, and latched comes only after a picture. Refresh words may come first as long as the scan-out asks for them, which it does
-// once for each bit of each row.
+// The controller never idles while it could proceed. In every state, either its input is missing (a frame, a whole
+// command, an answer, the last row of the previous picture), or it sends a refresh word, or it leaves the state, or it
+// comes closer to leaving it: instructions and copies in the order of their places, clears and the way to the pixels by
+// counts. So it stays in none of these states for more clocks than a command has places, or memory bits, or tree
+// levels. Assumptions: commands are valid, and `latched` occurs only after a picture. Refresh words may come first
+// while the scan-out requests them, once for each bit of each row.
 module controller_check #(
   parameter MEMORY_BITS = 9,
   parameter CLEAR_CLOCKS = 3,
@@ -88,7 +88,7 @@ module controller_check #(
     assume (reset == !begun);
     assume (!\dut.whole || is_command);
     if (begun && !reset) begin
-      // Where it can be.
+      // Possible states.
       if (\dut.state == ISSUING) begin
         assert (is_valid(\dut.current [41:0]) && !is_one_step(\dut.current [5:0]));
         assert (is_place(\dut.current [41:0], \dut.turn , \dut.at ));
@@ -98,7 +98,7 @@ module controller_check #(
       if (\dut.state == HOLDING) assert (\dut.colour_width != 0);
       if (\dut.state == COPYING) assert (\dut.at < \dut.colour_width );
       if (BUFFERS == 1) assert (\dut.state != HOLDING && \dut.state != COPYING);
-      // And how it goes on.
+      // Progress within a state.
       if (stays) begin
         case (was)
           IDLE, HOLDING: begin

@@ -1,6 +1,7 @@
-// The FIFO never loses a word and makes none up: any word that goes in is marked, and its place in the queue followed. It
-// comes out when the words before it have, unchanged, unless it was dropped; and the FIFO has a word to take, or room,
-// exactly when it holds some, or fewer than its places. Assumed: nobody takes a word that is not there.
+// The FIFO neither loses nor invents words: an arbitrary incoming word is marked, and its place in the queue is
+// tracked. It comes out unchanged after the words ahead of it, unless it was dropped. The FIFO offers a word exactly
+// when it holds one, and has room exactly when it holds fewer than its places. Assumption: no word is taken from an
+// empty FIFO.
 module fifo_check #(
   parameter DEPTH = 4,
   parameter BITS = 3
@@ -11,7 +12,7 @@ module fifo_check #(
   input wire [BITS-1:0] in,
   input wire in_valid,
   input wire take,
-  input wire mark  // this word, if none is followed yet
+  input wire mark  // selects this word, if none is tracked yet
 );
   localparam COUNT = $clog2(DEPTH + 1) + 1;
   wire in_ready, out_valid;
@@ -21,9 +22,9 @@ module fifo_check #(
     .out_valid(out_valid), .take(take));
 
   reg begun = 1'b0;
-  reg [COUNT-1:0] held;    // words that went in and have not come out
+  reg [COUNT-1:0] held;    // words in the FIFO
   reg followed;
-  reg [COUNT-1:0] before;  // words ahead of the one that is followed
+  reg [COUNT-1:0] before;  // words ahead of the tracked one
   reg [BITS-1:0] value;
   wire push = in_valid & in_ready;
   wire [COUNT-1:0] left = drop ? 0 : held - take;
@@ -44,7 +45,7 @@ module fifo_check #(
     end
   end
 
-  // Where its words lie makes the induction one step long. DEPTH is 4 at most here.
+  // The positions of its words make the induction one step long. DEPTH is at most 4 here.
   localparam PLACE = DEPTH > 1 ? $clog2(DEPTH) : 1;
   (* hierconn *) wire [PLACE-1:0] \dut.first ;
   (* hierconn *) wire [PLACE-1:0] \dut.last ;

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Proofs about modules of hw/rtl, by Yosys' sat: from reset on, and by induction, for ever. Each has to hold, and to fail
-where a fault is planted in the module: a proof that nothing can fail proves nothing.
+"""Proofs about modules of hw/rtl with Yosys' sat: from reset, and by induction for all times. Each proof must hold, and
+must fail for each fault planted in the module: a proof that cannot fail proves nothing.
 
-  formal.py [NAME...]   those of that name, or all
+  formal.py [NAME...]   the proofs of these names, or all
 """
 
 import argparse
@@ -21,12 +21,12 @@ INSTRUCTIONS = ROOT / "docs/instruction-set.md"
 
 @dataclass(frozen=True)
 class Proof:
-    module: str                                 # of hw/rtl; NAME.v here has the module that says what holds
+    module: str                                 # module of hw/rtl; NAME.v in this folder states its properties
     name: str
     parameters: list = field(default_factory=lambda: [{}])
-    faults: list = field(default_factory=list)  # (text, what stands in its place)
-    beside: list = field(default_factory=list)  # other modules of hw/rtl
-    steps: int = 1                              # of the induction
+    faults: list = field(default_factory=list)  # (text, its replacement)
+    beside: list = field(default_factory=list)  # other modules of hw/rtl that it needs
+    steps: int = 1                              # steps of the induction
 
 
 PROOFS = [
@@ -47,13 +47,13 @@ PROOFS = [
 
 
 def command_bits():
-    """Verilog functions of the table of instructions and commands: bits of a command, by what stands in it."""
+    """Verilog functions generated from the table of instructions and commands: the number of bits of a command."""
     rows = re.findall(r"^\| (\d+) \|.*?\| (\d+)(?: \+ (3w|n))? \| [^|]*\|$", INSTRUCTIONS.read_text(), re.M)
     if len(rows) != 40:
-        sys.exit(f"formal.py: {INSTRUCTIONS} has {len(rows)} commands with bits on a link, and 40 were expected")
+        sys.exit(f"formal.py: {INSTRUCTIONS} lists {len(rows)} commands with bits on a link, expected 40")
     cases, numbers = [], []
     for number, bits, more in rows:
-        width_at = 6 if int(bits) < 36 else 24  # behind the number, or a field too
+        width_at = 6 if int(bits) < 36 else 24  # after the number, or after the number and a field
         more_bits = {"3w": f" + 3 * command[{width_at} +: 6]", "n": " + command[18 +: 6]", "": ""}[more]
         cases.append(f"    6'd{number}: command_bits = 9'd{bits}{more_bits};")
         numbers.append(f"number == 6'd{number}")
@@ -63,7 +63,7 @@ def command_bits():
 
 
 def proved(proof, parameters, source, folder):
-    """Whether Yosys proves it of that source."""
+    """Whether Yosys proves it for that source."""
     text = folder / f"{proof.module}.v"
     text.write_text(source)
     top = f"{proof.name}_check"
@@ -73,7 +73,7 @@ def proved(proof, parameters, source, folder):
               f"opt -full; sat -verify -prove-asserts -set-assumes -seq 1 -tempinduct -maxsteps {proof.steps} {top}")
     done = subprocess.run(["yosys", "-q", "-p", script], capture_output=True, text=True)
     if done.returncode != 0 and "proof did fail" not in done.stdout + done.stderr:
-        sys.exit(f"formal.py: Yosys does not take {proof.name}:\n{done.stdout}{done.stderr}")
+        sys.exit(f"formal.py: Yosys rejects {proof.name}:\n{done.stdout}{done.stderr}")
     return done.returncode == 0
 
 
@@ -87,7 +87,7 @@ def check(proof, folder):
         if source.count(old) == 0:
             wrong.append(f"{proof.name}: {proof.module}.v does not have the text of the planted fault, {old}")
         elif all(proved(proof, parameters, source.replace(old, new), folder) for parameters in proof.parameters):
-            wrong.append(f"{proof.name}: {new} in place of {old} is not noticed")
+            wrong.append(f"{proof.name}: {new} in place of {old} is not detected")
     for line in wrong:
         print("formal.py: " + line)
     print(f"{proof.name}: {len(proof.parameters)} sets of parameters, {len(proof.faults)} planted faults")
@@ -96,11 +96,11 @@ def check(proof, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="*", help="of proofs")
+    parser.add_argument("names", nargs="*", help="names of proofs")
     names = parser.parse_args().names
     unknown = set(names) - {proof.name for proof in PROOFS}
     if unknown:
-        parser.error(f"there is no proof {', '.join(sorted(unknown))}; there are {', '.join(proof.name for proof in PROOFS)}")
+        parser.error(f"unknown proof {', '.join(sorted(unknown))}; the proofs are {', '.join(proof.name for proof in PROOFS)}")
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         (folder / "command_bits.vh").write_text(command_bits())

@@ -1,5 +1,5 @@
-// The places in an instruction: (turn, bit, read of it), or for streams (pass, bit), as a number that grows towards its
-// end. `bits` is how far a bit counts there.
+// A place in an instruction, (turn, bit, read of it) or for streams (pass, bit), as a number that grows towards its
+// end. `bits` is the number of bits at such a place.
 function is_stream(input [5:0] number);
   is_stream = number >= EDGE_NOT_NEGATIVE && number <= KEEP_MIN || number == STRIPE || number == LINEAR_PLUS ||
               number == LINEAR_MINUS;
@@ -14,7 +14,7 @@ function [5:0] bits_of(input [41:0] command, input [5:0] turn);
     default: bits_of = is_stream(command[5:0]) ? command[FIELD_1 +: 6] : command[FIELD_0 + BASE_BITS +: 6];
   endcase
 endfunction
-// As docs/instruction-set.md has fields: of a bit at least, and of an odd number for a root, at least 3.
+// Validity by docs/instruction-set.md: fields have at least one bit, and for a root an odd number of at least 3.
 function is_valid(input [41:0] command);
   is_valid = command[5:0] <= ROOT && (is_one_step(command[5:0]) || bits_of(command, 6'd0) != 0) &&
              (command[5:0] != ROOT || command[FIELD_0 + BASE_BITS] && command[FIELD_0 + BASE_BITS +: 6] >= 3);

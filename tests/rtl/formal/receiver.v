@@ -1,7 +1,7 @@
-// The receiver gathers commands: what it shows as a command is what came over the link since the last one was taken, word
-// by word; it is whole exactly when the words that the table of docs/instruction-set.md counts for it are there, not one
-// sooner or more; and no word is taken while a whole command waits. `command_bits` is made of that table. Assumed: what
-// begins is a command of the table, and nobody takes one that is not whole; no expression is wider than a command's register.
+// The receiver assembles commands: the command it shows consists of the words received over the link since the last one
+// was taken. It is complete exactly when the number of words in the table of docs/instruction-set.md has arrived, and
+// no word is accepted while a complete command waits. `command_bits` is generated from that table. Assumptions: each
+// command is in the table, incomplete commands are not taken, and no expression is wider than a command's register.
 module receiver_check #(
   parameter LINK = 24
 ) (

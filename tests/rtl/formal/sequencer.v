@@ -1,5 +1,5 @@
-// Every instruction ends: in each clock it is over, or its place (order.vh) comes nearer to its end, in a finite order. So
-// it is issued for no more clocks than it has places. Assumed: a valid command, and a place in it.
+// Every instruction ends: in each clock it is over, or its place (order.vh) comes closer to its end in a finite order.
+// So it is issued for no more clocks than it has places. Assumption: the command and the place in it are valid.
 module sequencer_check #(
   parameter ALU_BITS = 1,
   parameter MEMORY_READS = 1,

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a cell of the scan-line array takes without the bits of its memory, as Yosys makes it of the Verilog.
+"""Measures the size of a cell of the scan-line array without the bits of its memory, as synthesised by Yosys.
 
   area.py            write the table of docs/area.md between its marks
   area.py --check    compare; exit code 1 if it has changed
@@ -29,7 +29,7 @@ def row(name, parameters):
     text = run.stdout.rsplit("Printing statistics.", 1)[1]
     counts = {cell: int(count) for cell, count in re.findall(r"(\$_\w+_) +(\d+)", text)}
     flip_flops = counts.pop("$_DFF_P_")
-    # The memory's module keeps stat from adding up: a flip-flop is 16, a gate of n inputs 2 n.
+    # The memory's module prevents stat from adding up: a flip-flop has 16 transistors, a gate of n inputs 2 n.
     inputs = {"$_NOT_": 1, "$_NAND_": 2, "$_NOR_": 2, "$_AOI3_": 3, "$_OAI3_": 3, "$_AOI4_": 4, "$_OAI4_": 4}
     transistors = 16 * flip_flops + sum(2 * inputs[gate] * count for gate, count in counts.items())
     return f"| {name} | {sum(counts.values()):,} | {flip_flops:,} | {transistors:,} |\n"
@@ -42,7 +42,7 @@ def main():
     told = MARKED.sub(lambda match: match[1] + table + match[2], page)
     if sys.argv[1:] == ["--check"]:
         if told != page:
-            print("area.py: a cell takes something else than docs/area.md says; run tests/rtl/scan_line/area.py")
+            print("area.py: the size of a cell differs from docs/area.md; run tests/rtl/scan_line/area.py")
         return int(told != page)
     PAGE.write_text(told)
     return 0

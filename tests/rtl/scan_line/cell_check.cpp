@@ -24,14 +24,14 @@ constexpr std::uint32_t all_bits = 128;
 
 Bits low(Bits value, std::uint32_t bits) { return bits >= all_bits ? value : value & ((Bits{1} << bits) - 1); }
 
-/// 64 bits at most.
+/// Extracts up to 64 bits.
 std::uint64_t part_of(const Vector& from, std::size_t first, std::uint32_t count) {
   std::uint64_t value = from[first / 64] >> first % 64;
   if (first % 64 != 0 && first / 64 + 1 < from.size()) value |= from[first / 64 + 1] << (64 - first % 64);
   return static_cast<std::uint64_t>(low(value, count));
 }
 
-/// Words that so many bits can touch.
+/// Number of words that a field of `bits` bits can touch.
 std::uint32_t touched_words(std::uint32_t bits, std::uint32_t word_bits) {
   return quotient_up(word_bits - 1 + bits, word_bits);
 }
@@ -47,14 +47,14 @@ bool is_linear(const PlainBeat& beat) { return is_instruction(beat) && beat.inst
 
 bool brings_words(const PlainBeat& beat) { return is_linear(beat) && beat.number < beat.words; }
 
-/// The ALU's value takes the place of the first operand.
+/// Whether the ALU's value replaces the first operand.
 bool stores(const PlainBeat& beat) {
   const Opcode opcode = beat.instruction.opcode;
   return beat.accesses.target.count > 0 && opcode != Opcode::load_linear && opcode != Opcode::keep_max &&
          opcode != Opcode::keep_min;
 }
 
-/// F has its bits as far as the ALU goes, or an edge has been tested.
+/// Number of bits of F: as many as the ALU has processed, or those tested by an edge.
 std::uint32_t wanted_f_bits(const PlainBeat& beat) {
   const Opcode opcode = beat.instruction.opcode;
   const std::uint32_t bits = std::uint32_t{beat.instruction.linear.width} - beat.instruction.linear.shift;
@@ -131,7 +131,7 @@ void CellCheck::compare_handed_on() {
 }
 
 void CellCheck::compare_refresh() {
-  if (chain_->shifting(pixels_ - 1)) shown_ = held_;  // the shift chain has just taken the line
+  if (chain_->shifting(pixels_ - 1)) shown_ = held_;  // the shift chain has just latched the line
   if (worked_->kind == PacketKind::mark && worked_->last())
     held_ = worked_->background ? isa::Field{0, isa::max_field_width} : worked_->accesses.sources[0].field;
   if (held_) {

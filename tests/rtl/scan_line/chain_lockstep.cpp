@@ -63,7 +63,7 @@ void ChainLockstep::draw(std::span<const isa::Program> programs, std::uint8_t fa
   drain(fault);
 }
 
-/// Until the last mark has left the cells and its line has been shown.
+/// Runs until the last mark has left the cells and its line has been shown.
 void ChainLockstep::drain(std::uint8_t fault) {
   for (std::uint32_t i = 0; pixels_ > 0 && i < 2 * pixels_ + 3; ++i) clock(fault);
 }
@@ -96,7 +96,7 @@ void ChainLockstep::compare() {
   }
 }
 
-/// After a difference: memory and enable are 0 on both.
+/// Clears memory and enable of both after a difference.
 void ChainLockstep::clear() {
   isa::Program program;
   program.shape = {machine_.array.width, 1, machine_.array.memory_bits};

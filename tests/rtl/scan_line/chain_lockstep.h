@@ -15,13 +15,13 @@
 
 namespace csgsim::rtl {
 
-/// The chain in SystemC, with the packets that its host sends, and with the same the chain in Verilog and the plain
-/// one, which has each clock's registers.
+/// Runs the chain in SystemC with the packets of its host, and feeds the same packets to the chain in Verilog and to
+/// the plain chain, which provides each clock's registers.
 class ChainLockstep {
  public:
   explicit ChainLockstep(const machines::Machine& machine);
 
-  /// Draws frames one after the other on both. Returns the first difference; empty if there is none.
+  /// Draws frames one after the other on all. Returns the first difference; empty if there is none.
   std::string run(std::span<const isa::Program> programs, std::uint8_t fault = 0);
 
   [[nodiscard]] std::uint64_t clocks_compared() const { return clocks_compared_; }
@@ -39,10 +39,10 @@ class ChainLockstep {
   test::PlainChain plain_;
   std::unique_ptr<RtlChain> verilog_;
   std::uint32_t pixels_ = 0;
-  std::deque<test::PlainBeat> worked_;  ///< by cell: the beat that was in it in the clock that has been
+  std::deque<test::PlainBeat> worked_;  ///< by cell: the beat in it during the previous clock
   std::vector<CellCheck> cells_;
   bool comparing_ = false;
-  std::uint64_t clock_ = 0;  ///< of the frames that are drawn
+  std::uint64_t clock_ = 0;  ///< clock within the current frames
   std::uint64_t clocks_compared_ = 0;
   std::string difference_;
 };

@@ -14,21 +14,21 @@
 
 namespace csgsim::rtl {
 
-/// A chain of the SystemC with its host, link and packet queue, a clock at a time.
+/// A SystemC chain with its host, link and packet queue, run clock by clock.
 class ClockedChain final : public sc_core::sc_module {
  public:
   explicit ClockedChain(const machines::Machine& machine);
 
-  /// Lines of that many pixels come, when the chain is empty.
+  /// Prepares for lines of that many pixels; the chain must be empty.
   void clear(std::uint32_t pixels);
-  /// All marks of the frame before have entered. What is drawn has to live until they have.
+  /// Starts a frame after all marks of the previous one have entered. `frame` must live until its own have.
   void begin(const scan_line::PictureLines& frame);
   [[nodiscard]] bool is_through() const { return queue_.is_through(); }
 
-  /// To the middle of the next clock, where all is settled.
+  /// Advances to the middle of the next clock, when all signals have settled.
   void clock();
 
-  /// What is in cell 0 in this clock, until it is over.
+  /// The contents of cell 0 in this clock, valid until its end.
   [[nodiscard]] const scan_line::Beat& entry() const { return entry_.read(); }
   [[nodiscard]] const scan_line::RefreshPixel& refresh() const { return refresh_.read(); }
   [[nodiscard]] const scan_line::Chain& chain() const { return chain_.chain(); }

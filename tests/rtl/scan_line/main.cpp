@@ -1,10 +1,10 @@
 // rtl_chain_NAME random SEQUENCES INSTRUCTIONS [KEY=NUMBER...]
-//   So many sequences of random pictures, with so many instructions a line at most, through the chain in SystemC and
-//   through the Verilog, in lockstep. link= are the bits of a link's word. RC_PARAMS overrides seed and number.
+//   Runs SEQUENCES sequences of random pictures, with at most INSTRUCTIONS per line, through the chain in SystemC and
+//   through the Verilog, in lockstep. link= is the number of bits of a link word. RC_PARAMS overrides seed and number.
 // rtl_chain_NAME models MODEL...
-//   Test models, drawn by both, as high as the chain is long.
+//   Draws test models on both, as high as the chain is long.
 // rtl_chain_NAME faults SEQUENCES INSTRUCTIONS NUMBER...
-//   Every planted fault but those is noticed within so many random sequences, and those are not.
+//   Every planted fault except those NUMBERs must be detected within SEQUENCES random sequences.
 
 #include <rapidcheck.h>
 
@@ -21,7 +21,7 @@ namespace csgsim::rtl {
 
 namespace {
 
-constexpr std::uint8_t planted_faults = 36;  ///< in hw/rtl/scan_line/faults.vh
+constexpr std::uint8_t planted_faults = 36;  ///< number of faults in hw/rtl/scan_line/faults.vh
 
 machines::Machine machine_with(const Words& words) {
   machines::Machine machine = chain_of_parameters();
@@ -29,7 +29,7 @@ machines::Machine machine_with(const Words& words) {
   return machine;
 }
 
-/// Of one width mostly, and one to three lines each.
+/// Pictures of one to three lines, mostly of the same width.
 rc::Gen<std::vector<isa::Program>> arbitrary_pictures(const machines::Machine& machine, std::size_t instructions) {
   return rc::gen::exec([=] {
     machines::Machine part = machine;
@@ -60,7 +60,7 @@ int run(const Words& words) {
   if (words.at(0) == "random") return random_frames<ChainLockstep>(machine_with(words), arbitrary_pictures, words);
   if (words.at(0) == "models") return models<ChainLockstep>(machine, setup_of(machine), words);
   if (words.at(0) == "faults") return faults<ChainLockstep>(machine, arbitrary_pictures, planted_faults, words);
-  throw std::invalid_argument("no such test: " + words.at(0));
+  throw std::invalid_argument("unknown test: " + words.at(0));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The chain of hw/rtl/scan_line with the registers of its cells on wires, cell 0 first, for who compares them.
+// The chain of hw/rtl/scan_line with its cells' registers on wires for comparison, cell 0 first.
 module probed_chain #(
   parameter CELLS = 8,
   parameter WORD_BITS = 32,
@@ -39,10 +39,10 @@ module probed_chain #(
   output wire refresh_valid,
   output wire [31:0] refresh_colour,
 
-  output wire [CELLS*WORD_BITS-1:0] next_f,            // as the next cell gets it
+  output wire [CELLS*WORD_BITS-1:0] next_f,            // as received by the next cell
   output wire [CELLS*WORD_BITS-1:0] next_a,
   output wire [CELLS*WORD_BITS-1:0] next_aa,
-  output wire [CELLS-1:0] carry,                       // of the running sum
+  output wire [CELLS-1:0] carry,                       // carry of the running sum
   output wire [CELLS-1:0] difference_carry,
   output wire [CELLS-1:0] enable,
   output wire [CELLS-1:0] written,

@@ -1,4 +1,4 @@
-// Compiled once for each build of the Verilog: CSGSIM_RTL_... are its parameters.
+// Compiled once for each build of the Verilog, with its parameters in CSGSIM_RTL_....
 
 #include "tests/rtl/scan_line/rtl_chain.h"
 

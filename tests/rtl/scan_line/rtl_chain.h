@@ -8,23 +8,23 @@
 #include "tests/rtl/vector.h"
 #include "tests/support/plain_cells.h"
 
-/// The chain in Verilog, as Verilator made it, with the parameters of one build.
+/// The chain in Verilog, compiled by Verilator with the parameters of one build.
 namespace csgsim::rtl {
 
-/// What the parameters say of a scan-line array, whose picture is as wide as the chain.
+/// The scan-line array of the build's parameters, with a picture as wide as the chain.
 machines::Machine chain_of_parameters();
 
-/// On the wires from the chain after an edge: of each cell as many bits, those of cell 0 first.
+/// Values on the wires from the chain after an edge: an equal number of bits per cell, those of cell 0 first.
 struct ChainRegisters {
   bool refresh_valid = false;
   std::uint32_t refresh_colour = 0;
-  Vector next_f;  ///< as the next cell gets it
+  Vector next_f;  ///< as received by the next cell
   Vector next_a;
   Vector next_aa;
-  Vector carry;  ///< of the running sum
+  Vector carry;  ///< carry of the running sum
   Vector difference_carry;
   Vector enable;
-  Vector written;  ///< a bit: the packet's result is
+  Vector written;  ///< one bit per cell: the packet's result has been written
   Vector memory;
   Vector f;
   Vector x;
@@ -40,7 +40,7 @@ struct ChainRegisters {
 
 class RtlChain {
  public:
-  /// After reset.
+  /// The chain after reset.
   RtlChain();
   RtlChain(const RtlChain&) = delete;
   RtlChain& operator=(const RtlChain&) = delete;
@@ -48,7 +48,7 @@ class RtlChain {
   RtlChain& operator=(RtlChain&&) = delete;
   ~RtlChain();
 
-  /// A clock in which that beat is in cell 0. `fault`: number of the planted one (hw/rtl/scan_line/faults.vh), 0 for
+  /// Runs a clock with that beat in cell 0. `fault` is the number of the planted fault (hw/rtl/scan_line/faults.vh); 0:
   /// none.
   void edge(const test::PlainBeat& entry, std::uint32_t pixels, std::uint8_t fault);
   [[nodiscard]] const ChainRegisters& registers() const { return registers_; }
