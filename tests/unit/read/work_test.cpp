@@ -59,10 +59,9 @@ TEST_CASE("rejects slices beyond the piece limit before cutting them") {
 }
 
 TEST_CASE("rejects shapes with too many crossing sides before combining them") {
-  CHECK(
-      refusal("square(size = [1, 1], center = false);\n" + crossing_polygon(3000), 100'000'000) ==
-      "m.csg:2:1: polygon(): combining 2-D shapes takes more work than the limit of 100 million steps; use fewer or "
-      "coarser parts in the model, or raise --limit");
+  CHECK(refusal("square(size = [1, 1], center = false);\n" + crossing_polygon(3000), 100'000'000) ==
+        "m.csg:2:1: polygon(): combining 2-D shapes takes more work than the limit of 100 million steps; use fewer or "
+        "coarser parts in the model, or raise --limit");
   CHECK(read_within(crossing_polygon(100)).primitives.size() > 100);
 }
 
