@@ -1,21 +1,17 @@
 # The Python module (sim/python), for a Python with numpy: where several are on the PATH the first that has it, or the one
-# that -DCSGSIM_PYTHON_PROGRAM names. A Python without sanitizers has to load their shared runtime first, which clang has
-# for addresses and threads: the tests preload it.
-option(CSGSIM_PYTHON "Build the Python module" ON)
+# that -DCSGSIM_PYTHON_PROGRAM names. With sanitizers it is built on request only: a Python without them has to load
+# their shared runtime first, which clang has for addresses and threads and the tests preload.
 set(CSGSIM_PRELOAD "")
+set(python_default ON)
 if(CSGSIM_SANITIZE)
-  set(runtime "")
+  set(python_default OFF)
   if(CSGSIM_SANITIZE MATCHES "^(address|thread)")
     string(SUBSTRING "${CSGSIM_SANITIZE}" 0 1 letter)
     execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libclang_rt.${letter}san-${CMAKE_SYSTEM_PROCESSOR}.so
-      OUTPUT_VARIABLE runtime OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-  endif()
-  if(EXISTS "${runtime}")
-    set(CSGSIM_PRELOAD "${runtime}")
-  else()
-    set(CSGSIM_PYTHON OFF)
+      OUTPUT_VARIABLE CSGSIM_PRELOAD OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   endif()
 endif()
+option(CSGSIM_PYTHON "Build the Python module" ${python_default})
 if(NOT CSGSIM_PYTHON)
   return()
 endif()
