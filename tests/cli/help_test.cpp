@@ -20,7 +20,7 @@ std::map<std::string, std::string> options_of(const std::string& command) {
     } else if (begin != 26) {
       text = nullptr;
     }
-    if (text != nullptr) *text += " " + line.substr(begin);
+    if (text != nullptr) *text += "  " + line.substr(begin);
   }
   return options;
 }

@@ -85,8 +85,12 @@ def long_parts(path, text):
             if len(name) > MAX_NAME:
                 yield text.count("\n", 0, match.start()) + 1, f"the test's name has {len(name)} characters; at most {MAX_NAME}"
     if path.suffix == ".md":
+        fenced = made = False
         for number, line in enumerate(text.splitlines(), 1):
-            if len(line) > MAX_COLUMNS and " " in line[:MAX_COLUMNS].strip() and not re.match(r"\s*(?:\||<|\[?!\[|    )", line):
+            fenced ^= line.lstrip().startswith("```")
+            made = (made or line.startswith("<!-- made")) and not line.startswith("<!-- end")
+            is_prose = not (fenced or made or re.match(r"\s*(?:\||<|\[?!\[|    )", line))
+            if is_prose and len(line) > MAX_COLUMNS and " " in line[:MAX_COLUMNS].strip():
                 yield number, f"the line has {len(line)} columns; at most {MAX_COLUMNS}"
 
 

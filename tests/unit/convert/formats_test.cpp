@@ -188,8 +188,8 @@ TEST_CASE("writes STL text exactly and a zero normal for an empty triangle") {
   surface.triangles = {{0, 1, 3}, {0, 1, 1}};
   CHECK(convert::format_of(".stl")->write(surface, {.is_text = true}) ==
         "solid csgsim\n"
-        "facet normal 0 -1 0\n outer loop\n vertex 0 0 0\n vertex 1 0 0\n vertex 0 0 0.1\n endloop\nendfacet\n"
-        "facet normal 0 0 0\n outer loop\n vertex 0 0 0\n vertex 1 0 0\n vertex 1 0 0\n endloop\nendfacet\n"
+        "facet normal 0 -1 0\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 0 0.1\n endloop\nendfacet\n"
+        "facet normal 0 0 0\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 1 0 0\n endloop\nendfacet\n"
         "endsolid csgsim\n");
 }
 
@@ -203,12 +203,12 @@ TEST_CASE("writes 3MF exactly with one built object and the required package par
   CHECK(solids::unzip(bytes, "a.3mf", "3D/3dmodel.model") ==
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
-        " <resources>\n <object id=\"1\" type=\"model\">\n <mesh>\n <vertices>\n"
-        " <vertex x=\"0\" y=\"0\" z=\"0\" />\n <vertex x=\"1\" y=\"0\" z=\"0\" />\n"
-        " <vertex x=\"0\" y=\"2\" z=\"0\" />\n <vertex x=\"0\" y=\"0\" z=\"0.1\" />\n </vertices>\n"
-        " <triangles>\n <triangle v1=\"0\" v2=\"2\" v3=\"1\" />\n <triangle v1=\"0\" v2=\"1\" v3=\"3\" />\n"
-        " <triangle v1=\"0\" v2=\"3\" v3=\"2\" />\n <triangle v1=\"1\" v2=\"2\" v3=\"3\" />\n </triangles>\n"
-        " </mesh>\n </object>\n </resources>\n <build>\n <item objectid=\"1\" />\n </build>\n</model>\n");
+        " <resources>\n  <object id=\"1\" type=\"model\">\n   <mesh>\n    <vertices>\n"
+        "     <vertex x=\"0\" y=\"0\" z=\"0\" />\n     <vertex x=\"1\" y=\"0\" z=\"0\" />\n"
+        "     <vertex x=\"0\" y=\"2\" z=\"0\" />\n     <vertex x=\"0\" y=\"0\" z=\"0.1\" />\n    </vertices>\n"
+        "    <triangles>\n     <triangle v1=\"0\" v2=\"2\" v3=\"1\" />\n     <triangle v1=\"0\" v2=\"1\" v3=\"3\" />\n"
+        "     <triangle v1=\"0\" v2=\"3\" v3=\"2\" />\n     <triangle v1=\"1\" v2=\"2\" v3=\"3\" />\n    </triangles>\n"
+        "   </mesh>\n  </object>\n </resources>\n <build>\n  <item objectid=\"1\" />\n </build>\n</model>\n");
   CHECK(solids::unzip(bytes, "a.3mf", "[Content_Types].xml").find("Extension=\"model\"") != std::string::npos);
   CHECK(solids::unzip(bytes, "a.3mf", "_rels/.rels").find("Target=\"/3D/3dmodel.model\"") != std::string::npos);
   // The first local header: PK 3 4, deflated, time 0 on 1 January 1980 (day in bits 0 to 4, month from bit 5).

@@ -17,7 +17,34 @@ namespace {
 
 /// Two primitives: columns from 3 at depth 40, then columns below 6 at depth x + 20. The query finds no enabled pixel.
 constexpr const char* two_primitives =
-    R"(.array width=8 height=2 memory_bits=24 .frame colour_base=16 colour_bits=6 .field Z2 [0+:8] depth .field Z1 [8+:8] candidate_depth .field colour [16+:6] colour .field "a b" [22] mask .primitive "near" .primitive "far" .segment x=0 y=0 width=8 height=2 enable_all ; setup set_constant Z2, 255 ; setup set_constant colour, 63 ; setup edge_not_negative x - 3 (w8) ; render p0 set_constant Z1, 40 ; render p0 copy Z2, Z1 ; merge p0 set_constant colour, 12 ; shade p0 enable_all ; render p1 edge_negative x - 6 (w8) ; render p1 load_linear Z1, x + 20 (w12) ; render p1 field_lt Z1, Z2 ; merge p1 copy Z2, Z1 ; merge p1 set_constant colour, 48 ; shade p1 edge_negative x (w8) ; setup skip_if_none 2 ; setup set_constant colour, 0 ; setup enable_all ; setup enable_store "a b" ; setup )";
+    R"(.array width=8 height=2 memory_bits=24
+.frame colour_base=16 colour_bits=6
+.field Z2 [0+:8] depth
+.field Z1 [8+:8] candidate_depth
+.field colour [16+:6] colour
+.field "a b" [22] mask
+.primitive "near"
+.primitive "far"
+.segment x=0 y=0 width=8 height=2
+  enable_all                    ; setup
+  set_constant Z2, 255          ; setup
+  set_constant colour, 63       ; setup
+  edge_not_negative x - 3 (w8)  ; render p0
+  set_constant Z1, 40           ; render p0
+  copy Z2, Z1                   ; merge p0
+  set_constant colour, 12       ; shade p0
+  enable_all                    ; render p1
+  edge_negative x - 6 (w8)      ; render p1
+  load_linear Z1, x + 20 (w12)  ; render p1
+  field_lt Z1, Z2               ; merge p1
+  copy Z2, Z1                   ; merge p1
+  set_constant colour, 48       ; shade p1
+  edge_negative x (w8)          ; setup
+  skip_if_none 2                ; setup
+  set_constant colour, 0        ; setup
+  enable_all                    ; setup
+  enable_store "a b"            ; setup
+)";
 
 /// A session with its Program and machine.
 struct Debugger {
@@ -55,7 +82,7 @@ TEST_CASE("steps through instructions and past skipped ones to the end") {
 TEST_CASE("shows its position in Programs of one instruction and of none") {
   const std::string none = ".array width=8 height=2 memory_bits=24\n.segment x=0 y=0 width=8 height=2\n";
   CHECK(Debugger(none.c_str())("where") == "the Program has no instructions\n");
-  CHECK(Debugger((none + " enable_all\n").c_str())("where").starts_with("i0 of 1: enable_all\n"));
+  CHECK(Debugger((none + "  enable_all\n").c_str())("where").starts_with("i0 of 1: enable_all\n"));
 }
 
 TEST_CASE("until stops at an instruction or primitive and reports unreachable ones") {
@@ -99,7 +126,7 @@ TEST_CASE("breakpoints stop every run until deleted and may coincide") {
   CHECK(debug("delete 3") == "");
   CHECK(debug("delete 1") == "");
   CHECK(debug.error("delete 1") == "there is no breakpoint 1; breakpoints lists them");
-  CHECK(debug("breakpoints") == " 2 Z1[4,0] > 30\n");
+  CHECK(debug("breakpoints") == "  2  Z1[4,0] > 30\n");
   CHECK(debug("run") == last);
 }
 
@@ -107,18 +134,18 @@ TEST_CASE("prints a pixel's fields by name with colours and reserved values") {
   Debugger debug;
   debug("until i5");
   CHECK(debug("print 4,1") ==
-        " E 1\n Z2 255 (0xff), nothing\n Z1 40 (0x28)\n"
-        " colour 63 (0x3f), #ffffff\n \"a b\" 0\n");
+        "  E            1\n  Z2           255 (0xff), nothing\n  Z1           40 (0x28)\n"
+        "  colour       63 (0x3f), #ffffff\n  \"a b\"        0\n");
   CHECK(debug("print E[2,1]") == "E[2,1] = 0\n");
   CHECK(debug("print \"a b\"[2,1]") == "\"a b\"[2,1] = 0\n");
-  CHECK(debug("list i0").starts_with("> i0 enable_all"));
-  CHECK(debug("where").starts_with("i5 of 18: copy Z2, Z1\n merge p0 near: depth test against Z2"));
+  CHECK(debug("list i0").starts_with("> i0       enable_all"));
+  CHECK(debug("where").starts_with("i5 of 18: copy Z2, Z1\n  merge p0 near: depth test against Z2"));
 }
 
 TEST_CASE("errors show the column and suggest the nearest name") {
   Debugger debug;
   const std::array<std::pair<const char*, const char*>, 9> lines{{
-      {" frobnicate", "test:1:3: unknown command; help lists the commands"},
+      {"  frobnicate", "test:1:3: unknown command; help lists the commands"},
       {"print Z3[1,1]", "test:1:7: there is no field 'Z3'; the nearest is 'Z2'"},
       {"print Z2[8,1]", "test:1:12: there is no pixel 8,1 in a picture of 8 x 2"},
       {"print Z2", "test:1:9: expected a pixel of the field, as in Z2[100,20]"},
@@ -131,7 +158,7 @@ TEST_CASE("errors show the column and suggest the nearest name") {
        "test:1:7: no such field; a pixel has 24 bits of memory, and a field takes 1 to 32 of them"},
   }};
   for (const auto& [line, error] : lines) CHECK(debug.error(line) == error);
-  CHECK(debug(" # a comment") == "");
+  CHECK(debug("   # a comment") == "");
   CHECK(debug("") == "");
 }
 
@@ -294,7 +321,15 @@ TEST_CASE("saves states at the start and at growing distances") {
 
 TEST_CASE("going back from between squares and their instruction discards the squares") {
   Debugger debug(
-      R"(.array width=8 height=2 memory_bits=24 .field Z2 [0+:8] depth .segment x=0 y=0 width=8 height=2 enable_all edge_negative x - 3 (w8) enable_all squares 5*x*x (w12) edge_negative x - 3 (w12) )");
+      R"(.array width=8 height=2 memory_bits=24
+.field Z2 [0+:8] depth
+.segment x=0 y=0 width=8 height=2
+  enable_all
+  edge_negative x - 3 (w8)
+  enable_all
+  squares 5*x*x (w12)
+  edge_negative x - 3 (w12)
+)");
   debug("step 2");
   CHECK(debug("print E") == "E = 1 at 6 of 16 pixels\n");
   debug("step 2");

@@ -52,7 +52,7 @@ TEST_CASE("a missing font is replaced by fontconfig") {
 }
 
 TEST_CASE("replacement_font() distinguishes missing fonts in any notation") {
-  for (const char* name : {"", " ", "DejaVu Sans", "dejavusans:style=Bold", "Nowhere,Liberation Serif", ":style=Bold",
+  for (const char* name : {"", "  ", "DejaVu Sans", "dejavusans:style=Bold", "Nowhere,Liberation Serif", ":style=Bold",
                            "sans", "Monospace:bold"}) {
     CAPTURE(name);
     CHECK(!flat::replacement_font(name));

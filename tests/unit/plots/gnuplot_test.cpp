@@ -174,7 +174,7 @@ TEST_CASE("texts reach gnuplot as strings that end nothing and run nothing") {
 
 TEST_CASE("gnuplot's error becomes one line without its script") {
   const std::string error = error_with(
-      "echo >&2; echo 'set terminal pngcairo size 600,600' >&2; echo ' ^' >&2;"
+      "echo >&2; echo 'set terminal pngcairo size 600,600' >&2; echo '   ^' >&2;"
       "echo 'line 2: unknown or ambiguous terminal name; type just set terminal for a list' >&2; echo >&2; exit 1");
   CHECK(error.find("plot.png: gnuplot drew no picture; gnuplot reports: unknown or ambiguous terminal name") == 0);
   CHECK(error.find("set terminal pngcairo") == std::string::npos);

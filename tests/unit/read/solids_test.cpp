@@ -129,7 +129,7 @@ TEST_CASE("accepts arguments without effect") {
 }
 
 TEST_CASE("a primitive records its place in the file") {
-  const csgsim::model::Tree tree = read("group() {\n\t#cube(1);\n}\n sphere(r = 1);");
+  const csgsim::model::Tree tree = read("group() {\n\t#cube(1);\n}\n  sphere(r = 1);");
   REQUIRE(tree.primitives.size() == 2);
   CHECK(tree.primitives[0].location.line == 2);
   CHECK(tree.primitives[0].location.column == 3);

@@ -74,7 +74,7 @@ TEST_CASE("syntax errors state the expected token and its place") {
   CHECK(error_of("cube(1)\n}") == "m.csg:2:1: expected `;` or `{` after cube(...), found `}`");
   CHECK(error_of("group() cube(1);") == "m.csg:1:9: expected `;` or `{` after group(...), found `c`");
   CHECK(error_of("cube;") == "m.csg:1:5: expected `(` after cube, found `;`");
-  CHECK(error_of("group() {\n cube(1);\n") ==
+  CHECK(error_of("group() {\n  cube(1);\n") ==
         "m.csg:3:1: expected `}` to close group() of line 1, column 1, found the end of the file");
   CHECK(error_of("cube(1); }") == "m.csg:1:10: unmatched `}`; remove it");
   CHECK(error_of("cube(1;") == "m.csg:1:7: expected `,` or `)` in cube(...), found `;`");

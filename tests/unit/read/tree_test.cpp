@@ -110,7 +110,7 @@ TEST_CASE("reports errors under !") {
 
 TEST_CASE("rejects nodes without half-spaces and suggests a replacement") {
   for (const char* node : {"fill", "glide", "roof", "subdiv", "import_stl"}) {
-    CHECK(error_of("group() {\n " + std::string(node) + "(file = \"x\", timestamp = 0);\n}") ==
+    CHECK(error_of("group() {\n  " + std::string(node) + "(file = \"x\", timestamp = 0);\n}") ==
           "m.csg:2:3: " + std::string(node) +
               "() cannot be turned into half-spaces; replace it by cube, sphere, cylinder, polyhedron or a boolean of "
               "them");

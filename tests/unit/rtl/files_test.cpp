@@ -50,21 +50,26 @@ std::vector<std::string> written_paths(const Files& files) {
 
 /// A machine of 8 x 8 pixels with 24 bits of colour: one line per parameter, followed from column 29 on by the figure
 /// that it comes from.
-constexpr std::string_view instance_parameters = R"( pixel_planes #( .WIDTH(8), // array.width
-.HEIGHT(8), // array.height
-.MEMORY_BITS(72), // array.memory_bits
-.MEMORY_READS(1), // memory.reads
-.ALU_BITS(1), // alu.bits
-.DEGREE(1), // evaluator.degree
-.ROOTS(0), .LINK(32), // link.width
-.FIFO_DEPTH(16), // link.fifo_depth
-.CLEAR_CLOCKS(72), // memory.clear_clocks
-.HAS_OR(1), // global_or.present
-.FAN_IN(64), // global_or.fan_in
-.SCAN_PIXELS(2), // scan_out.pixels
-.SCAN_SHARED(1), // scan_out.port
-.BUFFERS(1), // scan_out.buffers
-.COLOUR_BITS(24), .CHIP(64) ) machine ( )";
+constexpr std::string_view instance_parameters = R"(  pixel_planes #(
+    .WIDTH(8),              // array.width
+    .HEIGHT(8),             // array.height
+    .MEMORY_BITS(72),       // array.memory_bits
+    .MEMORY_READS(1),       // memory.reads
+    .ALU_BITS(1),           // alu.bits
+    .DEGREE(1),             // evaluator.degree
+    .ROOTS(0),
+    .LINK(32),              // link.width
+    .FIFO_DEPTH(16),        // link.fifo_depth
+    .CLEAR_CLOCKS(72),      // memory.clear_clocks
+    .HAS_OR(1),             // global_or.present
+    .FAN_IN(64),            // global_or.fan_in
+    .SCAN_PIXELS(2),        // scan_out.pixels
+    .SCAN_SHARED(1),        // scan_out.port
+    .BUFFERS(1),            // scan_out.buffers
+    .COLOUR_BITS(24),
+    .CHIP(64)
+  ) machine (
+)";
 
 }  // namespace
 
@@ -137,16 +142,16 @@ TEST_CASE("a board needs a serial line only in a design without a Program") {
   const Files bare = rtl::design_files(small_machine(), nullptr);
   const auto text = [](const Files& files, std::string_view path) { return find_file(files, path); };
   CHECK(has(text(bare, "board.v"),
-            " input wire clk,\n"
-            " input wire from_computer, // the host's serial line\n"
-            " output wire to_computer,\n"
-            " output wire lamp_drawn,"));
-  CHECK(has(text(drawn, "board.v"), " input wire clk,\n output wire lamp_drawn,"));
+            "  input wire clk,\n"
+            "  input wire from_computer,  // the host's serial line\n"
+            "  output wire to_computer,\n"
+            "  output wire lamp_drawn,"));
+  CHECK(has(text(drawn, "board.v"), "  input wire clk,\n  output wire lamp_drawn,"));
   CHECK(has(text(bare, "board.v"),
             ".reset(reset), .from_computer(from_computer), .to_computer(to_computer), .told(), .told_any(),"));
   CHECK(has(text(drawn, "board.v"), ".reset(reset), .request(), .request_from(), .told(), .told_any(),"));
-  CHECK(has(text(drawn, "board.v"), " wire [48-1:0] colours;\n"));
-  CHECK(has(text(drawn, "board.v"), " assign video[11:0] = {colours[23:20], colours[15:12], colours[7:4]};\n"));
+  CHECK(has(text(drawn, "board.v"), "  wire [48-1:0] colours;\n"));
+  CHECK(has(text(drawn, "board.v"), "  assign video[11:0] = {colours[23:20], colours[15:12], colours[7:4]};\n"));
   CHECK(text(bare, "hx8k.pcf").ends_with("lamp_shown B4\nset_io from_computer B10\nset_io to_computer B12\n"));
   CHECK(text(drawn, "hx8k.pcf").ends_with("lamp_shown B4\n\n"));
   CHECK(text(bare, "up5k.pcf").ends_with("lamp_shown 37\nset_io from_computer 6\nset_io to_computer 9\n"));
@@ -167,8 +172,8 @@ TEST_CASE("a design's files describe it and build it") {
   }
   CHECK(find_file(drawn, "system.v").starts_with("// " + machine.name + ", with a Program in the host's memory.\n"));
   CHECK(find_file(bare, "system.v").starts_with("// " + machine.name + ", with the host at the other end"));
-  CHECK(has(find_file(bare, "system.v"), " wire [32-1:0] word;\n"));
-  CHECK(has(find_file(drawn, "system.v"), " wire [32-1:0] word;\n"));
+  CHECK(has(find_file(bare, "system.v"), "  wire [32-1:0] word;\n"));
+  CHECK(has(find_file(drawn, "system.v"), "  wire [32-1:0] word;\n"));
   CHECK(has(find_file(drawn, "Makefile"), "\nicarus: icarus.png\n"));
   CHECK(has(find_file(bare, "Makefile"), "\nicarus verilator waves:\n"));
 }
@@ -176,11 +181,11 @@ TEST_CASE("a design's files describe it and build it") {
 TEST_CASE("shows pictures of one and two colour bits in which red or blue have none") {
   const isa::Program one = enabling(1);
   const std::string board = find_file(rtl::design_files(small_machine(), &one), "board.v");
-  CHECK(has(board, " assign video[2:0] = {1'd0, colours[0:0], 1'd0};\n"));
-  CHECK(has(board, " assign video[5:3] = {1'd0, colours[1:1], 1'd0};\n"));
+  CHECK(has(board, "  assign video[2:0] = {1'd0, colours[0:0], 1'd0};\n"));
+  CHECK(has(board, "  assign video[5:3] = {1'd0, colours[1:1], 1'd0};\n"));
   const isa::Program two = enabling(2);
   CHECK(has(find_file(rtl::design_files(small_machine(), &two), "board.v"),
-            " assign video[2:0] = {colours[1:1], colours[0:0], 1'd0};\n"));
+            "  assign video[2:0] = {colours[1:1], colours[0:0], 1'd0};\n"));
 }
 
 TEST_CASE("pixels have the root flag if any instruction of a segment takes a root") {

@@ -134,7 +134,7 @@ TEST_CASE("chooses the cheapest bits for the allowed wrong pixels and only on re
     const session::Compiled compiled = session::compile(parsed.options, studies::choose_bits);
     const std::string bits = "--z-bits " + std::to_string(parsed.options.model.z_bits) + " --fraction-bits " +
                              std::to_string(parsed.options.model.fraction_bits);
-    CHECK(output.text() == "chosen " + bits + ": the cheapest with at most " + most + " wrong pixels\n");
+    CHECK(output.text() == "chosen            " + bits + ": the cheapest with at most " + most + " wrong pixels\n");
     CHECK(wrong_of(parsed.options.model.z_bits, parsed.options.model.fraction_bits) <= std::stoul(most));
     // The compiled Program has these bits: the depth fields have the same width.
     for (const isa::NamedField& field : compiled.model.program.facts->fields) {

@@ -168,7 +168,7 @@ TEST_CASE("reports errors in an AMF file with their place") {
   CHECK(error("<amf><object><mesh><vertices>\n <vertex><coordinates><x>1</x><y>q</y><z>0</z></coordinates></vertex>"
               "</vertices></mesh></object></amf>") ==
         "m.amf:2:3: a coordinate must be a finite number, not 'q'; correct it");
-  CHECK(error("<amf><object><mesh><volume>\n <triangle><v1>0</v1></triangle></volume></mesh></object></amf>") ==
+  CHECK(error("<amf><object><mesh><volume>\n  <triangle><v1>0</v1></triangle></volume></mesh></object></amf>") ==
         "m.amf:2:4: a corner must be one of 0 points, not '0'; correct it");
 }
 

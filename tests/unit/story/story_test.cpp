@@ -268,7 +268,7 @@ TEST_CASE("a pixel shows glass at its depth and the box seen through it") {
   CHECK(seen_surface(json)["primitive"] == json["owner"]);
   const std::string text = story::text_of(subject, story);
   CHECK(contains(text, "shows p2 cube"));
-  CHECK(contains(text, "through p1 cube"));
+  CHECK(contains(text, "through   p1 cube"));
   CHECK(contains(text, "merged; this is the visible surface"));
   const story::WhyNot why_not = story::why_not(subject, story, 1);
   CHECK_FALSE(why_not.is_seen);
@@ -283,7 +283,7 @@ TEST_CASE("a pixel of glass alone shows the glass with nothing behind it") {
   CHECK(story.opaque_owner == observe::no_owner);
   const story::Subject subject{pixel.compiled.program, nullptr};
   CHECK(story::to_json(subject, story)["opaque"]["owner"].is_null());
-  CHECK(contains(story::text_of(subject, story), "through nothing"));
+  CHECK(contains(story::text_of(subject, story), "through   nothing"));
 }
 
 TEST_CASE("each pixel has one visible surface with glass or mirrors or samples") {
@@ -364,7 +364,7 @@ TEST_CASE("text and JSON start with the owner and its line and its plane") {
   const story::Subject subject{pixel.compiled.program, &finder};
   const story::Story story = pixel.story();
   const std::string text = text_of(subject, story);
-  CHECK(text.starts_with("pixel 4,2 shows p2 cube@3:56, line 3 of test\n depth 209715 steps, "));
+  CHECK(text.starts_with("pixel 4,2 shows p2 cube@3:56, line 3 of test\n  depth     209715 steps, "));
   CHECK(contains(text, "normal (0, -1, 0), distance -1\n"));
   CHECK(contains(text, "over p1 cube@2:56"));
   const nlohmann::ordered_json json = story::to_json(subject, story);

@@ -241,7 +241,7 @@ TEST_CASE("a group without a drawn design has no front or knee and prints its si
                                             {"front", Json::array()}}}));
   CHECK(printed(rows, groups) ==
         "m: 0 on the front of 2 designs; 2 cannot be drawn\n"
-        " alu.bits=1 cannot be drawn, as does 1 other design: no\n");
+        "  alu.bits=1 cannot be drawn, as does 1 other design: no\n");
 }
 
 TEST_CASE("designs differ in any figure or option printed in machine order") {
@@ -292,17 +292,17 @@ TEST_CASE("the text has a line per front design and names the knee and its comma
   std::vector<ShownGroup> first{groups[0], groups[1]};
   CHECK(printed(rows, first) ==
         "m: 3 on the front of 5 designs; 1 omitted for lack of a price on an axis\n"
-        " alu.bits z-bits time between frames, ms memory bits in total \n"
-        " 4 8 50 40 \n"
-        " 1 8 100 10 knee\n"
+        "  alu.bits  z-bits  time between frames, ms  memory bits in total      \n"
+        "         4       8                      50                          40      \n"
+        "         1       8                     100                          10  knee\n"
         "knee: alu.bits=1, z-bits=8; time between frames, ms 100; memory bits in total 10\n"
-        " draw m\n"
-        " draw it again\n"
+        "  draw m\n"
+        "  draw it again\n"
         "\n"
         "n: 1 on the front of 3 designs; 1 cannot be drawn\n"
-        " alu.bits=4, z-bits=12 cannot be drawn: too large\n"
-        " alu.bits z-bits time between frames, ms memory bits in total \n"
-        " 1 8 20 30 knee\n"
+        "  alu.bits=4, z-bits=12 cannot be drawn: too large\n"
+        "  alu.bits  z-bits  time between frames, ms  memory bits in total      \n"
+        "         1       8                      20                          30  knee\n"
         "knee: alu.bits=1, z-bits=8; time between frames, ms 20; memory bits in total 30\n");
 }
 
@@ -311,10 +311,10 @@ TEST_CASE("prints each reason once with its first design and the number of other
                                refused_row("m", "2", 8, "no"),     refused_row("m", "2", 9, "no"),
                                refused_row("n", "1", 8, "no way"), shown_row("n", "1", 9, 10, 10)};
   const std::string text = printed(rows, shown_groups(rows, "time"));
-  CHECK(text.find(" alu.bits=1, z-bits=8 and 2 other designs cannot be drawn: no\n"
-                  " alu.bits=1, z-bits=9 cannot be drawn: never\n\nn: ") != std::string::npos);
+  CHECK(text.find("  alu.bits=1, z-bits=8 and 2 other designs cannot be drawn: no\n"
+                  "  alu.bits=1, z-bits=9 cannot be drawn: never\n\nn: ") != std::string::npos);
   CHECK(text.find("n: 1 on the front of 2 designs; 1 cannot be drawn\n"
-                  " alu.bits=1, z-bits=8 cannot be drawn: no way\n alu.bits") != std::string::npos);
+                  "  alu.bits=1, z-bits=8 cannot be drawn: no way\n  alu.bits") != std::string::npos);
   // The group of all models does not repeat reasons.
   CHECK(text.find("no way") == text.rfind("no way"));
 }
@@ -360,8 +360,8 @@ TEST_CASE("prints the first 40 designs of a front and the number of others") {
     const std::size_t more = count > 40 ? count - 40 : 0;
     CHECK(lines == 3 + count - more + (more > 0 ? 1 : 0));
     CHECK((text.find(" more, in explore.json\n") != text.npos) == (more > 0));
-    if (more == 1) CHECK(text.find(" and 1 more, in explore.json\n") != text.npos);
-    if (more == 1201) CHECK(text.find(" and 1,201 more, in explore.json\n") != text.npos);
+    if (more == 1) CHECK(text.find("  and 1 more, in explore.json\n") != text.npos);
+    if (more == 1201) CHECK(text.find("  and 1,201 more, in explore.json\n") != text.npos);
   }
 }
 
