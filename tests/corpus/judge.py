@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Holds csgsim's depth pictures of the corpus against OpenSCAD's meshes; exits with 1 where one is wrong.
+"""Compares csgsim's depth pictures of the corpus with OpenSCAD's meshes; exits with 1 if one is wrong.
 
     judge.py --csgsim build/release/csgsim                      all models, both projections, 512 x 512
     judge.py --csgsim ... --machines --strategies gear thread   two models, also on every machine and with every strategy
 
-A picture is right if at most 4 of 262,144 pixels are covered in it and not by the mesh, or the other way round, and if of those
-covered in both 99.95 % are within a thousandth of the mesh's diagonal. Needs openscad and numpy."""
+A picture is correct if at most 4 of 262,144 pixels are covered only in it or only by the mesh, and if 99.95 % of those
+covered in both are within a thousandth of the mesh's diagonal. Needs openscad and numpy."""
 import argparse
 import sys
 import tempfile
@@ -22,7 +22,7 @@ COLUMNS = "%-28s %-11s %9s %8s %8s %12s %11s %8s %7s  %s"
 
 
 def difference(seen, expected, diagonal):
-    """Pixels covered in one picture only, pixels covered in both, and of these those whose depth is wrong."""
+    """Pixels covered in one picture only, pixels covered in both, and those of the latter with a wrong depth."""
     both = np.isfinite(seen) & np.isfinite(expected)
     silhouette = int((np.isfinite(seen) != np.isfinite(expected)).sum())
     wrong = int((np.abs(np.where(both, seen, 0.0) - np.where(both, expected, 0.0)) > diagonal / 1000).sum())
@@ -30,7 +30,7 @@ def difference(seen, expected, diagonal):
 
 
 def judge_view(arguments, model, triangles, projection):
-    """A row of the table, and what is wrong."""
+    """A row of the table, and the errors."""
     camera = mesh_depth.camera(triangles, projection)
     drawn = render(arguments.csgsim, model, (camera, projection), arguments.size, arguments.option)
     if not drawn:
@@ -53,7 +53,7 @@ def judge_view(arguments, model, triangles, projection):
 
 
 def judge(arguments, model):
-    """The worst that is said of the model."""
+    """The verdict on the model."""
     reason = meshes.refused().get(model.stem)
     triangles = (meshes.mesh_apart if arguments.apart else meshes.mesh)(model, arguments.meshes)
     failed = False

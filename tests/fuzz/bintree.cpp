@@ -13,7 +13,7 @@ namespace fuzz = csgsim::fuzz;
 
 namespace {
 
-/// Of more cells than these a code is not laid out.
+/// Largest resolution for which the cells of a code are laid out.
 constexpr std::uint32_t most_laid_out = 16;
 
 void check_cells(const convert::Bintree& bintree, const convert::BlockCounts& counts) {
@@ -46,7 +46,7 @@ void check(const convert::Bintree& bintree) {
 
 }  // namespace
 
-/// Any bytes are a whole bintree, or one line of error.
+/// Any bytes are a complete bintree, or give one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     check(convert::read_bintree(fuzz::text_of(data, size), "b"));

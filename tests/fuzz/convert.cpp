@@ -13,7 +13,7 @@ namespace fuzz = csgsim::fuzz;
 
 namespace {
 
-/// Of work, so that no case takes long.
+/// Limit of work, so that no case takes long.
 constexpr std::uint64_t most_steps = 20'000'000;
 constexpr std::size_t most_primitives = 60;
 
@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (tree.primitives.size() > most_primitives) return 0;
     check(convert::make_surface(convert::boundary(tree, {}, work)));
   } catch (const csgsim::WorkError&) {
-    // It would take too long.
+    // The conversion exceeds the work limit.
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.csg");
   }

@@ -1,4 +1,4 @@
-// Lines of the debugger's commands.
+// Command lines of the debugger.
 
 #include <string>
 
@@ -32,7 +32,7 @@ bool is_sound(const debug::Target& target) {
   return true;
 }
 
-/// What a command prints of a target is read as that target again.
+/// Checks that the printed form of a target is parsed as the same target.
 void check_target(const debug::Target& target) {
   fuzz::require(is_sound(target), "a target is one of the Program");
   if (std::holds_alternative<debug::AtPrimitive>(target)) return;  // its index and its name

@@ -1,4 +1,5 @@
-// Display models as they travel. The first byte says how many bits of the last one are filled up.
+// Display models in the form in which they are transferred. The first byte is the number of padding bits in the last
+// one.
 
 #include <algorithm>
 #include <vector>
@@ -25,7 +26,7 @@ division::Bits bits_of(const std::uint8_t* data, std::size_t size) {
   return out.take();
 }
 
-/// One level and two emit the same sound instructions for a square, whatever the model.
+/// Checks that one level and two emit the same valid instructions for a square, for any model.
 void check_divided(const division::DisplayModel& model) {
   const division::Divider divider(model);
   division::PlainDatapath path(model);
@@ -39,7 +40,7 @@ void check_divided(const division::DisplayModel& model) {
 
 }  // namespace
 
-/// Any bits are either the one stream of a sound model or one line of error; what is divided from it is sound.
+/// Any bits are the canonical stream of a valid model, or give one line of error; the divided model is valid.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const division::Bits bits = bits_of(data, size);

@@ -23,7 +23,7 @@ const machines::FigureSchema& schema_of(const machines::Machine& machine, const 
   return *found;
 }
 
-/// A machine file with the same figures.
+/// A machine file with the same parameters.
 std::string description_of(const machines::Machine& machine) {
   std::string text = fmt::format("name = {}\ndescription = {}\nkind = \"{}\"\n", fuzz::toml_string(machine.name),
                                  fuzz::toml_string(machine.description), machine.kind->name);
@@ -70,7 +70,7 @@ void check(const machines::Machine& machine) {
 
 }  // namespace
 
-/// Any bytes are either a machine that keeps to the schema or one line of error.
+/// Any bytes give a machine that satisfies the schema or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     check(machines::read_description(fuzz::text_of(data, size), "fuzz.toml", kinds::all()));

@@ -18,7 +18,7 @@ namespace process = csgsim::process;
 
 namespace {
 
-/// A process file with the same figures.
+/// A process file with the same parameters.
 std::string description_of(const process::Process& one) {
   std::string text =
       fmt::format("name = {}\ndescription = {}\n", fuzz::toml_string(one.name), fuzz::toml_string(one.description));
@@ -56,7 +56,7 @@ void check(const process::Process& one) {
 
 }  // namespace
 
-/// Any bytes are either a process with every figure or one line of error.
+/// Any bytes give a process with every parameter or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     check(process::read_process(fuzz::text_of(data, size), "fuzz.toml"));

@@ -16,7 +16,7 @@ namespace processors = csgsim::processors;
 
 namespace {
 
-/// A processor file with the same figures.
+/// A processor file with the same parameters.
 std::string description_of(const processors::Processor& processor) {
   std::string text = fmt::format("name = {}\ndescription = {}\n", fuzz::toml_string(processor.name),
                                  fuzz::toml_string(processor.description));
@@ -52,7 +52,7 @@ void check(const processors::Processor& processor) {
 
 }  // namespace
 
-/// Any bytes are either a processor with every figure or one line of error.
+/// Any bytes give a processor with every parameter or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     check(processors::read_processor(fuzz::text_of(data, size), "fuzz.toml"));

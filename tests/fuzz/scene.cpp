@@ -1,4 +1,4 @@
-// Scene files, and what is set of one on the command line: the first line, if it has no bracket before its `=`.
+// Scene files, and settings of a scene on the command line: the first line, if it has no bracket before its `=`.
 
 #include <cmath>
 #include <string>
@@ -36,7 +36,7 @@ void check(const scene::Scene& read) {
 
 }  // namespace
 
-/// Any bytes are either a scene that keeps to the schema or one line of error.
+/// Any bytes give a scene that satisfies the schema or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::text_of(data, size);
   const std::vector<scene::Section> sections = effects::sections();

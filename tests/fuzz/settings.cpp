@@ -1,5 +1,5 @@
-// Settings files, for a command with an option of each type; what is taken is what --dump-config would print, and the
-// same again.
+// Settings files, for a command with an option of each type; accepted settings are printed like --dump-config and read
+// again.
 
 #include <algorithm>
 #include <string>
@@ -40,7 +40,7 @@ void check(const shell::Setting& setting) {
   }
 }
 
-/// Those that are read of what was dumped are those that were dumped.
+/// Checks that dumped settings are read unchanged.
 void check_dump(const std::vector<shell::Setting>& settings) {
   std::vector<session::OptionValue> dumped;
   for (const shell::Setting& setting : settings) {

@@ -1,4 +1,4 @@
-// Stats files, as rerun reads them: what is taken for options, and what differs from another run's stats.
+// Stats files, as read by rerun: accepted options, and differences from another run's stats.
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ std::string session::version_and_build() { return "0.1.0 fuzz"; }
 
 namespace {
 
-/// As render has them: one of each type, and what rerun passes over.
+/// Options like those of render: one of each type, and those that rerun skips.
 const std::vector<session::SettableOption> options{
     {"model", session::Takes::text},          {"program", session::Takes::text},  {"size", session::Takes::text},
     {"machine", session::Takes::text},        {"set", session::Takes::texts},     {"view-all", session::Takes::flag},
@@ -26,7 +26,7 @@ const std::vector<session::SettableOption> options{
     {"stats", session::Takes::text},          {"report", session::Takes::text},   {"checkpoint", session::Takes::text},
     {"resume", session::Takes::text},         {"progress", session::Takes::text}, {"quiet", session::Takes::flag}};
 
-/// A text that is none, so that files are not read.
+/// Stats of another run, without files to read.
 constexpr const char* other_run = R"({"clocks": 7, "parts": [1, 2], "configuration": {"command": ["csgsim", "render"],
   "options": {"model": "m.csg"}, "machine": {"name": "m", "hash": "1"}, "model": {"file": "m.csg", "hash": "2"},
   "picture": {"hash": "3"}}, "wall_seconds": 1})";
@@ -43,7 +43,7 @@ void check(const shell::Setting& setting) {
   if (option->takes == session::Takes::flag) fuzz::require(setting.values.front() == "true", "a flag is on");
 }
 
-/// Looks at it in one way; an error has to be one line with the file's name.
+/// Checks the input in one way; an error must be one line with the file's name.
 template <class Look>
 void look(const Look& look_at) {
   try {

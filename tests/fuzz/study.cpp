@@ -1,4 +1,4 @@
-// What studies read: lines of their tables, and lists of numbers and names on the command line.
+// Inputs of studies: lines of their tables, and lists of numbers and names on the command line.
 
 #include <algorithm>
 #include <string>
@@ -19,7 +19,7 @@ namespace studies = csgsim::studies;
 
 namespace {
 
-/// Looks at the input in one way; an error has to be one line, and must not come from what was read already.
+/// Checks the input in one way; an error must be one line, and must not occur for input that was already accepted.
 template <class Read, class Check>
 void look(const Read& read, const Check& check) {
   try {
@@ -43,7 +43,7 @@ void look_at_cells(const std::string& line) {
        });
 }
 
-/// Rows are held against each other as text, since a number that is none equals nothing.
+/// Compares rows as text, since NaN does not equal itself.
 template <class Row>
 void look_at_row(const std::string& line) {
   look([&] { return studies::from_line<Row>(line); },
@@ -93,7 +93,7 @@ void look_at_lists(const std::string& text) {
 
 }  // namespace
 
-/// Any line is either what it is read as, and written back as the same, or one line of error.
+/// Any line is read and written unchanged, or gives one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::text_of(data, size);
   const std::string line(text.substr(0, text.find('\n')));

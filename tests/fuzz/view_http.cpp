@@ -1,4 +1,4 @@
-// Bytes of a connection, as csgsim view reads them: requests, one after another.
+// Bytes of a connection, as read by csgsim view: requests, one after another.
 
 #include <algorithm>
 #include <cstddef>
@@ -23,7 +23,7 @@ constexpr viewer::RequestLimits limits{.header_bytes = 512, .header_fields = 12,
 
 const viewer::Door door{8080, "0123456789abcdef0123456789abcdef"};
 
-/// What came of a connection's bytes.
+/// The requests and errors from a connection's bytes.
 struct Outcome {
   std::vector<viewer::Request> requests;
   int refusal = 0;
@@ -56,7 +56,7 @@ void check(const viewer::Reply& refusal) {
   fuzz::require(body.is_object() && body.contains("error"), "a refusal is JSON with an error");
 }
 
-/// Reads bytes that arrive in pieces of one size.
+/// Reads bytes that arrive in pieces of equal size.
 Outcome read(std::string_view bytes, std::size_t piece) {
   viewer::RequestReader reader(limits, gate);
   Outcome outcome;

@@ -1,5 +1,5 @@
-// Words of a link, as they reach a machine: a byte for the width of the link less 1, then the words, each in as many
-// bytes as hold it.
+// Words of a link as received by a machine: a byte with the width of the link minus 1, then the words, each in whole
+// bytes.
 
 #include "hw/isa/wire.h"
 
@@ -31,7 +31,7 @@ void check_command(const isa::Command& command, unsigned link_width, const std::
 
 }  // namespace
 
-/// Any words are commands, each of which is sent as it came, or one line of error.
+/// Any words are commands that are re-encoded unchanged, or give one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::span<const std::uint8_t> rest(data, size);
   if (rest.empty()) return 0;
