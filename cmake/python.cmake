@@ -1,6 +1,6 @@
-# The Python module (sim/python), for a Python with numpy: where several are on the PATH the first that has it, or the one
-# that -DCSGSIM_PYTHON_PROGRAM names. A Python without sanitizers has to load their shared runtime first, which clang has
-# for addresses and threads: the tests preload it.
+# The Python module (sim/python), for a Python with numpy: the first on the PATH that has it, or the one given by
+# -DCSGSIM_PYTHON_PROGRAM. A Python without sanitizers must preload their shared runtime, which clang provides for
+# address and thread sanitizers; the tests do this.
 option(CSGSIM_PYTHON "Build the Python module" ON)
 set(CSGSIM_PRELOAD "")
 if(CSGSIM_SANITIZE)
