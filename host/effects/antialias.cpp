@@ -34,8 +34,8 @@ constexpr double max_samples = 16;
 void visit_keys(SampleSettings& settings, auto&& visit) {
   visit(scene::integer_key("samples", "samples per pixel", 2, max_samples, "2, 4, 8 or 16"), settings.samples);
   visit(scene::boolean_key("adaptive",
-                           "start with a quarter of the samples, at least 2; a pixel gets twice as many only where the "
-                           "means of two halves of its samples differ"),
+                           "start with a quarter of the samples, at least 2; double them at pixels where the means of "
+                           "the two halves differ"),
         settings.adaptive);
   visit(scene::integer_key("least_difference", "levels of a channel", 1, 255,
                            "adaptive: means that differ by less are considered equal"),

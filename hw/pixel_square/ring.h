@@ -23,8 +23,8 @@ namespace csgsim::pixel_square {
 class Ring final : public systemc::ClockedModule {
  public:
   sc_core::sc_vector<sc_core::sc_fifo_in<RingWord>> processors;
-  sc_core::sc_vector<sc_core::sc_in<std::uint64_t>> targets;  ///< destination of each processor: a renderer, or the
-                                                              ///< frame buffer (number of renderers)
+  sc_core::sc_vector<sc_core::sc_in<std::uint64_t>> targets;      ///< destination of each processor: a renderer, or the
+                                                                  ///< frame buffer (number of renderers)
   sc_core::sc_vector<sc_core::sc_fifo_in<PortWord>> renderers;    ///< colours of each renderer
   sc_core::sc_vector<sc_core::sc_fifo_out<isa::LinkWord>> links;  ///< outputs to the renderers
   sc_core::sc_vector<sc_core::sc_fifo_out<PortWord>> colours;     ///< outputs to the frame buffer, one per renderer

@@ -14,8 +14,8 @@
 #include "hw/machines/kind.h"
 #include "sim/observe/account_json.h"
 #include "sim/observe/bound.h"
-#include "sim/observe/primitive_costs.h"
 #include "sim/observe/energy.h"
+#include "sim/observe/primitive_costs.h"
 
 namespace csgsim::observe {
 

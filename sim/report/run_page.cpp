@@ -7,8 +7,8 @@
 
 #include "hw/base/text.h"
 #include "hw/isa/facts.h"
-#include "sim/observe/primitive_costs.h"
 #include "sim/observe/pictures.h"
+#include "sim/observe/primitive_costs.h"
 #include "sim/report/pictures.h"
 #include "sim/report/run_counts.h"
 #include "sim/report/stories.h"

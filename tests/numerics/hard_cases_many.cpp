@@ -80,7 +80,9 @@ TEST_CASE("a cube minus 1 to 100 intersections of sphere and cylinder is drawn c
   }
   check_both_ways(dimpled(100), 0, false);
 }
-TEST_CASE("a union of thousands of solids is drawn correctly") { check_both_ways(unite(plate_and_pegs(most)), 2, false); }
+TEST_CASE("a union of thousands of solids is drawn correctly") {
+  check_both_ways(unite(plate_and_pegs(most)), 2, false);
+}
 TEST_CASE("a difference of thousands of solids is drawn correctly") {
   check_both_ways(subtract(plate_and_pegs(most)), 2, false);
 }

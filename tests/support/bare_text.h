@@ -6,8 +6,8 @@
 
 namespace csgsim::testing {
 
-/// The text form without the lines and keys that are for people, and without comments, origins among them. Fields stand
-/// at their places, as the facts that name them are gone. For Programs without `;` or `#` in a string.
+/// Text form without human-readable lines and keys and without comments and origins. Fields appear as addresses because
+/// the facts that name them are removed. Valid only for Programs without `;` or `#` in a string.
 std::string bare_text(isa::Program program);
 
 }  // namespace csgsim::testing

@@ -12,7 +12,7 @@
 
 namespace csgsim::testing {
 
-/// What is written to standard output or standard error, STDOUT_FILENO or STDERR_FILENO, while it lives.
+/// Redirects standard output or standard error (STDOUT_FILENO or STDERR_FILENO) to a file during its lifetime.
 class Captured {
  public:
   explicit Captured(int descriptor) : descriptor_(descriptor) {

@@ -9,7 +9,8 @@
 
 namespace csgsim::testing {
 
-/// Every pixel of the picture is in one of the regions, and in no other, and none is beyond it.
+/// Asserts that the regions partition the picture: each pixel lies in exactly one region and no region extends past the
+/// edge.
 inline void assert_covered_once(const std::vector<isa::Region>& regions, machines::Size picture) {
   std::vector<int> covered(std::size_t{picture.width} * picture.height);
   for (const isa::Region& region : regions) {

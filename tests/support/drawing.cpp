@@ -20,14 +20,15 @@ machines::Machine machine_of(const isa::ArrayShape& array) {
   machines::Machine machine = machines::blank(pixel_planes::kind);
   machine.array = array;
   machine.clock_hz = 10'000'000;
-  machines::own<pixel_planes::Figures>(machine).or_fan_in = 64;  // as pixel-planes-4: what is asked depends on it
+  machines::own<pixel_planes::Figures>(machine).or_fan_in =
+      64;  // as in pixel-planes-4; latency of queries depends on it
   machine.evaluator_degree = 2;
   return machine;
 }
 
 namespace {
 
-/// Curved surfaces as the setup wants them, but for those that do not fit the machine.
+/// Exact curved surfaces as requested by the setup, except for primitives that do not fit the machine.
 facet::Faceting faceting_of(const model::Tree& tree, const Setup& setup) {
   facet::Faceting faceting;
   faceting.exact_curves = setup.exact_curves;
@@ -113,7 +114,7 @@ observe::Frame draw_on(machines::Machine machine, const isa::Program& program, u
   observe::FrameObserver frame(program);
   const std::array<engine::Observer*, 1> observers{&frame};
   const engine::RunResult result = engine::make_functional_engine(machine, threads)->run(program, observers);
-  if (result.overflows != 0) throw std::runtime_error("the Program overflows");
+  if (result.overflows != 0) throw std::runtime_error("a linear expression overflows its width");
   return frame.frame();
 }
 

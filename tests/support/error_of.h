@@ -6,7 +6,7 @@
 
 namespace csgsim::testing {
 
-/// What the InputError says that the call ends with; empty if there is none.
+/// Returns the text of the InputError that the call throws; empty if it throws none.
 template <class Run>
 std::string error_of(Run run) {
   try {

@@ -4,16 +4,16 @@
 
 namespace csgsim::testing {
 
-/// What a figure of a description may be.
+/// Valid range of one numeric key of a description.
 struct FigureRange {
   std::string_view key;
   std::int64_t least;
   std::int64_t most;
-  std::string_view others = "";  ///< changes of other figures, +KEY=VALUE, with which this one's extremes fit the rest
+  std::string_view others = "";  ///< changes of other keys, as +KEY=VALUE, that make this key's extremes valid
 };
 
-/// Each figure is taken at its least and its most, and refused one beyond. `load` reads a description by its name, with
-/// changes behind it.
+/// Checks that each key accepts its minimum and maximum and rejects the values just outside them. `load` reads a
+/// description by name followed by changes.
 template <class Load>
 void check_figure_ranges(const std::string& name, std::span<const FigureRange> ranges, const Load& load) {
   for (const FigureRange& range : ranges) {

@@ -6,7 +6,8 @@
 
 namespace csgsim::testing {
 
-/// What zlib makes of packed bytes that are to become `length` ones. There is room for one more.
+/// Decompresses with zlib to an expected `length` bytes. The buffer has one extra byte so that a longer result is
+/// noticed.
 inline std::string inflated(const std::string& packed, std::size_t length) {
   std::string bytes(length + 1, '?');
   uLongf size = bytes.size();

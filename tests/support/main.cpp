@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Tells properties which test case they are in.
+/// Reports the current test case to the property streams.
 struct CaseNames : doctest::IReporter {
   explicit CaseNames(const doctest::ContextOptions&) {}
   void report_query(const doctest::QueryData&) override {}
@@ -30,7 +30,7 @@ REGISTER_LISTENER("case names", 0, CaseNames);
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Text is set in the fonts that its expected outlines were made with, here and in every process begun from here.
+  // Text uses the fonts with which the expected outlines were made, in this process and in all its children.
   ::setenv("FONTCONFIG_FILE", CSGSIM_BINARY_DIR "/tests/generated/test_fonts.conf", 1);
   csgsim::testing::add_parameters();
   doctest::Context context(argc, argv);

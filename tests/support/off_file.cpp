@@ -25,7 +25,7 @@ Mesh read_off(const std::string& path) {
     for (unsigned& corner : face) file >> corner;
     file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
-  if (!file || magic != "OFF") throw std::runtime_error(path + " is no OFF file");
+  if (!file || magic != "OFF") throw std::runtime_error(path + " is not an OFF file");
   return mesh;
 }
 

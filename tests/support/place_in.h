@@ -4,7 +4,7 @@
 
 namespace csgsim::testing {
 
-/// `my.toml:line:column` of where the needle first stands in the text.
+/// Returns `my.toml:line:column` of the first occurrence of the needle in the text.
 inline std::string place_in(std::string_view text, std::string_view needle) {
   const std::size_t at = text.find(needle);
   REQUIRE(at != std::string_view::npos);

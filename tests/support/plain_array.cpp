@@ -115,8 +115,7 @@ void PlainArray::select(std::uint32_t width, std::uint32_t height) {
   }
 }
 
-/// Of the trees' bits, where a step takes any, those from `first` on go one each to the function, to what is done
-/// beyond the field, and to what is done with the sign.
+/// Tree bits from `first` on go, one bit each, to the function, then to the part beyond the field, then to the sign.
 void PlainArray::carry_out(const array::ArrayStep& step, std::uint32_t leaves, Pixel& pixel) {
   const auto work = [&](AluFunction function, bool constant, bool x, bool y, bool latch,
                         std::vector<bool>::size_type to) {

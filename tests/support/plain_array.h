@@ -9,7 +9,7 @@
 
 namespace csgsim::test {
 
-/// One pixel's operands and registers in a clock in which it works on one bit.
+/// Operands and registers of one pixel in a clock that processes one bit.
 struct PixelState {
   bool x = false;
   bool y = false;
@@ -18,15 +18,15 @@ struct PixelState {
   bool carry = false;
   bool latch = false;
   bool flag = false;
-  bool memory = false;  ///< at the address written
+  bool memory = false;  ///< bit at the write address
 
   bool operator==(const PixelState&) const = default;
 };
 
-/// What the table of ALU functions says.
+/// State after a function, according to the table of ALU functions.
 PixelState after(array::AluFunction function, bool constant, PixelState p);
 
-/// Pixel processors, each a struct of bools, that carry out each step at once, pixel by pixel.
+/// Reference pixel processors: each is a struct of bools, and every step is executed immediately, pixel by pixel.
 class PlainArray {
  public:
   PlainArray(array::PlaneShape shape, std::uint32_t memory_bits, unsigned alu_bits);
@@ -44,7 +44,7 @@ class PlainArray {
     return pixels_[std::size_t{y} * shape_.width + x];
   }
 
-  // As those of array::PixelArray.
+  // Same meaning as the functions of array::PixelArray.
   void clear_memory(std::uint32_t address, std::uint32_t bits);
   void select(std::uint32_t width, std::uint32_t height);
   void step(const array::ArrayStep& step, const array::StreamBit& tree);

@@ -16,14 +16,14 @@ using scan_line::PacketKind;
 
 constexpr std::uint32_t storage_bits = 64;
 
-/// The low `width` bits as a two's complement number, shifted right with floor.
+/// Interprets the low `width` bits as a two's complement number and shifts it right, rounding down.
 std::int64_t value_of_f(std::uint64_t sum, const isa::Linear& linear) {
   if (linear.width == 0) return 0;
   const unsigned unused = storage_bits - linear.width;
   return static_cast<std::int64_t>(sum << unused) >> unused >> linear.shift;
 }
 
-/// The low bits of a word are 1; `bits` is below 64.
+/// Word whose low `bits` bits are 1; `bits` is below 64.
 constexpr std::uint64_t ones(std::uint32_t bits) { return (std::uint64_t{1} << bits) - 1; }
 
 bool top_of(std::uint64_t value, std::uint32_t count) { return (value >> (count - 1) & 1U) != 0; }
@@ -134,7 +134,7 @@ void PlainCells::add(std::uint32_t cell, PlainBeat& word) {
   if (word.square != 0) word.a = add_words(word.a, word.aa, difference_carry_[cell]);
 }
 
-/// The bits of C + A*x + S*x*x, which the tree's adders form: they follow from the coefficients.
+/// Computes C + A*x + S*x*x directly from the coefficients; the tree's adders form the same bits.
 void PlainCells::take(std::uint32_t cell, const PlainBeat& beat) {
   const isa::Linear& linear = beat.instruction.linear;
   const std::uint64_t x = cell;
@@ -154,8 +154,8 @@ void PlainCells::work(std::uint32_t cell, const PlainBeat& beat) {
   alu.clock(beat.work, operands_of(cell, beat.instruction), shape_);
 }
 
-/// The root found so far takes the field's upper bits, which the remainder does not need any more; its bit k is tried
-/// against k + 3 bits of the field.
+/// The known root bits replace the upper bits of the field, which the remainder no longer needs. Bit k of the root
+/// is tried against k + 3 bits of the field.
 void PlainCells::try_root(std::uint32_t cell, const PlainBeat& beat) {
   Root& root = roots_[cell];
   std::uint64_t& value = fetched_[cell][0];
@@ -193,7 +193,7 @@ std::uint64_t PlainCells::read(std::uint32_t cell, isa::Field field) const {
   return systemc::read_field(memory(cell), field);
 }
 
-/// The part of the field in one of its words.
+/// Part of the field inside one of its words.
 isa::Field PlainCells::part_in(const FieldWords& words, std::uint32_t word) const {
   const std::uint32_t word_base = (words.first + word) * shape_.word_bits;
   const std::uint32_t first = std::max<std::uint32_t>(words.field.base, word_base);
@@ -232,7 +232,7 @@ void PlainCells::act(std::uint32_t cell, const PlainBeat& beat) {
   result_[cell] = result.value;
 }
 
-/// In the clocks from that of the result on.
+/// Called in the clock of the result and in later ones.
 void PlainCells::store(std::uint32_t cell, const PlainBeat& beat) {
   const FieldWords& target = beat.accesses.target;
   if (writes_[cell] == 0 || target.count == 0) return;
@@ -246,7 +246,7 @@ void PlainCells::store(std::uint32_t cell, const PlainBeat& beat) {
   }
 }
 
-/// F is the first, where there is one; a constant is the second.
+/// F, if present, is the first operand; a constant is the second.
 AluOperands PlainCells::operands_of(std::uint32_t cell, const isa::Instruction& instruction) const {
   const std::uint64_t first = fetched_[cell][0];
   if (instruction.linear.width > 0)

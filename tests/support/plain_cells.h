@@ -9,14 +9,14 @@
 
 #include "hw/scan_line/packet.h"
 
-/// Cells of a scan-line array that do each clock's work at once, one cell after another.
+/// Reference cells of a scan-line array: each clock's work is done immediately, one cell after another.
 namespace csgsim::test {
 
 using scan_line::CellShape;
 using scan_line::CellWork;
 using scan_line::FieldWords;
 
-/// A beat as it comes into a cell, with the words that the cell before has made.
+/// Beat as it enters a cell, with the words that the previous cell computed.
 struct PlainBeat : scan_line::Packet {
   std::uint32_t number = 0;
   std::uint64_t f = 0;
@@ -26,93 +26,94 @@ struct PlainBeat : scan_line::Packet {
   [[nodiscard]] bool last() const { return number + 1 == beats; }
 };
 
-/// The numbers that the ALU meets.
+/// Operands of the ALU.
 struct AluOperands {
   std::uint64_t x = 0;
   std::uint64_t y = 0;
-  std::uint32_t field_bits = 0;  ///< of the field that x is meant to fit
+  std::uint32_t field_bits = 0;  ///< width of the field that must hold x
 };
 
-/// What a cell's shifter and ALU have come to with the operands of a packet.
+/// Progress of a cell's shifter and ALU with the operands of a packet.
 class PlainAlu {
  public:
   void begin() { *this = {}; }
 
-  /// A clock: a word moves on, or, if all lie where they are wanted, the ALU takes the next bits.
+  /// One clock: shifts a word, or, if all words are aligned, passes the next bits through the ALU.
   void clock(const CellWork& work, const AluOperands& operands, const CellShape& cell);
 
-  /// Nothing is left to do.
+  /// Whether the work is complete.
   [[nodiscard]] bool done(const CellWork& work, const CellShape& cell) const;
 
-  [[nodiscard]] std::uint64_t value() const { return value_; }  ///< the low bits
-  // Of a difference x - y:
-  [[nodiscard]] bool less() const { return negative_x_ != negative_y_ ? negative_x_ : negative_; }  ///< with signs
-  [[nodiscard]] bool below() const { return carry_; }                                               ///< without
+  [[nodiscard]] std::uint64_t value() const { return value_; }  ///< low bits of the result
+  // Results of a difference x - y:
+  [[nodiscard]] bool less() const {
+    return negative_x_ != negative_y_ ? negative_x_ : negative_;
+  }                                                    ///< signed comparison
+  [[nodiscard]] bool below() const { return carry_; }  ///< unsigned comparison
   [[nodiscard]] bool equal() const { return !differs_; }
-  [[nodiscard]] bool fits() const { return !negative_x_ && !beyond_; }  ///< x the field
+  [[nodiscard]] bool fits() const { return !negative_x_ && !beyond_; }  ///< whether x fits the field
 
  private:
   [[nodiscard]] bool moves(const CellWork& work, const CellShape& cell) const;
   void move_on(const CellWork& work, const CellShape& cell);
   void take(const CellWork& work, const AluOperands& operands, std::uint32_t count);
 
-  std::size_t move_ = 0;     ///< of the work's
-  std::uint32_t word_ = 0;   ///< of its operand
-  std::uint32_t moved_ = 0;  ///< bits, of that word
-  std::uint32_t taken_ = 0;  ///< bits that the ALU has gone through
-  std::uint64_t value_ = 0;  ///< of these
-  bool carry_ = false;       ///< out of them; of a difference the borrow
-  bool differs_ = false;     ///< a bit of the difference is 1
-  bool beyond_ = false;      ///< a bit of x above the field is
-  bool negative_ = false;    ///< the highest bit of the value
-  bool negative_x_ = false;  ///< and of the operands
+  std::size_t move_ = 0;     ///< index into the moves of the work
+  std::uint32_t word_ = 0;   ///< index of the operand word
+  std::uint32_t moved_ = 0;  ///< bits by which that word has been shifted
+  std::uint32_t taken_ = 0;  ///< number of bits that the ALU has processed
+  std::uint64_t value_ = 0;  ///< result of those bits
+  bool carry_ = false;       ///< carry out of those bits; borrow for a difference
+  bool differs_ = false;     ///< some bit of the difference is 1
+  bool beyond_ = false;      ///< some bit of x above the field is 1
+  bool negative_ = false;    ///< top bit of the value
+  bool negative_x_ = false;  ///< top bits of the operands
   bool negative_y_ = false;
 };
 
-/// Each cell has a memory of words with so many ports, an enable bit, an adder of a word with its carry, a shifter, an
-/// ALU, and registers: the words of F that have come in, two fields that have been read, and a field to be written. For
-/// squares there is a second adder, which brings the difference up to date, with its carry. Below a tree there are none
-/// of these adders.
+/// Each cell has a multi-port memory of words, an enable bit, a word-wide adder with carry, a shifter, an ALU, and
+/// registers for the received words of F, two fetched fields and the field to be written. Squares need a second adder
+/// with carry, which updates the difference. Cells below a tree have neither adder.
 class PlainCells {
  public:
   PlainCells(std::uint32_t count, std::uint32_t memory_bits, const CellShape& shape);
 
-  /// Takes a word of F in, and makes of it and of the difference what the next cell gets.
+  /// Receives a word of F and computes the words of F and of the difference for the next cell.
   void add(std::uint32_t cell, PlainBeat& word);
 
-  /// Takes in the bits of F that a tree brings the cell with the beat.
+  /// Receives the bits of F that a tree delivers to the cell with the beat.
   void take(std::uint32_t cell, const PlainBeat& beat);
 
-  /// The words of the packet's F that have come in so far.
+  /// Words of the packet's F received until now.
   [[nodiscard]] std::uint64_t sum(std::uint32_t cell) const { return sum_[cell]; }
 
-  /// Memory and enable become 0.
+  /// Sets memory and enable to 0.
   void clear(std::uint32_t cell);
 
-  /// What the ports read in the clock of that beat.
+  /// Reads memory through the ports in the clock of the beat.
   void fetch(std::uint32_t cell, const PlainBeat& beat);
 
-  /// A clock of the shifter or of the ALU.
+  /// One clock of the shifter or of the ALU.
   void work(std::uint32_t cell, const PlainBeat& beat);
 
-  /// A clock of a root's trials, in which the ALU subtracts or adds the bits that it goes through in one.
+  /// One clock of a trial for a root bit, in which the ALU adds or subtracts the next group of bits.
   void try_root(std::uint32_t cell, const PlainBeat& beat);
 
-  /// Carries out a valid instruction, whose F and fields have come in, but for what is written. Throws std::logic_error
-  /// if a field has not been read, the ALU is not through, or a root is not complete.
+  /// Executes a valid instruction whose F and fields have arrived, except for the write to memory. Throws
+  /// std::logic_error if a field has not been read, the ALU is still busy, or a root is incomplete.
   void act(std::uint32_t cell, const PlainBeat& beat);
 
-  /// What the ports write in the clock of that beat.
+  /// Writes memory through the ports in the clock of the beat.
   void store(std::uint32_t cell, const PlainBeat& beat);
 
-  /// What has been read of a field, of the first or the second.
+  /// Words fetched of the first or second field.
   [[nodiscard]] std::uint64_t fetched(std::uint32_t cell, std::size_t field = 0) const {
     return fetched_[cell].at(field);
   }
-  [[nodiscard]] bool carry(std::uint32_t cell) const { return carry_[cell] != 0; }  ///< of the running sum
+  [[nodiscard]] bool carry(std::uint32_t cell) const { return carry_[cell] != 0; }  ///< carry of the running sum
   [[nodiscard]] bool difference_carry(std::uint32_t cell) const { return difference_carry_[cell] != 0; }
   [[nodiscard]] const PlainAlu& alu(std::uint32_t cell) const { return alus_[cell]; }
-  [[nodiscard]] bool writes(std::uint32_t cell) const { return writes_[cell] != 0; }  ///< the result
+  [[nodiscard]] bool writes(std::uint32_t cell) const { return writes_[cell] != 0; }  ///< whether the result is written
 
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(enable_.size()); }
   [[nodiscard]] bool enabled(std::uint32_t cell) const { return enable_[cell] != 0; }
@@ -122,22 +123,22 @@ class PlainCells {
   [[nodiscard]] std::uint64_t read(std::uint32_t cell, isa::Field field) const;
 
  private:
-  /// What the ALU makes of an instruction.
+  /// Result of the ALU for an instruction.
   struct Result {
     bool enable = false;
     bool writes = false;
     std::uint64_t value = 0;
   };
 
-  /// How far a root has come.
+  /// Progress of a root.
   struct Root {
-    std::uint32_t bit = 0;    ///< of the root, the highest first
-    std::uint32_t tried = 0;  ///< bits of the trial for it
-    bool carry = false;       ///< out of these
-    bool negative = false;    ///< the remainder
+    std::uint32_t bit = 0;    ///< bit of the root under trial, highest first
+    std::uint32_t tried = 0;  ///< bits of this trial that are done
+    bool carry = false;       ///< carry out of those bits
+    bool negative = false;    ///< the remainder is negative
   };
 
-  /// Adds a word to another; `carry` goes in, and is the carry out then.
+  /// Adds two words; `carry` is the carry in and becomes the carry out.
   [[nodiscard]] std::uint64_t add_words(std::uint64_t one, std::uint64_t other, std::uint8_t& carry) const;
   [[nodiscard]] AluOperands operands_of(std::uint32_t cell, const isa::Instruction& instruction) const;
   [[nodiscard]] Result result_of(std::uint32_t cell, const isa::Instruction& instruction) const;
@@ -152,25 +153,24 @@ class PlainCells {
   std::vector<std::uint8_t> difference_carry_;
   std::vector<std::uint8_t> enable_;
   std::vector<std::array<std::uint64_t, 2>> fetched_;
-  std::vector<std::uint32_t> words_fetched_;  ///< of the packet
+  std::vector<std::uint32_t> words_fetched_;  ///< words of the packet fetched until now
   std::vector<PlainAlu> alus_;
   std::vector<Root> roots_;
   std::vector<std::uint64_t> result_;
-  std::vector<std::uint8_t> writes_;  ///< whether the result is to be written
+  std::vector<std::uint8_t> writes_;  ///< whether the result will be written
 };
 
-/// Such cells behind one another, through which beats move on by one a clock, or below a tree whose levels they go
-/// down.
+/// Chain of such cells through which beats advance one cell per clock, or a tree whose levels they descend.
 class PlainChain {
  public:
   PlainChain(std::uint32_t cells, std::uint32_t memory_bits, const CellShape& shape);
 
-  /// One clock, in which that beat is in cell 0, or at the root of the tree.
+  /// Advances by one clock; `entering` is in cell 0 or at the root of the tree.
   void step(const scan_line::Beat& entering);
 
   [[nodiscard]] const PlainCells& cells() const { return cells_; }
 
-  /// The beat that is in that cell in the clock that comes, if one is.
+  /// Beat that is in the cell in the coming clock; null if none is.
   [[nodiscard]] const PlainBeat* beat_in(std::uint32_t cell) const;
 
  private:

@@ -4,7 +4,7 @@
 
 namespace csgsim::testing {
 
-/// A frame buffer of that shape, and with a picture as large, at 10 MHz.
+/// A 10 MHz frame buffer of the given shape with a picture of the same size.
 inline machines::Machine planes(isa::ArrayShape shape) {
   machines::Machine machine = machines::blank(pixel_planes::kind);
   machine.name = "test";

@@ -43,7 +43,7 @@ ProbedTrees::Tree::Tree(std::uint32_t leaves, std::span<const std::uint32_t> way
   const std::size_t words = words_of(ways.size());
   for (unsigned k = 0; k < tokens.levels(); ++k) {
     Level& level = levels.emplace_back(Level{Words(words), Words(words), Words(words), Words(words)});
-    const unsigned below = tokens.levels() - 1 - k;  // levels under its children
+    const unsigned below = tokens.levels() - 1 - k;  // levels below its children
     for (std::size_t i = 0; i < ways.size(); ++i) {
       set_bit(level.goes_right, i, ((ways[i] >> below) & 1U) != 0);
       const std::uint64_t right = ((std::uint64_t{ways[i]} >> below) | 1U) << below;  // first leaf of the right child

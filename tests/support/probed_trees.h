@@ -16,12 +16,12 @@ using array::RootBits;
 using array::Token;
 using array::Words;
 
-/// A wire that reaches its end `length` clocks later (0 to 63).
+/// A wire with a delay of `length` clocks (0 to 63).
 class DelayLine {
  public:
   explicit DelayLine(unsigned length) : length_(length) {}
 
-  /// What comes out while `bit` goes in.
+  /// Output of the wire while `bit` is its input.
   [[nodiscard]] bool out(bool bit) const { return length_ == 0 ? bit : ((bits_ >> (length_ - 1)) & 1U) != 0; }
   void shift(bool bit) { bits_ = (bits_ << 1U) | (bit ? 1U : 0U); }
 
@@ -30,8 +30,8 @@ class DelayLine {
   std::uint64_t bits_ = 0;
 };
 
-/// The tokens that travel with the stream through the levels of a tree. While the token's bit is below n-1-k, the
-/// multiplicand wire still carries the instruction before, and the multiplicand counts as 0.
+/// Tokens that travel with the stream through the levels of a tree. While the token's bit is below n-1-k, the
+/// multiplicand wire still carries the previous instruction, and the multiplicand counts as 0.
 class LevelTokens {
  public:
   explicit LevelTokens(unsigned levels) : tokens_(levels) {}
@@ -39,13 +39,13 @@ class LevelTokens {
   [[nodiscard]] unsigned levels() const { return static_cast<unsigned>(tokens_.size()); }
   [[nodiscard]] bool any_active() const;
 
-  /// The token at level k, where `root` is the one that enters the tree in this clock.
+  /// Token at level k; `root` enters the tree in this clock.
   [[nodiscard]] Token at(unsigned level, Token root) const { return level == 0 ? root : tokens_[level - 1]; }
 
-  /// The token that goes with the leaves' streams.
+  /// Token that accompanies the streams at the leaves.
   [[nodiscard]] Token leaves(Token root) const { return at(levels(), root); }
 
-  /// Whether the multiplicand wire counts at level k.
+  /// Whether the multiplicand wire is valid at level k.
   [[nodiscard]] bool multiplies(unsigned level, Token token) const {
     return token.bit >= static_cast<int>(levels() - 1 - level);
   }
@@ -57,12 +57,12 @@ class LevelTokens {
   std::vector<Token> tokens_;
 };
 
-/// Of the trees that a LinearEvaluator stands for, the nodes on the way to some pixels, adder by adder and clock by
-/// clock: a judge of what the evaluator works out of the coefficients. A plane has a bit a pixel, in the order in which
-/// they are given, in a row.
+/// Independent judge of LinearEvaluator, which computes the tree's state from the coefficients: simulates the nodes on
+/// the paths to some pixels, adder by adder and clock by clock. A plane has one bit per pixel, in the given order, in a
+/// single row.
 class ProbedTrees {
  public:
-  /// `shape`: of the array in which the pixels lie.
+  /// `shape` is the shape of the array that contains the pixels.
   ProbedTrees(PlaneShape shape, std::span<const Place> pixels);
 
   [[nodiscard]] unsigned x_levels() const { return columns_.tokens.levels(); }
@@ -70,20 +70,20 @@ class ProbedTrees {
   [[nodiscard]] unsigned levels() const { return x_levels() + y_levels(); }
   [[nodiscard]] bool any_active() const { return columns_.tokens.any_active() || rows_.tokens.any_active(); }
 
-  /// As LinearEvaluator::clock, with the bits that reach the pixels.
+  /// Same as LinearEvaluator::clock, but for the bits that reach the given pixels.
   bool clock(const RootBits& root, std::span<std::uint64_t> leaves);
 
-  // As those of LinearEvaluator, for the pixel with the number x.
+  // Same as the functions of LinearEvaluator; x is the index of the pixel.
   [[nodiscard]] LevelProbe x_level(unsigned level, std::uint32_t x, const RootBits& root) const;
   [[nodiscard]] LevelProbe y_level(unsigned level, std::uint32_t x, const RootBits& root) const;
 
  private:
-  /// What a level has on the way to each pixel, a bit a pixel.
+  /// State of a level on the path to each pixel, one bit per pixel.
   struct Level {
-    Words goes_right;  ///< the way leads to the right child
-    Words has_adder;   ///< there is a right child
+    Words goes_right;  ///< the path leads to the right child
+    Words has_adder;   ///< the right child exists
     Words carry;
-    Words out;  ///< the stream behind it
+    Words out;  ///< the stream after this level
   };
   struct Tree {
     LevelTokens tokens;

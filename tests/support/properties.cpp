@@ -14,7 +14,7 @@ namespace csgsim::testing {
 namespace {
 
 std::string case_name;
-std::uint32_t checked = 0;  ///< properties of the case
+std::uint32_t checked = 0;  ///< number of properties checked in this test case
 
 void add_parameter(std::string_view word) {
   if (word.empty() || !parameter(word.substr(0, word.find('='))).empty()) return;

@@ -4,8 +4,9 @@
 
 namespace csgsim::testing {
 
-/// Stands in for rapidcheck's function of that symbol, which rc::check calls: the linker replaces it (CMakeLists.txt).
-/// rapidcheck gives each property that a process checks the same numbers, and has no other place to set that.
+/// Replaces rapidcheck's function of that symbol, which rc::check calls; the linker redirects the calls
+/// (CMakeLists.txt). rapidcheck gives the same random numbers to each property that a process checks, and offers no
+/// other way to change that.
 rc::detail::TestResult check_in_own_stream(
     const rc::detail::Property& property,
     const rc::detail::TestMetadata& metadata) __asm__("__wrap_" CSGSIM_CHECK_PROPERTY);

@@ -4,7 +4,7 @@ namespace csgsim::test {
 
 namespace {
 
-/// Of trees that take a bit in a clock.
+/// Valid for trees that take one bit per clock.
 NodeStreams root_streams(const RootBits& root) {
   return {.value = root.c != 0, .slope = root.a != 0, .row_slope = root.b != 0};
 }
@@ -22,7 +22,7 @@ QuadraticWay::Tree::Tree(std::uint32_t leaves, std::uint32_t leaf) : tokens(arra
   }
 }
 
-/// The deepest level first: each takes what the one above has put out before.
+/// The deepest level comes first because each level takes the previous output of the level above.
 void QuadraticWay::Tree::clock(Token token, NodeStreams in, const Wires& wires) {
   for (unsigned k = tokens.levels(); k-- > 0;) {
     const Token here = tokens.at(k, token);
@@ -31,7 +31,7 @@ void QuadraticWay::Tree::clock(Token token, NodeStreams in, const Wires& wires) 
   tokens.shift(token);
 }
 
-/// A stream that is delayed by d clocks to be worth 2^d times itself counts as 0 for the first d bits.
+/// A stream delayed by d clocks is worth 2^d times the original and counts as 0 for the first d bits.
 void QuadraticWay::Tree::act(unsigned k, Token here, NodeStreams in, const Wires& wires) {
   Level& level = levels[k];
   const auto times = [&](unsigned delay, bool bit) { return here.bit >= static_cast<int>(delay) && bit; };
@@ -66,13 +66,13 @@ LevelProbe QuadraticWay::Tree::probe(unsigned level, Token token, NodeStreams in
 QuadraticWay::QuadraticWay(PlaneShape shape, Place pixel)
     : columns_(shape.width, pixel.x), rows_(shape.height, pixel.y) {}
 
-/// The Y tree begins with the column's value, and with its slope along the column.
+/// The Y tree starts with the column's value and the column's slope.
 NodeStreams QuadraticWay::row_streams(const RootBits& root) const {
   const NodeStreams column = columns_.at(columns_.tokens.levels(), root_streams(root));
   return {.value = column.value, .slope = column.row_slope};
 }
 
-/// The Y tree first: it takes what the X tree has put out before.
+/// The Y tree comes first because it takes the previous output of the X tree.
 void QuadraticWay::clock(const RootBits& root) {
   const Token between = columns_.tokens.leaves(root.token);
   rows_.clock(between, row_streams(root), {yy_, TappedWire(), root.yy != 0, false, columns_.tokens.levels()});

@@ -10,10 +10,10 @@
 
 namespace csgsim::test {
 
-/// A wire from the root, with a tap for each number of clocks that a bit has been on it (0 to 64).
+/// A wire from the root with taps at delays of 0 to 64 clocks.
 class TappedWire {
  public:
-  /// `bit`: that enters in this clock.
+  /// `bit` enters in this clock.
   [[nodiscard]] bool at(unsigned delay, bool bit) const {
     return delay == 0 ? bit : ((bits_ >> (delay - 1)) & 1U) != 0;
   }
@@ -34,39 +34,39 @@ struct SerialAdder {
   }
 };
 
-/// The streams at a node: the value at its first leaf, the slope there, and in the X tree the slope along the column.
+/// Streams at a node: the value at its first leaf, the slope there, and in the X tree the slope along the column.
 struct NodeStreams {
   bool value = false;
   bool slope = false;
   bool row_slope = false;
 };
 
-/// Of trees of degree 2 the nodes on the way to a pixel, adder by adder and clock by clock: a judge of what a
-/// LinearEvaluator works out of the coefficients. Each level has delays and adders of its own; only the squares'
-/// coefficients come on wires that levels share.
+/// Independent judge of LinearEvaluator for trees of degree 2: simulates the nodes on the path to a pixel, adder by
+/// adder and clock by clock. Each level has separate delays and adders; only the coefficients of the squares arrive on
+/// wires that levels share.
 class QuadraticWay {
  public:
   QuadraticWay(PlaneShape shape, Place pixel);
 
   void clock(const RootBits& root);
 
-  // As those of LinearEvaluator, for the pixel.
+  // Same as the functions of LinearEvaluator, for this pixel.
   [[nodiscard]] LevelProbe x_level(unsigned level, const RootBits& root) const;
   [[nodiscard]] LevelProbe y_level(unsigned level, const RootBits& root) const;
 
  private:
   struct Level {
-    unsigned below;   ///< levels under its children
-    bool goes_right;  ///< the way leads to the right child
-    bool has_adders;  ///< there is a right child
+    unsigned below;   ///< levels below its children
+    bool goes_right;  ///< the path leads to the right child
+    bool has_adders;  ///< the right child exists
     DelayLine delayed_slope;
     SerialAdder value{};
     SerialAdder step{};
     SerialAdder slope{};
     SerialAdder row_slope{};
-    NodeStreams out{};  ///< behind it
+    NodeStreams out{};  ///< streams after this level
   };
-  /// What comes on the shared wires in a clock.
+  /// Bits on the shared wires in a clock.
   struct Wires {
     const TappedWire& square;
     const TappedWire& cross;

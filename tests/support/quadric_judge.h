@@ -8,12 +8,12 @@
 
 #include "hw/isa/program.h"
 
-/// What squares and roots have to be, in wide numbers and by other ways than those of the engines.
+/// Expected squares and roots, computed in 128-bit integers and with methods different from those of the engines.
 namespace csgsim::test {
 
 __extension__ using Wide = __int128;
 
-/// The sum A*x*x + B*x*y + C*y*y + a*x + b*y + c of squares and of a linear expression.
+/// The sum A*x*x + B*x*y + C*y*y + a*x + b*y + c of squares and a linear expression.
 struct Quadratic {
   isa::Linear squares;
   isa::Linear linear;
@@ -39,8 +39,8 @@ constexpr std::uint64_t below_bits(std::int64_t number, unsigned width) {
   return static_cast<std::uint64_t>(number) & ((std::uint64_t{1} << width) - 1);
 }
 
-/// A valid one over a segment of that shape: now flat, now steep, often 0 or nearly so at some pixel, and sometimes
-/// too great for its width.
+/// Valid expression over a segment of the given shape: sometimes flat, sometimes steep, often near 0 at some pixel, and
+/// sometimes too large for its width.
 inline Quadratic any_quadratic(isa::ArrayShape shape) {
   const auto between = [](std::int64_t least, std::int64_t most) {
     return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::int64_t>(least, most + 1));
@@ -61,7 +61,7 @@ inline Quadratic any_quadratic(isa::ArrayShape shape) {
   return one;
 }
 
-/// Bits that are the same each time.
+/// Reproducible pseudo-random bits.
 constexpr std::uint64_t mixed_bits(std::uint64_t number, unsigned width) {
   std::uint64_t bits = (number + 1) * 0x9e3779b97f4a7c15U;
   bits = (bits ^ bits >> 30U) * 0xbf58476d1ce4e5b9U;
@@ -69,7 +69,7 @@ constexpr std::uint64_t mixed_bits(std::uint64_t number, unsigned width) {
   return (bits ^ bits >> 31U) & ((std::uint64_t{1} << width) - 1);
 }
 
-/// D of 2w bits, with and without a bit above them: ends of the range, squares and their neighbours.
+/// Radicands D of 2w bits, with and without a bit above them: ends of the range, squares and their neighbours.
 inline std::vector<std::uint64_t> extreme_squares(unsigned w) {
   const std::uint64_t most = (std::uint64_t{1} << w) - 1;
   const std::uint64_t all = (std::uint64_t{1} << 2 * w) - 1;
@@ -81,7 +81,7 @@ inline std::vector<std::uint64_t> extreme_squares(unsigned w) {
   return squares;
 }
 
-/// What a field of 2w + 1 bits becomes: the root by Newton's way from above.
+/// Expected field of 2w + 1 bits after the instruction; computes the root by Newton's iteration from above.
 inline std::uint64_t root_field(std::uint64_t field, unsigned w) {
   const std::uint64_t square = field & ((std::uint64_t{1} << 2 * w) - 1);
   std::uint64_t root = std::uint64_t{1} << w;

@@ -35,16 +35,16 @@ using isa::Opcode;
 using isa::OpcodeInfo;
 using isa::OperandKind;
 
-/// More than the machine's link to the host holds.
+/// Exceeds the capacity of the machine's link to the host.
 constexpr unsigned most_skipped = 40;
 
-/// Any number of `least` to `most`, whatever the size that rapidcheck has come to.
+/// Uniform random number from `least` to `most`, independent of rapidcheck's current size.
 template <class Integer>
 Integer pick(Integer least, Integer most) {
   return least + *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<Integer>(0, most - least + 1));
 }
 
-/// As pick, but half of the time one of the preferred that are in range.
+/// Same as pick, but half of the time returns one of the preferred values in range.
 unsigned pick_near(std::vector<unsigned> preferred, unsigned least, unsigned most) {
   std::erase_if(preferred, [=](unsigned value) { return value < least || value > most; });
   if (preferred.empty() || pick(0, 1) == 0) return pick(least, most);
@@ -55,17 +55,18 @@ unsigned fields_of(const OpcodeInfo& row) {
   return static_cast<unsigned>(std::count_if(row.operands.begin(), row.operands.end(), isa::is_field));
 }
 
-/// Can the opcode's fields be placed in that memory?
+/// Whether the opcode's fields fit in the memory.
 bool fits(const OpcodeInfo& row, std::uint32_t memory_bits) {
   const FieldWidths widths = row.widths;
   if (widths == FieldWidths::odd) return memory_bits >= 3;
   return widths == FieldWidths::one || widths == FieldWidths::elementwise || fields_of(row) <= memory_bits;
 }
 
-/// Fields lie at multiples of a coarse grid or a little beside it: they coincide or overlap often between instructions.
+/// Fields lie at or near multiples of a coarse grid, so that fields of different instructions often coincide or
+/// overlap.
 unsigned pick_base(unsigned room) { return std::min(room, pick(0U, room / 8U) * 8U + pick_near({0}, 0, 7)); }
 
-/// Leaves the second field some of its bits, at either end or in between.
+/// Narrows the second field at either end or at both.
 void pick_narrower(Field& second) {
   const unsigned width = pick_near({1, second.width / 2U, second.width}, 1, second.width);
   const unsigned base = second.base + pick(0U, second.width - width);
@@ -86,8 +87,8 @@ unsigned pick_width(FieldWidths widths, unsigned room) {
   return pick_near({1, 2, 4, 8, 20, 31, 32}, 1, std::min(isa::max_field_width, room));
 }
 
-/// Disjoint fields, equally wide unless one may be narrower, in any order; where they may coincide, also fewer of them
-/// than operands.
+/// Picks disjoint fields in any order, equally wide unless one may be narrower. Operands that may coincide sometimes
+/// share a field.
 void pick_fields(Instruction& instruction, std::uint32_t memory_bits) {
   const OpcodeInfo& row = info(instruction.opcode);
   const unsigned count = fields_of(row);
@@ -110,7 +111,7 @@ void pick_fields(Instruction& instruction, std::uint32_t memory_bits) {
   if (widths == FieldWidths::narrower) pick_narrower(instruction.fields[1]);
 }
 
-/// A coefficient of either sign and at most that magnitude.
+/// A coefficient of either sign, at most `most` in magnitude.
 std::int64_t pick_coefficient(std::int64_t most) {
   switch (pick(0, 5)) {
     case 0: return 0;
@@ -121,8 +122,7 @@ std::int64_t pick_coefficient(std::int64_t most) {
   }
 }
 
-/// Coefficients whose sum stays below 2^bits in magnitude, and is some small value at some pixel, so that tests divide
-/// the pixels.
+/// Keeps the sum below 2^bits in magnitude and small at some pixel, so that tests separate the pixels.
 void pick_coefficients(Linear& linear, unsigned bits, isa::ArrayShape region) {
   const std::int64_t share = ((std::int64_t{1} << bits) - 1) / 5;
   linear.a = pick_coefficient(share / region.width);
@@ -132,8 +132,8 @@ void pick_coefficients(Linear& linear, unsigned bits, isa::ArrayShape region) {
   linear.c = pick_coefficient(share) - linear.a * x - linear.b * y;
 }
 
-/// Bits of the sum's magnitude: up to the field's range, up to what the width holds, or up to what no width but the
-/// widest holds; of a sum that is meant to be cut, a few more than the width instead of the first.
+/// Magnitudes of the sum in bits: the field's range, the full width, or the limit of the widest width. A sum that is
+/// meant to overflow gets a few bits more than its width instead of the first choice.
 std::array<unsigned, 3> reaches_of(const Instruction& instruction) {
   const Linear& linear = instruction.linear;
   const unsigned held = linear.width - 1U;
@@ -153,7 +153,7 @@ void pick_linear(Instruction& instruction, isa::ArrayShape region) {
   pick_coefficients(linear, reaches_of(instruction).at(std::min(2U, pick(0U, 9U) / 4U)), region);
 }
 
-/// |A|, |B| and |C| are such that squares stay below `most`.
+/// Limits |A|, |B| and |C| so that the squares stay below `most`.
 void pick_squares(Linear& squares, std::int64_t most, const isa::ArrayShape& region) {
   const std::int64_t share = most / 3;
   squares.a = pick_coefficient(share / region.width / region.width);
@@ -161,8 +161,8 @@ void pick_squares(Linear& squares, std::int64_t most, const isa::ArrayShape& reg
   squares.c = pick_coefficient(share / region.height / region.height);
 }
 
-/// Squares for a linear instruction, which is changed so that the sum stays in range, and at some pixel is about what
-/// it was.
+/// Squares for a linear instruction, which is adjusted so that the sum stays in range and is nearly unchanged at some
+/// pixel.
 Instruction pick_squares_before(Instruction& instruction, const isa::ArrayShape& region) {
   Linear& linear = instruction.linear;
   for (std::int64_t* const coefficient : {&linear.a, &linear.b, &linear.c}) *coefficient /= 2;
@@ -200,7 +200,7 @@ isa::Origin pick_origin(std::uint32_t primitives) {
   return origin;
 }
 
-/// Every opcode, with those that enable pixels, make patterns of enabled pixels, or skip, more often.
+/// Picks any opcode; those that enable pixels, make patterns of enabled pixels, or skip are more frequent.
 Opcode pick_opcode(std::uint32_t memory_bits, unsigned degree) {
   switch (pick(0, 19)) {
     case 0: return Opcode::enable_all;
@@ -217,7 +217,7 @@ Opcode pick_opcode(std::uint32_t memory_bits, unsigned degree) {
   return *rc::gen::elementOf(opcodes);
 }
 
-/// The whole array half of the time, else a part of it.
+/// The whole array half of the time, otherwise a part of it.
 isa::Region pick_region(isa::ArrayShape shape) {
   if (pick(0, 1) == 0) return {0, 0, shape.width, shape.height};
   isa::Region region;
@@ -228,13 +228,13 @@ isa::Region pick_region(isa::ArrayShape shape) {
   return region;
 }
 
-/// Can the instruction only disable pixels?
+/// Whether the instruction can only disable pixels.
 bool narrows(Opcode opcode) {
   const std::string_view meaning = info(opcode).meaning;
   return meaning.find("E := E and") != meaning.npos || meaning.find("E := 0") != meaning.npos;
 }
 
-/// Enables all pixels anew before a third instruction that can only disable some.
+/// Enables all pixels again before a third instruction that can only disable some.
 std::vector<Instruction> revived(const std::vector<Instruction>& instructions) {
   std::vector<Instruction> out;
   int narrowed = 3;
@@ -249,7 +249,7 @@ std::vector<Instruction> revived(const std::vector<Instruction>& instructions) {
   return out;
 }
 
-/// Puts squares before a third of the instructions that can have them.
+/// Inserts squares before a third of the instructions that can follow squares.
 std::vector<Instruction> with_squares(std::vector<Instruction> instructions, const isa::ArrayShape& region) {
   std::vector<Instruction> out;
   for (Instruction& instruction : instructions) {
@@ -262,7 +262,7 @@ std::vector<Instruction> with_squares(std::vector<Instruction> instructions, con
 
 bool is_squares(const Instruction& instruction) { return instruction.opcode == Opcode::squares; }
 
-/// Skips reach no farther than the segment, and end at no squares; one that nothing follows only asks.
+/// Skips end within the segment and never at squares; a skip at the end of a segment only performs its test.
 void fit_skips(std::vector<Instruction>& instructions) {
   for (std::size_t i = 0; i < instructions.size(); ++i) {
     Instruction& instruction = instructions[i];
@@ -297,7 +297,7 @@ isa::Segment pick_segment(const isa::Region& region, std::uint32_t memory_bits, 
   return segment;
 }
 
-/// Any bytes, for names.
+/// Arbitrary bytes, for names.
 std::string pick_name() {
   return *rc::gen::resize(
       12, rc::gen::container<std::string>(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<char>())));
@@ -319,7 +319,7 @@ void pick_facts(isa::Program& program) {
   while (pick(0, 1) == 1) program.facts->compile.effects.push_back(pick_name());
 }
 
-/// Each name is unique, as it begins with its number.
+/// Each name is unique because it begins with its number.
 void pick_names(isa::Program& program) {
   const unsigned fields = pick(0U, 4U);
   for (unsigned i = 0; i < fields; ++i) {
@@ -338,7 +338,7 @@ void pick_names(isa::Program& program) {
   for (unsigned i = 0; i < primitives; ++i) program.facts->primitives.push_back(pick_name());
 }
 
-/// Whatever the instructions serve: machines go by what is said.
+/// Extents are independent of the instructions because machines use only the declared values.
 void pick_extents(isa::Program& program) {
   const unsigned extents = pick(0U, 1U) * pick(0U, 6U);
   for (unsigned i = 0; i < extents; ++i) {
@@ -379,7 +379,7 @@ rc::Gen<isa::Instruction> arbitrary_instruction(isa::ArrayShape region, std::uin
 
 namespace {
 
-/// Any tests, between which so many instructions are written.
+/// Random tests with `instructions` instructions in total between them.
 std::vector<isa::DivisionStep> pick_steps(std::size_t instructions) {
   std::vector<isa::DivisionStep> steps;
   std::size_t left = instructions;
@@ -409,14 +409,14 @@ isa::Preparation pick_preparation() {
           .nodes = pick(0U, 9U)};
 }
 
-/// What the host does; often nothing.
+/// Work of the host; often none.
 void pick_preparations(isa::Program& program) {
   if (pick(0U, 1U) == 0) return;
   *program.preparation = pick_preparation();
   for (isa::Segment& segment : program.segments) *segment.preparation = pick_preparation();
 }
 
-/// Any bytes in place of a display model, and what its division takes; often neither.
+/// Arbitrary bytes as a display model, together with the work of its division; often neither.
 void pick_division(isa::Program& program) {
   program.display_model.resize(pick(0U, 1U) * pick(0U, 120U));
   for (std::uint8_t& byte : program.display_model) byte = static_cast<std::uint8_t>(pick(0U, 255U));
@@ -470,7 +470,7 @@ rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machin
     const unsigned colour_bits = program.colour.width;
     program.background = pick(0U, (1U << std::min(colour_bits, isa::max_colour_bits)) - 1);
     const auto primitives = static_cast<std::uint32_t>(program.facts->primitives.size());
-    const unsigned without = std::min(pick(0U, 12U), 10U);  // of ten segments
+    const unsigned without = std::min(pick(0U, 12U), 10U);  // out of ten segments
     for (const isa::Region& region : machines::regions(machine)) {
       program.segments.push_back(pick_segment(region, program.shape.memory_bits, max_instructions, primitives, degree));
       std::vector<Instruction>& instructions = program.segments.back().instructions;

@@ -4,7 +4,7 @@
 
 namespace csgsim::testing {
 
-/// An empty folder, which is deleted with the object.
+/// An empty directory, deleted together with the object.
 class Scratch {
  public:
   Scratch() {

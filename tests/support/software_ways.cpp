@@ -84,12 +84,12 @@ software::Picture SoftwareScene::draw(const Way& way, bool counts) const {
 
 std::string SoftwareScene::fault_of(const Way& way, const std::vector<Seen>& expected) const {
   const software::Picture picture = draw(way);
-  if (picture.seen.size() != expected.size()) return to_text(way) + ": another number of pixels";
+  if (picture.seen.size() != expected.size()) return to_text(way) + ": different number of pixels";
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const software::Seen& seen = picture.seen[i];
     if (seen.depth == expected[i].depth && seen.owner == expected[i].owner) continue;
-    return fmt::format("{}: pixel {}, {} is {} at {}, not {} at {}", to_text(way), i % rays_.width(), i / rays_.width(),
-                       seen.owner, seen.depth, expected[i].owner, expected[i].depth);
+    return fmt::format("{}: pixel {}, {} has owner {} at depth {}, expected {} at {}", to_text(way), i % rays_.width(),
+                       i / rays_.width(), seen.owner, seen.depth, expected[i].owner, expected[i].depth);
   }
   return "";
 }
@@ -106,7 +106,7 @@ std::string SoftwareScene::fault_of_some(std::uint64_t number, std::size_t ways,
 
 namespace {
 
-/// What methods that draw facet by facet draw otherwise, where there are facets; of a large model one of them.
+/// First difference of the methods that draw facet by facet; a large model is drawn by only one of them.
 std::string fault_of_display(const software::DisplaySubject& subject, bool is_large,
                              const std::vector<Seen>& expected) {
   for (const software::DisplayRow* const row : software::display_methods()) {
@@ -116,8 +116,8 @@ std::string fault_of_display(const software::DisplaySubject& subject, bool is_la
       const software::Seen& seen = picture.seen[i];
       if (seen.depth == expected[i].depth && seen.owner == expected[i].owner) continue;
       const std::uint32_t width = subject.view.sampling.width;
-      return fmt::format("{}: pixel {}, {} is {} at {}, not {} at {}", row->name, i % width, i / width, seen.owner,
-                         seen.depth, expected[i].owner, expected[i].depth);
+      return fmt::format("{}: pixel {}, {} has owner {} at depth {}, expected {} at {}", row->name, i % width,
+                         i / width, seen.owner, seen.depth, expected[i].owner, expected[i].depth);
     }
   }
   return "";
@@ -134,10 +134,10 @@ std::string fault_of_software(const std::string& csg, const model::Tree& tree, c
   std::vector<Seen> expected;
   for (std::size_t i = 0; i < frame.depth.size(); ++i) expected.push_back({frame.depth[i], frame.owner[i]});
   const SoftwareScene software(tree, geometry, view);
-  // Where rays meet hundreds of surfaces most methods take long, and where there are thousands of planes, a ray does.
+  // Most methods are slow if rays cross hundreds of surfaces, and each ray is slow with thousands of planes.
   const bool is_large = tree.primitives.size() > 100 || view.planes.size() > 5000;
-  // Facets of half a million planes take 20 seconds a picture, rays through 300 solids a minute: each has a sequence of
-  // its own, and its surfaces are looked for among as many.
+  // Facets of half a million planes take 20 s per picture, and rays through 300 solids a minute, because each solid has
+  // a separate sequence and its surfaces are searched among all of them.
   if (geometry.is_faceted() && view.planes.size() <= 100'000 && tree.primitives.size() <= 250) {
     const software::Facets facets = software::facets_of(tree, geometry);
     const software::DisplaySubject subject{tree, geometry, view, software.tree(Shape::written), facets};

@@ -19,24 +19,24 @@
 
 namespace csgsim::testing {
 
-/// A way for software to draw a picture.
+/// Software rendering method with its options.
 struct Way {
   software::Choice choice;
   software::Pruning pruning = software::Pruning::none;
   software::Shape shape = software::Shape::written;
 };
 
-/// As METHOD/COHERENCE PRUNING SHAPE.
+/// Formatted as METHOD/COHERENCE PRUNING SHAPE.
 std::string to_text(const Way& way);
 
-/// Each method in each shape, with each coherence and each pruning that it takes.
+/// Each method in each shape, with every coherence and pruning that it supports.
 const std::vector<Way>& all_ways();
 
-/// The one with that name, as `choice_of` takes it.
+/// Looks up a method by the name that `choice_of` accepts.
 Way way_of(const std::string& choice, software::Pruning pruning = software::Pruning::none,
            software::Shape shape = software::Shape::written);
 
-/// A scene that is drawn in many ways. Keeps references.
+/// Scene to be drawn with many methods. Keeps references.
 class SoftwareScene {
  public:
   SoftwareScene(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view);
@@ -45,13 +45,13 @@ class SoftwareScene {
   [[nodiscard]] const software::Tree& tree(software::Shape shape) const {
     return trees_[static_cast<std::size_t>(shape)];
   }
-  /// Whether the way is one that has too few levels for its tree.
+  /// Whether the tree is deeper than the method supports.
   [[nodiscard]] bool is_too_deep(const Way& way) const;
   [[nodiscard]] std::unique_ptr<software::Method> make(const Way& way, bool counts) const;
   [[nodiscard]] software::Picture draw(const Way& way, bool counts = false) const;
-  /// The first pixel at which the way's picture is not that, in words; empty if there is none.
+  /// Describes the first pixel at which the method's picture differs from the expected one; empty if none does.
   [[nodiscard]] std::string fault_of(const Way& way, const std::vector<Seen>& expected) const;
-  /// The same of so many of all ways, others with each number; those are left out that are too deep for their tree.
+  /// Same for `ways` of all the methods, selected by `number`; methods that are too shallow for the tree are omitted.
   [[nodiscard]] std::string fault_of_some(std::uint64_t number, std::size_t ways,
                                           const std::vector<Seen>& expected) const;
 
@@ -60,11 +60,12 @@ class SoftwareScene {
   const facet::Geometry& geometry_;
   const view::View& view_;
   software::RayCaster rays_;
-  std::array<software::Tree, 4> trees_;  ///< by shape
+  std::array<software::Tree, 4> trees_;  ///< indexed by shape
 };
 
-/// What some methods of software, others for each text, and those that draw facet by facet, draw of a model that is not
-/// that picture; empty if all draw it. Where few cases are drawn, each fourth text is looked at.
+/// Describes a difference between the given picture and those of some software methods, which depend on the text, and
+/// of the methods that draw facet by facet; empty if all agree. With a reduced number of cases only every fourth text
+/// is checked.
 std::string fault_of_software(const std::string& csg, const model::Tree& tree, const facet::Geometry& geometry,
                               const view::View& view, const observe::Frame& frame);
 

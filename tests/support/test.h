@@ -1,6 +1,6 @@
 #pragma once
 
-// What most tests use: doctest, and headers that are compiled once (tests/CMakeLists.txt).
+// Common includes of most tests: doctest, and headers that are precompiled (tests/CMakeLists.txt).
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

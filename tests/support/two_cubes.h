@@ -8,7 +8,7 @@
 
 namespace csgsim::testing {
 
-/// A cube with a notch, seen by a camera that looks at that place of it, in the machine's picture.
+/// A cube with a notch, seen by a camera that looks at `centre`, in the machine's picture.
 inline isa::Program two_cubes(const machines::Machine& machine, const glm::dvec3& centre,
                               const emit::Options& options = {}) {
   const model::Tree tree = read::read_csg_text(

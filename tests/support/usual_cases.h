@@ -5,7 +5,7 @@
 
 namespace csgsim::testing {
 
-/// What RC_PARAMS sets a parameter of rapidcheck's to, as in `seed=1 max_success=8`; empty if it does not.
+/// Value of a rapidcheck parameter in RC_PARAMS, as in `seed=1 max_success=8`; empty if it is not set.
 inline std::string_view parameter(std::string_view key) {
   const char* const all = std::getenv("RC_PARAMS");
   std::string_view rest = all == nullptr ? "" : all;
@@ -17,10 +17,10 @@ inline std::string_view parameter(std::string_view key) {
   return {};
 }
 
-/// The seed of all properties unless RC_PARAMS names another.
+/// Seed of all properties unless RC_PARAMS sets another.
 inline constexpr std::string_view fixed_seed = "1";
 
-/// Whether properties draw their default number of cases; sanitized runs set max_success to fewer.
+/// Whether properties draw their default number of cases; sanitized runs set max_success to a smaller number.
 inline bool draws_usual_number() { return parameter("max_success").empty(); }
 
 inline bool draws_from_fixed_seed() {
@@ -28,10 +28,10 @@ inline bool draws_from_fixed_seed() {
   return seed.empty() || seed == fixed_seed;
 }
 
-/// Whether properties draw the cases of the suite, the same each time. Counts of what they have shown hold only then.
+/// Whether properties draw the suite's fixed cases. Only then are counts of their results reproducible.
 inline bool draws_usual_cases() { return draws_usual_number() && draws_from_fixed_seed(); }
 
-/// How many cases a test tries that counts them itself: `few` where properties draw fewer.
+/// Number of cases for a test with its own loop: `few` where properties draw a reduced number.
 template <class Number = int>
 Number cases(Number usual, Number few) {
   return draws_usual_number() ? usual : few;

@@ -45,7 +45,9 @@ class Steps:
         """`most` lines of a step's output, from a line given by its number, counted from 0, or by its beginning."""
         text = (self.folder(figures) / f"{number}.txt").read_text(encoding="utf-8")
         lines = [line.rstrip() for line in text.splitlines() if not line.startswith(VARIES)]
-        begin = int(first) if str(first).isdigit() else next(i for i, line in enumerate(lines) if line.startswith(first))
+        begin = int(first) if str(first).isdigit() else next((i for i, line in enumerate(lines) if line.startswith(first)), None)
+        if begin is None:
+            raise ValueError(f"step {number} prints no line that begins with '{first}'")
         return "\n".join(["```", *"\n".join(lines[begin : begin + int(most)]).rstrip().splitlines(), "```"])
 
     def folder(self, figures, below="."):

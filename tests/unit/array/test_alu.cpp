@@ -21,7 +21,7 @@ namespace kernels = csgsim::array::kernels;
 
 enum Address : std::uint16_t { x_bit, y_bit, written, always_0, scratch, memory_bits };
 
-/// Bit of a pixel's column in which each register begins; the row says whether the pixel is present.
+/// First bit of each register in a pixel's column number; the row decides whether the pixel is present.
 enum Column : std::int16_t {
   column_x,
   column_y,
@@ -37,7 +37,7 @@ constexpr std::uint32_t states = 1U << registers;
 
 StreamBit column_bit(std::int16_t bit) { return {.token = {bit}, .a = 1}; }
 
-/// Every combination of operands and registers is one pixel; those of the second row are not present.
+/// One pixel for every combination of operands and registers; pixels of the second row are not present.
 PixelArray all_states() {
   PixelArray array({states, 2, memory_bits}, 1);
   array.reset(states, 1);
@@ -68,7 +68,7 @@ PixelState state_of(std::uint32_t x, std::uint32_t y) {
           .memory = bit(column_memory)};
 }
 
-/// After a step that leaves the operands alone.
+/// State after a step that leaves the operands unchanged.
 PixelState state_in(const PixelArray& array, std::uint32_t x, std::uint32_t y, PixelState before) {
   const PixelProbe probe = array.probe(x, y, {});
   before.enable = probe.enable;
@@ -79,7 +79,7 @@ PixelState state_in(const PixelArray& array, std::uint32_t x, std::uint32_t y, P
   return before;
 }
 
-bool all_right(const PixelArray& array, AluFunction function, bool constant) {
+bool all_match(const PixelArray& array, AluFunction function, bool constant) {
   bool right = true;
   for (std::uint32_t y = 0; y < 2; ++y) {
     for (std::uint32_t x = 0; x < states; ++x) {
@@ -90,16 +90,16 @@ bool all_right(const PixelArray& array, AluFunction function, bool constant) {
   return right;
 }
 
-/// Each function, on pixels in all states.
+/// Checks each function on pixels in all states.
 void check_functions() {
   for (std::size_t row = 0; row < std::size(csgsim::array::alu_table); ++row) {
     const auto function = static_cast<AluFunction>(row);
     CAPTURE(std::string(csgsim::array::info(function).name));
-    for (const bool looks : {false, true}) {
+    for (const bool probe_first : {false, true}) {
       for (const bool constant : {false, true}) {
         for (const OperandSource source : {OperandSource::memory, OperandSource::tree}) {
           PixelArray array = all_states();
-          if (looks) REQUIRE(array.probe(0, 0, {}).carry == state_of(0, 0).carry);
+          if (probe_first) REQUIRE(array.probe(0, 0, {}).carry == state_of(0, 0).carry);
           const ArrayStep step{.function = function,
                                .source = source,
                                .x = x_bit,
@@ -107,7 +107,7 @@ void check_functions() {
                                .write = written,
                                .constant = constant ? 1U : 0U};
           array.step(step, column_bit(column_x));
-          CHECK(all_right(array, csgsim::array::function_of_bit(step, 0), constant));
+          CHECK(all_match(array, csgsim::array::function_of_bit(step, 0), constant));
         }
       }
     }
@@ -116,9 +116,7 @@ void check_functions() {
 
 }  // namespace
 
-TEST_CASE(
-    "every ALU function does what its meaning says, for every state of a pixel and whether one has looked before, on "
-    "all vectors that the processor has") {
+TEST_CASE("every ALU function matches its truth table on every vector target") {
   for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
     const std::int64_t target = left & -left;
     CAPTURE(std::string(hwy::TargetName(target)));
@@ -130,7 +128,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("ones are counted and found, and the blocks that have some") {
+TEST_CASE("kernels count ones and find the blocks that contain any") {
   Words plane(24);
   std::vector<std::uint8_t> flags(3, 1);
   CHECK(kernels::count_ones(plane.data(), plane.size()) == 0);

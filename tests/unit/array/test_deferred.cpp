@@ -18,7 +18,7 @@ using test::PlainArray;
 
 constexpr std::uint32_t memory_bits = 24;
 
-/// An array, and the same that carries out every step at once.
+/// An array with deferred steps, and a reference that executes every step at once.
 struct Pair {
   array::PlaneShape shape;
   unsigned alu_bits;
@@ -38,7 +38,7 @@ struct Pair {
   }
 };
 
-void look_at_registers(const Pair& pair) {
+void check_registers(const Pair& pair) {
   for (std::uint32_t y = 0; y < pair.shape.height; ++y) {
     for (std::uint32_t x = 0; x < pair.shape.width; ++x) {
       const array::PixelProbe probe = pair.deferred.probe(x, y, pair.tree);
@@ -52,7 +52,7 @@ void look_at_registers(const Pair& pair) {
   }
 }
 
-void look_at_enable(const Pair& pair) {
+void check_enable(const Pair& pair) {
   std::uint64_t count = 0;
   for (std::uint32_t y = 0; y < pair.shape.height; ++y)
     for (std::uint32_t x = 0; x < pair.shape.width; ++x) count += pair.plain.at(x, y).enable ? 1U : 0U;
@@ -62,7 +62,7 @@ void look_at_enable(const Pair& pair) {
       RC_ASSERT(array::bit_of(pair.deferred.enable(), pair.shape, x, y) == pair.plain.at(x, y).enable);
 }
 
-void look_at_memory(const Pair& pair, std::uint32_t address) {
+void check_memory(const Pair& pair, std::uint32_t address) {
   const array::Words plane = pair.deferred.memory(address);
   array::Words row(pair.shape.row_words());
   for (std::uint32_t y = 0; y < pair.shape.height; ++y) {
@@ -76,7 +76,7 @@ void look_at_memory(const Pair& pair, std::uint32_t address) {
   }
 }
 
-void look_at_field(const Pair& pair) {
+void check_field(const Pair& pair) {
   const auto width = *rc::gen::inRange<std::uint16_t>(1, 9);
   const isa::Field field{*rc::gen::inRange<std::uint16_t>(0, memory_bits - 8), width};
   const std::uint32_t columns = *rc::gen::inRange(1U, pair.shape.width + 1);
@@ -91,18 +91,18 @@ void look_at_field(const Pair& pair) {
   }
 }
 
-/// Of some of what can be looked at.
-void look(const Pair& pair) {
+/// Checks one of the views of the array, or all of them.
+void check_any_view(const Pair& pair) {
   switch (*rc::gen::inRange(0, 5)) {
-    case 0: return look_at_registers(pair);
-    case 1: return look_at_enable(pair);
-    case 2: return look_at_memory(pair, *rc::gen::inRange(0U, memory_bits));
-    case 3: return look_at_field(pair);
+    case 0: return check_registers(pair);
+    case 1: return check_enable(pair);
+    case 2: return check_memory(pair, *rc::gen::inRange(0U, memory_bits));
+    case 3: return check_field(pair);
     default: break;
   }
-  look_at_registers(pair);
-  look_at_enable(pair);
-  for (std::uint32_t address = 0; address < memory_bits; ++address) look_at_memory(pair, address);
+  check_registers(pair);
+  check_enable(pair);
+  for (std::uint32_t address = 0; address < memory_bits; ++address) check_memory(pair, address);
 }
 
 std::uint64_t up_to(std::uint64_t value, array::Token token) {
@@ -122,9 +122,9 @@ Squares any_squares() {
   return *rc::gen::inRange(0, 3) == 0 ? Squares{any(), any(), any()} : Squares{};
 }
 
-/// An instruction's steps, at some of whose clocks somebody looks: at none, at a few, or at each.
-void carry_out(Pair& pair, const isa::Instruction& instruction, array::Sequencer& sequencer) {
-  const int looks_of_8 = *rc::gen::weightedElement<int>({{6, 0}, {2, 1}, {1, 8}});
+/// Executes the instruction's steps and checks the array after none, a few, or all of its clocks.
+void execute(Pair& pair, const isa::Instruction& instruction, array::Sequencer& sequencer) {
+  const int checks_per_8_clocks = *rc::gen::weightedElement<int>({{6, 0}, {2, 1}, {1, 8}});
   const auto a = static_cast<std::uint64_t>(instruction.linear.a);
   const auto b = static_cast<std::uint64_t>(instruction.linear.b);
   const auto c = static_cast<std::uint64_t>(instruction.linear.c);
@@ -133,7 +133,7 @@ void carry_out(Pair& pair, const isa::Instruction& instruction, array::Sequencer
   while (sequencer.busy()) {
     const array::BitStep step = sequencer.issue();
     const array::Token token = step.root.token;
-    // As the trees bring it: no coefficient has more bits than have come.
+    // A coefficient, as in the trees, holds no more bits than have arrived.
     if (token.active())
       pair.tree = {token,
                    up_to(a, token),
@@ -143,11 +143,11 @@ void carry_out(Pair& pair, const isa::Instruction& instruction, array::Sequencer
                    up_to(squares.xy, token),
                    up_to(squares.yy, token)};
     pair.step(step.pixels);
-    if (looks_of_8 > 0 && *rc::gen::inRange(0, 8) < looks_of_8) look(pair);
+    if (checks_per_8_clocks > 0 && *rc::gen::inRange(0, 8) < checks_per_8_clocks) check_any_view(pair);
   }
 }
 
-/// A step that no instruction has, perhaps.
+/// Random step; it need not belong to any instruction.
 ArrayStep any_step(unsigned alu_bits) {
   const auto bits = *rc::gen::inRange(1U, std::min(alu_bits, 8U) + 1);
   const auto address = rc::gen::inRange<std::uint16_t>(0, memory_bits - 8);
@@ -160,7 +160,7 @@ ArrayStep any_step(unsigned alu_bits) {
           .constant = *rc::gen::arbitrary<std::uint32_t>()};
 }
 
-/// Few pixels or none are enabled, so that blocks of them have nothing to do: those whose column has that bit.
+/// Enables few pixels or none, so that whole blocks have no work: those whose column has the given bit.
 void enable_few(Pair& pair) {
   const auto bit = *rc::gen::inRange<std::int16_t>(3, 12);
   pair.tree = {
@@ -172,9 +172,9 @@ void enable_few(Pair& pair) {
 void act(Pair& pair, array::Sequencer& sequencer) {
   switch (*rc::gen::weightedElement<int>({{12, 0}, {3, 1}, {2, 2}, {1, 3}, {1, 4}})) {
     case 0:
-      return carry_out(pair,
-                       *test::arbitrary_instruction({pair.shape.width, pair.shape.height, memory_bits}, memory_bits, 3),
-                       sequencer);
+      return execute(pair,
+                     *test::arbitrary_instruction({pair.shape.width, pair.shape.height, memory_bits}, memory_bits, 3),
+                     sequencer);
     case 1: return enable_few(pair);
     case 2: return pair.step(any_step(pair.alu_bits));
     case 3: {
@@ -201,25 +201,25 @@ void check(array::PlaneShape shape) {
     Pair pair(shape, alu_bits);
     const int acts = *rc::gen::inRange(5, 60);
     for (int i = 0; i < acts; ++i) act(pair, sequencer);
-    look_at_registers(pair);
-    look_at_enable(pair);
-    for (std::uint32_t address = 0; address < memory_bits; ++address) look_at_memory(pair, address);
+    check_registers(pair);
+    check_enable(pair);
+    for (std::uint32_t address = 0; address < memory_bits; ++address) check_memory(pair, address);
   }));
 }
 
 }  // namespace
 
-TEST_CASE("whoever looks, at whatever clock, sees what the steps so far leave when each is carried out at once") {
+TEST_CASE("reads between deferred steps match steps executed immediately") {
   for (const array::PlaneShape shape : {array::PlaneShape{1, 1}, {5, 9}, {64, 20}, {130, 9}, {512, 4}, {640, 3}})
     check(shape);
 }
 
-TEST_CASE("what is owed for long is paid although nobody looks, and later looks see it") {
+TEST_CASE("long-deferred steps execute without a read and later reads see them") {
   Pair pair({512, 3}, 1);
   pair.step({.function = array::AluFunction::enable_all});
   pair.tree = {.token = {.bit = 5}, .a = 3, .b = 1};
   pair.step({.function = array::AluFunction::store_x, .write = 2});
-  // No pixel of the rows after the first is enabled from here on.
+  // No pixel outside the first row is enabled below.
   pair.tree = {.token = {.bit = 0}, .b = 1, .c = 1};
   pair.step({.function = array::AluFunction::enable_and});
   pair.tree = {.token = {.bit = 1}, .b = 1, .c = 2};
@@ -231,6 +231,6 @@ TEST_CASE("what is owed for long is paid although nobody looks, and later looks 
     REQUIRE(pair.deferred.count_enabled() == 512);
   }
   pair.step({.function = array::AluFunction::store_not_x, .source = array::OperandSource::latch, .write = 2});
-  look_at_registers(pair);
-  look_at_memory(pair, 2);
+  check_registers(pair);
+  check_memory(pair, 2);
 }

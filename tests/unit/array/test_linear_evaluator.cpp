@@ -20,10 +20,10 @@ struct Expression {
   std::int64_t xy = 0;
   std::int64_t yy = 0;
   unsigned width = 1;
-  unsigned idle_after = 0;  ///< clocks
+  unsigned idle_after = 0;  ///< number of clocks
 };
 
-/// The root bits of each clock, so many at most.
+/// The root bits of each clock, at most `width` bits.
 std::vector<RootBits> stream(const std::vector<Expression>& expressions, unsigned width) {
   std::vector<RootBits> bits;
   for (const Expression& e : expressions) {
@@ -45,7 +45,7 @@ std::vector<RootBits> stream(const std::vector<Expression>& expressions, unsigne
   return bits;
 }
 
-/// The sum of six products modulo 2^64; its low `width` bits are F's.
+/// The sum of six products modulo 2^64; its low `width` bits are those of F.
 std::uint64_t value(const Expression& e, std::uint32_t x, std::uint32_t y) {
   const auto squares = static_cast<std::uint64_t>(e.xx) * x * x + static_cast<std::uint64_t>(e.xy) * x * y +
                        static_cast<std::uint64_t>(e.yy) * y * y;
@@ -53,7 +53,7 @@ std::uint64_t value(const Expression& e, std::uint32_t x, std::uint32_t y) {
          static_cast<std::uint64_t>(e.c);
 }
 
-/// Streams the expressions and collects what arrives at every pixel: one value an expression, in pixel order.
+/// Streams the expressions and collects the values that arrive at every pixel: one per expression, in pixel order.
 std::vector<std::vector<std::uint64_t>> evaluate(PlaneShape shape, const std::vector<Expression>& expressions,
                                                  TreeForm form) {
   LinearEvaluator evaluator(shape, form.register_levels);
@@ -61,10 +61,11 @@ std::vector<std::vector<std::uint64_t>> evaluate(PlaneShape shape, const std::ve
   std::vector<std::vector<std::uint64_t>> values;
   std::vector<RootBits> bits = stream(expressions, form.bits);
   bits.resize(bits.size() + evaluator.latency());
-  const unsigned registers = evaluator.latency();  // the last level's are the leaves
+  const unsigned registers = evaluator.latency();  // the leaves are the registers of the last level
   for (std::size_t clock = 0; clock < bits.size(); ++clock) {
     const bool reached = evaluator.clock(bits[clock], leaves);
-    const std::size_t sent = clock + 1 - registers;  // what has passed `registers` registers after this clock
+    const std::size_t sent =
+        clock + 1 - registers;  // index of the bits that have passed `registers` registers after this clock
     if (registers > clock + 1) {
       CHECK_FALSE(reached);
       continue;
@@ -122,7 +123,7 @@ constexpr PlaneShape shapes[] = {{1, 1},   {2, 1},   {1, 2},   {3, 1},  {1, 5}, 
 
 }  // namespace
 
-TEST_CASE("back-to-back streams of any width, with squares or without, give their sum modulo 2^width at every pixel") {
+TEST_CASE("back-to-back streams of any width give sums modulo 2^width at every pixel") {
   for (const PlaneShape shape : shapes) {
     CAPTURE(shape.width);
     CAPTURE(shape.height);
@@ -130,7 +131,7 @@ TEST_CASE("back-to-back streams of any width, with squares or without, give thei
   }
 }
 
-TEST_CASE("so do streams of several bits in a clock, and trees that have not registers behind every level") {
+TEST_CASE("multi-bit streams and trees with fewer registers give the same sums") {
   for (const PlaneShape shape : shapes) {
     CAPTURE(shape.width);
     CAPTURE(shape.height);
@@ -141,13 +142,13 @@ TEST_CASE("so do streams of several bits in a clock, and trees that have not reg
   }
 }
 
-TEST_CASE("streams one bit wide follow each other at every clock") {
+TEST_CASE("streams one bit wide follow each other in every clock") {
   std::vector<Expression> expressions;
   for (int i = 0; i < 100; ++i) expressions.push_back({.a = i & 1, .b = i >> 1, .c = i >> 2, .width = 1});
   CHECK(rc::check([&] { check_against_integers({33, 9}, expressions); }));
 }
 
-TEST_CASE("the trees have ceil(log2 W) + ceil(log2 H) levels") {
+TEST_CASE("latency is ceil(log2 W) + ceil(log2 H) levels") {
   CHECK(LinearEvaluator({1, 1}).latency() == 0);
   CHECK(LinearEvaluator({2, 1}).latency() == 1);
   CHECK(LinearEvaluator({1, 3}).latency() == 2);
@@ -155,7 +156,7 @@ TEST_CASE("the trees have ceil(log2 W) + ceil(log2 H) levels") {
   CHECK(LinearEvaluator({512, 512}).latency() == 18);
 }
 
-TEST_CASE("the first bit is not at the pixels at clock latency - 1, and is there at clock latency") {
+TEST_CASE("the first bit reaches the pixels exactly `latency` clocks after it enters") {
   const PlaneShape shape{512, 512};
   LinearEvaluator evaluator(shape);
   StreamBit leaves;
@@ -169,7 +170,7 @@ TEST_CASE("the first bit is not at the pixels at clock latency - 1, and is there
   CHECK_FALSE(evaluator.clock({}, leaves));
 }
 
-TEST_CASE("cleared trees forget what was in flight") {
+TEST_CASE("clearing the trees discards streams in flight") {
   LinearEvaluator evaluator({8, 8});
   StreamBit leaves;
   evaluator.clock({.token = {.bit = 0}, .c = true}, leaves);

@@ -21,7 +21,7 @@ std::vector<Place> any_places(array::PlaneShape shape) {
   return places;
 }
 
-/// A clock's bits at the roots: of streams of any width, some back to back, some with clocks between.
+/// Root bits of each clock: streams of any width, some back to back, some with idle clocks between them.
 class AnyStream {
  public:
   explicit AnyStream(bool has_squares) : has_squares_(has_squares) {}
@@ -46,7 +46,7 @@ class AnyStream {
  private:
   bool has_squares_;
   int left_ = 0;
-  bool squares_ = false;  ///< the stream has some
+  bool squares_ = false;  ///< whether the stream has squares
   std::int16_t bit_ = 0;
 };
 
@@ -63,8 +63,7 @@ bool same_slopes(const array::LevelProbe& one, const array::LevelProbe& other) {
 
 }  // namespace
 
-TEST_CASE(
-    "the evaluator has at every level and clock, on the way to any pixels, what adder by adder comes of the bits") {
+TEST_CASE("LinearEvaluator matches adder-by-adder trees at every level and clock") {
   CHECK(rc::check([] {
     const array::PlaneShape shape{*rc::gen::inRange(1U, 140U), *rc::gen::inRange(1U, 40U)};
     const std::vector<Place> places = any_places(shape);
@@ -93,7 +92,7 @@ TEST_CASE(
   }));
 }
 
-TEST_CASE("trees of degree 2 have at every level and clock what adder by adder comes of six streams of bits") {
+TEST_CASE("LinearEvaluator matches adder-by-adder trees of degree 2") {
   CHECK(rc::check([] {
     const array::PlaneShape shape{*rc::gen::inRange(1U, 140U), *rc::gen::inRange(1U, 40U)};
     const Place place = any_places(shape).front();
@@ -116,7 +115,7 @@ TEST_CASE("trees of degree 2 have at every level and clock what adder by adder c
   }));
 }
 
-TEST_CASE("pixels replayed alone have the reference's memory and enable, whatever is passed over") {
+TEST_CASE("PixelReplay matches the reference even if it skips disabled pixels") {
   CHECK(rc::check([] {
     constexpr std::uint32_t bits = 40;
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 12U), *rc::gen::inRange(1U, 12U), bits};

@@ -19,7 +19,7 @@ namespace isa = csgsim::isa;
 
 csgsim::machines::Machine machine_with(std::uint32_t reads, std::uint32_t alu_bits, std::uint32_t tree_bits) {
   csgsim::machines::Machine machine = csgsim::machines::blank(csgsim::pixel_planes::kind);
-  machine.array = {1, 1, 64};  // no latency: a question is one clock, as is its step
+  machine.array = {1, 1, 64};  // no latency: a query takes one clock, as its step does
   machine.memory_reads = reads;
   machine.alu_bits = alu_bits;
   machine.evaluator_bits = tree_bits;
@@ -29,22 +29,22 @@ csgsim::machines::Machine machine_with(std::uint32_t reads, std::uint32_t alu_bi
 struct Hardware {
   std::uint32_t reads;  ///< ports of pixel memory
   std::uint32_t alu_bits;
-  std::uint32_t tree_bits;  ///< that the trees bring in a clock
+  std::uint32_t tree_bits;  ///< bits per clock from the trees
 };
 constexpr Hardware hardware[] = {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1, 3, 3},  {1, 4, 2},  {2, 4, 3},
                                  {1, 8, 1}, {2, 8, 7}, {1, 8, 8}, {1, 32, 5}, {2, 32, 32}};
 
-/// What is done with a bit of a stream.
+/// Work done with one bit of a stream.
 struct BitWork {
-  int bit = 0;  ///< of the stream
+  int bit = 0;  ///< index in the stream
   AluFunction function = AluFunction::idle;
-  unsigned y = 0;  ///< addresses
+  unsigned y = 0;  ///< memory address
   unsigned write = 0;
 
   bool operator==(const BitWork&) const = default;
 };
 
-/// With each bit with which something is done.
+/// Work for each bit of F that causes any.
 std::vector<BitWork> bits_of(Sequencer sequencer, const isa::Instruction& instruction) {
   std::vector<BitWork> all;
   sequencer.begin(instruction);
@@ -69,7 +69,7 @@ isa::Instruction some_instruction() { return *csgsim::test::arbitrary_instructio
 
 }  // namespace
 
-TEST_CASE("an instruction has as many bit steps as the table has clocks, and only the last says so") {
+TEST_CASE("an instruction has one bit step per clock of the table; only the last is marked") {
   for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     CHECK(rc::check([reads = reads, alu_bits = alu_bits, tree_bits = tree_bits] {
       const isa::Instruction instruction = some_instruction();
@@ -96,7 +96,7 @@ TEST_CASE("no step reads pixel memory more often than it has ports") {
   }
 }
 
-TEST_CASE("coefficients are sent LSB first in two's complement, with the bit's number") {
+TEST_CASE("sends coefficients LSB first in two's complement with the bit's number") {
   Sequencer sequencer(1, 1, 1);
   sequencer.begin({.opcode = isa::Opcode::edge_negative, .linear = {.a = -2, .b = 5, .c = 1, .width = 4}});
   for (unsigned j = 0; j < 4; ++j) {
@@ -110,7 +110,7 @@ TEST_CASE("coefficients are sent LSB first in two's complement, with the bit's n
   CHECK_FALSE(sequencer.busy());
 }
 
-TEST_CASE("wide trees are sent several bits in a clock, and what is left of the stream in its last") {
+TEST_CASE("wide trees receive several bits per clock and the remainder in the last") {
   Sequencer sequencer(1, 8, 3);
   // -2 is 1110 in four bits, 5 is 0101 and 1 is 0001.
   sequencer.begin({.opcode = isa::Opcode::edge_negative, .linear = {.a = -2, .b = 5, .c = 1, .width = 4}});
@@ -123,8 +123,9 @@ TEST_CASE("wide trees are sent several bits in a clock, and what is left of the 
   CHECK(second.last);
 }
 
-TEST_CASE("what of fraction, field, beyond and sign comes in a clock is dealt with in that clock") {
-  // Bits 0 to 2 of F are its fraction, 3 to 6 meet the field, 7 to 10 are beyond it, 11 is the sign.
+TEST_CASE("processes each bit of F in the clock in which it arrives") {
+  // Bits 0 to 2 of F are its fraction, bits 3 to 6 align with the field, bits 7 to 10 are beyond it, and bit 11 is the
+  // sign.
   const isa::Instruction instruction{
       .opcode = isa::Opcode::linear_ge, .fields = {isa::Field{20, 4}}, .linear = {1, 1, 1, 12, 3}};
   using enum AluFunction;
@@ -153,7 +154,7 @@ TEST_CASE("what of fraction, field, beyond and sign comes in a clock is dealt wi
                                                 .sign = sign_enable}});
 }
 
-TEST_CASE("whatever the trees bring in a clock, each bit of F is given to the same function, with the same memory") {
+TEST_CASE("each bit of F gets the same function and address for any tree width") {
   for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     CHECK(rc::check([reads = reads, alu_bits = alu_bits, tree_bits = tree_bits] {
       const isa::Instruction instruction = some_instruction();
@@ -178,9 +179,9 @@ TEST_CASE("with one read port the first source is latched a clock before the sec
   CHECK(second.last);
 }
 
-TEST_CASE("every opcode with fields of every width takes the clocks of the table, whatever the ALU's width") {
+TEST_CASE("every opcode with fields of every width takes the clocks of the table") {
   for (const auto& [reads, bits, brought] : hardware) {
-    const std::uint32_t alu_bits = bits;  // names of their own, which CAPTURE needs
+    const std::uint32_t alu_bits = bits;  // copies, because CAPTURE cannot use structured bindings
     const std::uint32_t tree_bits = brought;
     for (const isa::OpcodeInfo& row : isa::opcode_table) {
       for (std::uint16_t width = 1; width <= isa::max_field_width; ++width) {
@@ -210,15 +211,14 @@ TEST_CASE("every opcode with fields of every width takes the clocks of the table
   }
 }
 
-TEST_CASE(
-    "a root of w bits takes w*w + 2w clocks, or with two reads a clock (w*w + 5w) / 2, whatever the ALU's width") {
+TEST_CASE("a root of w bits takes w(w + 2) clocks or w(w + 5) / 2 with two read ports") {
   for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     for (std::uint16_t bits = 1; bits <= 30; ++bits) {
       Sequencer sequencer(reads, alu_bits, tree_bits);
       sequencer.begin(
           {.opcode = isa::Opcode::root, .fields = {isa::Field{2, static_cast<std::uint16_t>(2 * bits + 1)}}});
       unsigned clocks = 0;
-      unsigned top = 2U + 2U * bits;  // where the next bit of the root goes
+      unsigned top = 2U + 2U * bits;  // address of the next bit of the root
       for (; sequencer.busy(); ++clocks) {
         const csgsim::array::ArrayStep step = sequencer.issue().pixels;
         CHECK(memory_reads(step) <= reads);
@@ -232,7 +232,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("squares take a clock in which the pixels rest, and their coefficients come with the next stream alone") {
+TEST_CASE("squares take an idle clock and accompany only the next stream") {
   Sequencer sequencer(1, 1, 1);
   sequencer.begin({.opcode = isa::Opcode::squares, .linear = {.a = 1, .b = -2, .c = 4, .width = 4}});
   const BitStep rest = sequencer.issue();
@@ -256,7 +256,7 @@ TEST_CASE("squares take a clock in which the pixels rest, and their coefficients
   }
 }
 
-TEST_CASE("the steps of a constant write each bit of the field once, in order, with its bit of the constant") {
+TEST_CASE("a constant's steps write each bit of the field once and in order") {
   for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     constexpr std::uint64_t constant = 0xb3a5;
     for (const isa::Opcode opcode : {isa::Opcode::set_constant, isa::Opcode::xor_constant}) {
@@ -277,7 +277,7 @@ TEST_CASE("the steps of a constant write each bit of the field once, in order, w
   }
 }
 
-TEST_CASE("a comparison begins its carry at the first bit, ripples it, and decides at the last") {
+TEST_CASE("a comparison starts its carry at the first bit and decides at the last") {
   for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     Sequencer sequencer(reads, alu_bits, tree_bits);
     sequencer.begin({.opcode = isa::Opcode::field_lt, .fields = {isa::Field{0, 9}, isa::Field{9, 9}}});
@@ -294,12 +294,12 @@ TEST_CASE("a comparison begins its carry at the first bit, ripples it, and decid
   }
 }
 
-TEST_CASE("the steps of a sum ripple its carry through the target, and read the source only where that has bits") {
+TEST_CASE("a sum carries through the target and reads only existing source bits") {
   for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     Sequencer sequencer(reads, alu_bits, tree_bits);
     sequencer.begin({.opcode = isa::Opcode::add, .fields = {isa::Field{3, 9}, isa::Field{59, 5}}});
     std::vector<AluFunction> functions;
-    unsigned next = 59;  // bit of the source, the last of the memory is 63
+    unsigned next = 59;  // next bit of the source; the last bit of memory is 63
     while (sequencer.busy()) {
       const csgsim::array::ArrayStep step = sequencer.issue().pixels;
       if (step.source == csgsim::array::OperandSource::memory && info(step.function).reads_x) {

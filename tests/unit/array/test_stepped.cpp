@@ -21,7 +21,7 @@ using array::RootBits;
 
 constexpr std::uint16_t widest = isa::max_linear_width;
 
-/// Streams of those widths, their bits at random, one after the other or with clocks between.
+/// Random streams of the given widths, back to back or with idle clocks between them.
 class Streams {
  public:
   Streams(const std::vector<std::uint16_t>& widths, array::TreeForm form, std::uint64_t seed)
@@ -56,16 +56,16 @@ class Streams {
   std::int16_t bit_ = 0;
 };
 
-bool same(const LevelProbe& stepped, const LevelProbe& worked_out, unsigned degree) {
-  if (stepped.token != worked_out.token) return false;
+bool same(const LevelProbe& stepped, const LevelProbe& computed, unsigned degree) {
+  if (stepped.token != computed.token) return false;
   if (!stepped.token.active()) return true;
-  if (stepped.stream != worked_out.stream || stepped.carry != worked_out.carry) return false;
-  return degree < 2 || (stepped.slope == worked_out.slope && stepped.slope_carry == worked_out.slope_carry &&
-                        stepped.step_carry == worked_out.step_carry && stepped.row_slope == worked_out.row_slope &&
-                        stepped.row_slope_carry == worked_out.row_slope_carry);
+  if (stepped.stream != computed.stream || stepped.carry != computed.carry) return false;
+  return degree < 2 || (stepped.slope == computed.slope && stepped.slope_carry == computed.slope_carry &&
+                        stepped.step_carry == computed.step_carry && stepped.row_slope == computed.row_slope &&
+                        stepped.row_slope_carry == computed.row_slope_carry);
 }
 
-/// The token's bits at a pixel, of planes one after the other.
+/// The token's bits at a pixel, taken from consecutive planes.
 std::uint32_t leaves_at(const array::Words& planes, PlaneShape shape, Place place, array::Token token) {
   std::uint32_t bits = 0;
   for (std::size_t bit = 0; bit < token.bits; ++bit) {
@@ -75,37 +75,38 @@ std::uint32_t leaves_at(const array::Words& planes, PlaneShape shape, Place plac
   return bits;
 }
 
-/// Whether both have the same until the last bit has reached the pixels. `pixels`: those that are built; none: all.
+/// Whether both agree at all clocks until the last bit has reached the pixels. `pixels` lists those that are built;
+/// empty means all.
 bool agree(PlaneShape shape, array::TreeForm form, const std::vector<Place>& pixels, const std::vector<Place>& probed,
            Streams streams) {
-  array::LinearEvaluator worked_out(shape, form.register_levels);
+  array::LinearEvaluator computed(shape, form.register_levels);
   array::SteppedEvaluator stepped(shape, form, pixels);
   array::Words bits(stepped.leaf_words());
   array::StreamBit expected;
   const PlaneShape built = pixels.empty() ? shape : PlaneShape{static_cast<std::uint32_t>(pixels.size()), 1};
-  bool same_so_far = true;
-  while (same_so_far && (!streams.over() || worked_out.any_active())) {
+  bool agrees = true;
+  while (agrees && (!streams.over() || computed.any_active())) {
     const RootBits root = streams.next();
     for (const Place place : probed) {
-      for (unsigned k = 0; k <= worked_out.x_levels(); ++k)
-        same_so_far &= same(stepped.x_level(k, place.x, root), worked_out.x_level(k, place.x, root), form.degree);
-      for (unsigned k = 0; k <= worked_out.y_levels(); ++k)
-        same_so_far &= same(stepped.y_level(k, place, root), worked_out.y_level(k, place, root), form.degree);
+      for (unsigned k = 0; k <= computed.x_levels(); ++k)
+        agrees &= same(stepped.x_level(k, place.x, root), computed.x_level(k, place.x, root), form.degree);
+      for (unsigned k = 0; k <= computed.y_levels(); ++k)
+        agrees &= same(stepped.y_level(k, place, root), computed.y_level(k, place, root), form.degree);
     }
-    const bool reached = worked_out.clock(root, expected);
+    const bool reached = computed.clock(root, expected);
     const array::Token token = stepped.clock(root, bits);
-    same_so_far &= token.active() == reached && stepped.any_active() == worked_out.any_active();
+    agrees &= token.active() == reached && stepped.any_active() == computed.any_active();
     if (!reached) continue;
-    same_so_far &= token == expected.token;
+    agrees &= token == expected.token;
     for (std::uint32_t y = 0; y < built.height; ++y) {
       for (std::uint32_t x = 0; x < built.width; ++x)
-        same_so_far &= leaves_at(bits, built, {x, y}, token) == expected.at(pixels.empty() ? Place{x, y} : pixels[x]);
+        agrees &= leaves_at(bits, built, {x, y}, token) == expected.at(pixels.empty() ? Place{x, y} : pixels[x]);
     }
   }
-  return same_so_far;
+  return agrees;
 }
 
-/// Bits of a pixel into planes one after the other.
+/// Stores the bits of a pixel in consecutive planes.
 void put_leaves(std::uint32_t leaves, PlaneShape shape, Place place, array::Words& planes) {
   for (std::size_t first = shape.word_of(place.x, place.y); first < planes.size(); first += shape.padded_words()) {
     planes[first] |= std::uint64_t{leaves & 1U} << (place.x % array::word_bits);
@@ -125,7 +126,7 @@ std::vector<std::uint16_t> any_widths(std::size_t count) {
   return widths;
 }
 
-/// Any number of bits in a clock and of levels between registers, often one.
+/// Any number of bits per clock and of levels between registers, often one.
 array::TreeForm any_form(unsigned degree) {
   return {degree, *rc::gen::weightedOneOf<unsigned>({{1, rc::gen::just(1U)}, {3, rc::gen::inRange(2U, 33U)}}),
           *rc::gen::weightedOneOf<unsigned>({{2, rc::gen::just(1U)}, {3, rc::gen::inRange(2U, 17U)}})};
@@ -135,7 +136,7 @@ PlaneShape any_shape() { return {*rc::gen::inRange(1U, 140U), *rc::gen::inRange(
 
 }  // namespace
 
-TEST_CASE("stepped trees bring every pixel what is worked out, in the same clocks, and hold it at every level") {
+TEST_CASE("stepped trees match the evaluator at every level and clock") {
   for (const unsigned degree : {1U, 2U}) {
     CAPTURE(degree);
     CHECK(rc::check([degree] {
@@ -147,7 +148,7 @@ TEST_CASE("stepped trees bring every pixel what is worked out, in the same clock
   }
 }
 
-TEST_CASE("stepped trees of some pixels bring these, side by side, what they bring them in the whole array") {
+TEST_CASE("stepped trees of selected pixels match those of the whole array") {
   for (const unsigned degree : {1U, 2U}) {
     CAPTURE(degree);
     CHECK(rc::check([degree] {
@@ -160,9 +161,7 @@ TEST_CASE("stepped trees of some pixels bring these, side by side, what they bri
   }
 }
 
-TEST_CASE(
-    "streams of every width go through trees of every depth and of every number of bits in a clock, with neither, one "
-    "and both of them") {
+TEST_CASE("streams of every width pass trees of every depth and bits per clock") {
   std::vector<std::uint16_t> every(widest);
   std::iota(every.begin(), every.end(), std::uint16_t{1});
   for (const unsigned degree : {1U, 2U}) {
@@ -185,7 +184,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("pixels that are brought bits do what those do that are brought coefficients, whether enabled or not") {
+TEST_CASE("pixels driven with bits match pixels driven with coefficients") {
   CHECK(rc::check([] {
     constexpr std::uint32_t memory_bits = 40;
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 140U), *rc::gen::inRange(1U, 30U), memory_bits};
@@ -232,7 +231,7 @@ TEST_CASE("pixels that are brought bits do what those do that are brought coeffi
   }));
 }
 
-TEST_CASE("trees as deep as those of the largest arrays are stepped alike") {
+TEST_CASE("stepped trees match the evaluator at the depth of the largest arrays") {
   for (const unsigned degree : {1U, 2U}) {
     CHECK(rc::check([degree] {
       const PlaneShape shape{*rc::gen::inRange(1000U, isa::max_array_side + 1),

@@ -29,7 +29,7 @@ constexpr InputKind small_file{"a small file", 1U << 10U, "cut it"};
 
 }  // namespace
 
-TEST_CASE("a file longer than its limit is refused, whether or not it says how long it is") {
+TEST_CASE("rejects a file longer than its limit even if its size is unknown") {
   const Scratch scratch;
   write_file(scratch / "fits", std::string(1024, 'x'));
   write_file(scratch / "long", std::string(1025, 'x'));
@@ -41,7 +41,7 @@ TEST_CASE("a file longer than its limit is refused, whether or not it says how l
   CHECK(read_file(scratch / "fits", any_file).size() == 1024);
 }
 
-TEST_CASE("a file appears under its name only when it is committed, and replaces another with its permissions") {
+TEST_CASE("a committed file replaces the old one atomically and keeps its permissions") {
   const Scratch scratch;
   write_file(scratch / "a", "old");
   fs::permissions(scratch / "a", fs::perms::owner_read | fs::perms::owner_write);
@@ -59,7 +59,7 @@ TEST_CASE("a file appears under its name only when it is committed, and replaces
   CHECK(scratch.files() == 1);
 }
 
-TEST_CASE("names that cannot be files are refused before anything is written") {
+TEST_CASE("rejects impossible file names before anything is written") {
   const Scratch scratch;
   CHECK(contains(error_of([&] { OutputFile{""}; }), "empty name"));
   CHECK(contains(error_of([&] { OutputFile{scratch / std::string(256, 'n')}; }), "too long"));
@@ -71,7 +71,7 @@ TEST_CASE("names that cannot be files are refused before anything is written") {
   CHECK(scratch.files() == 0);
 }
 
-TEST_CASE("an output without write permission is refused though its folder lets it be replaced") {
+TEST_CASE("rejects a read-only output even if its directory is writable") {
   const Scratch scratch;
   write_file(scratch / "a", "kept");
   fs::permissions(scratch / "a", fs::perms::owner_read | fs::perms::others_read);
@@ -88,7 +88,7 @@ TEST_CASE("an output without write permission is refused though its folder lets 
   CHECK(content(scratch / "a") == "kept");
 }
 
-TEST_CASE("outputs are held against inputs and each other by file, not by name") {
+TEST_CASE("detects outputs that are the same file as an input or another output") {
   const Scratch scratch;
   const fs::path model = scratch / "m.csg";
   write_file(model, "cube();");

@@ -16,7 +16,7 @@ using testing::Scratch;
 
 namespace {
 
-/// The current folder for as long as the object lives.
+/// Changes the current directory for its lifetime.
 class Within {
  public:
   explicit Within(const fs::path& folder) : before_(fs::current_path()) { fs::current_path(folder); }
@@ -40,7 +40,7 @@ void put(const fs::path& path, const std::string& text) {
 
 constexpr int count = 12;
 
-/// Files that all have the same text, half of them in a folder of the folder.
+/// Writes files with the same text, half of them in a subdirectory.
 void write(const fs::path& folder, const std::string& text, int files = count) {
   OutputFolder output(folder);
   for (int i = 0; i < files; ++i) output.write((i % 2 == 0 ? "in/" : "") + std::to_string(i), text);
@@ -53,7 +53,7 @@ std::string refusal(const fs::path& folder) {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// The texts of the files that are there.
+/// Distinct texts of the files in the directory.
 std::set<std::string> texts_in(const fs::path& folder) {
   std::set<std::string> texts;
   for (int i = 0; i < count; ++i) texts.insert(content(folder / ((i % 2 == 0 ? "in/" : "") + std::to_string(i))));
@@ -62,7 +62,7 @@ std::set<std::string> texts_in(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("a folder is written where none is, where an empty one is, and over one that it wrote before") {
+TEST_CASE("writes new or empty directories and those that it wrote before") {
   const Scratch scratch;
   fs::create_directory(scratch / "empty");
   for (const char* const name : {"new", "empty", "in/another", "slash/"}) {
@@ -76,7 +76,7 @@ TEST_CASE("a folder is written where none is, where an empty one is, and over on
   CHECK(scratch.files() == 4);
 }
 
-TEST_CASE("a link to a folder stays one") {
+TEST_CASE("a symbolic link to a directory stays a link") {
   const Scratch scratch;
   fs::create_directory(scratch / "folder");
   fs::create_directory_symlink("folder", scratch / "link");
@@ -86,7 +86,7 @@ TEST_CASE("a link to a folder stays one") {
   CHECK(scratch.files() == 2);
 }
 
-TEST_CASE("a folder with files that csgsim did not write is refused by name, and stays as it is") {
+TEST_CASE("rejects a directory with foreign files and leaves it unchanged") {
   const Scratch scratch;
   put(scratch / "d/Makefile", "mine");
   const std::string why = refusal(scratch / "d");
@@ -99,7 +99,7 @@ TEST_CASE("a folder with files that csgsim did not write is refused by name, and
   CHECK(scratch.files() == 2);
 }
 
-TEST_CASE("the current folder and those that it is in are refused, even where they are empty") {
+TEST_CASE("rejects the current directory and its parents even if they are empty") {
   const Scratch scratch;
   fs::create_directories(scratch / "d/e");
   const Within within(scratch / "d/e");
@@ -111,7 +111,7 @@ TEST_CASE("the current folder and those that it is in are refused, even where th
   CHECK(refusal("../beside").empty());
 }
 
-TEST_CASE("a file of the folder that has been edited is not replaced") {
+TEST_CASE("rejects a directory with an edited file") {
   const Scratch scratch;
   write(scratch / "d", "old");
   put(scratch / "d/in/2", "edited");
@@ -121,7 +121,7 @@ TEST_CASE("a file of the folder that has been edited is not replaced") {
   CHECK(scratch.files() == 1);
 }
 
-TEST_CASE("what was made in a folder stays in it, and what the new one does not have any more goes") {
+TEST_CASE("keeps files added by others and removes files that are no longer written") {
   const Scratch scratch;
   write(scratch / "d", "old");
   put(scratch / "d/made", "made");
@@ -136,13 +136,13 @@ TEST_CASE("what was made in a folder stays in it, and what the new one does not 
   CHECK(scratch.files() == 1);
 }
 
-TEST_CASE("what is not committed leaves nothing") {
+TEST_CASE("an uncommitted directory leaves no files") {
   const Scratch scratch;
   { OutputFolder(scratch / "d").write("in/1", "text"); }
   CHECK(scratch.files() == 0);
 }
 
-TEST_CASE("a process that is killed leaves the old folder or the new one, whole") {
+TEST_CASE("a killed process leaves the old or the new directory complete") {
   const Scratch scratch;
   write(scratch / "d", "a");
   for (int trial = 0; trial < 40; ++trial) {

@@ -4,7 +4,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("a filled vector has so many elements of the value, in whatever pages they are") {
+TEST_CASE("filled() returns a vector of the given size and value for any page size") {
   for (const std::size_t count : {0U, 1U, 1000U, 16383U, 16384U, 20000U, 262144U, 1048577U, 3000000U}) {
     CAPTURE(count);
     const auto words = filled<std::uint32_t>(count, 0xfedcba98U);
@@ -15,7 +15,7 @@ TEST_CASE("a filled vector has so many elements of the value, in whatever pages 
   }
 }
 
-TEST_CASE("having pages leaves memory that is written already as it is") {
+TEST_CASE("have_pages() does not change memory that is already written") {
   std::vector<std::uint64_t> words(1U << 20U);
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = i * i;
   prefault_pages(words.data(), words.size() * sizeof words[0]);

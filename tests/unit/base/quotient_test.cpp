@@ -4,7 +4,7 @@
 
 using csgsim::quotient_up;
 
-TEST_CASE("pieces hold an amount, and one piece less does not") {
+TEST_CASE("quotient_up() is the smallest sufficient number of pieces") {
   for (unsigned amount = 0; amount < 70; ++amount) {
     for (unsigned piece = 1; piece < 70; ++piece) {
       const unsigned pieces = quotient_up(amount, piece);
@@ -14,7 +14,7 @@ TEST_CASE("pieces hold an amount, and one piece less does not") {
   }
 }
 
-TEST_CASE("the largest amounts are not beyond the type") {
+TEST_CASE("quotient_up() does not overflow for the largest amounts") {
   constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
   CHECK(quotient_up(most, 2U) == std::uint64_t{1} << 63U);
   CHECK(quotient_up(most, most) == 1);

@@ -8,7 +8,7 @@ using namespace csgsim;
 
 namespace {
 
-/// What escaped() has made, as it was before: a reader of its own, byte by byte.
+/// Inverts escaped() byte by byte, independently of the product's reader.
 std::string unescaped(const std::string& text) {
   std::string bytes;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -30,7 +30,7 @@ std::string unescaped(const std::string& text) {
   return bytes;
 }
 
-/// The word as a POSIX shell reads it.
+/// The word as a POSIX shell parses it.
 std::string read_by_shell(const std::string& word) {
   FILE* const pipe = ::popen(
       ("bash -c 'read -r -d \"\" word; eval \"set -- $word\"; printf %s \"$1\"' 2>&1 <<'XYZ'\n" + word + "\nXYZ\n")
@@ -45,31 +45,29 @@ std::string read_by_shell(const std::string& word) {
 
 }  // namespace
 
-TEST_CASE("text that can be read stays as it is") {
+TEST_CASE("printable() keeps readable text unchanged") {
   for (const char* text : {"", "carburettor.csg", "a b's \"c\" \\ d", "Gehäuse 1,5.csg", "部品.csg", "😀", "=x"})
     CHECK(printable(text) == text);
 }
 
-TEST_CASE("control characters, turns of direction and bytes that are not UTF-8 become escapes") {
+TEST_CASE("printable() escapes control characters including bidi and invalid UTF-8") {
   CHECK(printable("a\nb\tc\rd") == "a\\nb\\tc\\rd");
   CHECK(printable("\x1b[31mred") == "\\x1b[31mred");
   CHECK(printable(std::string("nul\0l", 5)) == "nul\\x00l");
   CHECK(printable("\x7f") == "\\x7f");
   CHECK(printable("\xc2\x9b"
-                  "31m") == "\\xc2\\x9b31m");  // CSI of Latin-1
+                  "31m") == "\\xc2\\x9b31m");  // CSI in Latin-1
   CHECK(printable("a\xe2\x80\xae"
                   "gsc.b") == "a\\xe2\\x80\\xaegsc.b");   // right-to-left override
-  CHECK(printable("\xe2\x80\xa8") == "\\xe2\\x80\\xa8");  // a line separator
+  CHECK(printable("\xe2\x80\xa8") == "\\xe2\\x80\\xa8");  // line separator
   CHECK(printable("\xff\xfe") == "\\xff\\xfe");
   CHECK(printable("Geh\xe4use") == "Geh\\xe4use");        // Latin-1
-  CHECK(printable("\xc0\xaf") == "\\xc0\\xaf");           // overlong
-  CHECK(printable("\xed\xa0\x80") == "\\xed\\xa0\\x80");  // a surrogate
-  CHECK(printable("\xe2\x82") == "\\xe2\\x82");           // cut off
+  CHECK(printable("\xc0\xaf") == "\\xc0\\xaf");           // overlong encoding
+  CHECK(printable("\xed\xa0\x80") == "\\xed\\xa0\\x80");  // surrogate
+  CHECK(printable("\xe2\x82") == "\\xe2\\x82");           // truncated
 }
 
-TEST_CASE(
-    "whatever the bytes, printable text is one line without control characters, and printing it again changes "
-    "nothing") {
+TEST_CASE("printable() yields one line for any bytes and is idempotent") {
   CHECK(rc::check([](const std::string& bytes) {
     const std::string text = printable(bytes);
     for (const char byte : text) RC_ASSERT(static_cast<unsigned char>(byte) >= 0x20 && byte != 0x7f);
@@ -77,7 +75,7 @@ TEST_CASE(
   }));
 }
 
-TEST_CASE("whatever the bytes, they can be found again in what is stored of them, which no spreadsheet calculates") {
+TEST_CASE("escaped() is reversible and never looks like a spreadsheet formula") {
   CHECK(rc::check([](const std::string& bytes) {
     const std::string text = escaped(bytes);
     RC_ASSERT(unescaped(text) == bytes);
@@ -90,7 +88,7 @@ TEST_CASE("whatever the bytes, they can be found again in what is stored of them
   CHECK(escaped("a\nb") == "a\\nb");
 }
 
-TEST_CASE("a shell reads a word back as the bytes it was made of") {
+TEST_CASE("a shell parses shell_word() back to the original bytes") {
   for (const std::string& bytes :
        std::to_array<std::string>({"a.csg", "two words", "", "it's", "$(touch PWNED)", "`x`;|&", "line\nbreak",
                                    "\x1b[0m", "\xff", "-o", "*?~#!"})) {

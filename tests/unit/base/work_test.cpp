@@ -4,38 +4,38 @@
 
 using namespace csgsim;
 
-TEST_CASE("work without a limit is never refused, and not counted") {
+TEST_CASE("unlimited work is never refused and not counted") {
   const Work work;
   work.charge(~std::uint64_t{0}, "counting");
   work.charge(~std::uint64_t{0}, "counting");
   CHECK(work.done() == 0);
 }
 
-TEST_CASE("work up to its limit is done, and one step more is refused with what was being done") {
+TEST_CASE("work is accepted up to its limit and the error names the refused activity") {
   const Work work(2'500'000);
   work.charge(2'000'000, "counting");
   work.charge(500'000, "counting");
   CHECK(work.done() == 2'500'000);
   CHECK(testing::error_of([&] { work.charge(1, "folding paper"); }) ==
-        "folding paper takes more work than the limit of 2.5 million steps; use fewer or coarser parts in "\n
+        "folding paper takes more work than the limit of 2.5 million steps; use fewer or coarser parts in "
         "the model, or raise --limit");
 }
 
-TEST_CASE("a charge that no sum holds is past the limit") {
+TEST_CASE("a charge that would overflow the sum exceeds the limit") {
   const Work work(10);
   work.charge(5, "counting");
   CHECK_THROWS_AS(work.charge(~std::uint64_t{0}, "counting"), WorkError);
 }
 
-TEST_CASE("once past the limit all that follows is refused") {
+TEST_CASE("every charge after the limit was exceeded is refused") {
   const Work work(10);
   CHECK_THROWS_AS(work.charge(11, "counting"), WorkError);
   CHECK_THROWS_AS(work.charge(1, "counting"), WorkError);
 }
 
-TEST_CASE("copies of a work count together") {
+TEST_CASE("copies of a Work object share one count") {
   const Work work(10);
-  const Work copy = work;  // NOLINT(performance-unnecessary-copy-initialization): that is what is tested
+  const Work copy = work;  // NOLINT(performance-unnecessary-copy-initialization): the test needs a copy
   copy.charge(6, "counting");
   CHECK(work.done() == 6);
   CHECK_THROWS_AS(work.charge(5, "counting"), WorkError);

@@ -11,7 +11,7 @@ using namespace csgsim;
 
 namespace {
 
-/// Memory and enable of every pixel of the last segment.
+/// Compares memory and enable of every pixel of the last segment.
 void same_as_reference(const bench::DenseLoop& dense, const reference::ReferenceRun& reference,
                        std::uint16_t memory_bits) {
   const isa::Region region = reference.region();
@@ -26,7 +26,7 @@ void same_as_reference(const bench::DenseLoop& dense, const reference::Reference
 
 }  // namespace
 
-TEST_CASE("the dense loop leaves what the reference leaves, on random Programs") {
+TEST_CASE("the dense loop matches the reference on random Programs") {
   CHECK(rc::check([] {
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 100U), *rc::gen::inRange(1U, 9U), 40};
     const isa::Program program = *test::arbitrary_program(shape, 40, 2);

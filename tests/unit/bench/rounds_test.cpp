@@ -13,14 +13,14 @@
 
 using namespace csgsim;
 
-TEST_CASE("the median is the middle value, or half way between the two in the middle") {
+TEST_CASE("the median of an even count is the mean of the two middle values") {
   CHECK(bench::median({3}) == 3);
   CHECK(bench::median({9, 1, 4}) == 4);
   CHECK(bench::median({8, 1, 2, 4}) == 3);
   CHECK_THROWS_AS(bench::median({}), std::invalid_argument);
 }
 
-TEST_CASE("all are measured in turn, as many rounds as asked for, or until the time is over") {
+TEST_CASE("measures all candidates in turn for the given rounds or until time is up") {
   std::string order;
   double slower = 0;
   const std::array<bench::Timed, 2> all{[&] {
@@ -38,9 +38,9 @@ TEST_CASE("all are measured in turn, as many rounds as asked for, or until the t
   CHECK(order == "ab");
 }
 
-TEST_CASE("another build is measured beside each, and told by the ratio of each round") {
+TEST_CASE("measures another build next to each candidate and reports the ratio per round") {
   std::string order;
-  // Both are twice as slow in every second round.
+  // Both take twice as long in every second round.
   const auto timed = [&](char name, double seconds) -> bench::Timed {
     return [&order, name, seconds] {
       order += name;
@@ -63,7 +63,7 @@ TEST_CASE("another build is measured beside each, and told by the ratio of each 
   CHECK_FALSE(alone[0].other);
 }
 
-TEST_CASE("the exponent of a power law is found, whatever its factor") {
+TEST_CASE("finds the exponent of a power law for any factor") {
   for (const double power : {-1.0, 0.0, 0.5, 2.0}) {
     std::vector<bench::Point> points;
     for (const double x : {1.0, 3.0, 10.0, 80.0}) points.push_back({x, 7 * std::pow(x, power)});
@@ -73,7 +73,7 @@ TEST_CASE("the exponent of a power law is found, whatever its factor") {
   }
 }
 
-TEST_CASE("no exponent is told from two points, nor from more at two sizes, in tables, JSON and plots alike") {
+TEST_CASE("every report omits exponents from fewer than three sizes") {
   CHECK(!bench::exponent(std::array<bench::Point, 2>{{{1, 1}, {2, 3}}}));
   CHECK(!bench::exponent(std::array<bench::Point, 3>{{{1, 1}, {2, 3}, {2, 4}}}));
   bench::Results results;
@@ -94,7 +94,7 @@ TEST_CASE("no exponent is told from two points, nor from more at two sizes, in t
   CHECK(points[1].y == doctest::Approx(30));  // milliseconds
 }
 
-TEST_CASE("generated models have as many half-spaces as they say, and lie about the origin") {
+TEST_CASE("generated models have the stated number of half-spaces") {
   const auto scene_of = [](const std::string& text) { return facet::make_geometry(read::read_csg_text(text, "made")); };
   for (const unsigned fragments : {8U, 31U, 32U}) {
     const facet::Geometry sphere = scene_of(bench::drilled_sphere(fragments));
@@ -113,7 +113,7 @@ TEST_CASE("generated models have as many half-spaces as they say, and lie about 
   CHECK(scene_of(bench::deep_tree(50)).solids.size() == 50);
 }
 
-TEST_CASE("a process is timed; one that is not installed is none, one that fails is told") {
+TEST_CASE("distinguishes finished processes from missing and failed programs") {
   const std::array<std::string, 2> sleeps{"sleep", "0.1"};
   const std::optional<bench::Took> took = bench::run_process(sleeps);
   REQUIRE(took);
@@ -131,7 +131,7 @@ TEST_CASE("a process is timed; one that is not installed is none, one that fails
   CHECK_THROWS_WITH_AS(bench::run_process_within(20, fails), doctest::Contains("ls: fails: "), InputError);
 }
 
-TEST_CASE("POV-Ray is given the same half-spaces, in boxes, and the same tree") {
+TEST_CASE("the POV-Ray scene has the same bounded half-spaces and the same tree") {
   const model::Tree tree =
       read::read_csg_text("difference() { cube(size = 2, center = true); sphere($fn = 8, r = 1); }", "made");
   const facet::Geometry scene = facet::make_geometry(tree);
@@ -144,16 +144,16 @@ TEST_CASE("POV-Ray is given the same half-spaces, in boxes, and the same tree") 
   CHECK(count("difference {") == 1);
   CHECK(count("intersection {") == 2);
   CHECK(count("bounded_by {") == 2);
-  CHECK(count("pigment { rgb <0.98, 0.84, 0.17> }") == 2);  // OpenSCAD's yellow, 249, 215 and 44 of 255
+  CHECK(count("pigment { rgb <0.98, 0.84, 0.17> }") == 2);  // OpenSCAD's yellow: 249, 215 and 44 of 255
   CHECK(count("plane {") == 6 + bench::sphere_halfspaces(8));
-  // The cube's faces at x = 1 and x = -1: inside is what is below 1 along their normals.
+  // Faces of the cube at x = 1 and x = -1: points below 1 along the normal are inside.
   CHECK(count("plane { <1, 0, 0>, 1 }") == 1);
   const std::size_t opposite = text.find("plane { <-1, ");
   REQUIRE(opposite != std::string::npos);
   CHECK(text.substr(opposite, text.find('}', opposite) - opposite).ends_with(">, 1 "));
 }
 
-TEST_CASE("a scene for POV-Ray is seen by the same camera: upwards and to the right, as much as 22.5 degrees show") {
+TEST_CASE("the POV-Ray camera has the same axes and a field of view of 22.5 degrees") {
   const model::Tree tree = read::read_csg_text("cube(size = [2, 2, 2], center = true);", "m.csg");
   const std::string text =
       bench::povray_scene(tree, facet::make_geometry(tree), {.eye = {0, 0, 10}, .centre = {0, 0, 0}});

@@ -8,7 +8,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("a replay does the functional level's work, and its stretches add up to it") {
+TEST_CASE("a replay does the functional level's work and its stretches sum to it") {
   for (const std::string name : {"thesis_fig_2_3", "old_example002_lines", "thesis_fig_2_3_squares"}) {
     CAPTURE(name);
     const isa::Program program = isa::load_program(std::string(CSGSIM_SOURCE_DIR) + "/traces/" + name + ".csgt");
@@ -29,7 +29,7 @@ TEST_CASE("a replay does the functional level's work, and its stretches add up t
   }
 }
 
-TEST_CASE("jobs go to the thread that is free first") {
+TEST_CASE("makespan() assigns each job to the first free thread") {
   const std::array<double, 5> jobs{3, 1, 1, 1, 4};
   CHECK(bench::makespan(jobs, 1) == 10);
   CHECK(bench::makespan(jobs, 2) == 7);
@@ -38,7 +38,7 @@ TEST_CASE("jobs go to the thread that is free first") {
   CHECK(bench::makespan({}, 2) == 0);
 }
 
-TEST_CASE("threads that share tiles meet at each stretch, those that take segments at the end") {
+TEST_CASE("threads that share tiles synchronise at each stretch") {
   const auto stretch = [](std::uint32_t segment, std::vector<double> seconds) {
     bench::StretchShares shares{segment, {}};
     for (const double each : seconds) shares.tiles.push_back({1, 0, 1, 0, each});

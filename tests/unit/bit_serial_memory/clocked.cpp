@@ -12,9 +12,9 @@ namespace csgsim::testing {
 
 namespace {
 
-/// Each design, each source of expressions and each place for E are covered; one slot and many, in one bank and in
-/// several, of less and of more than a word; slow and fast links; refreshes often and never. While a slow link is
-/// waited for, refreshes that are due are made, so that they come within instructions with a fast one alone.
+/// The list covers each design, each source of expressions and each place of E; one slot and many, in one bank and in
+/// several, below and above the width of a word; slow and fast links; refreshes often and never. A slow link leaves
+/// time for due refreshes, so that only a fast one makes them occur within instructions.
 const std::vector<std::string> descriptions{
     "digital-bit-serial-ddr4+picture.width=8+picture.height=8+array.memory_bits=8+logic.enable=1+global_or.present=1+"
     "chips.count=1+chips.columns=64+chips.banks=1+link.word_clocks=3+link.latency=10+controller.queue=1+"
@@ -41,7 +41,7 @@ const std::vector<std::string> descriptions{
 };
 
 std::vector<ClockedMemory>* build_all() {
-  // Kept until the process ends: SystemC's own objects go before what is static here.
+  // Never freed, because SystemC's own objects are destroyed before static objects of this file.
   auto* const all = new std::vector<ClockedMemory>;
   for (std::size_t i = 0; i < descriptions.size(); ++i) {
     ClockedMemory& one = all->emplace_back();
@@ -54,7 +54,7 @@ std::vector<ClockedMemory>* build_all() {
   return all;
 }
 
-/// Keeps what taps show.
+/// Stores the sampled values of the taps.
 class Sampler final : public wave::Writer {
  public:
   Sampler(std::vector<wave::Tap> taps, std::vector<std::vector<std::string>>& values)
@@ -93,8 +93,8 @@ Recording::Recording(const ClockedMemory& memory, const isa::Program& program, c
   for (const wave::Tap& tap : taps) taps_.emplace_back(tap.name, std::vector<std::string>{});
   std::vector<std::vector<std::string>> values(taps.size());
   memory.recorder->arm(std::make_unique<Sampler>(std::move(taps), values), request.windows, 0, false);
-  systemc::RunListener nobody;
-  memory.hardware->run(program, nobody);
+  systemc::RunListener no_listener;
+  memory.hardware->run(program, no_listener);
   memory.recorder->finish();
   for (std::size_t i = 0; i < taps_.size(); ++i) taps_[i].second = std::move(values[i]);
 }

@@ -13,7 +13,7 @@
 
 namespace csgsim::testing {
 
-/// A memory in SystemC, and what samples its taps.
+/// A memory in SystemC with the recorder of its taps.
 struct ClockedMemory {
   std::string name;
   machines::Machine machine;
@@ -21,19 +21,18 @@ struct ClockedMemory {
   std::unique_ptr<systemc::WaveRecorder> recorder;
 };
 
-/// All that the tests of this folder draw on. SystemC elaborates once a process, so that they stand side by side from
-/// the first call on, and one of them draws at a time.
+/// All memories that the tests of this directory use. SystemC elaborates once per process, so all are built together at
+/// the first call; only one runs at a time.
 const std::vector<ClockedMemory>& clocked_memories();
 
-/// One of 64 pixels with 8 bits each, all in one row, with gates, latches for E and a wired OR: what it takes can be
-/// added up by hand.
+/// A memory of 64 pixels with 8 bits each, all in one row, with gates, latches for E and a wired OR: its clocks can be
+/// calculated by hand.
 const ClockedMemory& smallest_memory();
 
-/// What the taps show in the clocks of a window: of each tap a value a clock, of a number in decimal, empty where it
-/// shows nothing.
+/// Values of the taps in a window: one value per tap and clock, numbers in decimal, empty where a tap shows nothing.
 class Recording {
  public:
-  /// Draws the Program, whose pixels of the request are shown.
+  /// Runs the Program and records the given pixels.
   Recording(const ClockedMemory& memory, const isa::Program& program, const std::vector<wave::Pixel>& pixels,
             wave::Window window);
 

@@ -11,8 +11,8 @@
 #include "tests/support/random_program.h"
 #include "tests/support/test.h"
 
-// Random Programs on memories in SystemC, held at every instruction against the reference, and against the clocks, the
-// account and the timeline that are worked out without stepping.
+// Random Programs on memories in SystemC. Every instruction is compared with the reference, and clocks, account and
+// timeline with those calculated without stepping.
 
 using namespace csgsim;
 using testing::ClockedMemory;
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint32_t widest = isa::max_field_width;
 
-/// Enable bits and memory, as one list of words.
+/// Enable bits and memory as one list of words.
 std::vector<std::uint64_t> reference_pixels(const reference::ReferenceArray& array, const isa::ArrayShape& shape) {
   std::vector<std::uint64_t> words(std::size_t{(shape.width + 63) / 64} * shape.height);
   array.read_enable(words);
@@ -36,7 +36,7 @@ std::vector<std::uint64_t> reference_pixels(const reference::ReferenceArray& arr
 }
 
 std::vector<std::uint64_t> pixels_of_view(const systemc::PixelView& view, const isa::ArrayShape& shape) {
-  // What is there before is overwritten.
+  // Initial ones check that everything is overwritten.
   std::vector<std::uint64_t> words(std::size_t{(shape.width + 63) / 64} * shape.height, ~std::uint64_t{0});
   view.read_enable(shape.width, shape.height, words);
   std::vector<std::uint32_t> values(std::size_t{shape.width} * shape.height, ~std::uint32_t{0});
@@ -49,7 +49,7 @@ std::vector<std::uint64_t> pixels_of_view(const systemc::PixelView& view, const 
   return words;
 }
 
-/// Follows a run with the reference, and keeps what is different.
+/// Follows a run with the reference and stores the differences.
 class Follower final : public systemc::RunListener {
  public:
   Follower(const isa::Program& program, const machines::Machine& machine)
@@ -59,21 +59,21 @@ class Follower final : public systemc::RunListener {
     const isa::Instruction& instruction = program_.segments[retired.segment].instructions[retired.index];
     const std::string at = fmt::format("s{} i{} {}", retired.segment, retired.index, isa::name_of(instruction.opcode));
     begin_segment(retired.segment);
-    expect(retired.index == next_, at + ": its number");
+    expect(retired.index == next_, at + ": instruction index");
     expect(retired.enabled_pixels == judge_->enabled_pixels(), at + ": enabled pixels");
     judge_->execute(instruction);
     const bool none = judge_->enabled_pixels() == 0;
     if (instruction.opcode == isa::Opcode::global_or) answers.push_back(!none);
     const bool skips = none && instruction.opcode == isa::Opcode::skip_if_none;
-    expect(retired.skipped == (skips ? instruction.constant : 0), at + ": what it skips");
-    if (retired.skipped > 0) told_skips.push_back({retired.segment, retired.index});
+    expect(retired.skipped == (skips ? instruction.constant : 0), at + ": number of skipped instructions");
+    if (retired.skipped > 0) reported_skips.push_back({retired.segment, retired.index});
     skipped += retired.skipped;
     next_ = static_cast<std::uint32_t>(retired.index + 1 + retired.skipped);
     expect(retired.clocks == machine_.kind->clocks(instruction, machine_), at + ": clocks");
     ends.push_back({retired.segment, retired.index, edge() - start_ - 1});
     if (copied_ != nullptr) {
-      expect(pixels_of_view(*copied_, program_.shape) == copied_pixels_, at + ": a copy of the pixels before");
-      expect(pixels_of_view(*copied_->copy(), program_.shape) == copied_pixels_, at + ": a copy of the copy");
+      expect(pixels_of_view(*copied_, program_.shape) == copied_pixels_, at + ": copy of the previous pixels");
+      expect(pixels_of_view(*copied_->copy(), program_.shape) == copied_pixels_, at + ": copy of the copied pixels");
     }
     const std::vector<std::uint64_t> expected = reference_pixels(*judge_, program_.shape);
     expect(pixels_of_view(pixels, program_.shape) == expected, at + ": pixels");
@@ -83,7 +83,8 @@ class Follower final : public systemc::RunListener {
 
   void after_segment(std::uint32_t segment, const systemc::PixelView& pixels) override {
     begin_segment(segment);
-    expect(next_ == program_.segments[segment].instructions.size(), fmt::format("s{}: told before its end", segment));
+    expect(next_ == program_.segments[segment].instructions.size(),
+           fmt::format("s{}: ends before its last instruction", segment));
     expect(pixels_of_view(pixels, program_.shape) == reference_pixels(*judge_, program_.shape),
            fmt::format("s{}: pixels at its end", segment));
     ++segments;
@@ -102,12 +103,12 @@ class Follower final : public systemc::RunListener {
   struct End {
     std::uint32_t segment = 0;
     std::uint32_t index = 0;
-    std::uint64_t clock = 0;  ///< the first after it
+    std::uint64_t clock = 0;  ///< first clock after the instruction
   };
 
   std::vector<std::string> differences;
   std::vector<bool> answers;
-  std::vector<machines::Skip> told_skips;
+  std::vector<machines::Skip> reported_skips;
   std::vector<End> ends;
   std::uint64_t skipped = 0;
   std::uint32_t segments = 0;
@@ -121,7 +122,7 @@ class Follower final : public systemc::RunListener {
 
   void begin_segment(std::uint32_t segment) {
     if (segment_ == segment) return;
-    expect(segment == (segment_ ? *segment_ + 1 : 0), fmt::format("s{}: comes too early", segment));
+    expect(segment == (segment_ ? *segment_ + 1 : 0), fmt::format("s{}: starts out of order", segment));
     segment_ = segment;
     next_ = 0;
     judge_ = std::make_unique<reference::ReferenceArray>(program_.shape);
@@ -138,22 +139,22 @@ class Follower final : public systemc::RunListener {
   std::vector<std::uint64_t> copied_pixels_;
 };
 
-void check_account(const machines::Account& told, const machines::Account& expected) {
+void check_account(const machines::Account& account, const machines::Account& expected) {
   for (std::size_t i = 0; i < expected.counts.size(); ++i) {
     CAPTURE(expected.counts[i].name);
-    CHECK(told.counts[i].value == expected.counts[i].value);
+    CHECK(account.counts[i].value == expected.counts[i].value);
   }
   for (std::size_t i = 0; i < expected.parts.size(); ++i) {
     for (std::size_t k = 0; k < expected.parts[i].clocks.size(); ++k) {
       CAPTURE(std::string(expected.parts[i].clocks[k].activity));
-      CHECK(told.parts[i].clocks[k].clocks == expected.parts[i].clocks[k].clocks);
+      CHECK(account.parts[i].clocks[k].clocks == expected.parts[i].clocks[k].clocks);
     }
   }
-  CHECK(told == expected);
+  CHECK(account == expected);
 }
 
 void check_timeline(const Follower& follower, const isa::Program& program, const machines::Machine& machine) {
-  const std::optional<machines::Timeline> timeline = machine.kind->timeline(program, machine, follower.told_skips);
+  const std::optional<machines::Timeline> timeline = machine.kind->timeline(program, machine, follower.reported_skips);
   REQUIRE(timeline.has_value());
   std::vector<std::vector<bool>> carried_out;
   for (const isa::Segment& segment : program.segments) carried_out.emplace_back(segment.instructions.size());
@@ -179,7 +180,7 @@ void check_run(const ClockedMemory& memory, const isa::Program& program) {
   CHECK(report.answers == follower.answers);
   CHECK(report.skipped == follower.skipped);
   CHECK(report.picture == follower.picture());
-  const machines::FrameTiming timing = memory.machine.kind->time(program, memory.machine, follower.told_skips);
+  const machines::FrameTiming timing = memory.machine.kind->time(program, memory.machine, follower.reported_skips);
   CHECK(report.clocks == timing.clocks);
   CHECK(report.shown_clocks == timing.shown_clocks);
   CHECK(report.interval_clocks == timing.shown_clocks);
@@ -197,9 +198,9 @@ isa::Program random_frame(const ClockedMemory& memory, std::uint64_t seed) {
         .value();
   };
   isa::Program program = draw(2 * seed);
-  const isa::Instruction question{.opcode = isa::Opcode::global_or};
-  if (seed % 3 == 0) program.segments.front().instructions.push_back(question);
-  // The machine itself takes any number of segments, each of which begins with memory and enable 0.
+  const isa::Instruction query{.opcode = isa::Opcode::global_or};
+  if (seed % 3 == 0) program.segments.front().instructions.push_back(query);
+  // The machine accepts any number of segments; each begins with memory and enable 0.
   if (seed % 4 == 0) program.segments.push_back(draw(2 * seed + 1).segments.front());
   return program;
 }
@@ -214,8 +215,7 @@ isa::Program short_program(const machines::Machine& machine, std::vector<isa::In
 
 }  // namespace
 
-TEST_CASE(
-    "a clocked memory leaves the pixels of the reference, and takes the clocks and the work that are worked out") {
+TEST_CASE("a clocked memory matches the reference's pixels and the calculated clocks") {
   constexpr std::uint64_t programs = 12;
   for (std::size_t i = 1; i < testing::clocked_memories().size(); ++i) {
     const ClockedMemory& memory = testing::clocked_memories()[i];
@@ -227,7 +227,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("questions are jumped from where no pixel is enabled, to any later instruction and to the frame's end") {
+TEST_CASE("a skip without enabled pixels jumps to any later instruction or frame end") {
   using isa::Opcode;
   const isa::Instruction invert{.opcode = Opcode::enable_invert};
   const isa::Instruction all{.opcode = Opcode::enable_all};
@@ -246,7 +246,7 @@ TEST_CASE("questions are jumped from where no pixel is enabled, to any later ins
       isa::Program program = short_program(memory.machine, instructions);
       program.colour = {2, 5};
       check_run(memory, program);
-      // And to the next segment.
+      // The same jump to the next segment.
       program.segments.push_back(program.segments.front());
       program.segments.front().instructions.resize(5 + count);
       check_run(memory, program);
@@ -254,36 +254,36 @@ TEST_CASE("questions are jumped from where no pixel is enabled, to any later ins
   }
 }
 
-TEST_CASE("frames without an instruction show the background, and cost the clear and no scan-out") {
+TEST_CASE("an empty frame shows the background and takes no scan-out clocks") {
   for (const ClockedMemory& memory : testing::clocked_memories()) {
     CAPTURE(memory.name);
     isa::Program program = short_program(memory.machine, {});
     program.colour = {1, 4};
     program.background = 9;
     check_run(memory, program);
-    systemc::RunListener nobody;
-    const systemc::RunReport report = memory.hardware->run(program, nobody);
+    systemc::RunListener no_listener;
+    const systemc::RunReport report = memory.hardware->run(program, no_listener);
     CHECK(report.shown_clocks == report.clocks);
     const std::size_t pixels = std::size_t{program.shape.width} * program.shape.height;
     CHECK(report.picture == std::vector<std::uint32_t>(pixels, 9));
-    // One instruction is enough for the pixels to be shown, which are 0.
+    // A single instruction makes the machine show the pixels, which are 0.
     program.segments.front().instructions.push_back({.opcode = isa::Opcode::enable_all});
     check_run(memory, program);
-    CHECK(memory.hardware->run(program, nobody).picture == std::vector<std::uint32_t>(pixels, 0));
-    // Only one of two segments need have it.
+    CHECK(memory.hardware->run(program, no_listener).picture == std::vector<std::uint32_t>(pixels, 0));
+    // An instruction in one of two segments is enough.
     program.segments.insert(program.segments.begin(), {.region = program.segments.front().region, .instructions = {}});
     check_run(memory, program);
   }
 }
 
-TEST_CASE("a clocked memory refuses a Program of another width, another height or more memory, and takes less memory") {
+TEST_CASE("rejects a Program of another picture size or with more pixel memory") {
   const ClockedMemory& memory = testing::smallest_memory();
   const isa::Program fitting = short_program(memory.machine, {{.opcode = isa::Opcode::enable_all}});
-  systemc::RunListener nobody;
+  systemc::RunListener no_listener;
   const auto refusal = [&](isa::ArrayShape shape) {
     isa::Program program = fitting;
     program.shape = shape;
-    return testing::error_of([&] { memory.hardware->run(program, nobody); });
+    return testing::error_of([&] { memory.hardware->run(program, no_listener); });
   };
   const std::string refused =
       "the Program needs another picture size or more pixel memory than the machine has; compile it for this machine";
@@ -296,7 +296,7 @@ TEST_CASE("a clocked memory refuses a Program of another width, another height o
   CHECK(refusal({8, 9, 8}) == refused);
 }
 
-TEST_CASE("what a listener throws comes out when the frame is drawn, and the machine draws the next as ever") {
+TEST_CASE("propagates an exception of a listener and draws the next frame correctly") {
   class Thrower final : public systemc::RunListener {
    public:
     void after_instruction(const systemc::Retired& /*retired*/, const systemc::PixelView& /*pixels*/) override {

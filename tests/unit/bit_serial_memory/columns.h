@@ -10,15 +10,15 @@
 
 namespace csgsim::testing {
 
-/// A subarray with a pixel a column, whose rows and latches are set, and looked at, from outside.
+/// A subarray with one pixel per column, whose rows and latches the test can set and read.
 class Columns {
  public:
   Columns(isa::ArrayShape shape, const bit_serial_memory::MicroDesign& design);
 
-  /// Every pixel has the memory and the enable bit that it has there.
+  /// Copies memory and enable bit of every pixel.
   void set(const reference::ReferenceArray& pixels);
 
-  /// Carries out these; of the expression the host or the trees bring the bits.
+  /// Executes the commands; the host or the trees supply the bits of the expression.
   void execute(const bit_serial_memory::RowCommands& commands, const isa::Linear& linear);
 
   [[nodiscard]] bool memory_bit(std::uint32_t bit, std::uint32_t x, std::uint32_t y) const;
@@ -37,10 +37,10 @@ class Columns {
   bit_serial_memory::Subarray subarray_;
 };
 
-/// Every design, with each way of bringing expressions, with and without the latch for writes and the wired OR.
+/// Every design with each source of expressions, with and without the latch for writes and the wired OR.
 std::vector<bit_serial_memory::MicroDesign> all_designs();
 
-/// How many of the commands are of that op.
+/// Number of commands with the given op.
 std::size_t count_of(bit_serial_memory::RowOp op, const bit_serial_memory::RowCommands& commands);
 
 }  // namespace csgsim::testing

@@ -2,10 +2,11 @@
 #include "tests/support/test.h"
 #include "tests/unit/bit_serial_memory/columns.h"
 
-// What others have of n bits each, and where it was read:
+// Published command counts for operands of n bits, with their sources:
 //   Ambit    AND and OR 4 AAP, NOT 2, XOR 5 AAP and 2 AP: CMU-SAFARI/MIMDRAM, gem5/src/mem/dram_ctrl.cc
-//   SIMDRAM  sum 8n + 1, greater 3n + 2, equal 4n + 3, choice 7n, AAPs and APs: the programs *-plus.c in microworkloads
-//            of the same; that of a choice loads one operand where it is lost, ours has as many commands and does not
+//   SIMDRAM  sum 8n + 1, greater 3n + 2, equal 4n + 3, choice 7n, counting AAPs and APs: the programs *-plus.c in
+//            microworkloads of the same repository. Its choice overwrites an operand; ours preserves it with the same
+//            number of commands.
 //   PIMeval  reads, writes and logic commands: UVA-LavaLab/PIMeval-PIMbench, BITSIMD_V in pimPerfEnergyTables.cpp, with
 //            its programs in bit-serial/bitSerialBitsimd.cpp
 
@@ -80,7 +81,7 @@ constexpr std::array<unsigned, 5> widths{1, 8, 16, 31, 32};
 
 }  // namespace
 
-TEST_CASE("AND, OR, NOT and XOR of rows take the commands that Ambit's do") {
+TEST_CASE("logic operations on rows take the command counts of Ambit") {
   for (const Design design : {Design::and_or_not, Design::majority}) {
     for (const BinaryOp op : {BinaryOp::conjunction, BinaryOp::disjunction}) {
       const RowCommands commands =
@@ -100,7 +101,7 @@ TEST_CASE("AND, OR, NOT and XOR of rows take the commands that Ambit's do") {
   }
 }
 
-TEST_CASE("sums and differences of n bits by majorities take 8n + 1 commands as SIMDRAM's, a comparison 3n + 2") {
+TEST_CASE("majority sums take 8n + 1 commands and comparisons 3n + 2 as in SIMDRAM") {
   for (const unsigned n : widths) {
     CAPTURE(n);
     for (const Chain chain : {Chain::sum, Chain::difference})
@@ -109,7 +110,7 @@ TEST_CASE("sums and differences of n bits by majorities take 8n + 1 commands as 
   }
 }
 
-TEST_CASE("a choice of n bits by majorities takes 7n commands, and one of equality 4n + 3, as SIMDRAM's") {
+TEST_CASE("majority choices take 7n commands and equality 4n + 3 as in SIMDRAM") {
   for (const unsigned n : widths) {
     CAPTURE(n);
     CHECK(commands_of(Design::majority, [&](ColumnLogic& logic) { choose(logic, n); }).size() == 7 * n);
@@ -117,7 +118,7 @@ TEST_CASE("a choice of n bits by majorities takes 7n commands, and one of equali
   }
 }
 
-TEST_CASE("of single operations a sum of n bits takes 26n + 1 commands, a difference 30n + 1") {
+TEST_CASE("AND-OR-NOT sums take 26n + 1 commands and differences 30n + 1") {
   for (const unsigned n : widths) {
     CHECK(commands_of(Design::and_or_not, [&](ColumnLogic& logic) { sum(logic, Chain::sum, n); }).size() == 26 * n + 1);
     CHECK(commands_of(Design::and_or_not, [&](ColumnLogic& logic) { sum(logic, Chain::difference, n); }).size() ==
@@ -125,14 +126,14 @@ TEST_CASE("of single operations a sum of n bits takes 26n + 1 commands, a differ
   }
 }
 
-TEST_CASE("of single operations a comparison of n bits takes 18n + 2 commands, a choice 14n") {
+TEST_CASE("AND-OR-NOT comparisons take 18n + 2 commands and choices 14n") {
   for (const unsigned n : widths) {
     CHECK(commands_of(Design::and_or_not, [&](ColumnLogic& logic) { compare(logic, n); }).size() == 18 * n + 2);
     CHECK(commands_of(Design::and_or_not, [&](ColumnLogic& logic) { choose(logic, n); }).size() == 14 * n);
   }
 }
 
-TEST_CASE("sums, differences and operations bit by bit at the sense amplifiers take what PIMeval's table has") {
+TEST_CASE("sense-amplifier sums and bitwise operations take PIMeval's counts") {
   for (const unsigned n : widths) {
     CAPTURE(n);
     for (const Chain chain : {Chain::sum, Chain::difference}) {
@@ -151,22 +152,21 @@ TEST_CASE("sums, differences and operations bit by bit at the sense amplifiers t
   }
 }
 
-TEST_CASE("a comparison at the sense amplifiers takes 2n + 2 logic commands, n fewer than PIMeval's table has") {
+TEST_CASE("a sense-amplifier comparison takes 2n + 2 logic commands; PIMeval 3n + 2") {
   for (const unsigned n : widths) {
     CHECK(reads_of(commands_of(Design::latches, [&](ColumnLogic& logic) { compare(logic, n); })) ==
           Reads{2 * n, 1, 2 * n + 2});
   }
 }
 
-TEST_CASE(
-    "a choice at the sense amplifiers takes what PIMeval's least of two does after it has compared, and reads E") {
+TEST_CASE("a sense-amplifier choice takes PIMeval's counts for min and one read of E") {
   for (const unsigned n : widths) {
     CHECK(reads_of(commands_of(Design::latches, [&](ColumnLogic& logic) { choose(logic, n); })) ==
           Reads{2 * n + 1, n, 2 * n + 1});
   }
 }
 
-TEST_CASE("a sum with a constant at the sense amplifiers takes 2n + 1 logic commands, fewer than PIMeval's 4n + 1") {
+TEST_CASE("a sense-amplifier sum with a constant takes 2n + 1 logic commands") {
   for (const unsigned n : widths) {
     CHECK(reads_of(commands_of(Design::latches, [&](ColumnLogic& logic) {
             logic.begin_chain(Chain::sum, false);

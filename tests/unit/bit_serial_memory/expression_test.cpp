@@ -4,8 +4,8 @@
 #include "tests/support/test.h"
 #include "tests/unit/bit_serial_memory/columns.h"
 
-// The terms of a product of coefficient and coordinate, and the bits of an expression that the trees bring, worked out
-// by hand: both levels run the same compiled commands, so that lockstep cannot notice an error in them.
+// Terms of the product of coefficient and coordinate, and bits of an expression that the trees supply, all calculated
+// by hand: both levels run the same compiled commands, so lockstep cannot detect an error in them.
 
 using namespace csgsim;
 using bit_serial_memory::Expressions;
@@ -35,7 +35,7 @@ std::vector<unsigned> leaf_bits(const MicroDesign& design, isa::Opcode opcode, i
   std::vector<unsigned> bits;
   for (const RowCommand& command : micro_program(instruction, RowMap(40, 9, 7), design)) {
     if (command.op != RowOp::leaf && command.op != RowOp::leaf_copy) continue;
-    // The trees hold a bit until the next: one that is copied again is not brought again.
+    // The trees hold a bit until the next one; a bit that is copied twice is sent once.
     if (bits.empty() || bits.back() != command.bit) bits.push_back(command.bit);
   }
   return bits;
@@ -62,49 +62,49 @@ std::vector<MicroDesign> designs_with(Expressions expressions) {
 
 }  // namespace
 
-TEST_CASE("a product is the coordinate once for each digit 1 or -1 of its coefficient, where that adds fewer bits") {
-  // 5 = 4 + 1: 8 + 6 bits; three bits of the coordinate would add 8 + 7 + 6.
+TEST_CASE("a product adds the coordinate once per signed digit if that is cheaper") {
+  // 5 = 4 + 1 adds 8 + 6 bits; the three bits of the coordinate would add 8 + 7 + 6.
   CHECK(terms_of(5, three, 8) == std::vector{plus(0, three), plus(2, three)});
-  // 7 = 8 - 1: 8 + 5 bits.
+  // 7 = 8 - 1 adds 8 + 5 bits.
   CHECK(terms_of(7, three, 8) == std::vector{minus(0, three), plus(3, three)});
   CHECK(terms_of(1, three, 8) == std::vector{plus(0, three)});
   CHECK(terms_of(-1, three, 8) == std::vector{minus(0, three)});
   // 11 = 16 - 4 - 1.
   CHECK(terms_of(11, {std::vector<Row>(9, 5)}, 8).size() == 3);
-  // Modulo 8, 6 is -2; 4 is the place of the sign.
+  // Modulo 8, 6 equals -2, and 4 is the sign bit.
   CHECK(terms_of(6, three, 3) == std::vector{minus(1, three)});
   CHECK(terms_of(4, one, 3) == std::vector{plus(2, one)});
 }
 
-TEST_CASE("a product is the coefficient once for each bit of the coordinate, where that adds fewer bits") {
-  // The two digits of 5 add 8 + 6 bits, the one bit of the coordinate 8.
+TEST_CASE("a product adds the coefficient once per coordinate bit if that is cheaper") {
+  // The two digits of 5 add 8 + 6 bits, the single bit of the coordinate 8.
   CHECK(terms_of(5, one, 8) == std::vector{where(100, 0, 5)});
-  // 341 has five digits, 20 + 18 + 16 + 14 + 12 bits; three bits of the coordinate are 20 + 19 + 18.
+  // 341 has five digits, which add 20 + 18 + 16 + 14 + 12 bits; three bits of the coordinate add 20 + 19 + 18.
   CHECK(terms_of(341, three, 20) == std::vector{where(100, 0, 341), where(101, 1, 682), where(102, 2, 1364)});
-  // The same five digits of 9 bits are 25 bits, two of the coordinate 17; modulo 2^9, 682 is 170.
-  // 853 is 341 + 512.
+  // Within 9 bits the five digits add 25 bits, and two bits of the coordinate 17. Modulo 2^9, 682 is 170 and 853 is
+  // 341.
   const std::vector<Row> two{100, 101};
   CHECK(terms_of(341, two, 9) == std::vector{where(100, 0, 341), where(101, 1, 170)});
   CHECK(terms_of(853, two, 9) == std::vector{where(100, 0, 341), where(101, 1, 170)});
-  // -171 is 341 there.
+  // Modulo 2^9, -171 is 341.
   CHECK(terms_of(-171, two, 9) == std::vector{where(100, 0, 341), where(101, 1, 170)});
-  // A tie is decided for the digits.
+  // A tie is resolved in favour of the digits.
   CHECK(terms_of(1, one, 8) == std::vector{plus(0, one)});
-  // Modulo 2^6 the third multiple of 20 is 16, the fourth 32, and the fifth nothing: 4 + 3 + 2 + 1 bits, of two digits
-  // 4 + 2.
+  // Modulo 2^6 the third multiple of 20 is 16, the fourth 32, and the fifth 0: 4 + 3 + 2 + 1 bits, compared with 4 + 2
+  // for two digits.
   CHECK(terms_of(20, {std::vector<Row>(5, 9)}, 6).size() == 2);
-  // A digit at the sign's place adds one bit.
+  // A digit at the sign bit adds one bit.
   CHECK(terms_of(2, three, 2) == std::vector{plus(1, three)});
 }
 
-TEST_CASE("a product of nothing has no terms") {
+TEST_CASE("a product with zero has no terms") {
   CHECK(terms_of(0, three, 8).empty());
   CHECK(terms_of(256, three, 8).empty());
   CHECK(terms_of(5, {}, 8).empty());
   CHECK(Term{} == Term{0, false, {}, 0, 0});
 }
 
-TEST_CASE("the trees bring the fraction and all bits that an instruction looks at, in their order") {
+TEST_CASE("the trees supply the fraction and all tested bits in order") {
   using isa::Opcode;
   for (const MicroDesign& design : designs_with(Expressions::trees)) {
     CAPTURE(fmt::format("{} {}", static_cast<int>(design.design), design.enable_latch));
@@ -114,17 +114,17 @@ TEST_CASE("the trees bring the fraction and all bits that an instruction looks a
       CAPTURE(std::string(isa::name_of(opcode)));
       CHECK(leaf_bits(design, opcode) == up_to(9));
     }
-    // The bits above the field make no difference to a sum in it.
+    // Bits above the field do not affect a sum in the field.
     CHECK(leaf_bits(design, Opcode::linear_plus) == up_to(2 + 5 - 1));
     CHECK(leaf_bits(design, Opcode::linear_minus) == up_to(2 + 5 - 1));
-    // Compared, and then stored: brought twice.
+    // The bits are compared and then stored, so the trees send them twice.
     CHECK(leaf_bits(design, Opcode::keep_max) == twice(up_to(9)));
     CHECK(leaf_bits(design, Opcode::keep_min) == twice(up_to(9)));
     CHECK(leaf_bits(design, Opcode::copy).empty());
   }
 }
 
-TEST_CASE("rows and planes of the host take no leaf, and the host sends no bit of the fraction") {
+TEST_CASE("expressions from rows or host planes use no leaves and no fraction bits") {
   for (const Expressions expressions : {Expressions::rows, Expressions::planes}) {
     for (const MicroDesign& design : designs_with(expressions)) {
       CHECK(leaf_bits(design, isa::Opcode::keep_max).empty());
@@ -138,18 +138,18 @@ TEST_CASE("rows and planes of the host take no leaf, and the host sends no bit o
   }
 }
 
-TEST_CASE("an edge of rows keeps of the last addition the sign alone") {
-  // x in 4 rows, A = 1, B = 0: one addition of F's ten bits; of the first nine the carry alone is found, in PIMeval's
-  // gates by 4 or 2 of them, and the tenth is stored.
+TEST_CASE("an edge test from rows stores only the sign of the last addition") {
+  // x has 4 rows, A = 1, B = 0: one addition over the ten bits of F. The first nine produce only a carry, with 4 or 2
+  // of PIMeval's gates each, and the tenth is stored.
   const isa::Instruction edge{.opcode = isa::Opcode::edge_negative,
                               .linear = {.a = 1, .b = 0, .c = 0, .width = 10, .shift = 2}};
   const RowCommands commands = micro_program(edge, RowMap(40, 9, 7), {.design = bit_serial_memory::Design::latches});
   std::size_t writes = 0;
   for (const RowCommand& command : commands) writes += command.op == RowOp::write ? 1U : 0U;
-  CHECK(writes == 2);  // the sign, and E
+  CHECK(writes == 2);  // the sign and E
 }
 
-TEST_CASE("a clear writes each row of pixel memory once, and E") {
+TEST_CASE("a clear writes each row of pixel memory and E once") {
   for (const bit_serial_memory::Design design :
        {bit_serial_memory::Design::and_or_not, bit_serial_memory::Design::majority}) {
     const RowCommands commands = clear_program(RowMap(40, 9, 7), {.design = design});
@@ -161,7 +161,7 @@ TEST_CASE("a clear writes each row of pixel memory once, and E") {
   CHECK(testing::count_of(RowOp::logic, commands) == 42);
 }
 
-TEST_CASE("a field goes to the host row by row, the lowest bit first") {
+TEST_CASE("a field is sent to the host row by row from the lowest bit") {
   const RowCommands commands = bit_serial_memory::send_program({17, 3});
   REQUIRE(commands.size() == 3);
   for (unsigned bit = 0; bit < 3; ++bit) {
@@ -170,7 +170,7 @@ TEST_CASE("a field goes to the host row by row, the lowest bit first") {
   }
 }
 
-TEST_CASE("rows that instructions need lie behind pixel memory and do not overlap") {
+TEST_CASE("auxiliary rows follow pixel memory without overlap") {
   const RowMap map(256, 512, 300);
   CHECK(map.zero() == 256);
   CHECK(map.one() == 257);
@@ -196,7 +196,7 @@ TEST_CASE("rows that instructions need lie behind pixel memory and do not overla
   CHECK(rows.size() == map.rows() - 256);
 }
 
-TEST_CASE("columns are counted in no more bits than they need") {
+TEST_CASE("columns are numbered with the fewest possible bits") {
   using bit_serial_memory::count_bits;
   CHECK(count_bits(1) == 0);
   CHECK(count_bits(2) == 1);

@@ -10,8 +10,8 @@
 #include "hw/machines/timing.h"
 #include "tests/support/test.h"
 
-// Absolute figures of the memories, worked out by hand: the clocked level and the working-out of clocks share what is
-// checked here, so that lockstep cannot notice an error in it.
+// Absolute values of the memories, calculated by hand: the clocked level and the analytic timing share the code under
+// test, so lockstep cannot detect an error in it.
 
 using namespace csgsim;
 using bit_serial_memory::Figures;
@@ -25,8 +25,8 @@ using bit_serial_memory::Work;
 
 namespace {
 
-/// configs/DDR4_8Gb_x8_2400.ini of umd-memsys/DRAMsim3, commit 2981759 (timing and currents since 0ee9f69): clocks,
-/// V and mA.
+/// Source: configs/DDR4_8Gb_x8_2400.ini of umd-memsys/DRAMsim3, commit 2981759 (timing and currents since 0ee9f69).
+/// Units: clocks, V and mA.
 struct Sheet {
   static constexpr std::uint32_t cl = 17;
   static constexpr std::uint32_t rcd = 17;
@@ -50,8 +50,8 @@ struct Sheet {
   static constexpr double idd5ab = 250;
 };
 
-constexpr double clocks_a_ns = 1.2;  // of DDR4-2400
-constexpr double fj_a_pj = 1000;
+constexpr double clocks_per_ns = 1.2;  // DDR4-2400
+constexpr double fj_per_pj = 1000;
 
 const std::array<std::string, 3> names{"ambit-ddr4", "simdram-ddr4", "digital-bit-serial-ddr4"};
 
@@ -60,7 +60,7 @@ const Figures& figures_of(const machines::Machine& machine) { return machines::o
 RowCommand reading(RowOp op, WordLines from) { return {.op = op, .from = from}; }
 RowCommand writing(RowOp op, WordLines to) { return {.op = op, .to = to}; }
 
-/// What one command adds in 4 slots with 250 pixels.
+/// Work that one command adds in 4 slots with 250 pixels.
 Work work_of(const RowCommand& command) {
   Work work;
   bit_serial_memory::add(command, 4, 250, work);
@@ -78,7 +78,7 @@ std::uint64_t clocks_of(const std::string& machine, isa::Opcode opcode) {
 
 }  // namespace
 
-TEST_CASE("the memories have the timing of one file of DRAMsim3, and the shape of the chip that it describes") {
+TEST_CASE("the timing and shape of the memories match DRAMsim3's DDR4 file") {
   for (const std::string& name : names) {
     CAPTURE(name);
     const machines::Machine machine = kinds::load(name);
@@ -98,28 +98,28 @@ TEST_CASE("the memories have the timing of one file of DRAMsim3, and the shape o
   }
 }
 
-TEST_CASE("energies of the memories follow from the currents of that file at their clock, to the femtojoule") {
-  const double tras = Sheet::ras / clocks_a_ns;  // ns
-  const double trp = Sheet::rp / clocks_a_ns;
+TEST_CASE("the energies of the memories follow from the currents of that file") {
+  const double tras = Sheet::ras / clocks_per_ns;  // ns
+  const double trp = Sheet::rp / clocks_per_ns;
   const double activation =
-      Sheet::vdd * (Sheet::idd0 * (tras + trp) - Sheet::idd3n * tras - Sheet::idd2n * trp);  // mW ns, pJ
-  const double burst = Sheet::vdd * (Sheet::idd4r - Sheet::idd3n) * Sheet::ccd_s / clocks_a_ns;
-  const double refresh = Sheet::vdd * (Sheet::idd5ab - Sheet::idd2n) * Sheet::rfc / clocks_a_ns;
+      Sheet::vdd * (Sheet::idd0 * (tras + trp) - Sheet::idd3n * tras - Sheet::idd2n * trp);  // mW * ns = pJ
+  const double burst = Sheet::vdd * (Sheet::idd4r - Sheet::idd3n) * Sheet::ccd_s / clocks_per_ns;
+  const double refresh = Sheet::vdd * (Sheet::idd5ab - Sheet::idd2n) * Sheet::rfc / clocks_per_ns;
   for (const std::string& name : names) {
     CAPTURE(name);
     const bit_serial_memory::Energies energy = figures_of(kinds::load(name)).energy;
-    CHECK(static_cast<double>(energy.activation_fj) == doctest::Approx(activation * fj_a_pj).epsilon(1e-9));
-    CHECK(static_cast<double>(energy.transfer_fj) == doctest::Approx(burst * fj_a_pj / 64).epsilon(1e-9));
-    CHECK(static_cast<double>(energy.refresh_fj) == doctest::Approx(refresh * fj_a_pj).epsilon(1e-9));
+    CHECK(static_cast<double>(energy.activation_fj) == doctest::Approx(activation * fj_per_pj).epsilon(1e-9));
+    CHECK(static_cast<double>(energy.transfer_fj) == doctest::Approx(burst * fj_per_pj / 64).epsilon(1e-9));
+    CHECK(static_cast<double>(energy.refresh_fj) == doctest::Approx(refresh * fj_per_pj).epsilon(1e-9));
     CHECK(static_cast<double>(energy.background_uw) == doctest::Approx(Sheet::vdd * Sheet::idd3n * 1000).epsilon(1e-9));
-    // 22 % more for each further row. 7 uW a column for four clocks of 0.83 ns, of gates where there are any.
+    // Each further row adds 22 %. Logic takes 7 uW per column for four clocks of 0.83 ns in designs with gates.
     CHECK(energy.further_row_permille == 220);
     CHECK(energy.logic_fj == (name == "digital-bit-serial-ddr4" ? 23 : 0));
     CHECK(energy.leaf_fj == 23);
   }
 }
 
-TEST_CASE("the other figures of the memories are those of their designs and of their files") {
+TEST_CASE("the remaining parameters of the memories match their designs") {
   for (const std::string& name : names) {
     CAPTURE(name);
     const machines::Machine machine = kinds::load(name);
@@ -147,7 +147,7 @@ TEST_CASE("the other figures of the memories are those of their designs and of t
   CHECK(figures_of(kinds::load("digital-bit-serial-ddr4")).design == bit_serial_memory::Design::latches);
 }
 
-TEST_CASE("a command is charged its activations, the rows with them, its gates, leaves and bits, at each slot") {
+TEST_CASE("charges a command for its work in each slot") {
   const WordLine row{3, false};
   CHECK(work_of({.op = RowOp::copy, .from = WordLines(row), .to = WordLines(row)}) == Work{.activations = 8});
   CHECK(work_of({.op = RowOp::copy, .from = WordLines(row, row, row), .to = WordLines(row, row)}) ==
@@ -165,17 +165,17 @@ TEST_CASE("a command is charged its activations, the rows with them, its gates, 
   CHECK(work_of({.op = RowOp::wired_or}) == Work{});
 }
 
-TEST_CASE("a frame's energy is the sum of what its work takes, of all chips and columns") {
+TEST_CASE("a frame's energy sums its work over all chips and columns") {
   const Work work{
       .activations = 1000, .further_rows = 500, .logic = 300, .leaves = 200, .transferred_bits = 4096, .refreshes = 3};
-  // 1.2 million clocks are a millisecond.
+  // 1.2 million clocks are 1 ms.
   const FrameEnergy energy = bit_serial_memory::energy_of(work, 1'200'000, kinds::load("digital-bit-serial-ddr4"));
-  CHECK(energy.activation == 3'845'040);    // 433 pJ, of 8 chips, 1000 times and 0.22 of it 500 times
-  CHECK(energy.logic == 452'198);           // 23 fJ, of 65,536 columns, 300 times: 452,198.4
-  CHECK(energy.leaf == 301'466);            // 200 times: 301,465.6
-  CHECK(energy.transfer == 23'552);         // 5750 fJ, 4096 bits
-  CHECK(energy.refresh == 2'177'280);       // 90,720 pJ, of 8 chips, three times
-  CHECK(energy.background == 412'800'000);  // 51.6 mW, of 8 chips, a millisecond
+  CHECK(energy.activation == 3'845'040);    // 433 pJ in 8 chips, 1000 times, and 0.22 of it 500 times
+  CHECK(energy.logic == 452'198);           // 23 fJ in 65,536 columns, 300 times: 452,198.4
+  CHECK(energy.leaf == 301'466);            // the same 200 times: 301,465.6
+  CHECK(energy.transfer == 23'552);         // 5750 fJ for 4096 bits
+  CHECK(energy.refresh == 2'177'280);       // 90,720 pJ in 8 chips, three times
+  CHECK(energy.background == 412'800'000);  // 51.6 mW in 8 chips for 1 ms
   CHECK(energy.sum() == 419'599'536);
   // Half of the chips have half of the columns.
   const FrameEnergy half =
@@ -197,10 +197,10 @@ TEST_CASE("an account reports the work of the frame and its energies") {
   frame.work.commands[0] = 8;
   frame.work.commands[5] = 9;
   const machines::Machine machine = kinds::load("digital-bit-serial-ddr4");
-  const machines::Account told = bit_serial_memory::account(frame, 25, 36, machine);
+  const machines::Account account = bit_serial_memory::account(frame, 25, 36, machine);
   const auto count = [&](std::string_view name) {
-    const auto found = std::ranges::find(told.counts, name, &machines::Count::name);
-    REQUIRE(found != told.counts.end());
+    const auto found = std::ranges::find(account.counts, name, &machines::Count::name);
+    REQUIRE(found != account.counts.end());
     return found->value;
   };
   CHECK(count("row_commands") == 17);
@@ -211,20 +211,20 @@ TEST_CASE("an account reports the work of the frame and its energies") {
   CHECK(count("transferred_bits") == 6);
   CHECK(count("refreshes") == 1);
   CHECK(count("scan_out_clocks") == 11);
-  CHECK(count("activation_picojoules") == 7690);  // 3464 pJ twice, and 762.08
+  CHECK(count("activation_picojoules") == 7690);  // 3464 pJ twice, plus 762.08
   CHECK(count("logic_picojoules") == 6029);       // 1507.328 four times
-  CHECK(count("leaf_picojoules") == 7537);        // five times: 7536.64
+  CHECK(count("leaf_picojoules") == 7537);        // the same five times: 7536.64
   CHECK(count("transfer_picojoules") == 35);      // 34.5
   CHECK(count("refresh_picojoules") == 725'760);
   CHECK(count("background_picojoules") == 12'384);  // 412.8 mW for 30 ns
   CHECK(count("frame_picojoules") == 7690 + 6029 + 7537 + 35 + 725'760 + 12'384);
-  REQUIRE(told.shares.size() == 2);
-  CHECK(told.shares[0].part == 18);
-  CHECK(told.shares[0].whole == 25);
-  CHECK(told.shares[1].part == 7);
+  REQUIRE(account.shares.size() == 2);
+  CHECK(account.shares[0].part == 18);
+  CHECK(account.shares[0].whole == 25);
+  CHECK(account.shares[1].part == 7);
 }
 
-TEST_CASE("nothing has been done, and nothing costs anything, before a frame begins") {
+TEST_CASE("work and energy are zero before a frame begins") {
   const Work work;
   for (const std::uint64_t commands : work.commands) CHECK(commands == 0);
   CHECK(work.activations + work.further_rows + work.logic + work.leaves + work.transferred_bits + work.refreshes == 0);
@@ -237,7 +237,7 @@ TEST_CASE("nothing has been done, and nothing costs anything, before a frame beg
   CHECK(bit_serial_memory::energy_of(work, 0, kinds::load("simdram-ddr4")).sum() == 0);
 }
 
-TEST_CASE("the default memory is the smallest, and its parts take one clock or none") {
+TEST_CASE("a default memory has minimum sizes and delays") {
   const Figures figures;
   CHECK(figures.design == bit_serial_memory::Design::latches);
   CHECK(figures.expressions == bit_serial_memory::Expressions::rows);
@@ -257,7 +257,7 @@ TEST_CASE("the default memory is the smallest, and its parts take one clock or n
   CHECK(energy.activation_fj + energy.further_row_permille + energy.logic_fj + energy.leaf_fj == 0);
   CHECK(energy.transfer_fj + energy.refresh_fj + energy.background_uw == 0);
   CHECK(Slots{}.count() == 0);
-  CHECK(Slots{.pixels = 5}.count() == 5);  // a column a slot
+  CHECK(Slots{.pixels = 5}.count() == 5);  // one column per slot
   CHECK(Slots{.pixels = 5}.used_banks() == 1);
   const bit_serial_memory::MicroDesign design;
   CHECK(design.design == bit_serial_memory::Design::latches);
@@ -266,7 +266,7 @@ TEST_CASE("the default memory is the smallest, and its parts take one clock or n
   CHECK_FALSE(design.has_wired_or);
 }
 
-TEST_CASE("the transfer of a row takes the clocks of the narrower of the bus of all chips and the host's unit") {
+TEST_CASE("a row transfer is limited by the narrower of chip bus and host unit") {
   Figures figures;
   figures.bus_bits = 16;
   figures.chips = 8;
@@ -284,7 +284,7 @@ TEST_CASE("the transfer of a row takes the clocks of the narrower of the bus of 
   CHECK(bit_serial_memory::transfer_clocks(65'536, figures) == 4096);
 }
 
-TEST_CASE("pixels lie in slots of all chips' columns, which go to the banks in turn") {
+TEST_CASE("slots use the columns of all chips and are assigned to banks in turn") {
   const Slots slots{.pixels = 250, .row_columns = 64, .banks = 3};
   CHECK(slots.count() == 4);
   CHECK(slots.columns(0) == 64);
@@ -300,49 +300,50 @@ TEST_CASE("pixels lie in slots of all chips' columns, which go to the banks in t
   CHECK(of_machine.banks == 16);
 }
 
-// 512 x 512 pixels are 4 slots, in a bank each: commands begin at 0, 4, 8 and 12 (tRRD). One clock to take the
-// instruction comes before all.
-TEST_CASE("single instructions take the clocks that their commands add up to by hand") {
-  // LOGIC, LOGIC, and WRITE from clock 8 on, in the last bank from 20 on: 39 and 17 until it is closed.
+// 512 x 512 pixels are 4 slots in separate banks: commands begin at 0, 4, 8 and 12 (tRRD). One clock to accept the
+// instruction comes first.
+TEST_CASE("single instructions take the clocks calculated by hand") {
+  // LOGIC, LOGIC, and WRITE from clock 8, in the last bank from 20; closing it takes 39 + 17.
   CHECK(clocks_of("digital-bit-serial-ddr4", isa::Opcode::enable_all) == 1 + 20 + 39 + 17);
-  // AAP activates twice, at 0 and 5, 9 and 14; four in 26 clocks: then at 26 and 31, 35 and 40.
+  // AAP activates twice, at 0 and 5, 9 and 14. Only four activations fit in 26 clocks, so the next are at 26 and 31, 35
+  // and 40.
   CHECK(clocks_of("simdram-ddr4", isa::Opcode::enable_all) == 1 + 40 + 39 + 17);
   CHECK(clocks_of("ambit-ddr4", isa::Opcode::enable_all) == 1 + 40 + 39 + 17);
-  // SEND: the bus begins 34 clocks after the first activation, carries four rows of 512 clocks, and the last bank is
-  // closed 18 and 17 clocks later.
+  // SEND: the bus starts 34 clocks after the first activation, carries four rows of 512 clocks, and the last bank
+  // closes 18 + 17 clocks later.
   CHECK(clocks_of("digital-bit-serial-ddr4", isa::Opcode::global_or) == 1 + 34 + 4 * 512 + 18 + 17);
-  // The wired OR takes a READ of E, in the last bank from 12 on, and then the line's 20 clocks.
+  // The wired OR needs a READ of E, in the last bank from clock 12, and then the 20 clocks of the line.
   CHECK(clocks_of("digital-bit-serial-ddr4+global_or.present=1", isa::Opcode::global_or) == 1 + 12 + 39 + 17 + 20);
-  // A latch for E changes in one LOGIC.
+  // A latch for E changes with one LOGIC.
   CHECK(clocks_of("digital-bit-serial-ddr4+logic.enable=1", isa::Opcode::enable_all) == 1 + 4);
   CHECK(clocks_of("digital-bit-serial-ddr4+logic.enable=1", isa::Opcode::enable_invert) == 1 + 4);
 }
 
-TEST_CASE("a frame of one instruction takes the link's latency and words, a clear, a refresh and the instruction") {
+TEST_CASE("a one-instruction frame takes hand-calculated clocks") {
   isa::Program program;
   program.shape = {512, 512, 256};
   program.segments.push_back({.region = {0, 0, 512, 512}, .instructions = {instruction(isa::Opcode::enable_all)}});
   const auto clocks = [&](const std::string& change) {
     return machines::time_frame(program, kinds::load("digital-bit-serial-ddr4" + change)).clocks;
   };
-  // After 40 clocks come two words of 64 bits, an opcode of 6 bits and a region of four times 16, which are taken a
-  // clock later. The instruction's word comes meanwhile.
+  // After 40 clocks come two words of 64 bits (an opcode of 6 bits and a region of 4 * 16), which are accepted a clock
+  // later. The word of the instruction overlaps with them.
   constexpr std::uint64_t link = 40 + 2 + 1;
-  // The first bank does SET0 and WRITE for each of 256 bits, then SET0, MOVE and WRITE for E. A bit takes it 4 and 56
+  // The first bank executes SET0 and WRITE for each of 256 bits, then SET0, MOVE and WRITE for E. A bit takes 4 + 56
   // clocks; the last bank ends 12 clocks later.
   constexpr std::uint64_t clear = 1 + 256 * (4 + 56) + 2 * 4 + 56 + 12;
   constexpr std::uint64_t enable = 1 + 2 * 4 + 12 + 56;
   CHECK(clocks("+timing.refresh_interval=ideal") == link + clear + enable);
-  // The refresh of clock 9360 waits for the end of the clear, as no command of that finds the sense amplifiers free.
+  // The refresh of clock 9360 waits for the end of the clear, because the sense amplifiers are in use throughout it.
   CHECK(clocks("") == link + clear + 420 + enable);
 }
 
-TEST_CASE("a smaller picture than the machine's takes the clocks of its own slots, and so does its timeline") {
+TEST_CASE("a smaller picture takes the clocks and timeline of only its own slots") {
   isa::Program program;
   program.shape = {64, 64, 256};
   program.segments.push_back({.region = {0, 0, 64, 64}, .instructions = {instruction(isa::Opcode::enable_all)}});
   const machines::Machine machine = kinds::load("digital-bit-serial-ddr4+timing.refresh_interval=ideal");
-  // The same in one bank: nothing begins 12 clocks later.
+  // The same in a single bank, without the 12 clocks of the others.
   constexpr std::uint64_t cleared = 40 + 2 + 1 + 1 + 256 * (4 + 56) + 2 * 4 + 56;
   constexpr std::uint64_t drawn = cleared + 1 + 2 * 4 + 56;
   CHECK(machine.kind->time(program, machine, {}).clocks == drawn);

@@ -7,16 +7,15 @@
 
 using namespace csgsim;
 
-// The clocks of whole frames, from both sides: worked out from the counts that others print (counts_test.cpp) and the
-// timing that the machine's file has (figures_test.cpp holds it against its source), without the compiler of row
-// commands.
+// Bounds on the clocks of whole frames, derived from published command counts (counts_test.cpp) and the timing in the
+// machine file (checked against its source in figures_test.cpp), without the compiler of row commands.
 
 namespace {
 
-/// Clocks of the machine, as these sums use them.
+/// Timing parameters in clocks of the machine.
 struct Timing {
-  double row = 0;                ///< tRAS and tRP: from an activation until the bank's next
-  double second_activation = 0;  ///< of a copy, after the first
+  double row = 0;                ///< tRAS + tRP: from one activation to the next in the same bank
+  double second_activation = 0;  ///< second activation of a copy
   double gate = 0;
   double faw = 0;
   double refi = 0;
@@ -36,10 +35,10 @@ Timing timing_of(const std::string& machine) {
 }
 
 constexpr std::uint32_t side = 512;
-constexpr double slots = side * side / (8.0 * 8192);  // a row of eight chips each
+constexpr double slots = side * side / (8.0 * 8192);  // one row of each of eight chips
 constexpr std::uint16_t memory_bits = 256;
 
-/// Clocks of a bank.
+/// Bounds in clocks of a bank.
 struct Bounds {
   double least = 0;
   double most = 0;
@@ -51,21 +50,23 @@ struct Bounds {
   }
 };
 
-/// Of commands with one activation or two; the activations of all slots are over before the bank is closed again.
+/// Bounds for commands with one or two activations; the activations of all slots are issued before the bank closes
+/// again.
 Bounds of_rows(double fewest, double greatest, const Timing& timing) {
   return {fewest * timing.row, greatest * (timing.row + timing.second_activation)};
 }
 
-/// Of reads, writes and gates.
+/// Bounds for reads, writes and gates.
 Bounds of_gates(double fewest_rows, double fewest_gates, double most_rows, double most_gates, const Timing& timing) {
   return {fewest_rows * timing.row + fewest_gates * timing.gate, most_rows * timing.row + most_gates * timing.gate};
 }
 
-/// Of an instruction with fields of n bits; at most E is taken into account besides, by AND or by reading it.
+/// Bounds for an instruction on fields of n bits; the upper bound also covers combining the result with E, by AND or by
+/// a read.
 Bounds majority(isa::Opcode opcode, double n, const Timing& timing) {
   if (opcode == isa::Opcode::field_lt) return of_rows(3 * n + 2, 3 * n + 2 + 4, timing);
   if (opcode == isa::Opcode::field_eq) return of_rows(4 * n + 3, 4 * n + 3 + 4, timing);
-  return of_rows(8 * n + 1, 8 * n + 1 + 4 * n + 4, timing);  // a sum in some columns
+  return of_rows(8 * n + 1, 8 * n + 1 + 4 * n + 4, timing);  // a masked sum
 }
 
 Bounds gates(isa::Opcode opcode, double n, const Timing& timing) {
@@ -73,11 +74,12 @@ Bounds gates(isa::Opcode opcode, double n, const Timing& timing) {
   return of_gates(2 * n + 1, 2 * n, 2 * n + 3, 3 * n + 2 + 4, timing);
 }
 
-/// With the last slots' activations, the clocks in which an instruction is taken and the refreshes.
+/// Adds the activations of the last slots, the clocks that accept an instruction, and the refreshes.
 Bounds of_frame(const Bounds& work, double instructions, const Timing& timing) {
   const double last_slots = 2 * slots / 4 * timing.faw;
   const double longest_refresh = timing.rfc + timing.row + timing.second_activation + last_slots;
-  const double most = work.most + (instructions + 1) * (last_slots + 2) + 200;  // the first words come meanwhile
+  const double most =
+      work.most + (instructions + 1) * (last_slots + 2) + 200;  // the first words overlap with the clear
   return {(work.least - timing.rfc) / (1 - timing.rfc / timing.refi),
           (most + longest_refresh) / (1 - longest_refresh / timing.refi)};
 }
@@ -95,7 +97,7 @@ double clocks_of(const std::string& machine, const std::vector<isa::Instruction>
 
 }  // namespace
 
-TEST_CASE("a frame takes the clocks that counts of others and the machine's timing give, from both sides") {
+TEST_CASE("a frame's clocks lie within bounds from published counts and timing") {
   const Timing simdram = timing_of("simdram-ddr4");
   const Timing digital = timing_of("digital-bit-serial-ddr4");
   for (std::uint16_t n = 4; n <= 32; n += 7) {

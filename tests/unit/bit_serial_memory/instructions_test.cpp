@@ -3,7 +3,7 @@
 #include "tests/support/test.h"
 #include "tests/unit/bit_serial_memory/columns.h"
 
-// Row commands of whole instructions, added up by hand from the counts of single operations (counts_test.cpp).
+// Row commands of whole instructions, summed by hand from the counts of single operations (counts_test.cpp).
 
 using namespace csgsim;
 using bit_serial_memory::Design;
@@ -54,24 +54,24 @@ Instruction of_constant(Opcode opcode, std::uint64_t constant) {
 
 }  // namespace
 
-TEST_CASE("instructions about E take the gates that their steps add up to") {
+TEST_CASE("instructions on E take the sum of the gates of their steps") {
   // A bit is read and becomes E; E is moved and written back.
   CHECK(gates_of(of_fields(Opcode::enable_load)) == Gates{1, 1 + 1, 1});
   // E is read and moved to its latch before it is combined.
   CHECK(gates_of(of_fields(Opcode::enable_and)) == Gates{2, 1 + 1 + 1, 1});
   CHECK(gates_of(of_fields(Opcode::enable_xor)) == Gates{2, 1 + 1 + 1, 1});
-  // A complement is one gate more.
+  // A complement takes one more gate.
   CHECK(gates_of(of_fields(Opcode::enable_and_not)) == Gates{2, 1 + 2 + 1, 1});
   CHECK(gates_of(of_fields(Opcode::enable_invert)) == Gates{1, 1 + 1 + 1, 1});
-  // E is stored at every pixel, so that the write has no mask.
+  // E is stored in every pixel, so the write has no mask.
   CHECK(gates_of(of_fields(Opcode::enable_store)) == Gates{1, 1 + 1, 1});
-  // The latch for E saves the row.
+  // A latch for E saves accesses to the row of E.
   CHECK(gates_of(of_fields(Opcode::enable_load), true) == Gates{1, 1, 0});
   CHECK(gates_of(of_fields(Opcode::enable_and), true) == Gates{1, 1, 0});
   CHECK(gates_of(of_fields(Opcode::enable_store), true) == Gates{0, 1, 1});
 }
 
-TEST_CASE("instructions about fields take the gates of each bit, and E once") {
+TEST_CASE("instructions on fields take gates per bit and access E once") {
   constexpr std::size_t kept = 2;  // gates of a masked write
   CHECK(gates_of(of_constant(Opcode::set_constant, 9)) == Gates{1 + n, 1 + (1 + kept) * n, n});
   CHECK(gates_of(of_fields(Opcode::copy)) == Gates{1 + 2 * n, 1 + kept * n, n});
@@ -79,22 +79,23 @@ TEST_CASE("instructions about fields take the gates of each bit, and E once") {
   // One operand waits in a latch for the other.
   CHECK(gates_of(of_fields(Opcode::bit_and)) == Gates{1 + 3 * n, 1 + (2 + kept) * n, n});
   CHECK(gates_of(of_fields(Opcode::bit_and_not)) == Gates{1 + 3 * n, 1 + (3 + kept) * n, n});
-  // Two gates a bit for the borrow, which begins with one, and three that change E: it is read, narrowed and written.
+  // Two gates per bit compute the borrow, which starts with one more, and three update E: it is read, narrowed and
+  // written.
   CHECK(gates_of(of_fields(Opcode::field_lt)) == Gates{2 * n + 1, 1 + 2 * n + 3, 1});
   CHECK(gates_of(of_fields(Opcode::field_le)) == Gates{2 * n + 1, 1 + 2 * n + 3, 1});
   CHECK(gates_of(of_fields(Opcode::field_eq)) == Gates{2 * n + 1, 3 * n + 2, 1});
-  // Three gates a bit for the sum, and one that chooses: the target has been read as an operand.
+  // Three gates per bit for the sum and one for the choice; the target was already read as an operand.
   CHECK(gates_of(of_fields(Opcode::add)) == Gates{2 * n + 1, 1 + 1 + 4 * n, n});
-  // Two of the bits of 9 are ones: only these rows are changed.
+  // Two bits of 9 are ones; only those rows change.
   CHECK(gates_of(of_constant(Opcode::xor_constant, 9)) == Gates{1 + 2, 1 + 2, 2});
   CHECK(gates_of(of_constant(Opcode::xor_constant, 0)) == Gates{0, 0, 0});
-  // Writes that are gated read no target.
+  // Gated writes do not read the target.
   CHECK(gates_of(of_constant(Opcode::set_constant, 9), true) == Gates{0, n, n});
   CHECK(gates_of(of_fields(Opcode::copy), true) == Gates{n, 0, n});
 }
 
-TEST_CASE("instructions by activations of three rows take the commands of their operations") {
-  // A choice of 7 a bit, of 14 by AND, OR and NOT; AND and OR with E take 4, and AND NOT 4 or 6.
+TEST_CASE("triple-row-activation instructions take the commands of their operations") {
+  // A choice takes 7 commands per bit, or 14 with AND, OR and NOT; AND and OR with E take 4, AND NOT 4 or 6.
   CHECK(activations_of(of_fields(Opcode::copy), Design::majority) == 7 * n);
   CHECK(activations_of(of_fields(Opcode::copy), Design::and_or_not) == 14 * n);
   CHECK(activations_of(of_constant(Opcode::set_constant, 9), Design::majority) == 4 * n);
@@ -105,32 +106,32 @@ TEST_CASE("instructions by activations of three rows take the commands of their 
   CHECK(activations_of(of_fields(Opcode::enable_xor), Design::majority) == 7);
   CHECK(activations_of(of_fields(Opcode::enable_load), Design::majority) == 1);
   CHECK(activations_of(of_fields(Opcode::enable_invert), Design::majority) == 2);
-  // A borrow takes one command to begin and 3 a bit, and its AND with E 4.
+  // A borrow takes one command to start and 3 per bit, and its AND with E 4.
   CHECK(activations_of(of_fields(Opcode::field_lt), Design::majority) == 3 * n + 1 + 4);
   CHECK(activations_of(of_fields(Opcode::field_eq), Design::majority) == 4 * n + 3);
 }
 
-TEST_CASE("an expression of rows is summed from its highest digit down, and of the last sum only the sign is written") {
-  // 5x: the digit of 4 adds 8 bits, which are written, that of 1 the sign alone; E is written once more.
+TEST_CASE("row expressions sum from the top digit and store only the last sign") {
+  // 5x: the digit 4 adds 8 bits, which are written; the digit 1 writes only the sign; E is written once more.
   const Instruction edge{.opcode = Opcode::edge_negative, .linear = {.a = 5, .b = 0, .c = 3, .width = 10, .shift = 0}};
   CHECK(gates_of(edge).writes == 8 + 1 + 1);
-  // 5x + 8y: the digits of 8, 4 and 1, of 7 and 8 bits and the sign.
+  // 5x + 8y: the digits 8, 4 and 1 write 7 bits, 8 bits and the sign.
   const Instruction both{.opcode = Opcode::edge_negative, .linear = {.a = 5, .b = 8, .c = 3, .width = 10, .shift = 0}};
   CHECK(gates_of(both).writes == 7 + 8 + 1 + 1);
-  // A constant takes no sum: its sign narrows E.
+  // A constant needs no sum: its sign narrows E.
   const Instruction none{.opcode = Opcode::edge_negative, .linear = {.a = 0, .b = 0, .c = 3, .width = 10, .shift = 0}};
   CHECK(gates_of(none).writes == 1);
 }
 
-TEST_CASE("a question reads E to the host, or waits for the wired OR") {
-  const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
+TEST_CASE("a query sends E to the host or waits for the wired OR") {
+  const Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
   for (const Design design : {Design::and_or_not, Design::majority, Design::latches}) {
     CAPTURE(fmt::format("{}", static_cast<int>(design)));
-    const RowCommands sent = commands_of(question, {.design = design});
+    const RowCommands sent = commands_of(query, {.design = design});
     REQUIRE(sent.size() == 1);
     CHECK(sent.front().op == RowOp::send);
     CHECK(sent.front().from == bit_serial_memory::WordLines(RowMap(100, 9, 7).enable()));
-    const RowCommands wired = commands_of(question, {.design = design, .has_wired_or = true});
+    const RowCommands wired = commands_of(query, {.design = design, .has_wired_or = true});
     CHECK(testing::count_of(RowOp::wired_or, wired) == 1);
     CHECK(testing::count_of(RowOp::send, wired) == 0);
   }

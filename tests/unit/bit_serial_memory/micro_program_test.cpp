@@ -45,7 +45,7 @@ void require_equal(const Columns& columns, const reference::ReferenceArray& pixe
 
 }  // namespace
 
-TEST_CASE("the row commands of an instruction do at every column what the instruction means") {
+TEST_CASE("row commands of any instruction match the reference in every column") {
   for (const bit_serial_memory::MicroDesign& design : testing::all_designs()) {
     CAPTURE(name_of(design));
     CHECK(rc::check("of " + name_of(design), [&] {
@@ -61,7 +61,7 @@ TEST_CASE("the row commands of an instruction do at every column what the instru
   }
 }
 
-TEST_CASE("a root is found of every width in every design") {
+TEST_CASE("roots of every width match the reference in every design") {
   constexpr isa::ArrayShape array{13, 5, 62};
   for (const bit_serial_memory::MicroDesign& design : testing::all_designs()) {
     CAPTURE(name_of(design));

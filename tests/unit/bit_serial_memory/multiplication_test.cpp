@@ -4,10 +4,10 @@
 #include "tests/support/test.h"
 #include "tests/unit/bit_serial_memory/columns.h"
 
-// A multiplication is no instruction. Here one is made of the operations of which instructions are, to be held beside
-// those of others: MIMDRAM's and SIMDRAM's program for n bits (CMU-SAFARI/MIMDRAM, microworkloads/11_multu-plus.c) has
-// a product of 2n bits and 11 n^2 - 5 n - 1 commands, PIMeval's table one of n bits and n^2 + n reads,
-// (n^2 + n) / 2 writes and 2 n^2 + n logic commands.
+// No instruction multiplies. This multiplication is composed of the operations of instructions to compare it with
+// published counts: MIMDRAM's and SIMDRAM's program for n bits (CMU-SAFARI/MIMDRAM, microworkloads/11_multu-plus.c)
+// yields 2n bits with 11 n^2 - 5 n - 1 commands; PIMeval's table lists n bits with n^2 + n reads, (n^2 + n) / 2 writes
+// and 2 n^2 + n logic commands.
 
 using namespace csgsim;
 using bit_serial_memory::BinaryOp;
@@ -29,7 +29,7 @@ constexpr Row first_factor = 0;
 constexpr Row second_factor = first_factor + most_bits;
 constexpr Row product = second_factor + most_bits;
 
-/// As by hand: the second factor is added at each place where the first has a 1.
+/// Long multiplication: adds the second factor at each place where the first has a 1.
 class Multiplication {
  public:
   Multiplication(Design design, unsigned bits, unsigned product_bits, ColumnLogic& logic)
@@ -113,7 +113,7 @@ constexpr std::array designs{Design::and_or_not, Design::majority, Design::latch
 
 }  // namespace
 
-TEST_CASE("a multiplication made of the operations of instructions leaves the product of two fields in every column") {
+TEST_CASE("a multiplication built from operations is correct in every column") {
   for (const Design design : designs) {
     CAPTURE(bit_serial_memory::design_names[static_cast<std::size_t>(design)]);
     CHECK(rc::check([&] {
@@ -123,21 +123,19 @@ TEST_CASE("a multiplication made of the operations of instructions leaves the pr
   }
 }
 
-TEST_CASE(
-    "a product of 2n bits by majorities takes n(n - 1) commands more than SIMDRAM's, which keeps partial products") {
+TEST_CASE("a majority product takes n(n - 1) commands more than SIMDRAM's") {
   for (unsigned n = 1; n <= most_bits; ++n) {
     const std::size_t theirs = 11 * n * n - 5 * n - 1;
     CHECK(commands_of(Design::majority, n, 2 * n).size() == theirs + n * (n - 1));
   }
 }
 
-TEST_CASE("a product of 2n bits of single operations takes 30n(n - 1) + 6n - 1 commands") {
+TEST_CASE("an AND-OR-NOT product of 2n bits takes 30n(n - 1) + 6n - 1 commands") {
   for (unsigned n = 1; n <= most_bits; ++n)
     CHECK(commands_of(Design::and_or_not, n, 2 * n).size() == 30 * n * (n - 1) + 6 * n - 1);
 }
 
-TEST_CASE(
-    "a product of n bits at the sense amplifiers takes the rows of PIMeval's table, and n - 1 logic commands more") {
+TEST_CASE("a sense-amplifier product takes PIMeval's rows and n - 1 more logic commands") {
   for (unsigned n = 1; n <= most_bits; ++n) {
     const RowCommands commands = commands_of(Design::latches, n, n);
     CHECK(testing::count_of(RowOp::read, commands) == n * n + n);

@@ -3,9 +3,8 @@
 #include "tests/support/test.h"
 #include "tests/unit/bit_serial_memory/columns.h"
 
-// The operations that instructions consist of, in sequences that no instruction has, on 64 columns of a subarray:
-// what is kept of one operation for the next has to be forgotten where the next changes it. The judge keeps one word
-// for each row.
+// Operations of instructions in sequences that no instruction contains, on 64 columns of a subarray: state cached from
+// one operation must be discarded when the next one changes it. The reference stores one word per row.
 
 using namespace csgsim;
 using bit_serial_memory::BinaryOp;
@@ -26,11 +25,11 @@ using bit_serial_memory::WordLines;
 namespace {
 
 constexpr std::uint32_t columns = 64;
-constexpr unsigned memory_rows = 12;  ///< few, so that operations meet
+constexpr unsigned memory_rows = 12;  ///< few, so that operations interact
 constexpr std::array designs{Design::and_or_not, Design::majority, Design::latches};
 constexpr std::uint64_t all_ones = ~std::uint64_t{0};
 
-/// What the operations mean, in all columns at once.
+/// Reference for the operations, in all columns at once.
 struct Judge {
   std::array<std::uint64_t, memory_rows> rows{};
   std::array<std::uint64_t, memory_rows> leaves{};
@@ -66,7 +65,7 @@ std::uint64_t next_chain(Chain chain, std::uint64_t a, std::uint64_t b, std::uin
   return chain == Chain::sum ? (a & b) | (a & k) | (b & k) : (~a & b) | (~a & k) | (b & k);
 }
 
-/// Random operations, told to the design and to the judge.
+/// Random operations, sent to the design and to the reference.
 class Operations {
  public:
   Operations(std::uint64_t seed, bool has_leaves, ColumnLogic& logic, Judge& judge)
@@ -194,7 +193,8 @@ class Operations {
     judge_.enable &= ~(any & judge_.of(where));
   }
 
-  /// In the columns of E, from a chain of 0 on; as in instructions either all targets are their last operands, or none.
+  /// Stores a chain of sums in the columns of E, starting with 0. As in instructions, either all targets are the last
+  /// operands or none is.
   void store_sums() {
     const Chain chain = either() ? Chain::sum : Chain::difference;
     logic_.begin_chain(chain, false);
@@ -214,7 +214,7 @@ class Operations {
     }
   }
 
-  /// Sums and carries in any order, and what may be asked of the chain at its end.
+  /// Sums and carries in any order, followed by the queries that the end of a chain allows.
   void put_chain() {
     const Chain chain = either() ? Chain::sum : Chain::difference;
     const bool begins_with_one = either();
@@ -264,7 +264,7 @@ class Operations {
   bool has_selected_ = false;
 };
 
-/// Rows of any content, but for those that are the same in all subarrays.
+/// Sets random rows, except for those that are constant in all subarrays.
 void fill(Subarray& subarray, const RowMap& map, std::mt19937_64& random) {
   for (unsigned row = 0; row < map.rows(); ++row) {
     const std::uint64_t word = random();
@@ -282,7 +282,7 @@ void check_operations(Design design, bool enable_latch, std::uint64_t seed) {
   for (std::uint64_t& leaf : judge.leaves) leaf = random();
   const auto leaves = [leaf = judge.leaves](unsigned bit, std::span<std::uint64_t> words) { words[0] = leaf.at(bit); };
   judge.enable = subarray.row(map.enable())[0];
-  // Latches are set to anything but what is asked for next, E alone to what its row has.
+  // Latches hold unrelated values at first, except for E, which matches its row.
   const bool in_latch = design == Design::latches && enable_latch;
   subarray.execute({.op = RowOp::latch, .from = WordLines(in_latch ? map.enable() : map.zero())}, {});
 
@@ -310,7 +310,7 @@ RowCommands commands_of(Design design, bool enable_latch, const auto& make) {
 
 }  // namespace
 
-TEST_CASE("operations in any order do in every column what they mean, in each design") {
+TEST_CASE("random operation sequences match the reference in each design") {
   for (const Design design : designs) {
     for (const bool enable_latch : {false, true}) {
       for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
@@ -321,7 +321,7 @@ TEST_CASE("operations in any order do in every column what they mean, in each de
   }
 }
 
-TEST_CASE("the latch for writes is loaded once for all stores by a mask, and anew where the mask has changed") {
+TEST_CASE("loads the write latch once per mask and again after the mask changed") {
   for (const Design design : {Design::and_or_not, Design::majority}) {
     const auto latches = [&](const auto& make) {
       return testing::count_of(RowOp::latch, commands_of(design, true, make));
@@ -339,7 +339,7 @@ TEST_CASE("the latch for writes is loaded once for all stores by a mask, and ane
             store(logic, Mask::enable);
             store(logic, Mask::enable);
           }) == 2);
-    // Rows that are no masks change nothing.
+    // Rows that are not masks leave the latch unchanged.
     CHECK(latches([&](ColumnLogic& logic) {
             store(logic, Mask::enable);
             logic.assign(4, Bit::of_row(5), true);
@@ -349,7 +349,7 @@ TEST_CASE("the latch for writes is loaded once for all stores by a mask, and ane
   }
 }
 
-TEST_CASE("stores by a latch take a command each, one more for a complement, and one for the latch") {
+TEST_CASE("latched stores take one command and one more for a complement") {
   for (const Design design : {Design::and_or_not, Design::majority}) {
     const auto count = [&](Bit value, bool inverted) {
       return commands_of(design, true, [&](ColumnLogic& logic) { logic.store(1, value, Mask::enable, inverted); })
@@ -362,7 +362,7 @@ TEST_CASE("stores by a latch take a command each, one more for a complement, and
   }
 }
 
-TEST_CASE("a row that is held is read once, until it or its latch is written") {
+TEST_CASE("reads a held row once until the row or its latch is written") {
   const auto reads = [](bool enable_latch, const auto& make) {
     return testing::count_of(RowOp::read, commands_of(Design::latches, enable_latch, make));
   };
@@ -370,7 +370,7 @@ TEST_CASE("a row that is held is read once, until it or its latch is written") {
   const auto use = [](ColumnLogic& logic) {
     logic.combine(BinaryOp::conjunction, 1, Bit::of_row(held), Bit::of_row(2));
   };
-  // The row, and the other operand each time.
+  // The held row, plus the other operand each time.
   CHECK(reads(true, [&](ColumnLogic& logic) {
           logic.hold(held);
           logic.hold(held);
@@ -398,7 +398,7 @@ TEST_CASE("a row that is held is read once, until it or its latch is written") {
           logic.hold(8);
           use(logic);
         }) == 2 + 2);
-  // Without gated writes E is read first; a sum that goes back to its last operand needs the latch of what is held.
+  // Ungated writes read E first; a sum stored to its last operand needs the latch of the held row.
   CHECK(reads(false, [&](ColumnLogic& logic) {
           logic.hold(held);
           logic.begin_chain(Chain::sum, false);
@@ -407,7 +407,7 @@ TEST_CASE("a row that is held is read once, until it or its latch is written") {
         }) == 1 + 1 + 2 + 2);
 }
 
-TEST_CASE("a bit is of a row, the same in all columns, or of the trees, and has nothing of the others") {
+TEST_CASE("a Bit sets only the fields of its kind") {
   CHECK(Bit::of_row(3) == Bit{Bit::Kind::row, 3, false, 0});
   CHECK(Bit::constant(true) == Bit{Bit::Kind::constant, 0, true, 0});
   CHECK(Bit::constant(false) == Bit{});

@@ -1,8 +1,8 @@
 #include "hw/bit_serial_memory/timing.h"
 #include "tests/support/test.h"
 
-// A rank that keeps the clock of each activation, by the table of docs/machines/bit-serial-memory.md, is the judge of
-// the working-out, which goes from state to state and counts from the last activation.
+// The reference is a rank that records the clock of each activation, after the table in
+// docs/machines/bit-serial-memory.md. The implementation moves between states and counts from the last activation.
 
 using namespace csgsim;
 using bit_serial_memory::CommandClocks;
@@ -33,7 +33,7 @@ class PlainRank {
     for (std::uint64_t slot = 0; slot < slots_.count(); ++slot) carry_out(op, slot);
   }
 
-  /// Returns to the state at the beginning.
+  /// Clock at which the rank is back in its initial state.
   [[nodiscard]] std::int64_t over() const {
     std::int64_t clock = closed();
     if (!activations_.empty()) clock = std::max(clock, activations_.back() + figures_.rank.activation_gap);
@@ -83,7 +83,7 @@ class PlainRank {
     free = std::max(first + clocks.restore, bus_ + clocks.recovery) + clocks.precharge;
   }
 
-  /// Banks are closed once for all refreshes that are due; everything else is delayed.
+  /// All banks close once for all due refreshes; everything else is delayed.
   void refresh_if_due() {
     const std::int64_t now = allowed(free_.front());
     if (now < due_) return;
@@ -100,7 +100,7 @@ class PlainRank {
 
   const Figures& figures_;
   const Slots slots_;
-  std::vector<std::int64_t> free_;  ///< of each bank
+  std::vector<std::int64_t> free_;  ///< first free clock of each bank
   std::vector<std::int64_t> activations_;
   std::int64_t bus_;
   std::int64_t due_;
@@ -135,7 +135,7 @@ class Random {
     return figures;
   }
 
-  /// The last one may be only partly filled with pixels.
+  /// The last slot may be only partly filled with pixels.
   Slots slots(const Figures& figures, std::uint32_t most) {
     const std::uint64_t columns = std::uint64_t{figures.chips} * figures.row_bits;
     return {of(1, most) * columns - of(0, 7), columns, figures.banks};
@@ -160,7 +160,7 @@ std::int64_t plain_clocks(const Figures& figures, const Slots& slots, const RowC
 
 }  // namespace
 
-TEST_CASE("row commands take the clocks of a rank that keeps the clock of each activation") {
+TEST_CASE("row commands take the clocks of a reference rank") {
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     CAPTURE(seed);
     Random random(seed);
@@ -177,7 +177,7 @@ TEST_CASE("row commands take the clocks of a rank that keeps the clock of each a
   }
 }
 
-TEST_CASE("each row command alone takes the clocks of the documentation's table") {
+TEST_CASE("each row command takes the clocks of the documented table") {
   Figures figures;
   figures.row_bits = 64;
   figures.bus_bits = 10;
@@ -197,17 +197,17 @@ TEST_CASE("each row command alone takes the clocks of the documentation's table"
   CHECK(clocks(RowOp::leaf) == 70);
   CHECK(clocks(RowOp::leaf_copy) == 70);
   CHECK(clocks(RowOp::wired_or) == 21);
-  // 64 bits, 10 a clock.
+  // 64 bits at 10 per clock.
   for (const RowOp op : {RowOp::receive, RowOp::send}) CHECK(clocks(op) == 32 + 7 + 19 + 16);
-  // A bit of the trees takes no less than gates, and no less than its row.
+  // A bit from the trees takes at least the time of the gates and of its row.
   figures.command.leaf = 3;
   CHECK(clocks(RowOp::leaf) == 4);
   CHECK(clocks(RowOp::leaf_copy) == 39 + 16);
-  // The row has to be restored, however soon its bits are over.
+  // The row must be restored even if its bits are transferred earlier.
   figures.command.column = 2;
   figures.command.recovery = 0;
   CHECK(clocks(RowOp::send) == 39 + 16);
-  // All is over when four activations are allowed again.
+  // A command ends when four activations are allowed again.
   figures.rank = {.activation_gap = 60, .window = 0};
   CHECK(clocks(RowOp::read) == 60);
   CHECK(clocks(RowOp::copy) == 60 + 60);
@@ -216,7 +216,7 @@ TEST_CASE("each row command alone takes the clocks of the documentation's table"
   CHECK(clocks(RowOp::copy) == 5 + 80);
 }
 
-TEST_CASE("refreshes delay row commands as in a rank that keeps the clock of each activation") {
+TEST_CASE("refreshes delay row commands as in a reference rank") {
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     CAPTURE(seed);
     Random random(seed);
@@ -235,12 +235,13 @@ TEST_CASE("refreshes delay row commands as in a rank that keeps the clock of eac
   }
 }
 
-TEST_CASE("a rank that comes through more states than are kept still takes the right clocks") {
+TEST_CASE("takes correct clocks after its table of states is full") {
   Random random(5);
   Figures figures = random.figures();
   figures.banks = 3;
   const Slots slots = random.slots(figures, 9);
-  // Each gate more before the next activation is another state: 4096 are kept, which any command may exceed.
+  // Each additional gate before the next activation makes another state. The table holds 4096, which a command may
+  // exceed.
   for (std::size_t gates = 4090; gates <= 4100; ++gates) {
     CAPTURE(gates);
     RowCommands commands = random.commands(3);
@@ -255,7 +256,7 @@ TEST_CASE("a rank that comes through more states than are kept still takes the r
   }
 }
 
-TEST_CASE("refreshes that are due before a command begins come first, one after the other") {
+TEST_CASE("due refreshes run one after the other before a command begins") {
   Figures figures;
   figures.rank.refresh_interval = 100;
   figures.rank.refresh = 40;
@@ -268,12 +269,12 @@ TEST_CASE("refreshes that are due before a command begins come first, one after 
   const std::array<Row, 8> rows{{
       {0, 99, 99, 0},
       {99, 0, 99, 0},
-      {0, 100, 140, 1},   // due with the command
+      {0, 100, 140, 1},   // due at the start of the command
       {100, 0, 140, 1},   // the same
-      {30, 150, 150, 1},  // over at 140
+      {30, 150, 150, 1},  // refresh ends at 140
       {0, 139, 140, 1},
-      {0, 250, 250, 2},  // at 100 and 200, over at 240
-      {250, 0, 370, 3},  // 290, 330, which is past 300, 370
+      {0, 250, 250, 2},  // refreshes at 100 and 200; the second ends at 240
+      {250, 0, 370, 3},  // ends at 290, 330 (after 300) and 370
   }};
   for (const Row& row : rows) {
     CAPTURE(row.free);
@@ -289,7 +290,7 @@ TEST_CASE("refreshes that are due before a command begins come first, one after 
   CHECK(never.refreshes() == 0);
 }
 
-TEST_CASE("each row command has its activations, and may or may not be preceded by a refresh") {
+TEST_CASE("row commands have their activation counts and refresh restrictions") {
   struct Row {
     RowOp op;
     std::string name;

@@ -8,15 +8,15 @@
 
 using namespace csgsim;
 
-// What the file of a memory may say: each figure at its least and its most, and one beyond; and figures that do not
-// fit each other, one refusal for each of them.
+// Valid ranges of the parameters in a memory's file: each parameter at its minimum and maximum and just beyond, and one
+// refusal for each inconsistent combination.
 
 namespace {
 
 constexpr std::int64_t million = 1'000'000;
 constexpr std::int64_t most_energy = million * million;
 
-// Of 512 x 512 pixels with 256 bits each, 391 rows of a subarray are needed, and 4 subarrays of a bank's 128.
+// 512 x 512 pixels with 256 bits each need 391 rows of a subarray, and 4 of the 128 subarrays of a bank.
 constexpr auto ranges = std::to_array<testing::FigureRange>({
     {"picture.width", 1, 16'384},
     {"picture.height", 1, 16'384},
@@ -57,25 +57,25 @@ constexpr auto ranges = std::to_array<testing::FigureRange>({
     {"host.count", 1, 4096},
 });
 
-/// What is wrong with the memory with these changes; empty if nothing.
+/// Error of the memory with these changes; empty if it is valid.
 std::string refusal(const std::string& changes) {
   return testing::error_of([&] { kinds::load("digital-bit-serial-ddr4" + changes); });
 }
 
 }  // namespace
 
-TEST_CASE("each figure of a memory is taken at its least and its most, and refused one beyond") {
+TEST_CASE("each parameter accepts its minimum and maximum and rejects values beyond") {
   testing::check_figure_ranges("digital-bit-serial-ddr4", ranges,
                                [](const std::string& machine) { return kinds::load(machine); });
   CHECK(refusal("+chips.rows=65536") == "");
   CHECK(refusal("+chips.rows=65537").find("chips.rows is 65537;") != std::string::npos);
   CHECK(refusal("+chips.rows=1").find("need 391 rows") != std::string::npos);
   CHECK(refusal("+chips.rows=0").find("chips.rows is 0;") != std::string::npos);
-  // All of the kind, with three whose values are names.
+  // All keys of the kind, including three whose values are names.
   CHECK(kinds::load("digital-bit-serial-ddr4").kind->schema.size() == ranges.size() + 1 + 3);
 }
 
-TEST_CASE("figures that may be ideal are no limit then, and others may not") {
+TEST_CASE("ideal parameters impose no limit and other parameters cannot be ideal") {
   for (const std::string key : {"host.plane_bits", "timing.window", "timing.refresh_interval", "controller.queue",
                                 "link.width", "link.latency", "host.processor"}) {
     CAPTURE(key);
@@ -95,7 +95,7 @@ TEST_CASE("figures that may be ideal are no limit then, and others may not") {
   }
 }
 
-TEST_CASE("refreshes leave more than half of the time") {
+TEST_CASE("refreshes must leave more than half of the time") {
   CHECK(refusal("+timing.refresh_interval=841") == "");  // tRFC 420
   CHECK(refusal("+timing.refresh_interval=840").find("timing.refresh_interval") != std::string::npos);
   CHECK(refusal("+timing.refresh=4679") == "");  // tREFI 9360
@@ -103,15 +103,15 @@ TEST_CASE("refreshes leave more than half of the time") {
   CHECK(refusal("+timing.refresh=4680+timing.refresh_interval=ideal") == "");
 }
 
-TEST_CASE("rows of x and y are for expressions of degree 1 alone") {
+TEST_CASE("rows of x and y support only expressions of degree 1") {
   CHECK(refusal("+evaluator.degree=2").find("set evaluator.degree to 1, or logic.expressions to trees") !=
         std::string::npos);
   CHECK(refusal("+evaluator.degree=2+logic.expressions=planes") == "");
   CHECK(refusal("+evaluator.degree=2+logic.expressions=trees") == "");
 }
 
-TEST_CASE("pixel memory has to fit a subarray with the rows that instructions need") {
-  // 256, 15 and 62 and 40, and 9 each for x and y.
+TEST_CASE("pixel memory and the auxiliary rows must fit in a subarray") {
+  // 256 rows of memory, 15 + 62 + 40 auxiliary rows, and 9 each for x and y.
   CHECK(refusal("+chips.rows=391") == "");
   CHECK(refusal("+chips.rows=390")
             .find("need 391 rows, including those for instructions; reduce "
@@ -122,8 +122,8 @@ TEST_CASE("pixel memory has to fit a subarray with the rows that instructions ne
   CHECK(refusal("+chips.rows=391+picture.height=513").find("need 392 rows") != std::string::npos);
 }
 
-TEST_CASE("a picture has to fit the subarrays of all banks") {
-  // 262,144 pixels in rows of 8,192 are 32 subarrays.
+TEST_CASE("a picture must fit in the subarrays of all banks") {
+  // 262,144 pixels in rows of 8,192 need 32 subarrays.
   CHECK(refusal("+chips.count=1+chips.banks=1+chips.subarrays=32") == "");
   CHECK(
       refusal("+chips.count=1+chips.banks=1+chips.subarrays=31")
@@ -140,7 +140,7 @@ TEST_CASE("a picture has to fit the subarrays of all banks") {
                        InputError);
 }
 
-TEST_CASE("a memory has a processor a pixel, with its bits of pixel memory") {
+TEST_CASE("a memory has one processor per pixel with its bits of pixel memory") {
   const machines::Machine machine = kinds::load("digital-bit-serial-ddr4+picture.width=300+array.memory_bits=100");
   const machines::Resources resources = machine.kind->resources(machine, {});
   CHECK(resources.processors == 300 * 512);
@@ -148,7 +148,7 @@ TEST_CASE("a memory has a processor a pixel, with its bits of pixel memory") {
   CHECK(machine.kind->regions(machine) == std::vector<isa::Region>{{0, 0, 300, 512}});
 }
 
-TEST_CASE("a memory takes Programs of its picture with no more bits than it has, and questions") {
+TEST_CASE("accepts Programs of its picture with no more memory than it has") {
   const machines::Machine machine = kinds::load("digital-bit-serial-ddr4");
   CHECK(machine.kind->has_global_or(machine));
   isa::Program program;

@@ -14,7 +14,7 @@ using namespace csgsim;
 
 namespace {
 
-/// Another simulator: it knows the text alone.
+/// An independent simulator that reads only the text.
 class Replay {
  public:
   Replay(std::uint32_t width, std::uint32_t height) : width_(width), columns_(std::size_t{width} * height) {}
@@ -63,7 +63,7 @@ class Replay {
     if (arrow != words.end()) write(words, arrow - words.begin() + 1);
   }
 
-  /// What is at the sense amplifiers goes to the rows from that word on, up to the arrow.
+  /// Writes the sense amplifiers to the rows from word `first` up to the arrow.
   void write(const std::vector<std::string>& words, std::ptrdiff_t first) {
     for (std::size_t i = static_cast<std::size_t>(first); i < words.size() && words[i] != "->"; ++i) {
       for (std::size_t column = 0; column < columns_; ++column)
@@ -130,14 +130,14 @@ void check_replay(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("who replays the text of row commands has the pixel memory that the Program leaves") {
+TEST_CASE("replaying the text of row commands yields the Program's pixel memory") {
   for (const std::string name : {"ambit-ddr4", "simdram-ddr4", "digital-bit-serial-ddr4"}) {
     CAPTURE(name);
     CHECK(rc::check("of " + name, [&] { check_replay(name); }));
   }
 }
 
-TEST_CASE("the text of row commands says what each row is for, what each instruction is and what is done for it") {
+TEST_CASE("prints row commands under a heading per instruction") {
   machines::Machine machine = kinds::load("digital-bit-serial-ddr4+array.memory_bits=2");
   machines::set_picture_size(machine, {9, 7});
   isa::Program program;
@@ -148,8 +148,8 @@ TEST_CASE("the text of row commands says what each row is for, what each instruc
                               .instructions = {{.opcode = isa::Opcode::enable_all},
                                                {.opcode = isa::Opcode::edge_negative, .linear = minus_one}}});
   program.segments.push_back({.region = {0, 0, 9, 7}, .instructions = {{.opcode = isa::Opcode::enable_all}}});
-  // Behind two rows of memory: 0, 1, E, select, carry, 4 scratch, T0 to T3, two duals, 62 of sums, 40 spare; x up to 8
-  // and y up to 6 have four and three bits.
+  // Rows after two rows of memory: 0, 1, E, select, carry, 4 scratch, T0 to T3, two duals, 62 of sums, 40 spare; x up
+  // to 8 has four bits and y up to 6 has three.
   const std::string rows =
       "rows memory 0 2\nrows zero 2 1\nrows one 3 1\nrows enable 4 1\nrows select 5 1\nrows carry 6 1\n"
       "rows scratch 7 4\nrows triple 11 4\nrows dual 15 2\nrows sum 17 62\nrows spare 79 40\nrows x 119 4\n"
@@ -173,7 +173,7 @@ TEST_CASE("the text of row commands says what each row is for, what each instruc
   CHECK(without.str() == expected);
 }
 
-TEST_CASE("each row command has its operands in its text, and no others") {
+TEST_CASE("the text of each row command contains exactly its operands") {
   using bit_serial_memory::Gate;
   using bit_serial_memory::Latch;
   using bit_serial_memory::RowCommand;

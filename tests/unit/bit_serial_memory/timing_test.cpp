@@ -13,7 +13,7 @@ using bit_serial_memory::WordLines;
 
 namespace {
 
-/// About DDR4-2400; the sums below are of these figures, and figures_test.cpp has those of the machines.
+/// Approximately DDR4-2400. The expected sums below use these values; figures_test.cpp has those of the machines.
 Figures ddr4() {
   Figures figures;
   figures.chips = 1;
@@ -39,7 +39,7 @@ std::uint64_t clocks(const Figures& figures, std::uint64_t slots, const RowComma
 
 }  // namespace
 
-TEST_CASE("a copy of a row takes tRAS, tRP and the time to its second activation, an activation tRAS and tRP") {
+TEST_CASE("a row copy takes tRAS + tRP + the delay of its second activation") {
   CHECK(clocks(ddr4(), 1, {}) == 0);
   CHECK(clocks(ddr4(), 1, {copy}) == 5 + 39 + 16);
   CHECK(clocks(ddr4(), 1, {activate}) == 39 + 16);
@@ -47,59 +47,59 @@ TEST_CASE("a copy of a row takes tRAS, tRP and the time to its second activation
   CHECK(clocks(ddr4(), 1, {read, logic, logic, write}) == 55 + 4 + 4 + 55);
 }
 
-TEST_CASE("banks work side by side as far as tRRD and tFAW allow") {
+TEST_CASE("banks overlap within the limits of tRRD and tFAW") {
   Figures figures = ddr4();
-  // Activations at 0, 4, 8, 12, and the fifth at 26.
+  // Activations are at 0, 4, 8 and 12, and the fifth is at 26.
   CHECK(clocks(figures, 4, {read}) == 12 + 55);
   CHECK(clocks(figures, 5, {read}) == 26 + 55);
-  // Two for each copy: 0, 5, 9, 14, 26, 31.
+  // Two activations per copy: 0, 5, 9, 14, 26, 31.
   CHECK(clocks(figures, 2, {copy}) == 14 + 55);
   CHECK(clocks(figures, 3, {copy}) == 31 + 55);
   figures.rank.window = 0;
   CHECK(clocks(figures, 3, {copy}) == 23 + 55);
 }
 
-TEST_CASE("subarrays of one bank follow each other, but their gates work at once") {
+TEST_CASE("subarrays of a bank run in sequence but share their gate operations") {
   Figures figures = ddr4();
   figures.banks = 1;
   CHECK(clocks(figures, 3, {read, logic, write}) == 3 * 55 + 4 + 3 * 55);
 }
 
-TEST_CASE("a row goes to the host over one bus") {
-  // 64 bits in 4 clocks, 32 after the activation; then the row is closed.
+TEST_CASE("rows are sent to the host over a single bus") {
+  // 64 bits take 4 clocks, starting 32 clocks after the activation; then the row closes.
   CHECK(clocks(ddr4(), 1, {send}) == 32 + 4 + 19 + 16);
   CHECK(clocks(ddr4(), 3, {send}) == 32 + 3 * 4 + 19 + 16);
 }
 
-TEST_CASE("a refresh that is due waits until all banks are closed, and all else goes on later by as much") {
+TEST_CASE("a due refresh waits until all banks are closed and delays the rest") {
   Figures figures = ddr4();
   figures.rank.refresh_interval = 100;
   figures.rank.refresh = 40;
   RankTiming rank(figures, {4 * 64, 64, 16});
   const RowCommands reads(3, read);
   const std::uint64_t alone = rank.clocks(reads);
-  // Reads of the first bank begin at 0 and 55; the third would at 110, when the last bank closes at 55 + 12 + 55.
+  // Reads of the first bank begin at 0 and 55. The third would begin at 110, but the last bank closes at 55 + 12 + 55.
   CHECK(rank.carry_out(reads, 0) == alone + 12 + 40);
   CHECK(rank.refreshing() == 52);
   CHECK(rank.refreshes() == 1);
   CHECK(rank.begin(300, 350) == 380);
 }
 
-TEST_CASE("banks are closed once for all refreshes that are due, and a frame goes on however often they are") {
+TEST_CASE("banks close once for all due refreshes and frames make progress regardless") {
   Figures figures = ddr4();
   figures.rank.refresh_interval = 10;
   figures.rank.refresh = 4;
   RankTiming rank(figures, {4 * 64, 64, 16});
   const RowCommands reads(2, read);
-  // The second read would begin at 55; all are closed at 67, when 6 are due; while they take 24 clocks, 3 more are,
-  // and then one: the tenth, due at 100, ends at 107.
+  // The second read would begin at 55. All banks are closed at 67, when 6 refreshes are due; during their 24 clocks 3
+  // more become due, and then one: the tenth, due at 100, ends at 107.
   CHECK(rank.carry_out(reads, 0) == rank.clocks(reads) + 12 + 10 * 4);
   CHECK(rank.refreshes() == 10);
 }
 
 namespace {
 
-/// Bounds that know nothing of the order in which the controller goes through slots and commands.
+/// Bounds that do not depend on the order in which the controller processes slots and commands.
 struct Bounds {
   std::uint64_t least = 0;
   std::uint64_t most = 0;
@@ -136,8 +136,7 @@ Bounds bounds_of(const RowCommands& commands, std::uint64_t slots, const Figures
 
 }  // namespace
 
-TEST_CASE(
-    "row commands take no less than the busiest bank, the bus or the supply, and no more than one after the other") {
+TEST_CASE("row commands take at least the busiest resource and at most their sum") {
   std::mt19937_64 random(8);
   const auto upto = [&](std::uint32_t most) { return static_cast<std::uint32_t>(random() % most) + 1; };
   for (int round = 0; round < 2000; ++round) {

@@ -6,23 +6,22 @@
 #include "tests/support/test.h"
 #include "tests/unit/bit_serial_memory/clocked.h"
 
-// A frame of the smallest memory clock by clock, by hand: what it takes, what its account tells, and what a wave of it
-// shows.
+// Hand calculation of a frame of the smallest memory, clock by clock: total clocks, account and wave.
 //
-// Ten clocks after the request, at 0, the host sends SegmentStart, 6 + 4 * 16 bits in two words of three clocks, and
-// then commands of a word each. The queue has one place. A command is taken a clock after its last word at the
-// earliest, and that takes a clock. A gate takes 4 clocks, a row 39 + 17, the wired OR 20; SEND takes 34, 64 bits in 4
-// clocks, 18 and 17, which are 73.
+// Ten clocks after the request, which is at 0, the host sends SegmentStart (6 + 4 * 16 bits in two words of three
+// clocks) and then commands of one word each. The queue has one entry. A command is accepted at the earliest one clock
+// after its last word, and accepting it takes one clock. A gate takes 4 clocks, a row 39 + 17, the wired OR 20; SEND
+// takes 34 clocks, 64 bits in 4 clocks, and 18 + 17 clocks, in total 73.
 //
-//   clear          taken at 17; SET0 and WRITE of eight bits, and SET0 of E: 1 + 8 * 60 + 4 clocks, to 502
-//   0 enable_all   sent from 17 to 20; 1 + 4, to 507
-//   1 enable_invert   sent from 502 to 505; to 512
-//   2 skip_if_none    sent from 507 to 510; a gate and the OR: 1 + 4 + 20, to 537
-//   3              sent from 512 to 515; lost
-//   4              waits for room from 515 on
-//   5 global_or    asked for at 537: sent from 547 to 550, taken at 551; 1 + 4 + 20, to 576
-//   FrameEnd       sent from 551, when 5 has left the queue, to 554
-//   the picture    four rows: 4 * 73, to 868
+// clear accepted at 17; SET0 and WRITE of eight bits, and SET0 of E: 1 + 8 * 60 + 4 clocks, until 502
+// 0 enable_all sent from 17 to 20; 1 + 4, until 507
+// 1 enable_invert sent from 502 to 505; until 512
+// 2 skip_if_none sent from 507 to 510; a gate and the OR: 1 + 4 + 20, until 537
+// 3 sent from 512 to 515; discarded
+// 4 waits for a free entry from 515
+// 5 global_or requested at 537: sent from 547 to 550, accepted at 551; 1 + 4 + 20, until 576
+// FrameEnd sent from 551, when 5 has left the queue, to 554
+// the picture four rows: 4 * 73, until 868
 
 using namespace csgsim;
 using testing::ClockedMemory;
@@ -66,7 +65,7 @@ void check_account(const machines::Account& account) {
   CHECK(of_part(account, "host link", "sending") == 6 + 6 * 3);
   CHECK(of_part(account, "host link", "waiting") == drawn - 24);
   CHECK(account.count("scan_out_clocks") == 292);
-  // 8 * 2 + 1 of the clear, 1, 1, 2 and 2, and four SEND.
+  // 8 * 2 + 1 for the clear, then 1, 1, 2 and 2, and four SEND.
   CHECK(account.count("row_commands") == 17 + 6 + 4);
   CHECK(account.count("activations") == 8 + 4);
   CHECK(account.count("further_rows") == 0);
@@ -76,7 +75,7 @@ void check_account(const machines::Account& account) {
   CHECK(account.count("refreshes") == 0);
 }
 
-/// What a text shows from clock to clock, each with the first at which it does.
+/// Changes of a tap: the first clock of each value and the value.
 std::vector<std::string> changes_of(const std::vector<std::string>& values) {
   std::vector<std::string> changes;
   for (std::size_t clock = 0; clock < values.size(); ++clock)
@@ -88,7 +87,7 @@ using Lines = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("a frame with a jump takes the clocks and the work that are added up by hand, at both levels") {
+TEST_CASE("a frame with a jump takes hand-calculated clocks and work at both levels") {
   const ClockedMemory& memory = testing::smallest_memory();
   const isa::Program program = frame();
   const machines::FrameTiming timing =
@@ -96,8 +95,8 @@ TEST_CASE("a frame with a jump takes the clocks and the work that are added up b
   CHECK(timing.clocks == drawn);
   CHECK(timing.shown_clocks == shown);
   check_account(timing.account);
-  systemc::RunListener nobody;
-  const systemc::RunReport report = memory.hardware->run(program, nobody);
+  systemc::RunListener no_listener;
+  const systemc::RunReport report = memory.hardware->run(program, no_listener);
   CHECK(report.clocks == drawn);
   CHECK(report.shown_clocks == shown);
   CHECK(report.skipped == 2);
@@ -105,18 +104,18 @@ TEST_CASE("a frame with a jump takes the clocks and the work that are added up b
   check_account(report.account);
 }
 
-TEST_CASE("the timeline of that frame is as it is added up, and what bounds it works as long as the account tells") {
+TEST_CASE("the timeline of that frame and its loads match the hand calculation") {
   const machines::Machine& machine = testing::smallest_memory().machine;
   const isa::Program program = frame();
-  const machines::RunOutcome told{{&skip, 1}, {}};
-  const auto timeline = machine.kind->timeline(program, machine, told);
+  const machines::RunOutcome outcome{{&skip, 1}, {}};
+  const auto timeline = machine.kind->timeline(program, machine, outcome);
   REQUIRE(timeline.has_value());
   CHECK(timeline->cleared == std::vector<machines::ClockSpan>{{17, 502}});
   CHECK(timeline->issued ==
         std::vector<std::vector<machines::ClockSpan>>{{{502, 507}, {507, 512}, {512, 537}, {}, {}, {551, 576}}});
   CHECK(machine.kind->at_pixel(*timeline, program, machine, 0, 7, 7) == timeline->issued[0]);
   std::vector<std::string> loads;
-  for (const machines::Load& load : machine.kind->loads(machine.kind->time(program, machine, told)))
+  for (const machines::Load& load : machine.kind->loads(machine.kind->time(program, machine, outcome)))
     loads.push_back(fmt::format("{} {} {}", load.part, load.does, load.clocks));
   CHECK(loads == Lines{"rank of chips carries out row commands 10", "clearing of the rows runs 485",
                        "reads of all enable bits are waited for 50", "refresh closes the banks 0",
@@ -124,7 +123,7 @@ TEST_CASE("the timeline of that frame is as it is added up, and what bounds it w
                        "scan-out holds the banks 292"});
 }
 
-TEST_CASE("a wave shows what host, controller and bank are at in each clock") {
+TEST_CASE("a wave shows the states of all units in each clock") {
   const Recording wave(testing::smallest_memory(), frame(), {{3, 2}}, {0, shown});
   CHECK(changes_of(wave.of("host.state")) == Lines{"0 waiting", "10 sending", "16 blocked", "17 sending", "20 blocked",
                                                    "502 sending", "505 blocked", "507 sending", "510 blocked",
@@ -148,7 +147,7 @@ TEST_CASE("a wave shows what host, controller and bank are at in each clock") {
         Lines{"0 0", "18 1", "502 0", "503 1", "507 0", "508 1", "512 0", "513 1", "537 0", "552 1"});
 }
 
-TEST_CASE("a wave shows nothing of a pixel before its memory has been cleared, in each frame anew") {
+TEST_CASE("a wave shows no values of a pixel before its memory is cleared") {
   for (int frames = 0; frames < 2; ++frames) {
     const Recording wave(testing::smallest_memory(), frame(), {{3, 2}}, {0, shown});
     const std::vector<std::string>& enable = wave.of("pixel_3_2.enable");
@@ -163,13 +162,13 @@ TEST_CASE("a wave shows nothing of a pixel before its memory has been cleared, i
   }
 }
 
-TEST_CASE("a wave shows the bits of the pixels that it is asked for, and has a tap for each bank") {
+TEST_CASE("a wave shows the requested pixels and has one tap per bank") {
   for (const ClockedMemory& memory : testing::clocked_memories()) {
     CAPTURE(memory.name);
     const machines::Size size = memory.machine.picture;
     isa::Program program;
     program.shape = {size.width, size.height, memory.machine.array.memory_bits};
-    // Less than 256 pixels, so that F is a pixel's number in eight bits, of which the smallest memory keeps all.
+    // There are fewer than 256 pixels, so the eight bits of F hold the pixel number and fit in the smallest memory.
     const auto base = static_cast<std::uint16_t>(program.shape.memory_bits - 8);
     program.facts->fields = {{"number", {base, 8}}, {"third bit", {static_cast<std::uint16_t>(base + 2), 1}}};
     const isa::Linear number{.a = 1, .b = size.width, .c = 0, .width = 10, .shift = 0};
@@ -181,8 +180,8 @@ TEST_CASE("a wave shows the bits of the pixels that it is asked for, and has a t
                           {.opcode = isa::Opcode::edge_negative, .linear = below_100}}});
     const std::vector<wave::Pixel> pixels{
         {0, 0}, {size.width - 1, 0}, {0, size.height - 1}, {size.width - 1, size.height - 1}, {2, 1}};
-    systemc::RunListener nobody;
-    const std::uint64_t clocks = memory.hardware->run(program, nobody).clocks;
+    systemc::RunListener no_listener;
+    const std::uint64_t clocks = memory.hardware->run(program, no_listener).clocks;
     const Recording wave(memory, program, pixels, {clocks - 60, clocks});
     for (const wave::Pixel& pixel : pixels) {
       const std::uint32_t expected = pixel.y * size.width + pixel.x;
@@ -191,26 +190,25 @@ TEST_CASE("a wave shows the bits of the pixels that it is asked for, and has a t
       CHECK(wave.of(part + "third_bit").back() == fmt::format("{}", expected / 4 % 2));
       CHECK(wave.of(part + "enable").back() == (expected < 100 ? "1" : "0"));
     }
-    // Three taps, six of the controller's instruction, one a bank, and of a pixel six, E and two fields.
+    // Three taps, six for the controller's instruction, one per bank, and nine per pixel: six, E and two fields.
     const std::uint32_t banks = bit_serial_memory::slots_of(memory.machine).used_banks();
     CHECK(wave.names().size() == 3 + 6 + banks + pixels.size() * (6 + 1 + 2));
   }
 }
 
-TEST_CASE("in each clock the controller is at what the account counts, refreshes of the scan-out included") {
+TEST_CASE("controller states in a wave match the account and include refreshes") {
   const isa::Instruction all{.opcode = isa::Opcode::enable_all};
   const isa::Instruction set{.opcode = isa::Opcode::set_constant, .fields = {{{0, 6}}}, .constant = 37};
-  const isa::Instruction question{.opcode = isa::Opcode::skip_if_none, .constant = 1};
+  const isa::Instruction query{.opcode = isa::Opcode::skip_if_none, .constant = 1};
   for (const ClockedMemory& memory : testing::clocked_memories()) {
     CAPTURE(memory.name);
     isa::Program program;
     program.shape = {memory.machine.picture.width, memory.machine.picture.height, memory.machine.array.memory_bits};
     program.colour = {0, 8};
-    program.segments.push_back(
-        {.region = {0, 0, program.shape.width, program.shape.height},
-         .instructions = {question, all, set, question, set, {.opcode = isa::Opcode::global_or}}});
-    systemc::RunListener nobody;
-    const systemc::RunReport report = memory.hardware->run(program, nobody);
+    program.segments.push_back({.region = {0, 0, program.shape.width, program.shape.height},
+                                .instructions = {query, all, set, query, set, {.opcode = isa::Opcode::global_or}}});
+    systemc::RunListener no_listener;
+    const systemc::RunReport report = memory.hardware->run(program, no_listener);
     const Recording wave(memory, program, {}, {0, report.shown_clocks});
     const auto count = [&](const std::string& state) { return wave.count("controller.state", state); };
     const auto spent = [&](std::string_view activity) { return of_part(report.account, "controller", activity); };
@@ -220,13 +218,13 @@ TEST_CASE("in each clock the controller is at what the account counts, refreshes
     CHECK(count("scanning out") + count("refreshing") == spent("refreshing") + report.account.count("scan_out_clocks"));
     CHECK(count("refreshing") >= spent("refreshing"));
     CHECK(wave.count("host.state", "sending") == of_part(report.account, "host link", "sending"));
-    // The clear alone opens a row for each bit: 39 and 17 clocks.
+    // The clear alone opens a row per bit for 39 + 17 clocks.
     for (std::uint32_t bank = 0; bank < bit_serial_memory::slots_of(memory.machine).used_banks(); ++bank)
       CHECK(wave.count(fmt::format("bank_{}.busy", bank), "1") >= program.shape.memory_bits * (39 + 17));
   }
 }
 
-TEST_CASE("a wave of a memory has no levels of trees") {
+TEST_CASE("rejects a request for tree levels in a wave of a memory") {
   const isa::Program program = frame();
   const wave::Request request{
       .windows = {{0, 1}}, .pixels = {{0, 0}}, .tree_levels = {{wave::TreeLevel::Axis::x, 0}}, .write = nullptr};

@@ -17,7 +17,7 @@ using testing::planes;
 
 namespace {
 
-/// All that a run leaves behind.
+/// Complete result of a run.
 struct Outcome {
   engine::RunResult result;
   observe::Frame frame;
@@ -33,8 +33,8 @@ bool same(const Outcome& one, const Outcome& other) {
 }
 
 /// A run with its observers.
-struct Watched {
-  Watched(engine::Engine& engine, const isa::Program& program)
+struct ObservedRun {
+  ObservedRun(engine::Engine& engine, const isa::Program& program)
       : run(engine.begin(program)), frame(program), stats(program) {}
 
   void advance(std::uint64_t number) {
@@ -55,7 +55,7 @@ Outcome uninterrupted(engine::Engine& engine, const isa::Program& program) {
   return {result, frame.frame(), stats.stats()};
 }
 
-/// Stops at random places; each time another level may go on, from the bytes of a checkpoint.
+/// Stops at random places; after each, another level may resume from the bytes of a checkpoint.
 Outcome interrupted(std::span<const std::unique_ptr<engine::Engine>> engines, const isa::Program& program,
                     const machines::Machine& machine) {
   const auto any_engine = [&]() -> engine::Engine& {
@@ -63,9 +63,9 @@ Outcome interrupted(std::span<const std::unique_ptr<engine::Engine>> engines, co
   };
   const std::uint64_t count = engine::Numbers(program).count();
   const checkpoint::RunIdentity identity = checkpoint::identity_of(program, machine);
-  Watched first(any_engine(), program);
-  std::unique_ptr<Watched> last;
-  Watched* current = &first;
+  ObservedRun first(any_engine(), program);
+  std::unique_ptr<ObservedRun> last;
+  ObservedRun* current = &first;
   std::uint64_t at = 0;
   for (int stops = *rc::gen::inRange(0, 4); stops > 0; --stops) {
     at = *rc::gen::inRange<std::uint64_t>(at, count + 1);
@@ -74,7 +74,7 @@ Outcome interrupted(std::span<const std::unique_ptr<engine::Engine>> engines, co
         checkpoint::take_snapshot(identity, *current->run, current->frame, current->stats);
     const checkpoint::Snapshot read = checkpoint::decode(checkpoint::encode(taken), "test", program, machine);
     RC_ASSERT(read == taken);
-    last = std::make_unique<Watched>(any_engine(), program);
+    last = std::make_unique<ObservedRun>(any_engine(), program);
     current = last.get();
     checkpoint::resume(read, *current->run, current->frame, current->stats);
     RC_ASSERT(current->run->save() == taken.run);
@@ -95,7 +95,7 @@ bool survives_interruptions(const machines::Machine& machine, const rc::Gen<isa:
   });
 }
 
-/// Pixels of 8 x 4, of which some are enabled, with a number in memory.
+/// A 70 x 4 picture with some pixels enabled and a number in memory.
 isa::Program small_program() {
   isa::Program program;
   program.shape = {70, 4, 16};
@@ -114,7 +114,7 @@ isa::Program small_program() {
   return program;
 }
 
-/// A wall with a pane before a half of it, twice, and the pane's depth overwritten.
+/// A wall with a pane in front of half of it, drawn twice; the pane's depth is overwritten in between.
 isa::Program glass_program() {
   isa::Program program = isa::parse(
       ".array width=70 height=4 memory_bits=40\n.frame colour_base=16 colour_bits=6\n"
@@ -138,7 +138,7 @@ isa::Program glass_program() {
 
 checkpoint::Snapshot snapshot_at(std::uint64_t number, const isa::Program& program, const machines::Machine& machine) {
   const auto engine = engine::make_functional_engine(machine);
-  Watched watched(*engine, program);
+  ObservedRun watched(*engine, program);
   watched.advance(number);
   return checkpoint::take_snapshot(checkpoint::identity_of(program, machine), *watched.run, watched.frame,
                                    watched.stats);
@@ -146,12 +146,12 @@ checkpoint::Snapshot snapshot_at(std::uint64_t number, const isa::Program& progr
 
 }  // namespace
 
-TEST_CASE("a run that is stopped anywhere, saved, read and resumed at any level ends as one that never stopped") {
+TEST_CASE("a run stopped anywhere and resumed at any level ends as if uninterrupted") {
   for (const isa::ArrayShape shape : {isa::ArrayShape{8, 8, 72}, {70, 5, 33}, {1, 9, 24}})
     CHECK(survives_interruptions(planes(shape), test::arbitrary_program(shape, 40, 2)));
 }
 
-TEST_CASE("so does one of a machine that draws the picture in parts, at their beginnings and ends too") {
+TEST_CASE("a run in parts of the picture survives interruptions") {
   for (const char* name : {"scan-line", "pixel-square+divider.kind=host"}) {
     machines::Machine machine = kinds::load(name);
     machines::set_picture_size(machine, {20, 9});
@@ -160,7 +160,7 @@ TEST_CASE("so does one of a machine that draws the picture in parts, at their be
   }
 }
 
-TEST_CASE("so does one of a machine whose clocks depend on the picture") {
+TEST_CASE("a run with picture-dependent clocks survives interruptions") {
   machines::Machine machine =
       kinds::load("multi-processor+subdivision.levels=1+nodes.columns=2+nodes.rows=2+node.branch_clocks=500");
   machines::set_picture_size(machine, {20, 9});
@@ -169,7 +169,7 @@ TEST_CASE("so does one of a machine whose clocks depend on the picture") {
   CHECK(survives_interruptions(machine, rc::gen::exec([&] { return test::any_divided_program(machine); })));
 }
 
-TEST_CASE("so does one of a Program that blends what is see-through, with the panes that were taken down") {
+TEST_CASE("a run with transparent panes survives interruptions") {
   const isa::Program program = glass_program();
   const machines::Machine machine = planes(program.shape);
   CHECK(survives_interruptions(machine, rc::gen::just(program)));
@@ -187,7 +187,7 @@ TEST_CASE("so does one of a Program that blends what is see-through, with the pa
   CHECK(frame.opaque_depth[at(65, 1)] == 255);
 }
 
-TEST_CASE("a run stops before the instruction that it is told to stop at, and a segment's pixels stay at its end") {
+TEST_CASE("a run stops before the requested instruction and keeps a segment's pixels") {
   isa::Program program = small_program();
   program.segments.push_back(program.segments.front());
   const machines::Machine machine = planes(program.shape);
@@ -212,7 +212,7 @@ TEST_CASE("a run stops before the instruction that it is told to stop at, and a 
   }
 }
 
-TEST_CASE("a run that is resumed between squares and their instruction has the squares") {
+TEST_CASE("a run resumed between squares and their instruction restores the squares") {
   isa::Program program;
   program.shape = {90, 5, 16};
   program.segments.push_back(
@@ -238,7 +238,7 @@ TEST_CASE("a run that is resumed between squares and their instruction has the s
   }
 }
 
-TEST_CASE("a checkpoint that is cut short, longer or changed in any byte is refused") {
+TEST_CASE("rejects a checkpoint with a changed size or any changed byte") {
   const isa::Program program = small_program();
   const machines::Machine machine = planes(program.shape);
   const std::vector<std::byte> bytes = checkpoint::encode(snapshot_at(5, program, machine));
@@ -257,7 +257,7 @@ TEST_CASE("a checkpoint that is cut short, longer or changed in any byte is refu
   CHECK(refused(longer));
 }
 
-TEST_CASE("a checkpoint of another Program or machine is refused, whatever the machine is called") {
+TEST_CASE("rejects a checkpoint of another Program or machine and ignores the name") {
   const isa::Program program = small_program();
   const machines::Machine machine = planes(program.shape);
   const std::vector<std::byte> bytes = checkpoint::encode(snapshot_at(5, program, machine));
@@ -274,7 +274,7 @@ TEST_CASE("a checkpoint of another Program or machine is refused, whatever the m
   CHECK_NOTHROW(checkpoint::decode(bytes, "c", program, renamed));
 }
 
-TEST_CASE("states that no run of the Program can be in are refused") {
+TEST_CASE("rejects states that no run of the Program can reach") {
   const isa::Program program = small_program();
   const machines::Machine machine = planes(program.shape);
   const checkpoint::Snapshot good = snapshot_at(5, program, machine);
@@ -294,14 +294,14 @@ TEST_CASE("states that no run of the Program can be in are refused") {
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.skips.push_back({0, 2}); }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.planes[1].at(1) |= std::uint64_t{1} << 6U; }));
   CHECK(refused(
-      [](checkpoint::Snapshot& one) { one.run.planes[1].at(7) |= std::uint64_t{1} << 6U; }));  // of the last row
+      [](checkpoint::Snapshot& one) { one.run.planes[1].at(7) |= std::uint64_t{1} << 6U; }));  // in the last row
   CHECK(refused([](checkpoint::Snapshot& one) { one.picture.frame.owner[3] = 1; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.picture.frame.depth[3] = 256; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.picture.frame.colour[3] = 64; }));
   CHECK(refused([](checkpoint::Snapshot& one) { ++one.stats.total.instructions; }));
 }
 
-TEST_CASE("a Program without segments is finished when it begins, and has checkpoints too") {
+TEST_CASE("a Program without segments is finished at once and can be checkpointed") {
   isa::Program nothing;
   nothing.shape = {1, 1, 1};
   const machines::Machine machine = planes(nothing.shape);
@@ -311,7 +311,7 @@ TEST_CASE("a Program without segments is finished when it begins, and has checkp
   CHECK(checkpoint::decode(checkpoint::encode(snapshot), "c", nothing, machine) == snapshot);
 }
 
-TEST_CASE("a machine's identity changes with each figure that a run depends on, and not with its name or description") {
+TEST_CASE("a machine's identity covers every parameter but not its name or description") {
   const isa::Program program = small_program();
   const machines::Machine machine = planes(program.shape);
   const checkpoint::RunIdentity identity = checkpoint::identity_of(program, machine);

@@ -16,7 +16,7 @@ model::Tree tree_of(std::string_view text) {
   return tree;
 }
 
-/// The tree as text: primitives by number, operators between parentheses.
+/// The tree as text: primitives as numbers, operators in parentheses.
 std::string shown(const model::Tree& tree) {
   std::vector<std::string> texts;
   for (const model::Node& node : tree.nodes) {
@@ -54,7 +54,7 @@ std::string text_of(const std::string& model) {
 
 }  // namespace
 
-TEST_CASE("intersection binds closer than union and difference, which go from left to right; parentheses come first") {
+TEST_CASE("intersection binds tighter than union and difference") {
   CHECK(of_three("A - (B * C)") == "(0-(1*2))");
   CHECK(of_three("A - B * C") == "(0-(1*2))");
   CHECK(of_three("A * B - C") == "((0*1)-2)");
@@ -64,7 +64,7 @@ TEST_CASE("intersection binds closer than union and difference, which go from le
   CHECK(of_three("C-B") == "(0-1)");
 }
 
-TEST_CASE("primitives are as large as their numbers say") {
+TEST_CASE("primitives have the stated sizes") {
   const model::Tree tree = tree_of("facets 30\nA = block 1 2 3\nB = cone 4 5\nC = cone 4 5 1.5\nD = A + B + C\n");
   CHECK(std::get<model::Cube>(tree.primitives[0].shape).size == glm::dvec3(1, 2, 3));
   const auto& cone = std::get<model::Cylinder>(tree.primitives[1].shape);
@@ -75,19 +75,19 @@ TEST_CASE("primitives are as large as their numbers say") {
   CHECK(std::get<model::Cylinder>(tree.primitives[2].shape).r2 == 1.5);
 }
 
-TEST_CASE("a command on a name changes what later lines make of it, not what earlier ones made") {
+TEST_CASE("a command on a name affects only later uses of it") {
   const model::Tree tree = tree_of("A = block 1 1 1\nmove A 5\nB = A\nmove A y 2 z -1\nObject = A + B\n");
   CHECK(near(moved(tree, 0, {0, 0, 0, 1}), {5, 2, -1}));
   CHECK(near(moved(tree, 1, {0, 0, 0, 1}), {5, 0, 0}));
 }
 
-TEST_CASE("solids are turned about the axes of the model, and scaled from its origin") {
+TEST_CASE("rotates about the axes of the model and scales about its origin") {
   const model::Tree tree = tree_of("A = block 1 2 3\nmove A 10 0 0\nrotate A z 90 x 90\nscale A 2\nscale A y 3\n");
   // (11, 2, 3) -> (-2, 11, 3) -> (-2, -3, 11) -> (-4, -18, 22)
   CHECK(near(moved(tree, 0, {1, 2, 3, 1}), {-4, -18, 22}));
 }
 
-TEST_CASE("the last colour that is said of all of a solid is its colour") {
+TEST_CASE("the last colour set for a whole solid applies") {
   const model::Tree tree =
       tree_of("A = block 1 1 1\ncolour A 1 0 0\nB = sphere 1\nC = A + B\nE = C + A\ncolour C 0 0 1\nObject = C + E\n");
   CHECK(*tree.primitives[0].colour == glm::dvec3(0, 0, 1));
@@ -96,24 +96,24 @@ TEST_CASE("the last colour that is said of all of a solid is its colour") {
   CHECK(!tree.primitives[3].colour);
 }
 
-TEST_CASE("what is drawn is Object, or else the last solid that a line makes") {
+TEST_CASE("draws Object or otherwise the last solid") {
   CHECK(std::holds_alternative<model::Sphere>(tree_of("Object = sphere 1\nB = block 1 1 1\n").primitives[0].shape));
   CHECK(std::holds_alternative<model::Cube>(tree_of("A = sphere 1\nB = block 1 1 1\n").primitives[0].shape));
   const model::Tree moved_last = tree_of("A = sphere 1\nB = block 1 1 1\nmove A 9\nmove B 7\n");
   CHECK(near(moved(moved_last, 0, {0, 0, 0, 1}), {7, 0, 0}));
 }
 
-TEST_CASE("comments, empty lines, lines that go on and those of other systems are read") {
+TEST_CASE("accepts comments and continuation lines and any line ending") {
   CHECK(shown(tree_of("# one\r\n\r\n  A = block 1 \\\r\n 2 3 # two\r\nB=A+A # \\\n")) == "(0+1)");
 }
 
-TEST_CASE("places are those of the lines that make a primitive") {
+TEST_CASE("locations refer to the line that creates a primitive") {
   const model::Tree tree = tree_of("A = block 1 1 1\n\n  B = sphere 1\nObject = A + B");
   CHECK(tree.primitives[1].location.line == 3);
   CHECK(tree.primitives[1].location.column == 3);
 }
 
-TEST_CASE("the thesis's figure 2.3 by commands has the half-spaces of its .csg, to what six digits tell") {
+TEST_CASE("fig. 2.3 as commands equals its .csg to six digits") {
   const facet::Geometry written = facet::make_geometry(tree_of(text_of("thesis_fig_2_3.jan")));
   const facet::Geometry exported = facet::make_geometry(read::read_csg_text(text_of("thesis_fig_2_3.csg"), "fig.csg"));
   CHECK(written.halfspaces() == exported.halfspaces());
@@ -127,7 +127,7 @@ TEST_CASE("the thesis's figure 2.3 by commands has the half-spaces of its .csg, 
   }
 }
 
-TEST_CASE("a sweep is one primitive in convex pieces, and goes with others into a tree") {
+TEST_CASE("a sweep is one primitive in convex pieces and combines with others") {
   const model::Tree tree = tree_of(
       "square = curve closed points (-1 -1) (1 -1) (1 1) (-1 1)\n"
       "frame = curve closed points (10 0 0) (0 0 0) (0 0 8) (10 0 8)\n"
@@ -144,7 +144,7 @@ TEST_CASE("a sweep is one primitive in convex pieces, and goes with others into 
   CHECK(shown(tree) == "((0+1+2+3)-4)");
 }
 
-TEST_CASE("surfaces of a file are its sweeps and patches in order, of one name the last") {
+TEST_CASE("lists sweeps and patches in order and keeps the last one of a name") {
   const std::vector<commands::NamedSurface> surfaces = commands::surfaces_in(
       "c = curve closed degree 2 points (-1 -1) (1 -1) (1 1) (-1 1)\n"
       "t = curve points (0 0 0) (0 0 9)\n"

@@ -18,7 +18,7 @@ using testing::Random;
 
 namespace {
 
-/// A tree's solids, of which a point on a face counts as moved along x, then y, then z.
+/// Solids of a tree; a point on a face counts as shifted slightly along x, then y, then z.
 class PointJudge {
  public:
   explicit PointJudge(const model::Tree& tree) : rules_(tree) {
@@ -45,7 +45,7 @@ class PointJudge {
   std::vector<facet::Solid> solids_;
 };
 
-/// The first cell that is not what its middle is; nothing if there is none.
+/// First cell that differs from the state of its centre; empty if none does.
 std::string wrong_cell(const model::Tree& tree, const convert::Bintree& bintree) {
   const PointJudge judge(tree);
   const std::vector<bool> cells = convert::cells_of(bintree);
@@ -64,8 +64,7 @@ std::string wrong_cell(const model::Tree& tree, const convert::Bintree& bintree)
 
 }  // namespace
 
-TEST_CASE(
-    "a cell is what its middle is, whole places and rotated solids alike, and blocks are as large as they can be") {
+TEST_CASE("each cell has the state of its centre and blocks are as large as possible") {
   int full = 0;
   CHECK(rc::check([&](std::uint64_t seed) {
     Random random(seed);
@@ -75,7 +74,7 @@ TEST_CASE(
     const std::uint32_t resolution = random.one_of({2U, 4U, 8U, 16U});
     const convert::Bintree bintree = convert::blocks(tree, resolution);
     if (tree.root != model::no_index) RC_ASSERT(wrong_cell(tree, bintree) == "");
-    // A code made of cells alone joins all that is alike.
+    // Encoding the individual cells merges all uniform blocks.
     RC_ASSERT(convert::code_of(convert::cells_of(bintree), resolution) == bintree.code);
     const convert::BlockCounts counts = convert::count_blocks(bintree);
     const std::vector<bool> cells = convert::cells_of(bintree);
@@ -87,7 +86,7 @@ TEST_CASE(
   if (testing::draws_usual_cases()) CHECK(full > 30);
 }
 
-TEST_CASE("the code of a cube is one block, and of its lower half along x two") {
+TEST_CASE("a cube is coded as one block and its lower half along x as two") {
   CHECK(convert::blocks(read::read_csg_text("cube([4,4,4]);", "m.csg"), 4).code == "1");
   const std::string half =
       "difference(){cube([4,4,4]);multmatrix([[1,0,0,2],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){"
@@ -96,7 +95,7 @@ TEST_CASE("the code of a cube is one block, and of its lower half along x two") 
   CHECK(convert::blocks(read::read_csg_text(half, "m.csg"), 2).code == "(10");
 }
 
-TEST_CASE("a bintree is read as it was written") {
+TEST_CASE("a bintree survives writing and reading") {
   convert::Bintree bintree = convert::blocks(read::read_csg_text("sphere($fn=20,$fa=12,$fs=2,r=3.3);", "m.csg"), 32);
   const convert::Bintree again = convert::read_bintree(convert::text_of(bintree), "b.bintree");
   CHECK(again.code == bintree.code);
@@ -105,33 +104,34 @@ TEST_CASE("a bintree is read as it was written") {
   CHECK(again.side == bintree.side);
 }
 
-TEST_CASE("what is no bintree is told") {
-  const auto told = [](const std::string& text) {
+TEST_CASE("rejects malformed bintrees") {
+  const auto refusal = [](const std::string& text) {
     return testing::error_of([&] { convert::read_bintree(text, "b.bintree"); });
   };
   const std::string head = "bintree 1\nresolution 2\ncube 0 0 0 1\n";
-  CHECK(told(head + "(((01(01((0101").find("b.bintree: the code is not exactly one tree") == 0);
-  CHECK(told(head + "(((01(01((01(01") == "");
-  CHECK(told(head + "(((01(01((01(01" + "1") != "");
-  CHECK(told(head + "((((0001(01((01(01") != "");  // a cell that is halved
-  CHECK(told(head + "2") != "");
-  CHECK(told("bintree 1\nresolution 3\ncube 0 0 0 1\n0").find("power of two") != std::string::npos);
-  CHECK(told("solid").find("'bintree' is missing") != std::string::npos);
+  CHECK(refusal(head + "(((01(01((0101").find("b.bintree: the code is not exactly one tree") == 0);
+  CHECK(refusal(head + "(((01(01((01(01") == "");
+  CHECK(refusal(head + "(((01(01((01(01" + "1") != "");
+  CHECK(refusal(head + "((((0001(01((01(01") != "");  // a cell is subdivided
+  CHECK(refusal(head + "2") != "");
+  CHECK(refusal("bintree 1\nresolution 3\ncube 0 0 0 1\n0").find("power of two") != std::string::npos);
+  CHECK(refusal("solid").find("'bintree' is missing") != std::string::npos);
   for (const char* const cube : {"nan 0 0 1", "0 inf 0 1", "0 0 0 inf", "0 0 0 0", "0 0 0 -1"}) {
     CAPTURE(cube);
-    CHECK(told("bintree 1\nresolution 2\ncube " + std::string(cube) + "\n0")
+    CHECK(refusal("bintree 1\nresolution 2\ncube " + std::string(cube) + "\n0")
               .find("the position or the size of the cube is invalid") != std::string::npos);
   }
-  CHECK(told("bintree 1\nresolution 2\ncube 0 0 x 1\n0").find("'x' is not a number") != std::string::npos);
+  CHECK(refusal("bintree 1\nresolution 2\ncube 0 0 x 1\n0").find("'x' is not a number") != std::string::npos);
 }
 
-TEST_CASE("a block model by hand: its cube, its code, its blocks and cells") {
-  // 4 by 4 by 2 in a cube of 4 whose low corner is (0, 0, -1): of four layers of cells across z the middle two. Halved
-  // across x, y and z: eight cubes of 2, the lower ones with the upper layer in; halved in turn to cells.
+TEST_CASE("codes a 4 x 4 x 2 block as calculated by hand") {
+  // A 4 x 4 x 2 block in a cube of 4 with its low corner at (0, 0, -1) fills the middle two of four layers along z.
+  // Halving across x, y and z yields eight cubes of 2, the lower ones with their upper layer full, which are halved
+  // down to cells.
   const std::string pair_low = "(01";
   const std::string pair_high = "(10";
   const auto cube_of = [](const std::string& pair) {
-    const std::string half = "(" + pair + pair;  // across y, of those across z
+    const std::string half = "(" + pair + pair;  // across y, each half across z
     return "(" + half + half;                    // across x
   };
   const std::string column = "(" + cube_of(pair_low) + cube_of(pair_high);
@@ -163,8 +163,8 @@ TEST_CASE("a block model by hand: its cube, its code, its blocks and cells") {
   CHECK(nothing.side == 1);
 }
 
-TEST_CASE("halves across each axis in turn: a cell of eight, in each place") {
-  // Of the cube of 2 the cell at (x, y, z): out before it or behind it, across x, then y, then z.
+TEST_CASE("subdivides across the three axes in turn") {
+  // The cell at (x, y, z) of a cube of 2, with an empty half before or after it across x, then y, then z.
   for (int x = 0; x < 2; ++x) {
     for (int y = 0; y < 2; ++y) {
       for (int z = 0; z < 2; ++z) {
@@ -179,45 +179,48 @@ TEST_CASE("halves across each axis in turn: a cell of eight, in each place") {
   }
 }
 
-TEST_CASE("the text of a bintree, line by line, of 120 characters at most") {
+TEST_CASE("writes the code of a bintree in lines of at most 120 characters") {
   convert::Bintree bintree{.resolution = 4, .low = {1, -2.5, 0}, .side = 0.1, .code = std::string(120, '0')};
   CHECK(convert::text_of(bintree) == "bintree 1\nresolution 4\ncube 1 -2.5 0 0.1\n" + std::string(120, '0') + "\n");
   bintree.code += "(";
   CHECK(convert::text_of(bintree) == "bintree 1\nresolution 4\ncube 1 -2.5 0 0.1\n" + std::string(120, '0') + "\n(\n");
 }
 
-TEST_CASE("a bintree needs each of its words, and reads its resolutions") {
-  const auto told = [](const std::string& text) {
+TEST_CASE("requires each keyword of a bintree and a valid resolution") {
+  const auto refusal = [](const std::string& text) {
     return testing::error_of([&] { convert::read_bintree(text, "b.bintree"); });
   };
   const auto of_resolution = [](const std::string& resolution) {
     return "bintree 1\nresolution " + resolution + "\ncube 0 0 0 1\n0";
   };
-  for (const char* const resolution : {"2", "4", "1024"}) CHECK(told(of_resolution(resolution)) == "");
+  for (const char* const resolution : {"2", "4", "1024"}) CHECK(refusal(of_resolution(resolution)) == "");
   for (const char* const resolution : {"0", "1", "3", "6", "1023", "2048"})
-    CHECK(told(of_resolution(resolution)) ==
+    CHECK(refusal(of_resolution(resolution)) ==
           "b.bintree: the resolution is not a power of two from 2 to 1024; create the bintree again");
-  CHECK(told(of_resolution("4x")) == "b.bintree: '4x' is not a number; create the bintree again");
-  CHECK(told(of_resolution("-4")) == "b.bintree: '-4' is not a number; create the bintree again");
-  CHECK(told("bintree 2\nresolution 2\ncube 0 0 0 1\n0") == "b.bintree: '1' is missing; create the bintree again");
-  CHECK(told("bintree 1\nsize 2\ncube 0 0 0 1\n0") == "b.bintree: 'resolution' is missing; create the bintree again");
-  CHECK(told("bintree 1\nresolution 2\nbox 0 0 0 1\n0") == "b.bintree: 'cube' is missing; create the bintree again");
-  CHECK(told("bintree 1\nresolution 2\ncube 0 0 0") == "b.bintree: '' is not a number; create the bintree again");
-  CHECK(told("bintree 1\nresolution 2\ncube 0 0 0 1\n").find("the code is not exactly one tree") != std::string::npos);
-  CHECK(told("bintree 1\nresolution 2\ncube 0 -inf 0 1\n0").find("the position or the size of the cube is invalid") !=
+  CHECK(refusal(of_resolution("4x")) == "b.bintree: '4x' is not a number; create the bintree again");
+  CHECK(refusal(of_resolution("-4")) == "b.bintree: '-4' is not a number; create the bintree again");
+  CHECK(refusal("bintree 2\nresolution 2\ncube 0 0 0 1\n0") == "b.bintree: '1' is missing; create the bintree again");
+  CHECK(refusal("bintree 1\nsize 2\ncube 0 0 0 1\n0") ==
+        "b.bintree: 'resolution' is missing; create the bintree again");
+  CHECK(refusal("bintree 1\nresolution 2\nbox 0 0 0 1\n0") == "b.bintree: 'cube' is missing; create the bintree again");
+  CHECK(refusal("bintree 1\nresolution 2\ncube 0 0 0") == "b.bintree: '' is not a number; create the bintree again");
+  CHECK(refusal("bintree 1\nresolution 2\ncube 0 0 0 1\n").find("the code is not exactly one tree") !=
         std::string::npos);
-  CHECK(told("bintree 1\nresolution 2\ncube 0 0 inf 1\n0").find("the position or the size of the cube is invalid") !=
+  CHECK(
+      refusal("bintree 1\nresolution 2\ncube 0 -inf 0 1\n0").find("the position or the size of the cube is invalid") !=
+      std::string::npos);
+  CHECK(refusal("bintree 1\nresolution 2\ncube 0 0 inf 1\n0").find("the position or the size of the cube is invalid") !=
         std::string::npos);
-  // Blanks of any kind, also within the code.
+  // Any whitespace is accepted, also within the code.
   const convert::Bintree read = convert::read_bintree("\tbintree 1 resolution 2\r\ncube 1 2 3 1e-3 ( 0\n1", "b");
   CHECK(read.code == "(01");
   CHECK(read.low == glm::dvec3(1, 2, 3));
   CHECK(read.side == 1e-3);
 }
 
-TEST_CASE("a middle on a plane counts as moved towards the higher cells") {
-  // Cells of 2 in a cube of 4, whose middles are at 1 and 3: of a box from 1 to 3 the first is in, the second is out.
-  // Cubes of a tenth in two corners, which no middle is in, make the model as large.
+TEST_CASE("a centre on a plane counts as belonging to the higher side") {
+  // Cells of 2 in a cube of 4 have their centres at 1 and 3: for a box from 1 to 3 the first is in and the second is
+  // out. Cubes of a tenth in two corners, which contain no centre, extend the model to that size.
   const std::string model =
       "cube([0.1,0.1,0.1]);multmatrix([[1,0,0,3.9],[0,1,0,3.9],[0,0,1,3.9],[0,0,0,1]]){cube([0.1,0.1,0.1]);}"
       "multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,1],[0,0,0,1]]){cube([2,2,2]);}";
@@ -225,14 +228,14 @@ TEST_CASE("a middle on a plane counts as moved towards the higher cells") {
   for (std::size_t i = 0; i < 8; ++i) CHECK(cells[i] == (i == 0));
 }
 
-TEST_CASE("rays of blocks are charged: each face of a body for each ray of the rows that it is in") {
+TEST_CASE("charges each face of a body for every ray of its rows") {
   const auto work_of = [](const std::string& csg, std::uint32_t resolution) {
     const Work work(1'000'000'000);
     convert::blocks(read::read_csg_text(csg, "m.csg"), resolution, {}, work);
     return work.done();
   };
   CHECK(work_of("cube([4,4,4]);", 8) - work_of("cube([4,4,4]);", 2) == 6 * (8 * 8 - 2 * 2));
-  // In half of the rows.
+  // The box spans half of the rows.
   CHECK(work_of("cube([4,2,4]);", 16) - work_of("cube([4,2,4]);", 4) == 6 * (8 * 16 - 2 * 4));
   const Work little(100);
   CHECK(testing::error_of([&] {

@@ -36,8 +36,8 @@ std::string turned_by_45(const std::string& what) {
 
 std::string cone(int corners) { return "cylinder($fn=" + std::to_string(corners) + ",$fa=12,$fs=2,h=2,r1=3,r2=0);"; }
 
-/// Whether each is whole: nothing of it has to be divided.
-std::vector<bool> whole_of(const std::string& csg) {
+/// Whether each body is whole, that is, none of its faces needs to be split.
+std::vector<bool> unsplit_of(const std::string& csg) {
   const model::Tree tree = read::read_csg_text(csg, "m.csg");
   const Bodies bodies = convert::make_bodies(tree, {});
   return convert::side_by_side(bodies, csg::make_positive(tree), {});
@@ -53,15 +53,15 @@ glm::dvec3 corner_of(const Bodies& bodies, std::uint32_t plane, std::uint32_t be
 
 }  // namespace
 
-TEST_CASE("a block as a body: its faces, sides, edges, polygons and balls, by hand") {
-  // Its nearest place to the origin is (10, -3, 0).
+TEST_CASE("a block as a body matches a hand calculation") {
+  // The point of the block nearest to the origin is (10, -3, 0).
   const Bodies bodies = bodies_of(moved_by(10, -5, 0, "cube([1,2,3]);"));
   CHECK(bodies.reference == glm::dvec3(10, -3, 0));
   CHECK(bodies.tolerance == doctest::Approx(1e-10 * std::sqrt(14.0)));
   REQUIRE(bodies.bodies.size() == 1);
   const Body& body = bodies.bodies[0];
   const double unit = bodies.planes.unit();
-  CHECK(unit >= 6);  // twice the farthest coordinate from there
+  CHECK(unit >= 6);  // twice the largest coordinate relative to the reference
   CHECK(unit <= 12);
   CHECK(bodies.faces.size() == 6);
   REQUIRE(body.faces.size() == 6);
@@ -83,7 +83,7 @@ TEST_CASE("a block as a body: its faces, sides, edges, polygons and balls, by ha
     const glm::dvec3 size = (face.box.high - face.box.low) * unit;
     CHECK(face.radius * unit == doctest::Approx(glm::length(size) / 2));
     for (std::size_t i = 0; i < 4; ++i) {
-      // The corner that a side begins at is on its plane and on that of the side before.
+      // The first corner of a side lies on its plane and on that of the previous side.
       REQUIRE(sides[i].vertex < 8);
       CHECK(glm::distance(body.vertices[sides[i].vertex],
                           corner_of(bodies, face.halfspace.plane, sides[(i + 3) % 4].plane, sides[i].plane)) < 1e-11);
@@ -109,8 +109,8 @@ TEST_CASE("a block as a body: its faces, sides, edges, polygons and balls, by ha
   }
 }
 
-TEST_CASE("what may become one: a part of the model's diagonal, or of the least width of a node, but of some length") {
-  // 10^-10 of the diagonal, 10^-5 of the width; 10^-24 of the diagonal at least.
+TEST_CASE("the merge tolerance depends on the diagonal and the smallest node width") {
+  // It is 10^-10 of the diagonal or 10^-5 of the width, and at least 10^-24 of the diagonal.
   const auto tolerance = [](const std::string& csg) { return bodies_of(csg).tolerance; };
   CHECK(tolerance("cube([3,4,12]);") == doctest::Approx(13e-10));
   CHECK(tolerance("cube([30000,40000,120000]);") == doctest::Approx(13e-6));
@@ -120,21 +120,21 @@ TEST_CASE("what may become one: a part of the model's diagonal, or of the least 
     CHECK(tolerance(wide + small) == doctest::Approx(1e-6));
     CHECK(tolerance(small + wide) == doctest::Approx(1e-6));
   }
-  // Thin, though its box is not.
+  // A thin solid with a wide bounding box.
   CHECK(tolerance(wide + turned_by_45("cube([0.1,2,3]);")) == doctest::Approx(1e-6));
   CHECK(tolerance("cube([1e11,1e11,1e-9]);") == doctest::Approx(std::sqrt(2.0) * 1e-13));
 }
 
-TEST_CASE("edges are kept of solids that have no more than two hundred") {
-  // A cone of n sides has n edges around its base, and n up to its tip.
+TEST_CASE("stores edges only for solids with at most two hundred") {
+  // A cone of n sides has n edges around its base and n up to its apex.
   CHECK(bodies_of(cone(100)).bodies[0].edges.size() == 200);
   CHECK(bodies_of(cone(101)).bodies[0].edges.empty());
   CHECK(bodies_of("cylinder($fn=66,$fa=12,$fs=2,h=2,r1=3,r2=3);").bodies[0].edges.size() == 198);
   CHECK(bodies_of("cylinder($fn=67,$fa=12,$fs=2,h=2,r1=3,r2=3);").bodies[0].edges.empty());
 }
 
-TEST_CASE("faces in one plane have one number, and bodies are found by their boxes") {
-  // In common: the planes x = 1, and y and z at both ends.
+TEST_CASE("coplanar faces share a number and bodies are found by their boxes") {
+  // Shared planes: x = 1, and y and z at both ends.
   const Bodies bodies =
       bodies_of("cube([1,2,3]);" + moved_by(1, 0, 0, "cube([5,2,3]);") + moved_by(9, 0, 0, "cube([1,1,1]);"));
   CHECK(bodies.faces.size() == 3 + 4 + 2 + 2);
@@ -144,35 +144,34 @@ TEST_CASE("faces in one plane have one number, and bodies are found by their box
   CHECK(near(2) == std::vector<std::uint32_t>{2});
 }
 
-TEST_CASE(
-    "planes are one where neither solid's faces move by more than its tolerance, and opposites in a solid are two") {
-  // Diagonal 8, unit 16: balls of radius 2 and 1 about the origin, tolerances of 4e-12 and 1e-12.
+TEST_CASE("merges planes within tolerance except opposite faces of one solid") {
+  // The diagonal is 8 and the unit 16: spheres of radius 2 and 1 around the origin, tolerances 4e-12 and 1e-12.
   convert::FacePlanes planes(glm::dvec3(0), 8, 16);
   planes.begin({{0, 0, 0}, 2, 4e-12});
   CHECK(planes.add({{1, 0, 0}, -1}) == facet::Halfspace{0, true});
   CHECK(planes.add({{1, 0, 0}, -1}) == facet::Halfspace{0, true});
   CHECK(planes.add({{-1, 0, 0}, 1 + 0x1p-39}) ==
-        facet::Halfspace{1, false});  // 1.8e-12 apart, and all the solid between
+        facet::Halfspace{1, false});  // 1.8e-12 apart with the whole solid in between
   CHECK(planes.add({{1, 0, 0}, -1 - 0x1p-38}) == facet::Halfspace{0, true});  // 3.6e-12
   CHECK(planes.add({{1, 0, 0}, -1 - 0x1p-37}) == facet::Halfspace{2, true});  // 7.3e-12
-  CHECK(planes.add({{-1, 0, 0}, 1}) == facet::Halfspace{0, false});           // the same points, from behind
+  CHECK(planes.add({{-1, 0, 0}, 1}) == facet::Halfspace{0, false});           // the same plane with the opposite normal
   CHECK(planes.planes().size() == 3);
   planes.begin({{0, 0, 0}, 1, 1e-12});
-  CHECK(planes.add({{-1, 0, 0}, 1 - 0x1p-41}) == facet::Halfspace{0, false});  // 0.5e-12: of another solid
+  CHECK(planes.add({{-1, 0, 0}, 1 - 0x1p-41}) == facet::Halfspace{0, false});  // 0.5e-12, for another solid
   CHECK(planes.add({{0, 1, 0}, 0}) == facet::Halfspace{3, true});
   CHECK(planes.add({{0, -1, 0}, 0x1p-39}) == facet::Halfspace{4, false});
-  // Turned, by what a ball of radius 1 is moved less by than one of radius 2.
+  // A rotated plane moves less within a sphere of radius 1 than within one of radius 2.
   planes.begin({{0, 0, 0}, 2, 1e-12});
   const double turn = 0x1p-40;  // 0.9e-12
   CHECK(planes.add({{0, 1, turn}, 0}) == facet::Halfspace{5, true});
   planes.begin({{0, 0, 0}, 1, 1e-12});
   CHECK(planes.add({{0, 1, turn}, 0}) == facet::Halfspace{3, true});
-  // About a far middle, too.
+  // The same rotation about a distant centre.
   planes.begin({{0, 0, 4}, 1, 1e-12});
   CHECK(planes.add({{0, 1, 2 * turn}, 0}) == facet::Halfspace{6, true});
 }
 
-TEST_CASE("planes are held relative to a place") {
+TEST_CASE("planes are stored relative to a reference point") {
   convert::FacePlanes planes({10, 20, 30}, 8, 16);
   planes.begin({{0, 0, 0}, 2, 1e-12});
   CHECK(planes.add({{0, 1, 0}, -21}) == facet::Halfspace{0, true});
@@ -182,7 +181,7 @@ TEST_CASE("planes are held relative to a place") {
   CHECK(planes.planes()[1].normal == glm::dvec3(0, 0, 1));
 }
 
-TEST_CASE("points of planes are one where they are equal exactly, and lie between others in their order") {
+TEST_CASE("exactly equal points are merged and points on a line are ordered") {
   // Planes x = i / 16 for i from 0 to 4, then y = 0, z = 0, y = z, and x + y + z = 1 / 8, 1 / 8 + 2^-60.
   std::vector<facet::Plane> given;
   for (int i = 0; i < 5; ++i) given.push_back({{1, 0, 0}, -i / 16.0});
@@ -195,14 +194,14 @@ TEST_CASE("points of planes are one where they are equal exactly, and lie betwee
   CHECK(points.add({2, 6, 7}) == 2);
   CHECK(points.add({5, 6, 8}) == 2);
   CHECK(points.add({6, 7, 8}) == 2);
-  CHECK(points.add({5, 6, 9}) == 5);  // beside it
+  CHECK(points.add({5, 6, 9}) == 5);  // a distinct neighbour
   CHECK(points.places().size() == 6);
   points.forget_planes();
   CHECK(points.add({3, 6, 7}) == 3);
   CHECK(points.add({3, 5, 7}) == 3);
   CHECK(points.places()[3] * planes.unit() == glm::dvec3(3 / 16.0, 0, 0));
   CHECK(points.planes(3) == software::Triple{3, 5, 6});
-  // On the line of y = 0 and z = 0: those between, from either end; none beyond, nor the ends.
+  // The points strictly between two ends on the line y = 0, z = 0, from either end.
   const std::uint32_t off = points.add({2, 7, 9});
   CHECK(off == 6);
   const std::vector<std::uint32_t> all{4, 3, 2, 1, 0, 5, 6};
@@ -214,7 +213,7 @@ TEST_CASE("points of planes are one where they are equal exactly, and lie betwee
   CHECK(convert::points_between(planes, points, 3, 1, {5, 6}, Numbers{0, 1, 3, 4}).empty());
 }
 
-TEST_CASE("what lies side by side and is united alone has nothing that has to be divided") {
+TEST_CASE("adjacent bodies in a plain union need no splitting") {
   const std::string cube = "cube([2,2,2]);";
   struct Row {
     std::string csg;
@@ -223,10 +222,10 @@ TEST_CASE("what lies side by side and is united alone has nothing that has to be
   for (const Row& row :
        std::vector<Row>{{cube, {true}},
                         {cube + moved_by(5, 0, 0, cube), {true, true}},
-                        {cube + moved_by(2, 0, 0, cube), {true, true}},  // a face in common
-                        {cube + moved_by(2, 1, 0, cube), {true, true}},  // a part of a face
-                        {cube + moved_by(2, 2, 0, cube), {true, true}},  // an edge
-                        {cube + moved_by(2, 2, 2, cube), {true, true}},  // a corner
+                        {cube + moved_by(2, 0, 0, cube), {true, true}},  // share a face
+                        {cube + moved_by(2, 1, 0, cube), {true, true}},  // share part of a face
+                        {cube + moved_by(2, 2, 0, cube), {true, true}},  // share an edge
+                        {cube + moved_by(2, 2, 2, cube), {true, true}},  // share a corner
                         {cube + moved_by(1, 0, 0, cube), {false, false}},
                         {cube + cube, {false, false}},
                         {cube + moved_by(1, 0, 0, cube) + moved_by(9, 0, 0, cube), {false, false, true}},
@@ -234,14 +233,14 @@ TEST_CASE("what lies side by side and is united alone has nothing that has to be
                         {"difference(){" + cube + moved_by(2, 0, 0, cube) + "}", {false, false}},
                         {"intersection(){" + cube + moved_by(1, 1, 1, cube) + "}", {false, false}},
                         {"difference(){" + cube + moved_by(5, 0, 0, cube) + "}", {false, false}},
-                        // The edge of one on the face of the other: from (2, 1) on.
+                        // The edge of one lies on the face of the other, starting at (2, 1).
                         {cube + moved_by(2, 1, 0, turned_by_45(moved_by(0, -2, 0, cube))), {true, true}}}) {
     CAPTURE(row.csg);
-    CHECK(whole_of(row.csg) == row.whole);
+    CHECK(unsplit_of(row.csg) == row.whole);
   }
 }
 
-TEST_CASE("a body whose polygons are not known has to be divided, and so has what is beside it") {
+TEST_CASE("a body with unknown polygons and its neighbours must be split") {
   const std::string cube = "cube([2,2,2]);";
   const model::Tree tree = read::read_csg_text(cube + moved_by(2, 0, 0, cube) + moved_by(9, 0, 0, cube), "m.csg");
   for (std::size_t unknown = 0; unknown < 3; ++unknown) {
@@ -266,9 +265,9 @@ std::vector<std::vector<convert::Fragment>> fragments_of(const model::Tree& tree
 
 }  // namespace
 
-TEST_CASE("the parts of a boundary come body by body, those on the back the other way around") {
-  // The corner of the first cube that the second one fills: three faces of each are whole, three are cut; what is cut
-  // of the second one is turned inwards.
+TEST_CASE("returns fragments per body with back faces reversed") {
+  // The second cube removes a corner of the first: three faces of each are whole and three are cut; the fragments of
+  // the second face inwards.
   const model::Tree tree =
       read::read_csg_text("difference(){cube([4,4,4]);" + moved_by(2, 2, 2, "cube([4,4,4]);") + "}", "m.csg");
   const Bodies bodies = convert::make_bodies(tree, {});
@@ -287,7 +286,7 @@ TEST_CASE("the parts of a boundary come body by body, those on the back the othe
       for (std::size_t i = 0; i < places.size(); ++i) {
         const std::size_t next = (i + 1) % places.size();
         twice += glm::cross(places[i] - places[0], places[next] - places[0]);
-        // The side to the next corner is along another plane that both are on.
+        // The side to the next corner lies on a second plane that contains both corners.
         for (const convert::FragmentCorner* const end : {&fragment.corners[i], &fragment.corners[next]}) {
           const std::array on{fragment.plane, fragment.corners[i].along};
           CHECK(bodies.planes.are_on(end->planes, on));
@@ -302,7 +301,7 @@ TEST_CASE("the parts of a boundary come body by body, those on the back the othe
   CHECK(area == doctest::Approx(6 * 16));
 }
 
-TEST_CASE("threads find the same parts with the same work, in the same order, and stop at its limit") {
+TEST_CASE("threads find the same fragments with the same work and stop at its limit") {
   std::string csg;
   for (int i = 0; i < 12; ++i) csg += moved_by(i, 0.5 * i, 0.25 * i, "cube([3,3,3]);");
   const model::Tree tree = read::read_csg_text(csg, "m.csg");

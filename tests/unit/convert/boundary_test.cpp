@@ -27,7 +27,7 @@ std::string moved(double x, double y, double z, const std::string& what) {
 
 }  // namespace
 
-TEST_CASE("a cube has eight points, twelve triangles, one shell") {
+TEST_CASE("a cube converts to eight points and twelve triangles") {
   const software::convert::Surface surface = converted("cube([1,2,3]);");
   CHECK(surface.points.size() == 8);
   CHECK(surface.triangles.size() == 12);
@@ -38,14 +38,14 @@ TEST_CASE("a cube has eight points, twelve triangles, one shell") {
   CHECK(measures.genus() == 0);
 }
 
-TEST_CASE("cubes with a common face become one, without a trace of it") {
+TEST_CASE("cubes with a common face merge without a trace of it") {
   const software::convert::Surface surface = converted("cube([1,2,3]);" + moved(1, 0, 0, "cube([1,2,3]);"));
   CHECK(surface.points.size() == 8);
   CHECK(surface.triangles.size() == 12);
   CHECK(testing::volume_of(judged(surface)) == doctest::Approx(12).epsilon(1e-14));
 }
 
-TEST_CASE("a hole through a cube makes a torus, a cavity a second shell") {
+TEST_CASE("a hole makes a torus and a cavity makes a second shell") {
   const software::convert::Measures hole =
       measures_of("difference(){cube([3,3,3]);" + moved(1, 1, -1, "cube([1,1,5]);") + "}");
   CHECK(hole.genus() == 1);
@@ -59,7 +59,7 @@ TEST_CASE("a hole through a cube makes a torus, a cavity a second shell") {
   CHECK(cavity.volume == doctest::Approx(26).epsilon(1e-14));
 }
 
-TEST_CASE("cubes that touch along an edge or at a corner are two shells, and points there two") {
+TEST_CASE("cubes touching at an edge or corner are two shells with separate points") {
   for (const char* const shift : {"1,1,0", "1,1,1"}) {
     const std::string at(shift);
     const double z = at.back() - '0';
@@ -70,20 +70,20 @@ TEST_CASE("cubes that touch along an edge or at a corner are two shells, and poi
   }
 }
 
-TEST_CASE("around an edge where a solid touches itself, each part keeps its own faces") {
-  // Two holes whose corners meet in the middle of a plate: the rims touch, and the plate is one.
+TEST_CASE("solids that touch themselves along an edge keep consistent faces") {
+  // Two holes with a common corner in the middle of a plate: their rims touch, and the plate is one shell.
   const software::convert::Measures measures = measures_of(
       "difference(){cube([4,4,1]);" + moved(1, 1, -1, "cube([1,1,3]);") + moved(2, 2, -1, "cube([1,1,3]);") + "}");
   CHECK(measures.volume == doctest::Approx(14).epsilon(1e-14));
   CHECK(measures.shells == 1);
 }
 
-TEST_CASE("what is left of nothing is nothing") {
+TEST_CASE("an empty model has an empty surface") {
   CHECK(converted("difference(){cube([1,1,1]);cube([1,1,1]);}").triangles.empty());
   CHECK(converted("intersection(){cube([1,1,1]);" + moved(1, 0, 0, "cube([1,1,1]);") + "}").triangles.empty());
 }
 
-TEST_CASE("a side ends at every corner of others that is on it") {
+TEST_CASE("splits a side at every corner of other faces on it") {
   // A bar across the top of a block meets its edges in the middle.
   const software::convert::Measures measures =
       measures_of("cube([4,4,2]);" + moved(1, -1, 1, "cube([1,6,1]);") + moved(0, 1, 2, "cube([4,1,1]);"));
@@ -91,7 +91,7 @@ TEST_CASE("a side ends at every corner of others that is on it") {
   CHECK(measures.shells == 1);
 }
 
-TEST_CASE("spheres and cylinders about one point, whose corners fall together, are closed") {
+TEST_CASE("concentric spheres and cylinders with coincident corners are closed") {
   const std::string round = "$fn=24,$fa=12,$fs=2";
   for (const char* const op : {"union", "difference", "intersection"}) {
     CAPTURE(op);

@@ -10,12 +10,12 @@ namespace csgsim::testing {
 
 software::convert::Surface converted(const model::Tree& tree);
 
-/// Of a model's text.
+/// Converts the text of a model.
 software::convert::Surface converted(const std::string& csg);
 
 JudgedMesh judged(const software::convert::Surface& surface);
 
-/// Whether the tree holds a point, by the planes of its primitives; none where it is nearer to one than that.
+/// Whether the tree contains a point, according to the planes of its primitives; `unsure` within `near` of a plane.
 enum class Held { in, out, unsure };
 Held held_by(const model::Tree& tree, const glm::dvec3& point, double near);
 

@@ -7,9 +7,8 @@
 
 using namespace csgsim;
 
-// openscad_volumes.txt has the volumes of OpenSCAD 2021.01's STL files, whose coordinates have six digits.
-TEST_CASE(
-    "all models and the corpus are converted: closed, without points on edges, of the volumes that OpenSCAD has") {
+// openscad_volumes.txt lists the volumes of OpenSCAD 2021.01's STL files, which have coordinates of six digits.
+TEST_CASE("converts the corpus to closed meshes with the volumes of OpenSCAD") {
   const std::string tests = CSGSIM_SOURCE_DIR "/tests";
   std::ifstream volumes(tests + "/unit/convert/openscad_volumes.txt");
   std::string name;

@@ -30,7 +30,7 @@ std::string at(const std::string& x, const std::string& y, const std::string& z,
 
 std::size_t planes_of(const std::string& csg) { return convert::make_bodies(tree_of(csg), {}).faces.size(); }
 
-/// A cube of 1 as a body, without its faces in some planes: numbers 2 axis for the lower one, 2 axis + 1 for the upper.
+/// A unit cube as a body without some of its faces: face 2 axis is the lower one, 2 axis + 1 the upper.
 Body open_cube(const std::set<std::uint32_t>& missing, const software::WholePlanes& planes, const Work& work = {}) {
   model::Primitive primitive;
   primitive.shape = model::Cube{{1, 1, 1}, false};
@@ -54,7 +54,7 @@ Body open_cube(const std::set<std::uint32_t>& missing, const software::WholePlan
   return body;
 }
 
-/// Planes of the cube, in a box that is larger.
+/// Planes of the cube, in a larger box.
 software::WholePlanes cube_planes() {
   std::vector<facet::Plane> given;
   for (int axis = 0; axis < 3; ++axis) {
@@ -76,12 +76,13 @@ std::vector<std::vector<convert::Fragment>> parts_of(const model::Tree& tree, co
   return found;
 }
 
-std::vector<bool> whole_bodies(const std::string& csg, const Work& work = {}) {
+std::vector<bool> unsplit_bodies(const std::string& csg, const Work& work = {}) {
   const model::Tree tree = tree_of(csg);
   return convert::side_by_side(convert::make_bodies(tree, {}), csg::make_positive(tree), work);
 }
 
-/// A cube from -1 to 1, and another with an edge across that at x = y = 1, from (place, place, 0) on.
+/// A cube from -1 to 1, and a second one with an edge that crosses the first one's edge at x = y = 1, starting at
+/// (place, place, 0).
 std::string crossed_edges(const std::string& place) {
   return at("-1", "-1", "-1", "cube([2,2,2]);") + "multmatrix([[0.70710678118654752,0.5,0.5," + place +
          "],[-0.70710678118654752,0.5,0.5," + place + "],[0,0.70710678118654752,-0.70710678118654752,0],[0,0,0,1]]){" +
@@ -90,7 +91,7 @@ std::string crossed_edges(const std::string& place) {
 
 }  // namespace
 
-TEST_CASE("a body whose half-spaces do not meet goes to the outermost wall there") {
+TEST_CASE("an unbounded body extends to the outermost wall") {
   const software::WholePlanes planes = cube_planes();
   const double unit = planes.unit();
   const Body closed = open_cube({}, planes);
@@ -111,7 +112,7 @@ TEST_CASE("a body whose half-spaces do not meet goes to the outermost wall there
     CHECK(glm::distance(open.box.high * unit, high) < 1e-9);
     CHECK(open.sides.size() == 24);
   }
-  // One that is between the upper and the lower half of a plane is none.
+  // A body between the upper and the lower half-space of a single plane is empty.
   Body flat = closed;
   flat.faces[1].halfspace = {flat.faces[0].halfspace.plane, !flat.faces[0].halfspace.positive};
   flat.sides.clear();
@@ -123,10 +124,10 @@ TEST_CASE("a body whose half-spaces do not meet goes to the outermost wall there
   CHECK(flat.box.empty());
 }
 
-TEST_CASE("how far faces may move to share a plane: by tolerance, by rounding far away, and by thickness") {
-  // Two plates of 0.1 with a gap between them, of which six planes are in common or the same where it is closed:
-  // three or four across x, two across y and z. Within 1e8 the tolerance is 1e-5 of the thickness, of which 0.3 counts;
-  // at 5e11 rounding is 2^-50 of that, 4.4e-4, but no more than a thousandth of the thickness counts.
+TEST_CASE("faces share a plane only within a limit") {
+  // Two plates of 0.1 with a gap between them. Six of their planes coincide, or more when the gap counts as closed:
+  // three or four remain across x, two across y and z. Within 1e8 the tolerance is 1e-5 of the thickness, and 0.3
+  // counts; at 5e11 rounding is 2^-50 of that, 4.4e-4, limited to a thousandth of the thickness.
   const auto planes = [](const std::string& far, const std::string& second) {
     return planes_of(at("0", far, "0", "cube([0.1,1e8,1e8]);") + at(second, far, "0", "cube([0.1,1e8,1e8]);"));
   };
@@ -138,15 +139,16 @@ TEST_CASE("how far faces may move to share a plane: by tolerance, by rounding fa
   CHECK(planes("5e11", "0.1002") == 8);
 }
 
-TEST_CASE("planes that are turned by little are held against each other where the solids are") {
-  // Leaning by 1e-13 about its own place, not about the origin: off by so much in a cube, and by 1e-7 a million away.
+TEST_CASE("compares slightly rotated planes at the location of the solids") {
+  // Tilted by 1e-13 about its own location: within a cube the offset is equally small, but about the origin, a million
+  // away, it would be 1e-7.
   const std::string beside = "multmatrix([[1,0,0,1],[0,1,0,1e6],[0,1e-13,1,0],[0,0,0,1]]){cube([1,1,1]);}";
   CHECK(planes_of(at("0", "1e6", "0", "cube([1,1,1]);") + beside) == 7);
 }
 
-TEST_CASE("an edge too short for its coordinates is a point: 2^-48 of the largest, along any axis") {
-  // A step of a thousandth or more from one cube to another; at 5e11 the limit is 0.00178. With it there are six
-  // corners in the section, without it five.
+TEST_CASE("an edge shorter than 2^-48 of the largest coordinate collapses to a point") {
+  // A step of at least a thousandth from one cube to the next; at 5e11 the limit is 0.00178. The section has six
+  // corners with the step and five without.
   struct Step {
     const char* far;
     const char* height;
@@ -157,7 +159,7 @@ TEST_CASE("an edge too short for its coordinates is a point: 2^-48 of the larges
       CAPTURE(axis);
       CAPTURE(row.far);
       CAPTURE(row.height);
-      // Cubes that overlap along the next axis, as high as 1 and the step along the one after.
+      // The cubes overlap along the next axis; their heights along the axis after it are 1 and the step.
       const auto i = static_cast<std::size_t>(axis);
       std::array<std::string, 3> first{"0", "0", "0"};
       first[i] = row.far;
@@ -177,9 +179,9 @@ TEST_CASE("an edge too short for its coordinates is a point: 2^-48 of the larges
   }
 }
 
-TEST_CASE("a face that many others are near but do not cut stays whole") {
-  // Beside the slanting side of a triangular prism, cubes from (a, 10.5 - a) on: their planes pass through its ends,
-  // they do not.
+TEST_CASE("a face near many others stays whole if none of them cuts it") {
+  // Cubes starting at (a, 10.5 - a) next to the slanting side of a triangular prism: their planes pass through its
+  // ends, the cubes do not.
   std::string csg =
       "linear_extrude(height=1,center=false,convexity=1,scale=[1,1],$fn=0,$fa=12,$fs=2){"
       "polygon(points=[[0,0],[10,0],[0,10]],paths=undef,convexity=1);}";
@@ -195,8 +197,8 @@ TEST_CASE("a face that many others are near but do not cut stays whole") {
   CHECK(convert::measure(surface).shells == 9);
 }
 
-TEST_CASE("a face with many others through it: bars and bores of a plate, by volume and area") {
-  // A plate of 10 by 10 with twelve bars of 1 by 1 through it in three rows, each third one a bore.
+TEST_CASE("a plate with many bars and bores has the expected volume and area") {
+  // A plate of 10 by 10 with twelve 1 by 1 bars through it in three rows; each third one is a bore.
   std::string bars;
   std::string bores;
   for (int i = 0; i < 12; ++i) {
@@ -214,8 +216,8 @@ TEST_CASE("a face with many others through it: bars and bores of a plate, by vol
   CHECK(measures.genus() == 4);
 }
 
-TEST_CASE("parts of faces know the vertices that their corners stand for") {
-  // Seven corners of the first cube are left, and one of the second in it.
+TEST_CASE("fragments refer to the vertices at their corners") {
+  // Seven corners of the first cube remain, and one corner of the second lies in it.
   const auto found = parts_of(tree_of("difference(){cube([4,4,4]);" + at("2", "2", "2", "cube([4,4,4]);") + "}"));
   REQUIRE(found.size() == 2);
   for (const std::size_t body : {std::size_t{0}, std::size_t{1}}) {
@@ -228,37 +230,37 @@ TEST_CASE("parts of faces know the vertices that their corners stand for") {
   }
 }
 
-TEST_CASE("bodies whose edges cross with a plane between them are side by side, and those that overlap are not") {
-  CHECK(whole_bodies(crossed_edges("1.05")) == std::vector<bool>{true, true});
-  CHECK(whole_bodies(crossed_edges("1")) == std::vector<bool>{true, true});
-  CHECK(whole_bodies(crossed_edges("0.95")) == std::vector<bool>{false, false});
+TEST_CASE("bodies separated by a plane between crossing edges are not split") {
+  CHECK(unsplit_bodies(crossed_edges("1.05")) == std::vector<bool>{true, true});
+  CHECK(unsplit_bodies(crossed_edges("1")) == std::vector<bool>{true, true});
+  CHECK(unsplit_bodies(crossed_edges("0.95")) == std::vector<bool>{false, false});
   const convert::Surface surface = testing::converted(crossed_edges("0.95"));
   CHECK(testing::fault_of(testing::judged(surface)) == "");
 }
 
-TEST_CASE("the work of a cube alone, and of two, by hand") {
-  // Each of six faces is cut by its four neighbours, one and a quarter of its corners each time: 2.
+TEST_CASE("the work for one and two cubes matches a hand calculation") {
+  // Each of six faces is cut by its four neighbours at the cost of its corners, one and a quarter each time: 2.
   const model::Tree cube = tree_of("cube([1,1,1]);");
   const Work bodies(1'000'000);
   convert::make_bodies(cube, {}, bodies);
   CHECK(bodies.done() == 6 * 4 * 2);
-  // Side by side: one is near itself.
+  // Search for adjacent bodies: a body is near itself.
   const Work alone(1'000'000);
-  CHECK(whole_bodies("cube([1,1,1]);", alone) == std::vector<bool>{true});
+  CHECK(unsplit_bodies("cube([1,1,1]);", alone) == std::vector<bool>{true});
   CHECK(alone.done() == 1);
   const Work both(1'000'000);
   convert::boundary(cube, {}, both);
   CHECK(both.done() == 48 + 1);
-  // As parts: one near body; each face by itself, with one operand.
+  // Fragments: one near body; each face alone with one operand.
   const Work parts(1'000'000);
   CHECK(parts_of(cube, parts).at(0).size() == 6);
   CHECK(parts.done() == 1 + 6 * (1 + 1));
-  // Two that touch: both near both; the first one is beyond one of six faces of the second.
+  // Two touching cubes: each is near both; the first is beyond one of the six faces of the second.
   const Work two(1'000'000);
-  whole_bodies("cube([1,1,1]);" + at("1", "0", "0", "cube([1,1,1]);"), two);
+  unsplit_bodies("cube([1,1,1]);" + at("1", "0", "0", "cube([1,1,1]);"), two);
   CHECK(two.done() == 2 * 2 + 6);
-  // Faces both ways, and twelve edges by twelve.
+  // The faces in both directions, and twelve edges by twelve.
   const Work edges(1'000'000);
-  whole_bodies(crossed_edges("1.05"), edges);
+  unsplit_bodies(crossed_edges("1.05"), edges);
   CHECK(edges.done() == 2 * 2 + 6 + 6 + 12 * 12);
 }

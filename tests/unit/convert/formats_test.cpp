@@ -28,7 +28,7 @@ testing::JudgedMesh read_back(const std::string& content, const std::string& end
 
 }  // namespace
 
-TEST_CASE("each format is read back as a closed mesh of the same volume") {
+TEST_CASE("each format reads back as a closed mesh of the same volume") {
   for (const char* const name : {"carburettor", "old_example003", "thesis_fig_2_3"}) {
     CAPTURE(name);
     const convert::Surface surface = surface_of_file(name);
@@ -41,7 +41,7 @@ TEST_CASE("each format is read back as a closed mesh of the same volume") {
         const testing::JudgedMesh mesh =
             read_back(format->write(surface, {.is_text = is_text}), std::string(format->ending));
         CHECK(testing::welded_fault_of(mesh) == "");
-        // Single precision has 24 bits, and texts of STL are read in it too, as OpenSCAD does.
+        // Single precision has 24 bits. STL texts are also read in single precision, as in OpenSCAD.
         const bool is_single = format->ending == ".stl";
         CHECK(testing::volume_of(mesh) == doctest::Approx(volume).epsilon(is_single ? 1e-6 : 1e-14));
       }
@@ -49,7 +49,7 @@ TEST_CASE("each format is read back as a closed mesh of the same volume") {
   }
 }
 
-TEST_CASE("OFF has polygons that share points, without a point on an edge") {
+TEST_CASE("OFF has polygons with shared points and no point on an edge") {
   const convert::Surface surface = surface_of_file("carburettor");
   const testing::JudgedMesh mesh = read_back(convert::format_of(".off")->write(surface, {}), ".off");
   CHECK(testing::fault_of(mesh) == "");
@@ -60,7 +60,7 @@ TEST_CASE("OFF has polygons that share points, without a point on an edge") {
   CHECK(cube.faces.size() == 6);
 }
 
-TEST_CASE("a format is known by the end of a name, in small letters or capitals") {
+TEST_CASE("the format is chosen by the file name's extension in either case") {
   CHECK(convert::format_of("a/b.stl")->ending == ".stl");
   CHECK(convert::format_of("B.STL")->ending == ".stl");
   CHECK(convert::format_of("b.3mf")->ending == ".3mf");
@@ -68,15 +68,15 @@ TEST_CASE("a format is known by the end of a name, in small letters or capitals"
   CHECK(convert::format_of("stl") == nullptr);
 }
 
-TEST_CASE("a zipped mesh has the same bytes whenever it is written") {
+TEST_CASE("a zipped mesh has the same bytes every time it is written") {
   const convert::Surface surface = testing::converted("cube([1,2,3]);");
   CHECK(convert::format_of(".3mf")->write(surface, {}) == convert::format_of(".3mf")->write(surface, {}));
 }
 
-TEST_CASE("binary STL leaves out triangles whose corners are one in single precision, whichever two") {
+TEST_CASE("binary STL omits triangles that collapse in single precision") {
   const convert::Surface cube =
       testing::converted("multmatrix([[1,0,0,5],[0,1,0,5],[0,0,1,5],[0,0,0,1]]){cube([1,2,3]);}");
-  // A point on an edge, nearer to one of its ends than single precision tells.
+  // A point on an edge, closer to one of its ends than single precision can resolve.
   const convert::Triangle first = cube.triangles.front();
   const std::uint32_t a = first[0];
   const std::uint32_t b = first[1];
@@ -110,7 +110,7 @@ TEST_CASE("binary STL leaves out triangles whose corners are one in single preci
   }
 }
 
-TEST_CASE("binary STL refuses a model that single precision would change") {
+TEST_CASE("binary STL rejects a model that single precision would distort") {
   const convert::Surface far = testing::converted(
       "cube([2,2,2]);multmatrix([[1,0,0,3000000000],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube([2,2,2]);}");
   CHECK_THROWS_WITH_AS(
@@ -123,7 +123,7 @@ TEST_CASE("binary STL refuses a model that single precision would change") {
   CHECK(testing::volume_of(read_back(convert::format_of(".off")->write(far, {}), ".off")) == 16);
 }
 
-TEST_CASE("3MF states millimetres") {
+TEST_CASE("3MF declares millimetres as its unit") {
   const std::string bytes = convert::format_of(".3mf")->write(testing::converted("cube([1,2,3]);"), {});
   const std::string model = solids::unzip(bytes, "cube.3mf", "3D/3dmodel.model");
   CHECK(model.find("<model unit=\"millimeter\"") != std::string::npos);
@@ -131,7 +131,7 @@ TEST_CASE("3MF states millimetres") {
 
 namespace {
 
-/// A tetrahedron at three axes.
+/// A tetrahedron with a corner at the origin and edges along the axes.
 convert::Surface small_surface() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 0.1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, {0, 1, 2, 3}};
 }
@@ -148,7 +148,7 @@ float float_at(const std::string& bytes, std::size_t at) { return std::bit_cast<
 
 }  // namespace
 
-TEST_CASE("the table of formats: endings, and which has a text beside its binary form") {
+TEST_CASE("lists the formats with their extensions and text variants") {
   std::vector<std::string> endings;
   for (const convert::Format* const format : convert::formats()) {
     endings.emplace_back(format->ending);
@@ -161,66 +161,65 @@ TEST_CASE("the table of formats: endings, and which has a text beside its binary
   CHECK(convert::format_of("") == nullptr);
 }
 
-TEST_CASE("binary STL byte by byte: header, count, normals and corners in single precision") {
+TEST_CASE("writes binary STL byte by byte as specified") {
   const std::string bytes = convert::format_of(".stl")->write(small_surface(), {});
   REQUIRE(bytes.size() == 84 + 4 * 50);
   CHECK(bytes.substr(0, 20) == "binary STL by csgsim");
   CHECK(bytes.substr(20, 60) == std::string(60, ' '));
   CHECK(word_at(bytes, 80) == 4);
-  // The second facet is in the plane of x and z and faces -y.
+  // The second facet lies in the plane of x and z and faces -y.
   const std::array<float, 12> second{0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0.1F};
   for (std::size_t i = 0; i < second.size(); ++i) CHECK(float_at(bytes, 84 + 50 + 4 * i) == second[i]);
   CHECK(word_at(bytes, 84 + 50 + 48, 2) == 0);
-  // The last one's normal is (0.2, 0.1, 2), of the root of 4.05.
+  // The normal of the last facet is (0.2, 0.1, 2), divided by the root of 4.05.
   CHECK(float_at(bytes, 84 + 150) == doctest::Approx(0.2 / std::sqrt(4.05)));
   CHECK(float_at(bytes, 84 + 154) == doctest::Approx(0.1 / std::sqrt(4.05)));
   CHECK(float_at(bytes, 84 + 158) == doctest::Approx(2 / std::sqrt(4.05)));
 }
 
-TEST_CASE("a surface without triangles is a file of none") {
+TEST_CASE("writes an empty surface as a valid file") {
   CHECK(convert::format_of(".stl")->write({}, {}).size() == 84);
   CHECK(convert::format_of(".stl")->write({}, {.is_text = true}) == "solid csgsim\nendsolid csgsim\n");
   CHECK(convert::format_of(".off")->write({}, {}) == "OFF\n0 0 0\n");
 }
 
-TEST_CASE("STL as text, word by word, and no normal where there is no area") {
+TEST_CASE("writes STL text exactly and a zero normal for an empty triangle") {
   convert::Surface surface = small_surface();
   surface.triangles = {{0, 1, 3}, {0, 1, 1}};
   CHECK(convert::format_of(".stl")->write(surface, {.is_text = true}) ==
         "solid csgsim\n"
-        "facet normal 0 -1 0\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 0 0.1\n endloop\nendfacet\n"
-        "facet normal 0 0 0\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 1 0 0\n endloop\nendfacet\n"
+        "facet normal 0 -1 0\n outer loop\n vertex 0 0 0\n vertex 1 0 0\n vertex 0 0 0.1\n endloop\nendfacet\n"
+        "facet normal 0 0 0\n outer loop\n vertex 0 0 0\n vertex 1 0 0\n vertex 1 0 0\n endloop\nendfacet\n"
         "endsolid csgsim\n");
 }
 
-TEST_CASE("OFF, word by word") {
+TEST_CASE("writes OFF text exactly") {
   CHECK(convert::format_of(".off")->write(small_surface(), {}) ==
         "OFF\n4 4 0\n0 0 0\n1 0 0\n0 2 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
 }
 
-TEST_CASE("3MF, word by word: one object that is built, and the parts that packages have") {
+TEST_CASE("writes 3MF exactly with one built object and the required package parts") {
   const std::string bytes = convert::format_of(".3mf")->write(small_surface(), {});
   CHECK(solids::unzip(bytes, "a.3mf", "3D/3dmodel.model") ==
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
-        " <resources>\n  <object id=\"1\" type=\"model\">\n   <mesh>\n    <vertices>\n"
-        "     <vertex x=\"0\" y=\"0\" z=\"0\" />\n     <vertex x=\"1\" y=\"0\" z=\"0\" />\n"
-        "     <vertex x=\"0\" y=\"2\" z=\"0\" />\n     <vertex x=\"0\" y=\"0\" z=\"0.1\" />\n    </vertices>\n"
-        "    <triangles>\n     <triangle v1=\"0\" v2=\"2\" v3=\"1\" />\n     <triangle v1=\"0\" v2=\"1\" v3=\"3\" />\n"
-        "     <triangle v1=\"0\" v2=\"3\" v3=\"2\" />\n     <triangle v1=\"1\" v2=\"2\" v3=\"3\" />\n    </triangles>\n"
-        "   </mesh>\n  </object>\n </resources>\n <build>\n  <item objectid=\"1\" />\n </build>\n</model>\n");
+        " <resources>\n <object id=\"1\" type=\"model\">\n <mesh>\n <vertices>\n"
+        " <vertex x=\"0\" y=\"0\" z=\"0\" />\n <vertex x=\"1\" y=\"0\" z=\"0\" />\n"
+        " <vertex x=\"0\" y=\"2\" z=\"0\" />\n <vertex x=\"0\" y=\"0\" z=\"0.1\" />\n </vertices>\n"
+        " <triangles>\n <triangle v1=\"0\" v2=\"2\" v3=\"1\" />\n <triangle v1=\"0\" v2=\"1\" v3=\"3\" />\n"
+        " <triangle v1=\"0\" v2=\"3\" v3=\"2\" />\n <triangle v1=\"1\" v2=\"2\" v3=\"3\" />\n </triangles>\n"
+        " </mesh>\n </object>\n </resources>\n <build>\n <item objectid=\"1\" />\n </build>\n</model>\n");
   CHECK(solids::unzip(bytes, "a.3mf", "[Content_Types].xml").find("Extension=\"model\"") != std::string::npos);
   CHECK(solids::unzip(bytes, "a.3mf", "_rels/.rels").find("Target=\"/3D/3dmodel.model\"") != std::string::npos);
-  // The first local header: PK 3 4, deflated, at no time of the first of January 1980 (a day from bit 0, a month from
-  // 5).
+  // The first local header: PK 3 4, deflated, time 0 on 1 January 1980 (day in bits 0 to 4, month from bit 5).
   CHECK(word_at(bytes, 0) == 0x04034b50);
   CHECK(word_at(bytes, 8, 2) == 8);
   CHECK(word_at(bytes, 10, 2) == 0);
   CHECK(word_at(bytes, 12, 2) == (1U << 5U | 1U));
 }
 
-TEST_CASE("binary STL may change a volume by a thousandth, no more, along each axis") {
-  // From 2^24 on floats are 2 apart: what is 0.9 above an even number is rounded down by that, of 900.9 or of 898.9.
+TEST_CASE("binary STL may change a volume by at most a thousandth along each axis") {
+  // Floats from 2^24 are 2 apart, so 0.9 above an even number is rounded down, from a size of 900.9 or 898.9.
   for (int axis = 0; axis < 3; ++axis) {
     for (const double size : {900.9, 898.9}) {
       CAPTURE(axis);
@@ -230,9 +229,9 @@ TEST_CASE("binary STL may change a volume by a thousandth, no more, along each a
         const double height = std::array{1.0, 2.0, 0.1}.at(static_cast<std::size_t>(axis));
         point[axis] = 0x1p24 + point[axis] / height * size;
       }
-      const std::string told = testing::error_of([&] { convert::format_of(".stl")->write(surface, {}); });
-      CHECK(told.empty() == (size > 900));
-      if (!told.empty()) CHECK(told.find("because its coordinates reach 1.68e+07;") != std::string::npos);
+      const std::string refusal = testing::error_of([&] { convert::format_of(".stl")->write(surface, {}); });
+      CHECK(refusal.empty() == (size > 900));
+      if (!refusal.empty()) CHECK(refusal.find("because its coordinates reach 1.68e+07;") != std::string::npos);
     }
   }
 }

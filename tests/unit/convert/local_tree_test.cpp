@@ -19,7 +19,7 @@ using Kind = LocalTree::Node::Kind;
 
 namespace {
 
-/// A random tree, and some of its primitives, which may be near a place; no other is.
+/// A random tree, and those of its primitives that may be near a point.
 struct Near {
   explicit Near(Random& random)
       : tree(testing::random_tree(random, 2 + static_cast<unsigned>(random.below(8)))),
@@ -47,7 +47,7 @@ Both value_of(const Near& near, const std::vector<Both>& values) {
   return {rules.holds(behind), rules.holds(before)};
 }
 
-/// Calls visit(values) for all that operands may be that are not known: alike on both sides but where they may differ.
+/// Calls visit(values) for all values of the unknown operands; both sides are equal unless they may differ.
 template <class Visit>
 void for_values(std::vector<Both> values, const std::vector<Known>& known, const std::vector<bool>& may_differ,
                 std::size_t from, const Visit& visit) {
@@ -63,7 +63,7 @@ void for_values(std::vector<Both> values, const std::vector<Known>& known, const
   }
 }
 
-/// What is wrong with the form of a tree: children come first, operators have several.
+/// Whether children precede their parents and each operator has several children.
 bool is_well_formed(const LocalTree& tree) {
   const auto nodes = tree.nodes();
   std::vector<std::size_t> children(nodes.size(), 0);
@@ -91,7 +91,7 @@ std::vector<Known> some_known(Random& random, std::size_t count, unsigned of_fou
 
 }  // namespace
 
-TEST_CASE("a tree where all operands are known is what the rules say, in one step or in two") {
+TEST_CASE("reducing a tree with known operands follows the rules in one or two steps") {
   Random random(3);
   int both = 0;
   for (int i = 0; i < 400; ++i) {
@@ -120,7 +120,7 @@ TEST_CASE("a tree where all operands are known is what the rules say, in one ste
   CHECK(both > 50);
 }
 
-TEST_CASE("a value is known where nothing that is open decides it, and may differ where it can") {
+TEST_CASE("a value is known if no open operand affects it and otherwise may differ") {
   Random random(4);
   int known_early = 0;
   int never_differs = 0;
@@ -146,8 +146,8 @@ TEST_CASE("a value is known where nothing that is open decides it, and may diffe
     });
     const auto is_constant = [](const LocalTree::Node& node) { return node.kind == Kind::constant; };
     const bool has_constant = std::ranges::any_of(left.nodes(), is_constant);
-    // Every primitive stands in the tree once: what is one for all values of those that are open is known, but for
-    // operators that operands decide on both sides together.
+    // Every primitive occurs once in the tree: a value that is the same for all open operands is known, except for
+    // operators that are decided by operands on both sides together.
     CHECK((left.value().is_known == is_one || (is_one && has_constant)));
     if (left.value().is_known) {
       CHECK(left.value().value == value);
@@ -162,7 +162,7 @@ TEST_CASE("a value is known where nothing that is open decides it, and may diffe
     CHECK(left.may_differ() == (std::ranges::any_of(left.nodes(), is_open_and_may) || has_constant));
     for (const LocalTree::Node& node : left.nodes()) {
       if (node.kind == Kind::leaf) CHECK(!known[node.operand].is_known);
-      // A constant on one side of the plane decides its operator, on the other it does nothing.
+      // A constant decides its operator on one side of the plane and has no effect on the other.
       if (node.kind == Kind::constant) CHECK(node.value.behind != node.value.before);
     }
     if (!left.may_differ()) ++never_differs;
@@ -171,7 +171,7 @@ TEST_CASE("a value is known where nothing that is open decides it, and may diffe
   CHECK(never_differs > 10);
 }
 
-TEST_CASE("operands that are left out leave the others with the numbers that they come to have") {
+TEST_CASE("dropping operands renumbers the remaining ones") {
   Random random(6);
   for (int i = 0; i < 100; ++i) {
     const Near near(random);

@@ -30,7 +30,7 @@ std::string unequal_side(const JudgedMesh& mesh, bool is_once) {
     const auto back = sides.find({ends.second, ends.first});
     const int backs = back == sides.end() ? 0 : back->second;
     if (times != backs || (is_once && times != 1))
-      return fmt::format("side {}-{}: {} times, and back {}", ends.first, ends.second, times, backs);
+      return fmt::format("side {}-{} occurs {} times and its reverse {} times", ends.first, ends.second, times, backs);
   }
   return "";
 }
@@ -43,7 +43,7 @@ glm::dvec3 normal_of(const JudgedMesh& mesh, const std::vector<std::uint32_t>& f
   return glm::normalize(sum);
 }
 
-/// A point on an edge between its ends, closer than that.
+/// A point closer than `near` to the interior of an edge.
 std::string point_on_edge(const JudgedMesh& mesh, double near) {
   std::map<Ends, glm::dvec3> normals;
   for (const auto& face : mesh.faces)
@@ -57,7 +57,7 @@ std::string point_on_edge(const JudgedMesh& mesh, double near) {
       const double along = glm::dot(mesh.points[i] - from, way) / glm::dot(way, way);
       const bool is_between = along * glm::length(way) > near && (1 - along) * glm::length(way) > near;
       if (is_between && glm::distance(mesh.points[i], from + along * way) < near)
-        return fmt::format("point {} is on side {}-{}", i, ends.first, ends.second);
+        return fmt::format("point {} lies on side {}-{}", i, ends.first, ends.second);
     }
   }
   return "";
@@ -73,7 +73,8 @@ double size_of(const JudgedMesh& mesh) {
 
 std::string fault_of(const JudgedMesh& mesh) {
   for (const auto& face : mesh.faces)
-    if (face.size() < 3 || std::set(face.begin(), face.end()).size() != face.size()) return "a face meets itself";
+    if (face.size() < 3 || std::set(face.begin(), face.end()).size() != face.size())
+      return "a face has a repeated corner or fewer than three";
   const std::string unequal = unequal_side(mesh, true);
   return unequal.empty() ? point_on_edge(mesh, 1e-11 * size_of(mesh)) : unequal;
 }
@@ -114,7 +115,7 @@ int winding(const JudgedMesh& mesh, const glm::dvec3& point) {
     for (std::size_t i = 1; i + 1 < face.size(); ++i) {
       const glm::dvec3 b = glm::normalize(mesh.points[face[i]] - point);
       const glm::dvec3 c = glm::normalize(mesh.points[face[i + 1]] - point);
-      // A. van Oosterom and J. Strackee, "The solid angle of a plane triangle", 1983.
+      // Source: A. van Oosterom and J. Strackee, "The solid angle of a plane triangle", 1983.
       sum += 2 * std::atan2(glm::dot(a, glm::cross(b, c)), 1 + glm::dot(a, b) + glm::dot(b, c) + glm::dot(c, a));
     }
   }

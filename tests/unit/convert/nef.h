@@ -4,7 +4,7 @@
 
 namespace csgsim::testing {
 
-/// The volume of what a tree leaves of its primitives' convex hulls, by CGAL's Nef polyhedra of rational numbers.
+/// Volume of a tree of the convex hulls of its primitives, computed with CGAL's Nef polyhedra in rational arithmetic.
 double nef_volume(const model::Tree& tree);
 
 }  // namespace csgsim::testing

@@ -19,14 +19,14 @@ void check_volume(const model::Tree& tree) {
 
 }  // namespace
 
-TEST_CASE("volumes are those of CGAL's Nef polyhedra, of rational numbers") {
+TEST_CASE("volumes of models match CGAL's Nef polyhedra in rational arithmetic") {
   for (const char* const name : {"thesis_fig_2_3", "old_example002", "old_example003"}) {
     CAPTURE(name);
     check_volume(read::read_csg_file(CSGSIM_SOURCE_DIR "/tests/models/" + std::string(name) + ".csg"));
   }
 }
 
-TEST_CASE("volumes of random models are those of CGAL's Nef polyhedra") {
+TEST_CASE("volumes of random models match CGAL's Nef polyhedra") {
   int full = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     CAPTURE(seed);

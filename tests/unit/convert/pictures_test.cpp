@@ -10,7 +10,7 @@ using namespace csgsim;
 
 namespace {
 
-/// The mesh as a polyhedron() of a model's file.
+/// The mesh as a polyhedron() in a model file.
 std::string as_polyhedron(const software::convert::Surface& surface) {
   std::string points;
   for (const glm::dvec3& point : surface.points)
@@ -21,7 +21,7 @@ std::string as_polyhedron(const software::convert::Surface& surface) {
   return "polyhedron(points=[" + points + "],faces=[" + faces + "],convexity=1);";
 }
 
-/// Of a depth of an orthographic picture, from the eye, model units; none where nothing is seen.
+/// Distance from the eye in model units for a depth of an orthographic picture; empty for background.
 std::optional<double> distance_of(const view::View& view, std::uint32_t depth) {
   if (depth == (1U << view.sampling.z_bits) - 1) return std::nullopt;
   return view.depth.near + depth * view.depth_step;
@@ -29,7 +29,7 @@ std::optional<double> distance_of(const view::View& view, std::uint32_t depth) {
 
 }  // namespace
 
-TEST_CASE("a converted mesh looks like its model, pixel by pixel but for edges") {
+TEST_CASE("a converted mesh looks like its model except at edges") {
   for (const char* const name : {"thesis_fig_2_3", "old_example002", "old_example003"}) {
     CAPTURE(name);
     testing::Setup setup;

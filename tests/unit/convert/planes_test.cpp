@@ -25,7 +25,7 @@ Rational determinant(const Row& p, const Row& q, const Row& r, const std::array<
   return p[a] * (q[b] * r[c] - q[c] * r[b]) - p[b] * (q[a] * r[c] - q[c] * r[a]) + p[c] * (q[a] * r[b] - q[b] * r[a]);
 }
 
-/// The point where three planes meet, by Cramer's rule.
+/// The intersection of three planes, by Cramer's rule.
 std::array<Rational, 3> meeting(const Row& p, const Row& q, const Row& r) {
   const Rational all = determinant(p, q, r, {0, 1, 2});
   return {-determinant(p, q, r, {3, 1, 2}) / all, -determinant(p, q, r, {0, 3, 2}) / all,
@@ -41,7 +41,7 @@ double number(Random& random) {
   return (2 * random.unit() - 1) * size;
 }
 
-/// A plane of a usual kind, across an axis, or at a small angle to the x-axis.
+/// A general plane, a plane across an axis, or one at a small angle to the x-axis.
 facet::Plane plane(Random& random) {
   facet::Plane plane{{number(random), number(random), number(random)}, number(random) / 2};
   const std::uint64_t kind = random.below(4);
@@ -50,7 +50,7 @@ facet::Plane plane(Random& random) {
   return plane;
 }
 
-/// A plane as nearly through a place as doubles allow.
+/// A plane through a point, as exactly as doubles allow.
 facet::Plane plane_through(Random& random, const glm::dvec3& place) {
   const glm::dvec3 normal(number(random), number(random), number(random));
   return {normal, -(normal.x * place.x + normal.y * place.y + normal.z * place.z)};
@@ -62,7 +62,7 @@ const facet::Box unit_box{glm::dvec3(-0.5), glm::dvec3(0.5)};
 
 }  // namespace
 
-TEST_CASE("sides and places of points where three planes meet, against rational numbers") {
+TEST_CASE("sides and locations of plane intersections match rational arithmetic") {
   Random random(7);
   int near = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -99,8 +99,8 @@ TEST_CASE("sides and places of points where three planes meet, against rational 
   CHECK(near > 1500);
 }
 
-TEST_CASE("a plane through a point is neither before it nor behind it, however the point was found") {
-  // x = 1/8, y = 1/4, z = 3/8, x + y + z = 3/4, x - y = -1/8.
+TEST_CASE("a plane through a point has side 0 for every triple that defines the point") {
+  // The planes are x = 1/8, y = 1/4, z = 3/8, x + y + z = 3/4, x - y = -1/8.
   const std::vector<facet::Plane> given{
       {{1, 0, 0}, -0.125}, {{0, 1, 0}, -0.25}, {{0, 0, 1}, -0.375}, {{1, 1, 1}, -0.75}, {{1, -1, 0}, 0.125}};
   const WholePlanes planes(given, unit_box);

@@ -8,7 +8,7 @@
 
 namespace csgsim::testing {
 
-/// Places of boxes are whole numbers from 0 to this.
+/// Box coordinates are integers from 0 to this value.
 inline constexpr int box_grid = 6;
 
 struct WholeBox {
@@ -16,7 +16,7 @@ struct WholeBox {
   std::array<int, 3> high{};
 };
 
-/// Boxes at whole places, under a random tree.
+/// Boxes with integer coordinates under a random tree.
 struct WholeBoxes {
   model::Tree tree;
   std::vector<WholeBox> boxes;

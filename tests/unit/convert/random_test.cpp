@@ -15,7 +15,7 @@ using testing::Random;
 
 namespace {
 
-/// Whether the unit cube at that place is in the solid.
+/// Whether the unit cube at that position is in the solid.
 bool is_full(const testing::WholeBoxes& made, const testing::TreeRules& rules, const std::array<int, 3>& at) {
   std::vector<bool> held;
   for (const testing::WholeBox& block : made.boxes) {
@@ -51,7 +51,7 @@ Counted count_cubes(const testing::WholeBoxes& made) {
 
 }  // namespace
 
-TEST_CASE("boxes at whole places: closed, and just the unit cubes that the tree holds") {
+TEST_CASE("integer boxes convert to closed meshes of exactly the tree's unit cubes") {
   int full = 0;
   CHECK(rc::check([&](std::uint64_t seed) {
     Random random(seed);
@@ -67,7 +67,7 @@ TEST_CASE("boxes at whole places: closed, and just the unit cubes that the tree 
   if (testing::draws_usual_cases()) CHECK(full > 50);
 }
 
-TEST_CASE("random solids whose faces often coincide: closed, and winding once around what the tree holds alone") {
+TEST_CASE("random solids with coincident faces convert to closed meshes") {
   int inside = 0;
   CHECK(rc::check([&](std::uint64_t seed) {
     Random random(seed);

@@ -20,7 +20,7 @@ namespace convert = software::convert;
 
 const std::string models = CSGSIM_SOURCE_DIR "/tests/unit/convert/models/";
 
-/// The area of a regular polygon in a circle.
+/// Area of a regular polygon inscribed in a circle.
 double polygon_area(int corners, double radius) {
   return corners / 2.0 * radius * radius * std::sin(2 * std::numbers::pi / corners);
 }
@@ -32,7 +32,7 @@ double closed_volume(const convert::Surface& surface) {
 
 }  // namespace
 
-TEST_CASE("a cube with a bore has the same volume however long the tool is") {
+TEST_CASE("a drilled cube has the same volume for any length of the tool") {
   const double expected = 8000 - 20 * polygon_area(16, 2);
   for (const char* const length : {"30", "1e6", "1e9", "1e10", "1e11", "1e12", "1.9e12"}) {
     CAPTURE(length);
@@ -45,10 +45,10 @@ TEST_CASE("a cube with a bore has the same volume however long the tool is") {
   }
 }
 
-TEST_CASE("small parts beside giant ones keep their volume") {
+TEST_CASE("small parts next to huge ones keep their volume") {
   for (const char* const far : {"1e6", "1e9", "1e11"}) {
     CAPTURE(far);
-    // The giant is taken away again, but for a slab of thickness 1 whose corner the small cube fills in part.
+    // The huge cube is subtracted again, except for a slab of thickness 1 whose corner the small cube partly fills.
     const convert::Surface surface = testing::converted(fmt::format(
         "difference(){{cube([{0},{0},3]);multmatrix([[1,0,0,2],[0,1,0,0],[0,0,1,-1],[0,0,0,1]])"
         "{{cube([{0},{0},5]);}}multmatrix([[1,0,0,-1],[0,1,0,2],[0,0,1,-1],[0,0,0,1]]){{cube([{0},{0},5]);}}}}",
@@ -58,7 +58,7 @@ TEST_CASE("small parts beside giant ones keep their volume") {
 }
 
 TEST_CASE("a needle has the volume of its profile") {
-  // Four segments of 67.5 degrees; the profile has the area 2^31 and its middle at 2 from the axis.
+  // Four segments of 67.5 degrees; the profile has area 2^31 and its centroid is 2 from the axis.
   const double expected = 4 * std::sin(67.5 * std::numbers::pi / 180) * 2147483648.0 * 2;
   const convert::Surface surface = testing::converted(
       "multmatrix([[0.612372,0.65974,0.435596,5],[0.612372,-0.0473672,-0.789149,5],[-0.5,0.75,-0.433013,-2],[0,0,0,1]])"
@@ -68,7 +68,7 @@ TEST_CASE("a needle has the volume of its profile") {
   CHECK(closed_volume(surface) == doctest::Approx(expected).epsilon(1e-6));
 }
 
-TEST_CASE("models that are hard to convert: closed, and of the right volume") {
+TEST_CASE("difficult models convert to closed meshes of the right volume") {
   std::ifstream file(models + "volumes.txt");
   std::string name;
   double volume = 0;
@@ -83,11 +83,11 @@ TEST_CASE("models that are hard to convert: closed, and of the right volume") {
   CHECK(count == 10);
 }
 
-TEST_CASE("edges between the same two points are parted, whatever faces they are of") {
+TEST_CASE("separates edges with the same two end points") {
   closed_volume(testing::converted(read::read_csg_file(models + "edges_that_repeat.csg")));
 }
 
-TEST_CASE("slivers finer than coordinates are closed, also where their corners are at one place") {
+TEST_CASE("slivers finer than the coordinate resolution are closed") {
   for (const char* const name : {"slivers_at_corners", "points_at_one_place", "ends_within_a_plane"}) {
     CAPTURE(name);
     const convert::Surface surface = testing::converted(read::read_csg_file(models + name + ".csg"));
@@ -96,8 +96,8 @@ TEST_CASE("slivers finer than coordinates are closed, also where their corners a
   }
 }
 
-TEST_CASE("of a sheet thinner than coordinates tell, what rounding changes is more than its volume") {
-  // 0.10291 times an extrusion of 1.5 times a polygon of nine corners, 2 high.
+TEST_CASE("a sheet thinner than the coordinate resolution has no reliable volume") {
+  // An extrusion of 1.5 scaled by 0.10291, of a polygon with nine corners and height 2.
   const double expected = 0.10291 * 1.5 * 2 * polygon_area(9, 5);
   const convert::Surface surface = testing::converted(read::read_csg_file(models + "sheet.csg"));
   const convert::Measures measures = convert::measure(surface);
@@ -106,7 +106,7 @@ TEST_CASE("of a sheet thinner than coordinates tell, what rounding changes is mo
   CHECK_FALSE(convert::has_sure_volume(measures));
 }
 
-TEST_CASE("a sweep that crosses itself becomes a closed mesh") {
+TEST_CASE("a self-intersecting sweep converts to a closed mesh") {
   std::ifstream file(models + "sweep_that_crosses_itself.jan");
   const std::string text(std::istreambuf_iterator<char>(file), {});
   const convert::Surface surface = testing::converted(commands::read_text(text, "sweep.jan"));
@@ -117,7 +117,7 @@ namespace {
 
 using Whole = boost::multiprecision::cpp_int;
 
-/// A box at places that are multiples of 2^-10.
+/// A box with coordinates that are multiples of 2^-10.
 struct Box {
   std::array<std::int64_t, 3> low{};
   std::array<std::int64_t, 3> high{};
@@ -130,7 +130,7 @@ struct Boxes {
 
 constexpr double step = 0x1p-10;
 
-/// Boxes from 2^-10 to 2^39 wide that have corners, edges and faces in common at times.
+/// Boxes from 2^-10 to 2^39 wide that sometimes share corners, edges and faces.
 Boxes boxes_of_scales(Random& random) {
   Boxes made{testing::random_tree(random, 2 + static_cast<unsigned>(random.below(9))), {}};
   for (model::Primitive& primitive : made.tree.primitives) {
@@ -150,7 +150,7 @@ Boxes boxes_of_scales(Random& random) {
   return made;
 }
 
-/// By the cells between all planes of the boxes.
+/// Sums the cells between all planes of the boxes.
 Whole steps_in(const Boxes& made) {
   std::array<std::vector<std::int64_t>, 3> places;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -182,7 +182,7 @@ Whole steps_in(const Boxes& made) {
 
 }  // namespace
 
-TEST_CASE("boxes of scales up to 10^14 apart: closed, with the volume of the cells that the tree holds") {
+TEST_CASE("boxes of scales up to 10^14 apart have closed meshes of exact volume") {
   const int cases = testing::cases(300, 30);
   int full = 0;
   for (int seed = 0; seed < cases; ++seed) {

@@ -5,7 +5,7 @@
 
 namespace csgsim::testing {
 
-/// A plane seen from outside: `outward` points to the viewer, for whom a round from `right` to `up` is
+/// A plane seen from outside: `outward` points to the viewer, who sees a turn from `right` to `up` as
 /// counter-clockwise.
 struct Seat {
   glm::dvec3 outward;
@@ -13,7 +13,7 @@ struct Seat {
   glm::dvec3 up;
 };
 
-/// Both sides of the three main planes, and a slanting plane.
+/// Both sides of the three coordinate planes, and an oblique plane.
 inline const std::array<Seat, 7> seats{{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
                                         {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}},
                                         {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},

@@ -38,7 +38,7 @@ std::vector<std::uint32_t> points_of(const std::vector<PointAlong>& found) {
   return points;
 }
 
-/// What sides of one outline become.
+/// Result of splitting the sides of one outline.
 struct Ended {
   bool any = false;
   std::vector<glm::dvec3> points;
@@ -54,7 +54,7 @@ Ended ended(const std::vector<glm::dvec3>& points, const std::vector<Side>& side
 
 }  // namespace
 
-TEST_CASE("sides one against the other are taken out, those that end where they begin too, and the rest is sorted") {
+TEST_CASE("removes opposite and degenerate sides and sorts the rest") {
   CHECK(convert::ordered({3, 1}) == Side{1, 3});
   CHECK(convert::ordered({1, 3}) == Side{1, 3});
   CHECK(convert::key_of({3, 1}) == 0x100000003U);
@@ -69,13 +69,13 @@ TEST_CASE("sides one against the other are taken out, those that end where they 
   CHECK(cancelled({}).empty());
 }
 
-TEST_CASE("the ends of sides, each once, ascending") {
+TEST_CASE("the ends of sides are listed once in ascending order") {
   const std::vector<Side> sides{{5, 1}, {1, 7}, {7, 5}, {3, 3}};
   CHECK(convert::ends_of(sides) == std::vector<std::uint32_t>{1, 3, 5, 7});
   CHECK(convert::ends_of({}).empty());
 }
 
-TEST_CASE("sides end at their points, in whichever direction they run") {
+TEST_CASE("sides are split at their points in either direction") {
   const convert::Ends ends{{convert::key_of({1, 5}), {8, 7}}};
   std::vector<Side> sides{{1, 5}, {2, 3}};
   CHECK(convert::end_at(ends, sides));
@@ -83,17 +83,17 @@ TEST_CASE("sides end at their points, in whichever direction they run") {
   sides = {{5, 1}};
   CHECK(convert::end_at(ends, sides));
   CHECK(sides == std::vector<Side>{{8, 1}, {5, 7}, {7, 8}});
-  // What runs to and fro cancels in parts.
+  // Opposite sides cancel after the split.
   sides = {{5, 1}, {1, 8}};
   CHECK(convert::end_at(ends, sides));
   CHECK(sides == std::vector<Side>{{5, 7}, {7, 8}});
-  // No point: nothing changes, not even the order.
+  // Nothing changes without points, including the order.
   sides = {{4, 5}, {1, 2}, {2, 1}};
   CHECK(!convert::end_at(ends, sides));
   CHECK(sides == std::vector<Side>{{4, 5}, {1, 2}, {2, 1}});
 }
 
-TEST_CASE("sets that are joined are known by their least number") {
+TEST_CASE("joined sets are represented by their smallest member") {
   convert::Sets sets(7);
   for (std::uint32_t i = 0; i < 7; ++i) CHECK(sets.find(i) == i);
   sets.join(5, 3);
@@ -107,7 +107,7 @@ TEST_CASE("sets that are joined are known by their least number") {
   CHECK(sets.find(4) == 4);
 }
 
-TEST_CASE("points that differ by no more than the tolerance in each coordinate are the first of them") {
+TEST_CASE("points within the tolerance in each coordinate merge with the first") {
   for (const glm::dvec3& centre : {glm::dvec3(0), glm::dvec3(-3, 5, 70)}) {
     convert::PointTable table(centre, 0.125);
     CHECK(table.add(centre) == 0);
@@ -126,19 +126,19 @@ TEST_CASE("points that differ by no more than the tolerance in each coordinate a
         CHECK(table.add(centre + far) == added);
       }
     }
-    // Between the first and another: the first.
+    // A point between the first and another merges with the first.
     CHECK(table.add(centre + glm::dvec3(0.07, 0, 0)) == 0);
     CHECK(table.points().size() == 7);
     CHECK(table.points().front() == centre);
   }
 }
 
-TEST_CASE("points beside a line are those within the distance, in its order: each against a sum of squares") {
+TEST_CASE("finds the points near a line within the distance and in order") {
   Random random(11);
   int found_any = 0;
   for (int i = 0; i < 60; ++i) {
     std::vector<glm::dvec3> points;
-    const double flat = random.one_of({0.0, 1e-3, 1.0});  // also lines along axes, and of one plane
+    const double flat = random.one_of({0.0, 1e-3, 1.0});  // includes lines along axes and in one plane
     for (int k = 0; k < 60; ++k)
       points.emplace_back(random.unit(), random.one_of({flat, 1.0}) * random.unit(), flat * random.unit());
     const convert::NearPoints near(points, all_numbers(points.size()));
@@ -171,7 +171,7 @@ TEST_CASE("points beside a line are those within the distance, in its order: eac
   CHECK(found_any > 500);
 }
 
-TEST_CASE("the distance from a line counts itself; ends at one place have a ball about them") {
+TEST_CASE("the distance from a line is inclusive; coincident ends search a sphere") {
   const std::vector<glm::dvec3> points{{0, 0, 0}, {8, 0, 0},   {4, 0.125, 0}, {2, 0, 0.1251}, {6, 0, -0.125},
                                        {0, 0, 0}, {8.5, 0, 0}, {1, 0, 0},     {1, 0, 0}};
   const convert::NearPoints near(points, all_numbers(points.size()));
@@ -184,7 +184,7 @@ TEST_CASE("the distance from a line counts itself; ends at one place have a ball
   CHECK(points_of(near.beside(0, 5, 0.5)).empty());
   CHECK(points_of(near.beside(0, 5, 1)) == std::vector<std::uint32_t>{7, 8});
   CHECK(near.beside(0, 5, 1).front().along == 0);
-  // Those that are not used are not found.
+  // Unused points are not found.
   const std::vector<std::uint32_t> used{0, 1, 4};
   const convert::NearPoints few(points, used);
   CHECK(points_of(few.beside(0, 1, 0.125)) == std::vector<std::uint32_t>{4});
@@ -193,8 +193,8 @@ TEST_CASE("the distance from a line counts itself; ends at one place have a ball
   CHECK_FALSE(PointAlong{1, 5} < PointAlong{1, 5});
 }
 
-TEST_CASE("sides of some outlines end at points that are within the tolerance of them, between their ends") {
-  // Near the line from 0 to 1, but for 6, and 4 and 5 beyond its ends, and 7 at its end.
+TEST_CASE("splits sides of selected outlines at points within the tolerance") {
+  // All points are near the line from 0 to 1 except 6; 4 and 5 lie beyond its ends, and 7 at its end.
   Outlines outlines{{{0, 0, 0},
                      {4, 0, 0},
                      {1, 0.05, 0},
@@ -220,9 +220,9 @@ TEST_CASE("sides of some outlines end at points that are within the tolerance of
   CHECK(outlines.outlines[1].sides == std::vector<Side>{{2, 0}, {1, 3}, {3, 2}});
 }
 
-TEST_CASE("sides are joined where nothing but two straight ones meet, in both outlines beside them") {
-  // A square from 0 to 3, with 4, 5 and 6 on its lower side; 6 is where a third side begins, or where the lower side
-  // has a bend.
+TEST_CASE("joins straight sides where no third side meets them") {
+  // A square from 0 to 3 with the points 4, 5 and 6 on its lower side. At 6 either a third side begins or the lower
+  // side bends.
   struct Row {
     glm::dvec3 at;
     bool has_third;
@@ -242,7 +242,7 @@ TEST_CASE("sides are joined where nothing but two straight ones meet, in both ou
       outlines.outlines[1].sides.push_back({2, 6});
     }
     convert::join_straight(outlines, 0.0625);
-    // 4 goes in any case; 5 too, if 6 is near enough to its line.
+    // Point 4 is removed in any case; 5 too, if 6 is close enough to its line.
     const std::vector<Side>& sides = outlines.outlines[0].sides;
     const auto has = [&](const Side& side) { return std::ranges::find(sides, side) != sides.end(); };
     CHECK(has({0, 1}) == row.is_joined);
@@ -260,9 +260,9 @@ TEST_CASE("sides are joined where nothing but two straight ones meet, in both ou
   }
 }
 
-TEST_CASE("a point beyond both that it is joined to is not straight") {
+TEST_CASE("does not join sides that reverse direction") {
   for (const bool is_exchanged : {false, true}) {
-    // From the middle one to the right end and back to the left.
+    // The path runs from the middle to the right end and back to the left.
     Outlines outlines{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 5, 0}}, {}};
     const std::vector<Side> sides = is_exchanged ? std::vector<Side>{{1, 2}, {2, 0}, {0, 3}, {3, 1}}
                                                  : std::vector<Side>{{0, 2}, {2, 1}, {1, 3}, {3, 0}};
@@ -273,32 +273,33 @@ TEST_CASE("a point beyond both that it is joined to is not straight") {
   }
 }
 
-TEST_CASE("open_side returns a side without its reverse, or nothing if every side has one") {
+TEST_CASE("open_side returns a side without its reverse or nothing if all have one") {
   Outlines outlines{{}, {{{0, 0, 1}, {{0, 1}, {1, 2}, {2, 0}}}, {{0, 0, 1}, {{1, 0}, {2, 1}}}}};
   CHECK(convert::open_side(outlines) == std::optional<Side>(Side{2, 0}));
   outlines.outlines[1].sides.push_back({0, 2});
   CHECK(convert::open_side(outlines) == std::nullopt);
 }
 
-TEST_CASE("sides that cross end at a point half-way between them, as they are seen from each side of a plane") {
+TEST_CASE("crossing sides are split at a point midway for each direction of view") {
   for (const testing::Seat& seat : testing::seats) {
     CAPTURE(seat.outward.x);
     CAPTURE(seat.outward.y);
     CAPTURE(seat.outward.z);
     const auto at = [&](double x, double y, double out) { return x * seat.right + y * seat.up + out * seat.outward; };
-    // (0, 0) to (4, 4), and (0, 3) to (4, -1): at (1.5, 1.5); one 1 above the other.
+    // From (0, 0) to (4, 4), and from (0, 3) to (4, -1): they cross at (1.5, 1.5), one 1 above the other.
     const Ended crossed = ended({at(0, 0, 0), at(4, 4, 0), at(0, 3, 1), at(4, -1, 1)}, {{0, 1}, {3, 2}}, seat.outward);
     CHECK(crossed.any);
     REQUIRE(crossed.points.size() == 5);
     CHECK(crossed.sides == std::vector<Side>{{0, 4}, {4, 1}, {4, 2}, {3, 4}});
-    if (seat.outward.x == 0.6) continue;  // not along the axis that one looks along
+    if (seat.outward.x == 0.6) continue;  // not along the projection axis
     CHECK(glm::distance(crossed.points[4], at(1.5, 1.5, 0.5)) < 1e-12);
   }
 }
 
-TEST_CASE("sides end at ends of others that they pass through, and not where they have an end in common") {
+TEST_CASE("sides are split at ends on them but not at common ends") {
   const glm::dvec3 z(0, 0, 1);
-  // From the middle of the first one to each of the four sides, as its box touches that of the other there.
+  // The other side starts at the middle of the first one, in each of the four directions; the bounding boxes only
+  // touch.
   for (const glm::dvec3& far : {glm::dvec3(2, 3, 0), glm::dvec3(2, -3, 0)}) {
     const Ended down = ended({{0, 0, 0}, {4, 0, 0}, {2, 0, 0}, far}, {{0, 1}, {2, 3}}, z);
     CHECK(down.any);
@@ -311,7 +312,7 @@ TEST_CASE("sides end at ends of others that they pass through, and not where the
     CHECK(across.points.size() == 4);
     CHECK(across.sides == std::vector<Side>{{2, 0}, {1, 2}, {3, 2}});
   }
-  // On one line, from 0 to 4 and from 3 to 6.
+  // Collinear sides from 0 to 4 and from 3 to 6.
   const Ended line = ended({{0, 0, 0}, {4, 0, 0}, {3, 0, 0}, {6, 0, 0}}, {{0, 1}, {2, 3}}, z);
   CHECK(line.any);
   CHECK(line.sides == std::vector<Side>{{0, 2}, {2, 1}, {2, 1}, {1, 3}});
@@ -321,15 +322,15 @@ TEST_CASE("sides end at ends of others that they pass through, and not where the
     CHECK(!joined.any);
     CHECK(joined.points.size() == 3);
   }
-  // One side twice, and one to and fro.
+  // One side twice, and one in both directions.
   CHECK(!ended({{0, 0, 0}, {4, 0, 0}}, {{0, 1}, {0, 1}, {1, 0}}, z).any);
-  // Beside each other, and one before the other.
+  // Side by side, and one in front of the other.
   CHECK(!ended({{0, 0, 0}, {4, 4, 0}, {1, 0, 0}, {5, 4, 0}}, {{0, 1}, {2, 3}}, z).any);
   CHECK(!ended({{0, 0, 0}, {4, 4, 0}, {3, 2, 0}, {3, -2, 0}}, {{0, 1}, {2, 3}}, z).any);
   CHECK(!ended({{0, 0, 0}, {1, 1, 0}, {0, 4, 0}, {4, 0, 0}}, {{0, 1}, {2, 3}}, z).any);
 }
 
-TEST_CASE("a side that crosses ends in all outlines that have it, and crossings of other outlines are let be") {
+TEST_CASE("a crossing side is split in all outlines and others are left alone") {
   Outlines outlines{{{0, 0, 0}, {4, 4, 0}, {0, 4, 0}, {4, 0, 0}},
                     {{{0, 0, 1}, {{0, 1}, {2, 3}}}, {{0, 1, 0}, {{1, 0}}}}};
   Outlines other = outlines;
@@ -348,7 +349,7 @@ struct GridPoint {
   std::int64_t y = 0;
 };
 
-/// 1, 0 or -1 as the turn is to the left, none or to the right.
+/// 1, 0 or -1 for a left turn, no turn or a right turn.
 int turn_at(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
   const std::int64_t twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   return twice > 0 ? 1 : twice < 0 ? -1 : 0;
@@ -356,7 +357,7 @@ int turn_at(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
 
 }  // namespace
 
-TEST_CASE("crossings of random sides are those that whole numbers tell, in order along each side") {
+TEST_CASE("crossings of random sides match integer arithmetic in order") {
   Random random(5);
   int crossings = 0;
   for (int i = 0; i < 100; ++i) {
@@ -387,7 +388,7 @@ TEST_CASE("crossings of random sides are those that whole numbers tell, in order
     CHECK(made.points.size() == 16 + expected);
     CHECK(made.sides.size() == 8 + 2 * expected);
     crossings += static_cast<int>(expected);
-    // From each start, parts follow that run on along the side.
+    // The parts of a side follow each other from its start.
     for (const Side& side : sides) {
       const glm::dvec3 way = points[side[1]] - points[side[0]];
       std::uint32_t at = side[0];

@@ -22,7 +22,7 @@ using convert::Triangle;
 
 namespace {
 
-/// A tetrahedron at three axes, 1, 2 and 3 long.
+/// A tetrahedron with edges of 1, 2 and 3 along the axes.
 Surface tetrahedron(const glm::dvec3& at = glm::dvec3(0)) {
   return {{at, at + glm::dvec3(1, 0, 0), at + glm::dvec3(0, 2, 0), at + glm::dvec3(0, 0, 3)},
           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}},
@@ -39,16 +39,16 @@ Surface together(const Surface& one, const Surface& other) {
   return both;
 }
 
-std::vector<Side> round_of(const std::vector<std::uint32_t>& corners) {
+std::vector<Side> loop_of(const std::vector<std::uint32_t>& corners) {
   std::vector<Side> sides;
   for (std::size_t i = 0; i < corners.size(); ++i) sides.push_back({corners[i], corners[(i + 1) % corners.size()]});
   return sides;
 }
 
-/// What is wrong with the triangles of outlines: one that runs the other way, or out of order.
+/// Checks the triangles of outlines for orientation and order.
 std::string out_of_outlines(const Surface& surface, const Outlines& outlines) {
-  if (surface.outlines.size() != surface.triangles.size()) return "not as many";
-  if (!std::ranges::is_sorted(surface.outlines)) return "not in order";
+  if (surface.outlines.size() != surface.triangles.size()) return "outline count differs from triangle count";
+  if (!std::ranges::is_sorted(surface.outlines)) return "outlines are not in ascending order";
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     const auto& [a, b, c] = surface.triangles[i];
     const glm::dvec3 normal = glm::cross(surface.points[b] - surface.points[a], surface.points[c] - surface.points[a]);
@@ -60,8 +60,9 @@ std::string out_of_outlines(const Surface& surface, const Outlines& outlines) {
 
 }  // namespace
 
-TEST_CASE("a tetrahedron's measures, by hand, wherever it is, and twice as large a number of two") {
-  // 1 2 3 / 6; three right triangles, and one whose normal is (6, 3, 2), 7 long.
+TEST_CASE("measures of one and two tetrahedra match a hand calculation") {
+  // The volume is 1 * 2 * 3 / 6; the area is that of three right triangles and one with the normal (6, 3, 2) of length
+  // 7.
   for (const glm::dvec3& at : {glm::dvec3(0), glm::dvec3(1024, -2048, 512)}) {
     const Measures one = convert::measure(tetrahedron(at));
     CHECK(one.volume == doctest::Approx(1).epsilon(1e-14));
@@ -76,7 +77,7 @@ TEST_CASE("a tetrahedron's measures, by hand, wherever it is, and twice as large
   CHECK(two.euler == 4);
   CHECK(two.shells == 2);
   CHECK(two.genus() == 0);
-  // Around the outside.
+  // Inside out, the volume is negative.
   Surface inside_out = tetrahedron();
   for (Triangle& triangle : inside_out.triangles) std::swap(triangle[1], triangle[2]);
   CHECK(convert::measure(inside_out).volume == doctest::Approx(-1).epsilon(1e-14));
@@ -85,14 +86,14 @@ TEST_CASE("a tetrahedron's measures, by hand, wherever it is, and twice as large
   CHECK(Measures{.euler = 2, .shells = 2}.genus() == 1);
 }
 
-TEST_CASE("what rounding may change of a volume: the area across each axis, half a unit of the farthest coordinate") {
+TEST_CASE("the volume error is projected area times half a unit of the coordinate") {
   constexpr double half_unit = 0x1p-53;
-  // Of a block from the origin, three faces that are not at 0: 1 by 2 by 3, the volume each.
+  // A block at the origin has three faces away from 0, each contributing its volume of 1 * 2 * 3.
   CHECK(convert::measure(testing::converted("cube([1,2,3]);")).volume_error == doctest::Approx(18 * half_unit));
-  // Moved to 10 along x and to -20 along y: (10 + 11) 6 + (20 + 18) 3 + 3 2.
+  // The same block at 10 along x and -20 along y: (10 + 11) 6 + (20 + 18) 3 + 3 2.
   CHECK(convert::measure(testing::converted("multmatrix([[1,0,0,10],[0,1,0,-20],[0,0,1,0],[0,0,0,1]]){cube([1,2,3]);}"))
             .volume_error == doctest::Approx((21 * 6 + 38 * 3 + 6) * half_unit));
-  // The slanting face is seen along each axis as one of the others, which are at 0.
+  // The oblique face has the same projection along each axis as the face at 0.
   CHECK(convert::measure(tetrahedron()).volume_error == doctest::Approx((3 * 1 + 1.5 * 2 + 1 * 3) * half_unit));
   CHECK(convert::has_sure_volume({.volume = 1000, .volume_error = 1}));
   CHECK(!convert::has_sure_volume({.volume = 1000, .volume_error = 1.001}));
@@ -101,8 +102,8 @@ TEST_CASE("what rounding may change of a volume: the area across each axis, half
   CHECK(convert::has_sure_volume({}));
 }
 
-TEST_CASE("the area of a needle is that of its short side, which its long ones would lose") {
-  // From (0, 0) to (L, 1) and from there by (256, 1 / 2^52), L = 2^60 + 256: L / 2^52 - 256 is 2^-44, twice the area.
+TEST_CASE("the area of a needle is precise although its long sides cancel") {
+  // From (0, 0) to (L, 1) and on by (256, 1 / 2^52) with L = 2^60 + 256: L / 2^52 - 256 is 2^-44, twice the area.
   const std::vector<glm::dvec3> points{{0, 0, 0}, {0x1p60 + 256, 1, 0}, {0x1p60 + 512, 1 + 0x1p-52, 0}};
   for (std::uint32_t first = 0; first < 3; ++first) {
     CAPTURE(first);
@@ -111,28 +112,28 @@ TEST_CASE("the area of a needle is that of its short side, which its long ones w
   }
 }
 
-TEST_CASE("triangles back to back on the same points are nothing, one beside them stays") {
+TEST_CASE("triangles back to back on the same points cancel") {
   const glm::dvec3 z(0, 0, 1);
   const std::vector<glm::dvec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   for (std::uint32_t turn = 0; turn < 3; ++turn) {
     const std::uint32_t a = turn;
     const std::uint32_t b = (turn + 1) % 3;
     const std::uint32_t c = (turn + 2) % 3;
-    CHECK(convert::make_surface({points, {{z, round_of({a, b, c})}, {-z, round_of({c, b, a})}}}).triangles.empty());
+    CHECK(convert::make_surface({points, {{z, loop_of({a, b, c})}, {-z, loop_of({c, b, a})}}}).triangles.empty());
   }
-  // Twice and once back: not closed then. A tetrahedron beside two that cancel is as it was.
+  // Two forward and one back are not closed. A tetrahedron next to a cancelling pair is unchanged.
   CHECK_THROWS_AS(
-      convert::make_surface({points, {{z, round_of({0, 1, 2})}, {z, round_of({0, 1, 2})}, {-z, round_of({0, 2, 1})}}}),
+      convert::make_surface({points, {{z, loop_of({0, 1, 2})}, {z, loop_of({0, 1, 2})}, {-z, loop_of({0, 2, 1})}}}),
       std::logic_error);
   const Surface alone = tetrahedron();
   const glm::dvec3 slant = glm::normalize(glm::dvec3(6, 3, 2));
   Outlines outlines{alone.points,
-                    {{-z, round_of({0, 2, 1})},
-                     {{0, -1, 0}, round_of({0, 1, 3})},
-                     {slant, round_of({1, 3, 2})},
-                     {-slant, round_of({1, 2, 3})},
-                     {{-1, 0, 0}, round_of({0, 3, 2})},
-                     {slant, round_of({1, 2, 3})}}};
+                    {{-z, loop_of({0, 2, 1})},
+                     {{0, -1, 0}, loop_of({0, 1, 3})},
+                     {slant, loop_of({1, 3, 2})},
+                     {-slant, loop_of({1, 2, 3})},
+                     {{-1, 0, 0}, loop_of({0, 3, 2})},
+                     {slant, loop_of({1, 2, 3})}}};
   const Surface made = convert::make_surface(outlines);
   CHECK(made.triangles.size() == 4);
   CHECK(made.points.size() == 4);
@@ -141,12 +142,12 @@ TEST_CASE("triangles back to back on the same points are nothing, one beside the
   CHECK(testing::fault_of(testing::judged(made)) == "");
 }
 
-TEST_CASE("outlines that are not closed are a fault") {
-  CHECK_THROWS_WITH_AS(convert::make_surface({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{{0, 0, 1}, round_of({0, 1, 2})}}}),
+TEST_CASE("rejects outlines that are not closed") {
+  CHECK_THROWS_WITH_AS(convert::make_surface({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{{0, 0, 1}, loop_of({0, 1, 2})}}}),
                        "the boundary of the model is not closed", std::logic_error);
 }
 
-TEST_CASE("triangles face the way of their outlines and come in the order of these") {
+TEST_CASE("triangles have the orientation and order of their outlines") {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     CAPTURE(seed);
     const model::Tree tree = read::read_csg_text(testing::random_model(seed, 5), "m.csg");
@@ -156,10 +157,8 @@ TEST_CASE("triangles face the way of their outlines and come in the order of the
   }
 }
 
-TEST_CASE(
-    "a solid that touches itself along an edge, with both ends in common, has a point in the middle of it twice") {
-  // A bridge of bars from one side of the edge to the other hangs both ends together: two cubes with an edge in common
-  // along z, and slabs below and above with a hole of their own each.
+TEST_CASE("a self-touching edge gets a separate midpoint per part") {
+  // Bars connect both sides of the edge: two cubes share an edge along z, and slabs below and above connect them.
   const std::string cubes =
       "multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,1],[0,0,0,1]]){cube([2,2,1]);}"
       "multmatrix([[1,0,0,2],[0,1,0,2],[0,0,1,1],[0,0,0,1]]){cube([2,2,1]);}";
@@ -173,7 +172,7 @@ TEST_CASE(
   CHECK(measures.volume == doctest::Approx(2 * 4 * 1 + 2 * 16));
   CHECK(measures.area == doctest::Approx(2 * 16 + 4 * 4 * 3 + 2 * 8));
   CHECK(measures.shells == 1);
-  // Faces at (2, 2) from z = 1 to 2 meet there in fours; each pair has a middle of its own.
+  // Four faces meet at (2, 2) from z = 1 to 2; each pair has a separate midpoint.
   CHECK(std::ranges::count(surface.points, glm::dvec3(2, 2, 1.5)) == 2);
   CHECK(std::ranges::count_if(surface.points, [](const glm::dvec3& point) { return point.z == 1.5; }) == 2);
 }

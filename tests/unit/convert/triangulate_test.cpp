@@ -19,19 +19,19 @@ namespace {
 
 using Polygon = std::vector<std::uint32_t>;
 
-void add_round(const Polygon& round, std::vector<Side>& sides) {
+void add_loop(const Polygon& round, std::vector<Side>& sides) {
   for (std::size_t i = 0; i < round.size(); ++i) sides.push_back({round[i], round[(i + 1) % round.size()]});
 }
 
 Outline outline_of(const glm::dvec3& outward, const std::vector<Polygon>& rounds) {
   Outline outline{outward, {}};
-  for (const Polygon& round : rounds) add_round(round, outline.sides);
+  for (const Polygon& round : rounds) add_loop(round, outline.sides);
   return outline;
 }
 
 std::vector<Side> sides_left(const std::vector<Triangle>& triangles) {
   std::vector<Side> sides;
-  for (const Triangle& triangle : triangles) add_round({triangle.begin(), triangle.end()}, sides);
+  for (const Triangle& triangle : triangles) add_loop({triangle.begin(), triangle.end()}, sides);
   convert::cancel(sides);
   return sides;
 }
@@ -54,8 +54,8 @@ double area(const std::vector<glm::dvec3>& points, const std::vector<Triangle>& 
   return sum;
 }
 
-double least_area(const std::vector<glm::dvec3>& points, const std::vector<Triangle>& triangles,
-                  const glm::dvec3& outward) {
+double min_area(const std::vector<glm::dvec3>& points, const std::vector<Triangle>& triangles,
+                const glm::dvec3& outward) {
   double least = 1e300;
   for (const Triangle& triangle : triangles) least = std::min(least, area(points, triangle, outward));
   return least;
@@ -74,7 +74,7 @@ std::vector<std::size_t> sizes_of(const std::string& csg) {
 
 }  // namespace
 
-TEST_CASE("outlines are triangles of their area, on each side of a plane that one sees them from") {
+TEST_CASE("triangulates outlines with their area for each direction of view") {
   struct Row {
     std::vector<glm::dvec2> places;
     std::vector<Polygon> rounds;
@@ -86,8 +86,8 @@ TEST_CASE("outlines are triangles of their area, on each side of a plane that on
        std::vector<Row>{{plate, {{0, 1, 2}}, 1, 18},
                         {plate, {{0, 1, 2, 3}}, 2, 36},
                         {plate, {{0, 1, 2, 3}, {4, 7, 6, 5}}, 8, 32},           // with a hole
-                        {plate, {{0, 1, 2, 3}, {4, 5, 6, 7}}, 10 + 2, 36 + 4},  // twice within
-                        {plate, {{0, 1, 6}, {4, 5, 2, 7}}, 0, 0},               // sides cross
+                        {plate, {{0, 1, 2, 3}, {4, 5, 6, 7}}, 10 + 2, 36 + 4},  // covered twice in the middle
+                        {plate, {{0, 1, 6}, {4, 5, 2, 7}}, 0, 0},               // crossing sides
                         {{{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 2}, {0, 2}}, {{0, 1, 2, 3, 4, 5}}, 4, 12},
                         {{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {4, 2}, {4, 4}, {2, 4}}, {{0, 1, 2, 3}, {2, 4, 5, 6}}, 4, 8},
                         {{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {5, 5}, {7, 5}, {7, 7}}, {{0, 1, 2, 3}, {4, 5, 6}}, 3, 6}}) {
@@ -107,8 +107,8 @@ TEST_CASE("outlines are triangles of their area, on each side of a plane that on
       }
       CHECK(triangles.size() == (row.triangles == 12 ? triangles.size() : row.triangles));
       CHECK(area(points, triangles, seat.outward) == doctest::Approx(row.area));
-      CHECK(least_area(points, triangles, seat.outward) > 0.4);
-      // The other way around it is all on the back.
+      CHECK(min_area(points, triangles, seat.outward) > 0.4);
+      // Reversed, everything is on the back.
       Outline back{seat.outward, {}};
       for (const Side& side : outline.sides) back.sides.push_back({side[1], side[0]});
       const std::optional<convert::TwoSides> two = convert::two_sides(points, back);
@@ -120,7 +120,7 @@ TEST_CASE("outlines are triangles of their area, on each side of a plane that on
   }
 }
 
-TEST_CASE("what runs counter-clockwise is on the front, what runs clockwise on the back, as often as it stands there") {
+TEST_CASE("counter-clockwise loops are front and clockwise loops are back") {
   const std::vector<glm::dvec3> points{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {5, 0, 0}, {8, 0, 0}, {8, 3, 0}};
   const glm::dvec3 z(0, 0, 1);
   const std::optional<convert::TwoSides> both =
@@ -130,46 +130,46 @@ TEST_CASE("what runs counter-clockwise is on the front, what runs clockwise on t
   CHECK(area(points, both->front, z) == doctest::Approx(8));
   CHECK(both->back.size() == 1);
   CHECK(area(points, both->back, z) == doctest::Approx(-4.5));
-  // Around and back there is nothing.
+  // A loop and its reverse cancel.
   const std::optional<convert::TwoSides> none = convert::two_sides(points, outline_of(z, {{0, 1, 2}, {0, 2, 1}}));
   REQUIRE(none.has_value());
   CHECK(none->front.empty());
   CHECK(none->back.empty());
-  // On one line there is no area either.
+  // Collinear points have no area.
   const std::optional<convert::TwoSides> line = convert::two_sides(points, outline_of(z, {{0, 1, 4}, {0, 4, 1}}));
   CHECK((!line.has_value() || (line->front.empty() && line->back.empty())));
-  // Two points that are seen as one.
+  // Two points with the same projection.
   std::vector<glm::dvec3> above = points;
   above[4] = {0, 0, 1};
   CHECK(convert::two_sides(above, outline_of(z, {{0, 1, 2, 3}, {4, 5, 6}})) == std::nullopt);
 }
 
-TEST_CASE("a corner that is as good as straight makes no slivers along its side") {
+TEST_CASE("a nearly straight corner produces no slivers") {
   // Corner 1 is a millionth below the side from 0 to 2; a fan from 0 would have a triangle of 2e-6.
   const std::vector<glm::dvec3> points{{0, 0, 0}, {2, -1e-6, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
   const glm::dvec3 z(0, 0, 1);
   for (std::uint32_t first = 0; first < 5; ++first) {
-    // Numbered from each corner on.
+    // Repeated with the numbering starting at each corner.
     CAPTURE(first);
     std::vector<glm::dvec3> turned = points;
     std::rotate(turned.begin(), turned.begin() + first, turned.end());
     const std::vector<Triangle> triangles = convert::triangulate(turned, outline_of(z, {{0, 1, 2, 3, 4}}));
     CHECK(triangles.size() == 3);
-    CHECK(least_area(turned, triangles, z) > 1);
+    CHECK(min_area(turned, triangles, z) > 1);
   }
 }
 
-TEST_CASE("an outline whose turns are all clearly to the left is a fan from its least point") {
+TEST_CASE("an outline with clear left turns becomes a fan from its smallest point") {
   const glm::dvec3 z(0, 0, 1);
   std::vector<glm::dvec3> hexagon;
   for (int i = 0; i < 6; ++i)
     hexagon.emplace_back(std::cos(i * std::numbers::pi / 3), std::sin(i * std::numbers::pi / 3), 0);
   CHECK(convert::triangulate(hexagon, outline_of(z, {{3, 4, 5, 0, 1, 2}})) ==
         std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}});
-  // The sine of a turn has to be a thousandth: at (2, -h), h. A fan from 0 has a triangle of 2 h there.
+  // The sine of a turn must exceed a thousandth; at (2, -h) it is h. A fan from 0 has a triangle of area 2 h there.
   for (const double h : {0.0009, 0.0011}) {
     const std::vector<glm::dvec3> points{{0, 0, 0}, {2, -h, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
-    const double least = least_area(points, convert::triangulate(points, outline_of(z, {{0, 1, 2, 3, 4}})), z);
+    const double least = min_area(points, convert::triangulate(points, outline_of(z, {{0, 1, 2, 3, 4}})), z);
     if (h < 0.001) {
       CHECK(least > 1);
     } else {
@@ -178,32 +178,32 @@ TEST_CASE("an outline whose turns are all clearly to the left is a fan from its 
   }
 }
 
-TEST_CASE("a star that runs around twice is no convex round, though all its turns are to the left") {
+TEST_CASE("a star that winds twice is not convex although it always turns left") {
   std::vector<glm::dvec3> points;
   for (int i = 0; i < 5; ++i)
     points.emplace_back(std::cos(i * 0.4 * std::numbers::pi), std::sin(i * 0.4 * std::numbers::pi), 0);
-  // Its sides cross, and the result reports it.
+  // Its sides cross, which the result reports.
   const Outline star = outline_of({0, 0, 1}, {{0, 2, 4, 1, 3}});
   CHECK(convert::two_sides(points, star) == std::nullopt);
   CHECK(sides_left(convert::triangulate(points, star)) == sides_left(star));
-  // Six corners twice around; the sum over its sides of x times the next y less y times the next x is
-  // 48 + 48 + 24 + 12 + 12 + 24.
+  // A loop of six corners that winds twice; the sum of x times the next y minus y times the next x is 48 + 48 + 24 + 12
+  // + 12 + 24.
   const std::vector<glm::dvec3> spiral{{-6, -4, 0}, {6, -4, 0}, {0, 8, 0}, {-3, -2, 0}, {3, -2, 0}, {0, 4, 0}};
   const Outline twice = outline_of({0, 0, 1}, {{0, 1, 2, 3, 4, 5}});
   CHECK(area(spiral, convert::triangulate(spiral, twice), {0, 0, 1}) == doctest::Approx(168 / 2.0));
 }
 
-TEST_CASE("sides make rounds, each once") {
+TEST_CASE("chains sides into loops") {
   CHECK(convert::rounds_of(outline_of({0, 0, 1}, {{3, 1, 2}, {6, 5, 4}})) ==
         std::vector<Polygon>{{1, 2, 3}, {4, 6, 5}});
   CHECK(convert::rounds_of(outline_of({0, 0, 1}, {{1, 2, 3}, {1, 2, 3}})) == std::vector<Polygon>{{1, 2, 3, 1, 2, 3}});
   CHECK(convert::rounds_of(outline_of({0, 0, 1}, {{1, 2}})) == std::vector<Polygon>{{1, 2}});
   CHECK(convert::rounds_of(outline_of({0, 0, 1}, {})).empty());
-  // Through a corner twice: one round of six.
+  // Twice through a corner: one loop of six.
   CHECK(convert::rounds_of(outline_of({0, 0, 1}, {{1, 2, 3}, {1, 4, 5}})) == std::vector<Polygon>{{1, 2, 3, 1, 4, 5}});
 }
 
-TEST_CASE("corners are in one plane exactly or they are not") {
+TEST_CASE("is_flat() decides coplanarity exactly") {
   const auto is_flat = [](const std::vector<glm::dvec3>& points) {
     Polygon round;
     for (std::uint32_t i = 0; i < points.size(); ++i) round.push_back(i);
@@ -227,7 +227,7 @@ TEST_CASE("corners are in one plane exactly or they are not") {
       CHECK(!is_flat(bent));
     }
   }
-  // x + y + z = 3, with three on a line first.
+  // Points on x + y + z = 3, the first three of them collinear.
   CHECK(is_flat({{3, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 3, 0}, {0, 0, 3}, {1, 0, 2}}));
   CHECK(!is_flat({{3, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 3, 0}, {0, 0, 3}, {1, 0, 2.5}}));
   CHECK(!is_flat({{3, 0, 0}, {2, 1, 0}, {0, 1, 2}, {0, 0, 3.5}}));
@@ -235,36 +235,36 @@ TEST_CASE("corners are in one plane exactly or they are not") {
   CHECK(is_flat({{1, 2, 3}, {2, 4, 6}, {3, 7, 9}}));
 }
 
-TEST_CASE("polygons of a surface: whole where nothing is in them, triangles where there are holes") {
+TEST_CASE("polygons of a surface are whole or triangles where there are holes") {
   using Sizes = std::vector<std::size_t>;
   CHECK(sizes_of("cube([1,2,3]);") == Sizes(6, 4));
   CHECK(sizes_of("cylinder($fn=5,$fa=12,$fs=2,h=2,r1=1,r2=1);") == Sizes{4, 4, 4, 4, 4, 5, 5});
-  // Two bars at an angle: eight faces, two with six corners.
+  // Two bars at an angle have eight faces, two of them with six corners.
   CHECK(sizes_of("cube([1,4,1]);cube([4,1,1]);") == Sizes{4, 4, 4, 4, 4, 4, 6, 6});
-  // A hole through a plate: each end in eight triangles, eight sides.
+  // A hole through a plate: each end face has eight triangles, and there are eight sides.
   Sizes holed(16, 3);
   holed.insert(holed.end(), 8, 4);
   CHECK(
       sizes_of("difference(){cube([3,3,1]);multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,-1],[0,0,0,1]]){cube([1,1,4]);}}") ==
       holed);
-  // Two cubes whose faces are in common planes, four of them.
+  // Two cubes with four common face planes.
   CHECK(sizes_of("cube([1,1,1]);multmatrix([[1,0,0,5],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube([1,1,1]);}") ==
         Sizes(12, 4));
 }
 
-TEST_CASE("a polygon that touches itself is left in triangles, and so is one that is bent") {
-  // A plate with a triangle cut out of it that has a corner in common.
+TEST_CASE("self-touching or bent polygons stay triangulated") {
+  // A plate with a triangular notch that shares a corner with it.
   const std::vector<glm::dvec3> plate{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {2, 1, 0}, {1, 2, 0}};
   const std::vector<Triangle> around{{0, 1, 4}, {1, 2, 4}, {4, 2, 5}, {5, 2, 3}, {5, 3, 0}};
   convert::Surface surface{plate, around, std::vector<std::uint32_t>(5, 0)};
   CHECK(sizes_of(convert::polygons_of(surface)) == std::vector<std::size_t>(5, 3));
-  // Without its last triangle it touches itself no more.
+  // The plate no longer touches itself without its last triangle.
   surface.triangles.pop_back();
   surface.outlines.pop_back();
   CHECK(sizes_of(convert::polygons_of(surface)) == std::vector<std::size_t>{6});
   surface.points[4].z = 0.5;
   CHECK(sizes_of(convert::polygons_of(surface)) == std::vector<std::size_t>(4, 3));
-  // In two outlines, two polygons.
+  // Two outlines make two polygons.
   surface.points[4].z = 0;
   surface.outlines = {0, 0, 1, 1};
   CHECK(sizes_of(convert::polygons_of(surface)) == std::vector<std::size_t>{4, 4});

@@ -28,7 +28,7 @@ void check_near(const facet::Box& box, const glm::dvec3& low, const glm::dvec3& 
   }
 }
 
-/// The box of all pieces, which are worked out to the end.
+/// Bounding box of all pieces, which are computed completely.
 facet::Box of_pieces(const TestModel& model) {
   facet::Box box;
   for (const convex::Piece& piece : model.pieces()) box = hull(box, convex::box_of(piece.polytope));
@@ -37,18 +37,18 @@ facet::Box of_pieces(const TestModel& model) {
 
 }  // namespace
 
-TEST_CASE("what a difference cuts off a side is not in the extent") {
+TEST_CASE("the extent excludes what a difference cuts off a side") {
   check_near(extent("difference() {" + std::string(cube) + moved(4, -1, -1, "cube(size = 12, center = false);") + "}"),
              {0, 0, 0}, {4, 10, 10});
 }
 
-TEST_CASE("what several solids cut off together is not in the extent") {
+TEST_CASE("the extent excludes what several solids cut off together") {
   const std::string cutters = moved(4, -1, -1, "cube(size = [12, 6, 12], center = false);") +
                               moved(6, 4, -1, "cube(size = [12, 12, 12], center = false);");
   check_near(extent("difference() {" + std::string(cube) + cutters + "}"), {0, 0, 0}, {6, 10, 10});
 }
 
-TEST_CASE("a hole leaves the extent as it is to the last bit") {
+TEST_CASE("a hole leaves the extent unchanged to the last bit") {
   const TestModel model("difference() {" + std::string(cube) + moved(1.1, 1.3, -1, "cube(size = 3, center = false);") +
                         "}");
   const facet::Box box = convex::extent(model.scene, model.positive);
@@ -75,7 +75,7 @@ TEST_CASE("the extent is the box of the pieces of random models") {
   CHECK(tighter > 20);
 }
 
-TEST_CASE("an extent that would take too many cuts is too large rather than too small") {
+TEST_CASE("an extent limited in its number of cuts is never too small") {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     CAPTURE(seed);
     const TestModel model(testing::random_model(seed, 12));
@@ -89,14 +89,14 @@ TEST_CASE("an extent that would take too many cuts is too large rather than too 
   }
 }
 
-TEST_CASE("a model of which nothing is left keeps the box that it would have had") {
+TEST_CASE("an empty model keeps the box of its solids") {
   const facet::Box box = extent("difference() {" + std::string(cube) + cube + "}");
   CHECK(box.low == glm::dvec3(0));
   CHECK(box.high == glm::dvec3(10));
 }
 
-TEST_CASE("past the steps that are allowed the extent is the box of the whole scene") {
-  // What is taken away leaves no corner of the cube, and less than half of it.
+TEST_CASE("an extent beyond the work limit is the box of the whole scene") {
+  // The subtraction removes all corners on one side of the cube, but less than half of its volume.
   const TestModel model(
       "difference() { cube(size = [10, 10, 10], center = true);"
       " multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = [10, 12, 12], center = true); } }");

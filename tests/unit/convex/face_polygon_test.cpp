@@ -9,7 +9,7 @@ using testing::TestModel;
 
 namespace {
 
-/// By the shoelace formula; 0 of no corners.
+/// Area by the shoelace formula; 0 without corners.
 double area_of(const std::vector<glm::dvec3>& corners) {
   glm::dvec3 sum(0);
   for (std::size_t i = 0; i < corners.size(); ++i) sum += glm::cross(corners[i], corners[(i + 1) % corners.size()]);
@@ -25,7 +25,7 @@ std::vector<glm::dvec3> corners_of(const convex::Polytope& polytope, std::uint32
   return corners;
 }
 
-/// Whether each of some points is one of others, to rounding.
+/// Whether each point of `some` equals one of `others` to rounding.
 bool are_among(const std::vector<glm::dvec3>& some, const std::vector<glm::dvec3>& others, double near) {
   return std::ranges::all_of(some, [&](const glm::dvec3& one) {
     return std::ranges::any_of(others, [&](const glm::dvec3& other) { return glm::distance(one, other) <= near; });
@@ -34,7 +34,7 @@ bool are_among(const std::vector<glm::dvec3>& some, const std::vector<glm::dvec3
 
 }  // namespace
 
-TEST_CASE("a face's polygon has the corners that the face of the whole polytope has") {
+TEST_CASE("a face's polygon matches the corresponding face of the polytope") {
   const std::string turned = "multmatrix([[0.36,0.48,-0.8,7],[-0.8,0.6,0,-3],[0.48,0.64,0.6,11],[0,0,0,1]])";
   for (const std::string& solid :
        {std::string("cube(size=[2,3,5],center=false);"), std::string("sphere($fn=24,$fa=12,$fs=2,r=4);"),
@@ -56,7 +56,7 @@ TEST_CASE("a face's polygon has the corners that the face of the whole polytope 
   }
 }
 
-TEST_CASE("a plane that only touches a solid, or is off it, has no polygon of it") {
+TEST_CASE("a plane that touches or misses a solid has no polygon") {
   const TestModel model(
       "cube(size=[2,3,5],center=false); multmatrix([[1,0,0,9],[0,1,0,0],[0,0,1,1],[0,0,0,1]]) {"
       "cube(size=[1,1,1],center=false); }");
@@ -65,7 +65,7 @@ TEST_CASE("a plane that only touches a solid, or is off it, has no polygon of it
     const auto is_same = [&](const facet::Halfspace& one) { return one.plane == halfspace.plane; };
     if (std::ranges::any_of(first.halfspaces, is_same)) continue;
     const auto corners = convex::face_polygon(first, halfspace.plane, model.scene.planes);
-    // The planes z = 1 and z = 2 cut the larger cube, and y = 1 does; x = 9 and x = 10 are off it.
+    // The planes z = 1, z = 2 and y = 1 cut the larger cube; x = 9 and x = 10 miss it.
     const bool cuts = std::abs(model.scene.planes.planes()[halfspace.plane].normal.x) < 0.5;
     CHECK(corners.empty() == !cuts);
   }

@@ -28,7 +28,7 @@ glm::dvec3 end_of_segment(const TestModel& model, const Light& light, const glm:
 Light random_light(const TestModel& model, testing::RandomPoints& random) {
   switch (random.below(4)) {
     case 0: {
-      // Along an axis, so that many faces are edge-on.
+      // Along an axis, which makes many faces edge-on.
       glm::dvec4 place(0);
       place[static_cast<int>(random.below(3))] = random.below(2) == 0 ? 1.0 : -2.5;
       return {place};

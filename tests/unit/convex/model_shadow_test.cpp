@@ -10,7 +10,7 @@ using namespace testing;
 
 namespace {
 
-/// Random points are in the volume of a piece if and only if the ray to the light meets the model.
+/// Checks that random points lie in the volume of a piece exactly if the ray to the light hits the model.
 void check_shadows(const TestModel& model, const Light& light, testing::RandomPoints& random, int points) {
   std::vector<ShadowVolume> volumes;
   for (const convex::Piece& piece : model.pieces()) {
@@ -28,7 +28,7 @@ void check_shadows(const TestModel& model, const Light& light, testing::RandomPo
 
 }  // namespace
 
-TEST_CASE("the shadow of a model's pieces is that of the model along every ray") {
+TEST_CASE("the shadow of a model's pieces matches rays through the model") {
   testing::RandomPoints random(42);
   for (std::uint64_t seed = 2000; seed < 2400; ++seed) {
     CAPTURE(seed);
@@ -38,7 +38,7 @@ TEST_CASE("the shadow of a model's pieces is that of the model along every ray")
   }
 }
 
-TEST_CASE("the shadows of the demo models are those along every ray") {
+TEST_CASE("the shadows of the demo models match rays") {
   testing::RandomPoints random(43);
   for (const char* name : {"thesis_fig_2_3", "carburettor", "terrain_vehicle", "rietveld_house", "old_example002",
                            "old_example003", "old_example011"}) {
@@ -49,7 +49,7 @@ TEST_CASE("the shadows of the demo models are those along every ray") {
   }
 }
 
-TEST_CASE("light passes through a hole in a box, and nowhere else") {
+TEST_CASE("light passes through a hole in a box and nowhere else") {
   const TestModel model(
       "difference(){cube(size=[4,4,2],center=true);cylinder($fn=16,$fa=12,$fs=2,h=9,r1=1,r2=1,center=true);}");
   std::vector<ShadowVolume> volumes;

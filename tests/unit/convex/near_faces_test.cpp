@@ -24,14 +24,14 @@ std::string turned(const std::string& cosine, const std::string& sine, const std
   return fmt::format("multmatrix([[{0},-{1},0,0],[{1},{0},0,0],[0,0,1,0],[0,0,0,1]]) {{ {2} }}\n", cosine, sine, what);
 }
 
-/// A cube turned by 60, 30 and 30 degrees in six digits.
+/// A cube rotated by 60, 30 and 30 degrees with matrices of six digits.
 std::string thrice_turned(const std::string& what) {
   return turned("0.5", "0.866025", turned("0.866025", "0.5", turned("0.866025", "0.5", what)));
 }
 
 }  // namespace
 
-TEST_CASE("faces brought together by other rotations in six digits are near but not the same") {
+TEST_CASE("faces aligned by different six-digit rotations are near but not the same") {
   const std::string once = turned("-0.5", "0.866025", "cube(size = [3, 5, 7], center = true);");
   const convex::NearFaces found =
       near_faces("difference() {\n" + once + thrice_turned("cube(size = [3, 5, 7], center = true);") + "}");
@@ -40,13 +40,13 @@ TEST_CASE("faces brought together by other rotations in six digits are near but 
   CHECK(found.first == std::array<std::uint32_t, 2>{0, 1});
 }
 
-TEST_CASE("faces in one plane, and faces clearly apart, are not near") {
+TEST_CASE("coplanar faces and clearly separate faces are not near") {
   CHECK(near_faces(box(0, 0, 0, 10) + box(10, 0, 0, 10)).pairs == 0);
   CHECK(near_faces(box(0, 0, 0, 10) + box(10.001, 0, 0, 10)).pairs == 0);
   CHECK(near_faces("difference() {" + box(0, 0, 0, 10) + box(2, 2, -0.001, 10.001) + "}").pairs == 0);
 }
 
-TEST_CASE("parallel faces that twenty bits of depth hardly tell apart are near, from either side") {
+TEST_CASE("parallel faces within the resolution of twenty bits are near") {
   CHECK(near_faces(box(0, 0, 0, 10) + box(10.00001, 0, 0, 10)).pairs == 1);
   CHECK(near_faces("difference() {" + box(0, 0, 0, 10) + box(2, 2, -0.00001, 10) + "}").pairs == 1);
 }
@@ -56,14 +56,14 @@ TEST_CASE("faces in near planes that do not overlap are not near") {
   CHECK(near_faces(box(0, 0, 0, 10) + box(10, 0, 0.00001, 10)).pairs == 0);
 }
 
-TEST_CASE("a pair of nodes counts once, and the first in the order of the file is named") {
+TEST_CASE("counts a pair of nodes once and names the first in file order") {
   const convex::NearFaces found =
       near_faces(box(50, 0, 0, 1) + box(0, 0, 0, 10) + box(10.00001, 0, 0, 10) + box(20.00002, 0, 0, 10));
   CHECK(found.pairs == 2);
   CHECK(found.first == std::array<std::uint32_t, 2>{1, 2});
 }
 
-TEST_CASE("normals on either side of where planes turn about are near") {
+TEST_CASE("normals on both sides of the canonical sign change are near") {
   // Canonical normals are (e, 1, 0) and (e, -1, 0).
   const auto tilted = [](double by, double y) {
     return fmt::format("multmatrix([[1,{0},0,0],[{1},1,0,{2}],[0,0,1,0],[0,0,0,1]]) {{ cube(size = 10); }}\n", by, -by,
@@ -72,19 +72,19 @@ TEST_CASE("normals on either side of where planes turn about are near") {
   CHECK(near_faces(tilted(1e-6, 0) + tilted(-1e-6, 10)).pairs == 1);
 }
 
-TEST_CASE("pieces of one node are not held against each other") {
+TEST_CASE("pieces of one node are not compared with each other") {
   CHECK(near_faces("linear_extrude(height = 5) { polygon(points = [[0,0],[10,0],[10,10],[5,10.00001],[0,10]], paths = "
                    "undef); }")
             .pairs == 0);
 }
 
-TEST_CASE("many faces in near planes are given up on, and that is told") {
+TEST_CASE("reports that the search was given up for too many near faces") {
   std::string text;
   for (int i = 0; i < 1100; ++i) text += box(20 * i, 0, 0, 10) + box(20 * i, 50, 10.00001, 10);
   CHECK(near_faces(text).is_incomplete);
 }
 
-TEST_CASE("of many boxes those pairs are near that are near when the others are not there") {
+TEST_CASE("near pairs of many boxes match pairwise comparisons") {
   CHECK(rc::check([] {
     // Corners that coincide, are near, or are apart.
     const auto coordinate = [] {
@@ -97,7 +97,7 @@ TEST_CASE("of many boxes those pairs are near that are near when the others are 
       const double y = coordinate();
       boxes.push_back(box(x, y, coordinate(), 5));
     }
-    // Two far boxes, so that all models are of one size.
+    // Two distant boxes give all models the same size.
     const std::string far = box(-100, -100, -100, 1) + box(200, 200, 200, 1);
     std::string all = far;
     for (const std::string& one : boxes) all += one;

@@ -16,8 +16,8 @@ double total_volume(const std::vector<convex::Piece>& pieces) {
   return sum;
 }
 
-/// Random points are in the model if and only if they are in a piece, and in one of each product at most; that piece's
-/// primitive holds them. The number of points that were in.
+/// Checks that random points lie in the model exactly if they lie in a piece, in at most one of each product, and in
+/// that piece's primitive. Returns the number of points inside.
 int check_points(const TestModel& model, const std::vector<convex::Piece>& pieces, testing::RandomPoints& random,
                  int count) {
   int inside = 0;
@@ -54,7 +54,7 @@ std::string ball(double x, double y, double z, double radius, int count) {
 
 }  // namespace
 
-TEST_CASE("a point is in a random model if it is in a piece, in one of a product at most, and pieces are whole") {
+TEST_CASE("a point is in a random model exactly if one piece of a product contains it") {
   testing::RandomPoints random(11);
   int inside = 0;
   for (std::uint64_t seed = 0; seed < 1200; ++seed) {
@@ -70,7 +70,7 @@ TEST_CASE("a point is in a random model if it is in a piece, in one of a product
   CHECK(inside > 5000);
 }
 
-TEST_CASE("a point is in a demo model if it is in a piece") {
+TEST_CASE("a point is in a demo model exactly if a piece contains it") {
   testing::RandomPoints random(12);
   for (const char* name : {"thesis_fig_2_3", "carburettor", "terrain_vehicle", "rietveld_house", "basics_csg",
                            "old_example002", "old_example003", "old_example011"}) {
@@ -82,7 +82,7 @@ TEST_CASE("a point is in a demo model if it is in a piece") {
   }
 }
 
-TEST_CASE("pieces of a product have the volume that is left") {
+TEST_CASE("pieces of a product have the remaining volume") {
   const TestModel notched("difference(){" + box(0, 0, 0, 4, 4, 4) + box(2, 2, 2, 4, 4, 4) + "}");
   CHECK(notched.pieces().size() == 3);
   CHECK(total_volume(notched.pieces()) == doctest::Approx(56.0).epsilon(1e-12));
@@ -99,7 +99,7 @@ TEST_CASE("pieces of a product have the volume that is left") {
                         "}");
   CHECK(total_volume(twice.pieces()) == doctest::Approx(64.0 - 16.0 - 16.0 + 8.0).epsilon(1e-12));
 
-  // What a ball takes from a ball is what both have.
+  // Subtracting a sphere from another removes their intersection.
   const TestModel dented("difference(){" + ball(0, 0, 0, 3, 12) + ball(2, 1, 0, 2, 14) + "}");
   const TestModel both("intersection(){" + ball(0, 0, 0, 3, 12) + ball(2, 1, 0, 2, 14) + "}");
   const TestModel one(ball(0, 0, 0, 3, 12));
@@ -107,18 +107,18 @@ TEST_CASE("pieces of a product have the volume that is left") {
         doctest::Approx(total_volume(one.pieces()) - total_volume(both.pieces())).epsilon(1e-11));
 }
 
-TEST_CASE("a solid that nothing is taken from stays one piece, and one that all is taken from is none") {
+TEST_CASE("an unaffected solid stays one piece and a removed one has none") {
   CHECK(TestModel("difference(){" + box(0, 0, 0, 2, 2, 2) + box(2, 0, 0, 2, 2, 2) + "}").pieces().size() == 1);
   CHECK(TestModel("difference(){" + box(0, 0, 0, 2, 2, 2) + box(0, 0, 0, 2, 2, 2) + "}").pieces().empty());
   CHECK(TestModel("intersection(){" + box(0, 0, 0, 2, 2, 2) + box(2, 0, 0, 2, 2, 2) + "}").pieces().empty());
   CHECK(TestModel(model::Tree{}).pieces().empty());
-  // Boxes that meet, of solids that do not.
+  // The bounding boxes overlap but the solids do not.
   const TestModel beside("difference(){" + box(0, 0, 0, 2, 2, 2) + ball(3, 3, 1, 1.3, 40) + "}");
   CHECK(beside.pieces().size() == 1);
 }
 
-TEST_CASE("half-spaces that do not bound what is cut out do not cut") {
-  // Of six half-spaces only one is between what is cut out and what is left.
+TEST_CASE("half-spaces that do not bound the subtracted region do not cut") {
+  // Only one of the six half-spaces separates the subtracted region from the rest.
   const TestModel model("difference(){" + box(0, 0, 0, 4, 4, 4) + box(3, -1, -1, 9, 9, 9) + "}");
   CHECK(model.pieces().size() == 1);
   CHECK(total_volume(model.pieces()) == doctest::Approx(48.0).epsilon(1e-12));
@@ -137,7 +137,7 @@ TEST_CASE("fifty dimples in a plate are one product") {
   CHECK(total_volume(pieces) == doctest::Approx(2500.0 - 50.0 * total_volume(dimple.pieces())).epsilon(1e-10));
 }
 
-TEST_CASE("more pieces than asked for are an error that says how many, and what to do") {
+TEST_CASE("rejects a model with more pieces than the limit and suggests a fix") {
   const TestModel model("difference(){" + box(0, 0, 0, 4, 4, 4) + ball(2, 2, 2, 1, 20) + "}");
   CHECK(convex::pieces(model.scene, model.positive, 400).size() == 182);
   CHECK(testing::error_of([&] { (void)convex::pieces(model.scene, model.positive, 100); }) ==

@@ -12,17 +12,17 @@ using namespace testing;
 
 namespace {
 
-/// A rotation about an axis that is along none, and a shift.
+/// A rotation about an oblique axis, and a shift.
 const std::string turned = "multmatrix([[0.36,0.48,-0.8,7],[-0.8,0.6,0,-3],[0.48,0.64,0.6,11],[0,0,0,1]])";
 
 convex::Polytope only_solid(const TestModel& model) {
   return convex::make_polytope(model.scene.solids.front(), model.scene.planes);
 }
 
-/// No half-space has it.
+/// A plane number that no half-space has.
 constexpr std::uint32_t no_plane = 0xffffffffU;
 
-/// What the half-spaces of a solid are to cut it out of.
+/// A box larger than the solid, to be cut by its half-spaces.
 convex::Polytope wide_box(const facet::Convex& solid, const facet::PlaneTable& planes) {
   facet::Box box{solid.box.low - planes.centre(), solid.box.high - planes.centre()};
   const glm::dvec3 margin(0.1 * box.diagonal() + 10.0 * convex::tolerance(planes));
@@ -39,14 +39,14 @@ convex::Polytope wide_box(const facet::Convex& solid, const facet::PlaneTable& p
   return polytope;
 }
 
-/// Nothing if some of the box is left.
+/// Empty if part of the initial box remains, that is, if the solid is unbounded.
 convex::Polytope if_closed(convex::Polytope polytope) {
   const bool is_open = std::any_of(polytope.faces.begin(), polytope.faces.end(),
                                    [](const convex::Face& face) { return face.halfspace.plane == no_plane; });
   return is_open ? convex::Polytope{} : polytope;
 }
 
-/// The intersection, by clip() alone.
+/// The intersection, computed only with clip().
 convex::Polytope clipped_one_by_one(const facet::Convex& solid, const facet::PlaneTable& planes) {
   convex::Polytope polytope = wide_box(solid, planes);
   for (const facet::Halfspace& halfspace : solid.halfspaces)
@@ -54,21 +54,21 @@ convex::Polytope clipped_one_by_one(const facet::Convex& solid, const facet::Pla
   return if_closed(std::move(polytope));
 }
 
-/// The same to the bit, as other tests here say, and fast for thousands.
+/// The same polytope to the bit, according to the other tests here, but fast for thousands of half-spaces.
 convex::Polytope carved_in_order(const facet::Convex& solid, const facet::PlaneTable& planes) {
   convex::Carver carver(wide_box(solid, planes), planes);
   for (const facet::Halfspace& halfspace : solid.halfspaces) carver.clip(halfspace);
   return if_closed(carver.take());
 }
 
-/// The area of a regular polygon inside a circle.
+/// Area of a regular polygon inscribed in a circle.
 double polygon_area(double radius, double count) {
   return 0.5 * count * radius * radius * std::sin(2.0 * std::numbers::pi / count);
 }
 
 }  // namespace
 
-TEST_CASE("a box has the faces, edges and volume of a box, turned or not, far from the origin or not") {
+TEST_CASE("a box keeps its structure and volume when rotated or far away") {
   const std::string cube = "cube(size=[2,3,5],center=false);";
   const std::string far = "multmatrix([[1,0,0,1e6],[0,1,0,0],[0,0,1,2e6],[0,0,0,1]])";
   for (const std::string& text :
@@ -84,7 +84,7 @@ TEST_CASE("a box has the faces, edges and volume of a box, turned or not, far fr
   }
 }
 
-TEST_CASE("solids have their half-spaces as faces and the volumes that geometry says") {
+TEST_CASE("solids have one face per half-space and their geometric volumes") {
   const auto check = [](const std::string& text, double volume, double error = 1e-12) {
     CAPTURE(text);
     const TestModel model(turned + "{" + text + "}");
@@ -95,8 +95,7 @@ TEST_CASE("solids have their half-spaces as faces and the volumes that geometry 
   };
   check("cylinder($fn=96,$fa=12,$fs=2,h=7,r1=3,r2=3,center=true);", 7.0 * polygon_area(3, 96));
   check("cylinder($fn=100,$fa=12,$fs=2,h=7,r1=3,r2=0,center=true);", 7.0 / 3.0 * polygon_area(3, 100));
-  // The apex is where neighbours meet whose normals turn by 2 pi / 1000: rounding grows by the square of the
-  // reciprocal.
+  // Neighbouring normals at the apex differ by 2 pi / 1000, so rounding grows with the square of the reciprocal.
   check("cylinder($fn=1000,$fa=12,$fs=2,h=7,r1=3,r2=0,center=true);", 7.0 / 3.0 * polygon_area(3, 1000), 1e-15 / 4e-5);
   check("cylinder($fn=5,$fa=12,$fs=2,h=6,r1=1,r2=2,center=false);",
         2.0 * (polygon_area(1, 5) + polygon_area(2, 5) + std::sqrt(polygon_area(1, 5) * polygon_area(2, 5))));
@@ -115,7 +114,7 @@ TEST_CASE("solids have their half-spaces as faces and the volumes that geometry 
   check("sphere($fn=30,$fa=12,$fs=2,r=2);", volume);
 }
 
-TEST_CASE("a ball within a tolerance, whose vertices are only a hull's, is a polytope between two balls") {
+TEST_CASE("a sphere faceted to a tolerance is a polytope between two spheres") {
   const TestModel model(turned + "{sphere($fn=0,$fa=12,$fs=2,r=2);}");
   const facet::Geometry scene = facet::make_geometry(model.tree, {0.02, std::nullopt});
   const convex::Polytope polytope = convex::make_polytope(scene.solids.front(), scene.planes);
@@ -125,7 +124,7 @@ TEST_CASE("a ball within a tolerance, whose vertices are only a hull's, is a pol
   CHECK(convex::volume(polytope) > 4.0 / 3.0 * std::numbers::pi * std::pow(1.98, 3));
 }
 
-TEST_CASE("an intersection is the box that clip() leaves of one, half-space after half-space, to the bit") {
+TEST_CASE("make_polytope() equals repeated clip() of a box to the bit") {
   std::size_t most = 0;
   const auto check = [&](const facet::Convex& solid, const facet::PlaneTable& planes) {
     const convex::Polytope expected = clipped_one_by_one(solid, planes);
@@ -162,7 +161,7 @@ TEST_CASE("an intersection is the box that clip() leaves of one, half-space afte
   CHECK(most > 700);
 }
 
-TEST_CASE("solids of thousands of half-spaces have the corners that clip() leaves of them, but for rounding") {
+TEST_CASE("solids with thousands of half-spaces match clip() to rounding") {
   const auto check = [&](const facet::Convex& solid, const facet::Geometry& scene, const convex::Polytope& expected) {
     const facet::PlaneTable& planes = scene.planes;
     const convex::Polytope found = convex::make_polytope(solid, planes);
@@ -188,7 +187,7 @@ TEST_CASE("solids of thousands of half-spaces have the corners that clip() leave
     const facet::Convex& solid = model.scene.solids.front();
     check(solid, model.scene, clipped_one_by_one(solid, model.scene.planes));
   }
-  // More than are cut by in their own order.
+  // More half-spaces than are clipped in their original order.
   const TestModel many(turned + "{sphere($fn=150,$fa=12,$fs=2,r=20);}");
   const facet::Convex& round = many.scene.solids.front();
   CHECK(round.halfspaces.size() > 10'000);
@@ -198,7 +197,7 @@ TEST_CASE("solids of thousands of half-spaces have the corners that clip() leave
   check(scene.solids.front(), scene, clipped_one_by_one(scene.solids.front(), scene.planes));
 }
 
-TEST_CASE("planes through common corners, by about the tolerance, give what clip() leaves, to the bit") {
+TEST_CASE("planes near common corners match clip() to the bit") {
   testing::RandomPoints random(1999);
   std::size_t most = 0;
   const int rounds = testing::cases(200, 30);
@@ -211,12 +210,12 @@ TEST_CASE("planes through common corners, by about the tolerance, give what clip
     for (const glm::dvec3& axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
       for (const double sign : {-1.0, 1.0}) solid.halfspaces.push_back(planes.add({sign * axis, -0.25}));
     }
-    // Around points on a ball, of which many planes have one, or nearly; others only pass the ball.
+    // Planes around points on a sphere: many pass through the same point, or nearly, and others only touch the sphere.
     std::vector<glm::dvec3> corners;
     for (int i = 0; i < 8; ++i) corners.push_back(0.25 * random.direction());
     for (int i = 0; i < 150; ++i) {
       const glm::dvec3 at = corners[random.below(corners.size())];
-      // One draw a statement: compilers choose the order within one.
+      // One random draw per statement, because the evaluation order within a statement is unspecified.
       const double turned_by = random.between(0, 0.3);
       const glm::dvec3 normal = glm::normalize(4.0 * at + turned_by * random.direction());
       const double steps = random.between(-2, 2);
@@ -234,7 +233,7 @@ TEST_CASE("planes through common corners, by about the tolerance, give what clip
   CHECK(most > 64);
 }
 
-TEST_CASE("a plane cuts a polytope in two whole polytopes whose volumes add up") {
+TEST_CASE("a plane cuts a polytope into two polytopes whose volumes add up") {
   int cuts = 0;
   const auto seeds = testing::cases<std::uint64_t>(300, 60);
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
@@ -251,7 +250,7 @@ TEST_CASE("a plane cuts a polytope in two whole polytopes whose volumes add up")
       REQUIRE(sum == doctest::Approx(convex::volume(whole)).epsilon(1e-9));
       if (below.empty() || above.empty()) continue;
       ++cuts;
-      // Together again, they are what they were.
+      // Merged again, they equal the original.
       std::vector<convex::Polytope> halves{below, above};
       convex::merge(halves, model.scene.planes);
       REQUIRE(halves.size() == 1);
@@ -262,13 +261,13 @@ TEST_CASE("a plane cuts a polytope in two whole polytopes whose volumes add up")
   CHECK((!testing::draws_usual_cases() || cuts > 2000));
 }
 
-TEST_CASE("a plane through edges and corners makes no other edges, and one that only touches changes nothing") {
+TEST_CASE("a plane through edges adds no edges and one that touches changes nothing") {
   const TestModel model(
       "union(){cube(size=[2,2,2],center=false);"
       "multmatrix([[0.7071067811865476,-0.7071067811865476,0,1],[0.7071067811865476,0.7071067811865476,0,-1],[0,0,1,0],"
       "[0,0,0,1]]){cube(size=[9,9,9],center=false);}}");
   const convex::Polytope cube = only_solid(model);
-  // x + y >= 0 touches the cube along an edge; y - x >= -2 touches it along another.
+  // x + y >= 0 touches the cube along an edge, and y - x >= -2 along another.
   int touching = 0;
   for (const facet::Halfspace& halfspace : model.scene.solids[1].halfspaces) {
     const convex::Polytope in = convex::clip(cube, halfspace, model.scene.planes);
@@ -291,10 +290,10 @@ TEST_CASE("a plane through edges and corners makes no other edges, and one that 
   CHECK(convex::volume(half) == doctest::Approx(4.0));
 }
 
-TEST_CASE("what is left of a sheet thinner than the tolerance is nothing; a thicker one is there") {
+TEST_CASE("a sheet thinner than the tolerance vanishes and a thicker one remains") {
   for (const double thickness : {0.3, 0.9, 1.1, 3.0}) {
     CAPTURE(thickness);
-    // The diagonal is 10 sqrt(3), far more than that of either box's own.
+    // The diagonal of the scene is 10 sqrt(3), much larger than the diagonal of either box.
     const double size = thickness * convex::relative_tolerance * 10.0 * std::sqrt(3.0);
     const TestModel model(fmt::format(
         "union(){{cube(size=[1,1,1],center=false);multmatrix([[1,0,0,{:.17g}],[0,1,0,0],[0,0,1,0],[0,0,0,1]])"
@@ -310,12 +309,12 @@ TEST_CASE("what is left of a sheet thinner than the tolerance is nothing; a thic
   }
 }
 
-TEST_CASE("planes that miss common corners by about the tolerance still make whole polytopes") {
+TEST_CASE("planes near common corners by about the tolerance yield valid polytopes") {
   testing::RandomPoints random(1987);
   int cuts = 0;
   for (int round = 0; round < 3000; ++round) {
     CAPTURE(round);
-    // Planes near to the corners of a cube of diagonal 1, and to those of what is left.
+    // Planes near the corners of a cube of diagonal 1 and of what remains of it.
     facet::PlaneTable planes(glm::dvec3(0), 1.0);
     const double near = convex::tolerance(planes);
     facet::Convex solid;
@@ -344,21 +343,21 @@ TEST_CASE("planes that miss common corners by about the tolerance still make who
       if (next.empty()) break;
       if (next.vertices != polytope.vertices) ++cuts;
       polytope = std::move(next);
-      // The tolerance may have been raised, but not without end.
+      // The tolerance may have been raised, but only by a limited amount.
       REQUIRE(flaws(scene, polytope, 1.01) == "");
     }
   }
   CHECK(cuts > 5000);
 }
 
-TEST_CASE("an empty solid is an empty polytope, and stays empty") {
+TEST_CASE("an empty solid is an empty polytope and stays empty") {
   facet::PlaneTable planes(glm::dvec3(0), 1.0);
   const facet::Halfspace halfspace = planes.add({{0, 0, 1}, 0});
   CHECK(convex::make_polytope({}, planes).empty());
   CHECK(convex::clip({}, halfspace, planes).empty());
 }
 
-TEST_CASE("clipping what has a corner that is not a number ends, with nothing") {
+TEST_CASE("clipping a polytope with a non-finite corner terminates") {
   const TestModel model("cube(size=[2,3,5],center=false);");
   const facet::Convex& solid = model.scene.solids.front();
   for (const double odd : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {

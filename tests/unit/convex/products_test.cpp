@@ -27,7 +27,7 @@ std::string many(const char* op, int count, double step, double size) {
 
 }  // namespace
 
-TEST_CASE("products keep what they are of and what is taken away from them") {
+TEST_CASE("products list their primitive and the subtracted solids") {
   const TestModel model("difference(){union(){" + box(0, 0, 2) + box(1, 1, 2) + "}" + box(2.5, 2.5, 2) + box(9, 9, 1) +
                         "}");
   const std::vector<convex::SolidProduct> found = products(model);
@@ -38,8 +38,8 @@ TEST_CASE("products keep what they are of and what is taken away from them") {
   CHECK(found[1].subtracted == std::vector<std::uint32_t>{2});
 }
 
-TEST_CASE("unions of disjoint solids that are intersected are matched, not multiplied out") {
-  // 40 to the power of 8 products, of which 40 are not empty.
+TEST_CASE("intersected unions of disjoint solids are matched and not expanded") {
+  // Expansion would give 40^8 products; only 40 are not empty.
   std::string text = "intersection(){\n";
   for (int i = 0; i < 8; ++i) text += many("union", 40, 2.0, 1.0 + 0.1 * i);
   const std::vector<convex::SolidProduct> found = products(TestModel(text + "}"));
@@ -47,8 +47,8 @@ TEST_CASE("unions of disjoint solids that are intersected are matched, not multi
   for (const convex::SolidProduct& product : found) CHECK(convex::volume(product.whole) == doctest::Approx(1.0));
 }
 
-TEST_CASE("differences of intersections have no empty products where these are apart") {
-  // 2 to the power of 60 products without regard to where things are: 121 with it.
+TEST_CASE("differences of disjoint intersections have no empty products") {
+  // There are 2^60 products without spatial pruning, and 121 with it.
   std::string text = "difference(){cube(size=[400,400,1],center=false);\n";
   for (int i = 0; i < 60; ++i) {
     text += "intersection(){" + box(6.0 * i, 3, 4) + box(6.0 * i + 1, 4, 4) + "}\n";
@@ -61,7 +61,7 @@ TEST_CASE("differences of intersections have no empty products where these are a
   CHECK(volume == doctest::Approx(160000.0 - 60.0 * 9.0).epsilon(1e-9));
 }
 
-TEST_CASE("trees that do multiply out are an error in reasonable time, and deep ones are not too deep") {
+TEST_CASE("rejects exponential products quickly and accepts deep trees") {
   std::string text = "intersection(){\n";
   for (int i = 0; i < 12; ++i) text += many("union", 12, 0.01, 1.0 + 0.001 * i);
   const TestModel hard(text + "}");

@@ -12,7 +12,7 @@ using namespace testing;
 
 namespace {
 
-/// The length of the open segment's part in the polytope, in parts of the segment; below 0 if it misses.
+/// Length of the open segment inside the polytope, relative to the segment; negative if it misses.
 double overlap(const TestModel& model, const convex::Polytope& polytope, const glm::dvec3& from, const glm::dvec3& to) {
   double first = 0;
   double last = 1;
@@ -26,7 +26,7 @@ double overlap(const TestModel& model, const convex::Polytope& polytope, const g
   return last - first;
 }
 
-/// What holds of any volume by its own description.
+/// Checks properties that hold for every volume.
 void check_description(const TestModel& model, const convex::Polytope& polytope, const Light& light,
                        const ShadowVolume& volume) {
   const double near = 3.0 * convex::tolerance(model.scene.planes);
@@ -46,7 +46,7 @@ void check_description(const TestModel& model, const convex::Polytope& polytope,
       planes.push_back(convex::outward_plane(halfspace, model.scene.planes));
   }
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    // Every plane bounds the volume, along an edge at least, and no plane is there twice.
+    // Every plane bounds the volume along at least an edge, and no plane occurs twice.
     const auto touching = std::count_if(volume.corners.begin(), volume.corners.end(), [&](const glm::dvec3& corner) {
       return std::abs(glm::dot(planes[i].normal, corner - centre) + planes[i].offset) <= near;
     });
@@ -60,7 +60,7 @@ void check_description(const TestModel& model, const convex::Polytope& polytope,
   }
 }
 
-/// A point deep in the volume's far part, and near its polytope.
+/// Checks a point deep in the far part of the volume and near its polytope.
 void check_extent(const ShadowVolume& volume, const glm::dvec3& point, const glm::dvec3& functional, double near) {
   for (const glm::dvec3& direction : volume.directions) {
     if (glm::dot(functional, direction) > 0.0) return;
@@ -79,7 +79,7 @@ ShadowVolume volume_of(const TestModel& model, const glm::dvec4& place) {
 
 }  // namespace
 
-TEST_CASE("a box throws its shadow through faces, edge-on faces and silhouette edges as it is turned to the light") {
+TEST_CASE("a box has the right shadow planes for each direction of the light") {
   const TestModel box("cube(size=[2,2,2],center=true);");
   struct Expected {
     glm::dvec4 light;
@@ -102,7 +102,7 @@ TEST_CASE("a box throws its shadow through faces, edge-on faces and silhouette e
   }
 }
 
-TEST_CASE("a light inside leaves nothing lit, and one on a face, an edge or a corner what is before it") {
+TEST_CASE("a light inside shadows everything and one on the surface the half behind it") {
   const TestModel box("cube(size=[2,2,2],center=true);");
   CHECK(volume_of(box, {0.3, -0.2, 0.9, 1}).everything());
   CHECK(volume_of(box, {0.6, -0.4, 1.8, 2}).everything());
@@ -118,8 +118,8 @@ TEST_CASE("a light inside leaves nothing lit, and one on a face, an edge or a co
   }
 }
 
-TEST_CASE("a prism and an octahedron have as many planes as their outlines have edges") {
-  // 16 sides and a cap are lit: the outline is 16 edges of each cap, and two edges between sides.
+TEST_CASE("a prism and an octahedron have one shadow plane per silhouette edge") {
+  // 16 sides and a cap are lit: the silhouette has 16 edges of each cap and two edges between sides.
   const TestModel prism("cylinder($fn=32,$fa=12,$fs=2,h=4,r1=3,r2=3,center=true);");
   const ShadowVolume volume = volume_of(prism, {1, 0.03, 0.5, 0});
   CHECK(volume.facing.size() == 17);
@@ -132,17 +132,17 @@ TEST_CASE("a prism and an octahedron have as many planes as their outlines have 
   const ShadowVolume square = volume_of(octahedron, {1, 0, 0, 0});
   CHECK(square.facing.size() == 4);
   CHECK(square.silhouette.size() == 4);
-  // Along an edge's normal two faces are lit and the four beside them are edge-on.
+  // Along an edge's normal two faces are lit and the four adjacent ones are edge-on.
   const ShadowVolume rhombus = volume_of(octahedron, {1, 1, 0, 0});
   CHECK(rhombus.facing.size() == 2);
   CHECK(rhombus.edge_on.size() == 4);
   CHECK(rhombus.silhouette.empty());
 }
 
-TEST_CASE("edges in one line, of faces in one plane, give one plane") {
+TEST_CASE("collinear edges of coplanar faces give one plane") {
   const TestModel box("cube(size=[2,2,2],center=true);");
   convex::Polytope polytope = convex::make_polytope(box.scene.solids.front(), box.scene.planes);
-  // The face at the top becomes two, from the middle of an edge to the middle of the opposite one.
+  // The top face is split in two, between the midpoints of opposite edges.
   const auto top = std::find_if(polytope.faces.begin(), polytope.faces.end(), [&](const convex::Face& face) {
     return convex::outward_plane(face.halfspace, box.scene.planes).normal.z > 0.5;
   });
@@ -174,7 +174,7 @@ TEST_CASE("edges in one line, of faces in one plane, give one plane") {
   }
 }
 
-TEST_CASE("a point is in the volume of a piece if the segment to the light meets the piece, and within its extent") {
+TEST_CASE("a point is in a shadow volume exactly if its segment to the light hits") {
   testing::RandomPoints random(1977);
   int shadowed = 0;
   int lit = 0;

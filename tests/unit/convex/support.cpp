@@ -27,7 +27,7 @@ TestModel demo_model(const std::string& name) {
 
 namespace {
 
-/// Far beyond the tolerance, of the diagonal.
+/// Far above the tolerance; relative to the diagonal.
 constexpr double doubtful = 1e-8;
 
 bool evaluate(const model::Tree& tree, const std::vector<bool>& held) {
@@ -47,7 +47,7 @@ bool evaluate(const model::Tree& tree, const std::vector<bool>& held) {
   return tree.root != model::no_index && value[tree.root];
 }
 
-/// And the distance from the nearest plane.
+/// Also returns the distance from the nearest plane.
 std::pair<bool, double> examine(const TestModel& model, const glm::dvec3& point) {
   std::vector<bool> held;
   double nearest = 1e300;
@@ -108,28 +108,29 @@ std::string flaws(const facet::Geometry& scene, const convex::Polytope& polytope
   if (polytope.empty()) return polytope.vertices.empty() ? "" : "vertices without faces";
   const double near = slack * convex::tolerance(scene.planes);
   for (const convex::Face& face : polytope.faces) {
-    if (std::set(face.corners.begin(), face.corners.end()).size() != face.corners.size()) return "a corner twice";
-    if (face.corners.size() < 3) return "a face without area";
+    if (std::set(face.corners.begin(), face.corners.end()).size() != face.corners.size())
+      return "repeated corner in a face";
+    if (face.corners.size() < 3) return "face with fewer than three corners";
     for (std::size_t i = 0; i < face.corners.size(); ++i) {
       ++directed[{face.corners[i], face.corners[(i + 1) % face.corners.size()]}];
       ++degrees[face.corners[i]];
       const glm::dvec3 corner = polytope.vertices[face.corners[i]] + scene.planes.centre();
       const double off = std::abs(height(scene, face.halfspace, corner));
-      if (off > near) return fmt::format("a corner {} off its face", off);
+      if (off > near) return fmt::format("corner {} off the plane of its face", off);
     }
     for (const glm::dvec3& vertex : polytope.vertices) {
       const double beyond = height(scene, face.halfspace, vertex + scene.planes.centre());
-      if (beyond > near) return fmt::format("a vertex {} beyond a face", beyond);
+      if (beyond > near) return fmt::format("vertex {} outside a face", beyond);
     }
   }
   for (const auto& [edge, times] : directed) {
     const auto back = directed.find({edge.second, edge.first});
-    if (times != 1 || back == directed.end()) return "an edge of other than two faces";
+    if (times != 1 || back == directed.end()) return "edge without exactly two faces";
   }
   for (const int degree : degrees) {
-    if (degree < 3) return "a vertex of fewer than three faces";
+    if (degree < 3) return "vertex with fewer than three faces";
   }
-  if (polytope.vertices.size() + polytope.faces.size() != directed.size() / 2 + 2) return "Euler's formula";
+  if (polytope.vertices.size() + polytope.faces.size() != directed.size() / 2 + 2) return "Euler's formula is violated";
   return convex::edges(polytope).size() == directed.size() / 2 ? "" : "edges() finds others";
 }
 

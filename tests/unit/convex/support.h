@@ -17,7 +17,7 @@
 
 namespace csgsim::testing {
 
-/// A model, faceted twice: the scene's canonical planes for what is tested, each solid's own planes for the judge.
+/// A model faceted twice: the scene has the canonical planes under test, and each solid its own planes for the judge.
 struct TestModel {
   explicit TestModel(model::Tree from);
   explicit TestModel(const std::string& text);
@@ -32,30 +32,30 @@ struct TestModel {
 
 TestModel demo_model(const std::string& name);
 
-/// Whether the model holds the point, by the tree's own operators. Nothing if the point is too near to a plane to say.
+/// Whether the model contains the point, according to the tree's operators. Empty if the point is too close to a plane
+/// to decide.
 std::optional<bool> holds(const TestModel& model, const glm::dvec3& point);
 
-/// Lengths, as parameters of the segment, of the stretches between crossings of planes that the model holds; the
-/// longest. 0 if it holds none.
+/// Longest stretch inside the model between crossings of planes, in parameters of the segment; 0 if there is none.
 double longest_inside(const TestModel& model, const glm::dvec3& from, const glm::dvec3& to);
 
-/// normal . p + offset of a half-space's outward plane, point in model space.
+/// normal . p + offset of a half-space's outward plane; the point is in model space.
 double height(const facet::Geometry& scene, facet::Halfspace halfspace, const glm::dvec3& point);
 
-/// The greatest height above the faces; below 0 inside.
+/// Maximum height above the faces; negative inside.
 double height(const facet::Geometry& scene, const convex::Polytope& polytope, const glm::dvec3& point);
 
-/// What is wrong with a polytope by its own description: edges of other than two faces, vertices off their faces'
-/// planes or beyond others, Euler's formula. Empty if nothing. `slack` in tolerances.
+/// First fault of a polytope as a structure: edges without exactly two faces, vertices off their faces' planes or
+/// beyond others, or a violation of Euler's formula. Empty if there is none. `slack` is in tolerances.
 std::string flaws(const facet::Geometry& scene, const convex::Polytope& polytope, double slack = 1.01);
 
-/// Points and numbers that are the same everywhere.
+/// Random points and numbers that are the same on every platform.
 class RandomPoints {
  public:
   explicit RandomPoints(std::uint64_t seed) : engine_(seed) {}
   double between(double low, double high);
   std::size_t below(std::size_t limit) { return engine_() % limit; }
-  /// In a box grown by half its size to all sides.
+  /// Random point in a box that is enlarged by half its size on all sides.
   glm::dvec3 around(const facet::Box& box);
   glm::dvec3 direction();
 

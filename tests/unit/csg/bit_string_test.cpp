@@ -11,8 +11,9 @@ using namespace csgsim::testing;
 
 namespace {
 
-/// The string worked out as the thesis says, from what is in which primitive.
-bool worked_out(const csg::BitString& string, const std::vector<csg::ActiveNode>& nodes, const std::vector<bool>& in) {
+/// Evaluates the string by the method of the thesis from the primitives that contain the point.
+bool evaluate_string(const csg::BitString& string, const std::vector<csg::ActiveNode>& nodes,
+                     const std::vector<bool>& in) {
   std::vector<bool> bits;
   for (const std::uint32_t leaf : string.leaves) bits.push_back(in[nodes[leaf].primitive]);
   for (const csg::StringLevel& level : string.levels) {
@@ -26,14 +27,14 @@ bool worked_out(const csg::BitString& string, const std::vector<csg::ActiveNode>
   return bits.front() != string.inverted;
 }
 
-bool right_for_all_assignments(const ActiveTree& tree) {
+bool is_correct_for_all_assignments(const ActiveTree& tree) {
   const csg::RootedTree rooted = csg::with_root(tree);
   const csg::BitString string = csg::make_bit_string(rooted.nodes, rooted.root);
   const std::size_t leaves = leaves_of(tree);
   for (std::uint32_t assignment = 0; assignment < 1U << leaves; ++assignment) {
     std::vector<bool> in;
     for (std::size_t i = 0; i < leaves; ++i) in.push_back((assignment >> i & 1U) != 0);
-    if (worked_out(string, rooted.nodes, in) != evaluate(tree, in)) return false;
+    if (evaluate_string(string, rooted.nodes, in) != evaluate(tree, in)) return false;
   }
   return true;
 }
@@ -48,15 +49,15 @@ std::uint32_t ceil_log2(std::size_t number) { return static_cast<std::uint32_t>(
 
 }  // namespace
 
-TEST_CASE("a string gives what Boolean evaluation gives, for every tree of few leaves and all that they can be") {
-  for_all_trees(7, [](const ActiveTree& tree, std::uint32_t) { CHECK(right_for_all_assignments(tree)); });
+TEST_CASE("a string matches Boolean evaluation for all small trees and assignments") {
+  for_all_trees(7, [](const ActiveTree& tree, std::uint32_t) { CHECK(is_correct_for_all_assignments(tree)); });
 }
 
-TEST_CASE("a string gives what Boolean evaluation gives, for random trees and all that their leaves can be") {
-  CHECK(rc::check([] { RC_ASSERT(right_for_all_assignments(any_tree(10))); }));
+TEST_CASE("a string matches Boolean evaluation for random trees and all assignments") {
+  CHECK(rc::check([] { RC_ASSERT(is_correct_for_all_assignments(any_tree(10))); }));
 }
 
-TEST_CASE("every leaf has one bit, and a bit that has met its sibling is not used again") {
+TEST_CASE("every leaf has one bit and a combined bit is not used again") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(60);
     const csg::RootedTree rooted = csg::with_root(tree);
@@ -98,17 +99,17 @@ TEST_CASE("an operator over n leaves takes ceil(log2 n) levels of one AND each")
   }
 }
 
-TEST_CASE("operands of unequal depth go together so that the tree gets no deeper than it must") {
+TEST_CASE("operands of unequal depth are combined at minimum depth") {
   CHECK(string_of("*(+(*(..)*(..))....)").levels.size() == 3);
   CHECK(string_of("*(+(*(..)*(..))+(*(..)*(..)))").levels.size() == 3);
   CHECK(string_of("*(+(*(..).).....)").levels.size() == 4);
   CHECK(string_of("*(+(*(..).)+(..)..)").levels.size() == 3);
-  // Four leaves and a tree of depth 2 make one of depth 3, 8 of the 32 leaves that a tree of depth 5 has room for.
+  // Four leaves and a tree of depth 2 make one of depth 3: 8 of the 32 leaves in a full tree of depth 5.
   CHECK(string_of("+(....*(+(..).))").levels.size() == 3);
   CHECK(string_of("*(+(....*(+(..).))" + std::string(24, '.') + ")").levels.size() == 5);
 }
 
-TEST_CASE("a fully developed tree of alternating operators is inverted once a level in between, whole") {
+TEST_CASE("a full tree of alternating operators is inverted once between levels") {
   const csg::BitString string = string_of("*(+(*(..)*(..))+(*(..)*(..)))");
   REQUIRE(string.levels.size() == 3);
   CHECK(string.levels[0].inverted.empty());

@@ -36,7 +36,7 @@ struct Prepared {
   view::View view;
   csg::PositiveTree positive;
 
-  /// Of the whole picture.
+  /// The active tree for the whole picture.
   [[nodiscard]] csg::ActiveTree active_tree(std::uint32_t primitive, const csg::Pruning& pruning = {}) const {
     const csg::Pruner pruner(scene, view, positive, pruning);
     const csg::Block block = pruner.surface_block({&primitive, 1}, {0, 0, 511, 511});
@@ -70,7 +70,7 @@ TEST_CASE("the positive form of a tree has its value for every state of the prim
   }));
 }
 
-TEST_CASE("primitives under unions alone have nothing to be classified against") {
+TEST_CASE("primitives under unions alone have no operands to test") {
   const Prepared p = prepare("union(){" + box(0, 2) + box(1, 2) + box(2, 2) + "}");
   for (std::uint32_t i = 0; i < 3; ++i) {
     CHECK_FALSE(p.active_tree(i).nothing);
@@ -78,7 +78,7 @@ TEST_CASE("primitives under unions alone have nothing to be classified against")
   }
 }
 
-TEST_CASE("operands that are disjoint are pruned, and take with them what they would have left") {
+TEST_CASE("prunes disjoint operands and primitives that become empty") {
   const Prepared p =
       prepare("union(){difference(){" + box(0, 2) + box(30, 2) + "}intersection(){" + box(0, 2) + box(30, 2) + "}}");
   CHECK(p.active_tree(0).operands.empty());
@@ -88,18 +88,18 @@ TEST_CASE("operands that are disjoint are pruned, and take with them what they w
   CHECK(p.active_tree(3).nothing);
 }
 
-TEST_CASE("an operand that surrounds a primitive is pruned") {
+TEST_CASE("prunes an operand that surrounds a primitive") {
   const Prepared p = prepare("intersection(){" + box(0, 2) + box(0, 20) + "}");
   CHECK_FALSE(p.active_tree(0).nothing);
   CHECK(p.active_tree(0).operands.empty());
 }
 
-TEST_CASE("what a surrounding solid takes away leaves nothing") {
+TEST_CASE("a primitive inside a subtracted solid is pruned") {
   const Prepared p = prepare("difference(){" + box(0, 2) + box(0, 20) + "}");
   CHECK(p.active_tree(0).nothing);
 }
 
-TEST_CASE("the deepest operand is worked out first, so that a chain needs one bit") {
+TEST_CASE("evaluates the deepest operand first so that a chain needs one bit") {
   std::string chain = "union(){" + box(0, 4) + box(0.5, 4) + "}";
   for (int i = 0; i < 6; ++i) {
     chain = "intersection(){" + box(0.1 * i, 4) + "union(){" + box(0.2 * i, 3) + chain + "}}";
@@ -108,7 +108,7 @@ TEST_CASE("the deepest operand is worked out first, so that a chain needs one bi
   CHECK(p.active_tree(0).bits() == 1);
 }
 
-TEST_CASE("a balanced tree of alternating operators needs a bit a level") {
+TEST_CASE("a balanced tree of alternating operators needs one bit per level") {
   const auto pair = [](double x) { return "intersection(){" + box(x, 4) + box(x + 0.1, 4) + "}"; };
   const std::string four = "union(){" + pair(0) + pair(0.3) + "}";
   const std::string other = "union(){" + pair(0.2) + pair(0.4) + "}";
@@ -130,8 +130,8 @@ TEST_CASE("a tree ten thousand levels deep is pruned without recursion") {
   CHECK_NOTHROW(static_cast<void>(p.active_tree(0)));
 }
 
-TEST_CASE("the I-tree of a primitive holds what it is intersected with, its active tree what of that it touches") {
-  // A tree of the kind of the thesis's figure 6.1: ((((P u A) n B) - (C - D)) u (E - F), with D away from P.
+TEST_CASE("the I-tree has all operands of a primitive and the active tree the near ones") {
+  // A tree like that of the thesis's figure 6.1: ((((P u A) n B) - (C - D)) u (E - F)), with D away from P.
   const Prepared p =
       prepare("union(){difference(){intersection(){union(){" + box(0, 2) + box(9, 2) + "}" + box(0.5, 2) +
               "}difference(){" + box(1, 2) + box(9.5, 2) + "}}difference(){" + box(0.1, 2) + box(0.2, 2) + "}}");
@@ -158,7 +158,7 @@ TEST_CASE("the I-tree of a primitive holds what it is intersected with, its acti
   CHECK(active.nodes[active.operands[1]].complemented);
 }
 
-TEST_CASE("primitives that only intersections join are one convex solid, complemented ones are not") {
+TEST_CASE("primitives joined only by intersections are one convex set") {
   const Prepared p =
       prepare("difference(){intersection(){" + box(0, 2) + "intersection(){" + box(0.5, 2) + box(1, 2) + "}union(){" +
               box(0, 3) + box(1, 3) + "}}intersection(){" + box(0, 1) + box(0.5, 1) + "}}");
@@ -167,13 +167,13 @@ TEST_CASE("primitives that only intersections join are one convex solid, complem
   CHECK(csg::convex_sets(p.positive, false) == Sets{{0}, {1}, {2}, {3}, {4}, {5}, {6}});
 }
 
-TEST_CASE("primitives with a complemented one between them are not drawn as one") {
+TEST_CASE("primitives separated by a complemented one are not drawn as one") {
   const Prepared p =
       prepare("intersection(){difference(){" + box(0, 2) + box(0.5, 1) + "}" + box(0, 3) + box(1, 3) + "}");
   CHECK(csg::convex_sets(p.positive, true) == std::vector<csg::ConvexSet>{{0}, {1}, {2, 3}});
 }
 
-TEST_CASE("what is left after an intersection has been taken away is one leaf, and one product") {
+TEST_CASE("the rest after subtracting intersections has one leaf each and one product") {
   std::string text = "difference(){" + box(0, 10);
   for (int i = 0; i < 50; ++i) text += "intersection(){" + box(0.01 * i, 2) + box(0.5 + 0.01 * i, 2) + "}";
   const Prepared p = prepare(text + "}");

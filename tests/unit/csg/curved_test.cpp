@@ -31,7 +31,7 @@ model::Tree random_solid() {
 
 }  // namespace
 
-TEST_CASE("of curved solids blocks are in or out only if all of their places are, and extents hold all that is in") {
+TEST_CASE("blocks of curved solids are classified correctly and extents contain them") {
   int known_in = 0;
   int known_out = 0;
   int held = 0;
@@ -88,7 +88,7 @@ TEST_CASE("of curved solids blocks are in or out only if all of their places are
       }
     }));
   }
-  MESSAGE("in ", known_in, ", out ", known_out, ", places held ", held);
+  MESSAGE("blocks in: ", known_in, ", blocks out: ", known_out, ", points inside: ", held);
   CHECK((!testing::draws_usual_cases() || known_in > 10));
   CHECK((!testing::draws_usual_cases() || known_out > 100));
   CHECK((!testing::draws_usual_cases() || held > 1000));

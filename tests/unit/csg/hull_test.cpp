@@ -10,7 +10,7 @@ namespace {
 
 using Points = std::vector<glm::dvec3>;
 
-/// Few different numbers, so that many points are as far as one another.
+/// Coordinates on a coarse grid, so that many points are equally far.
 glm::dvec3 coarse(int steps) {
   const double x = *rc::gen::inRange(-steps, steps + 1);
   const double y = *rc::gen::inRange(-steps, steps + 1);
@@ -26,7 +26,7 @@ std::size_t first_farthest(const Points& points, const glm::dvec3& direction) {
 
 }  // namespace
 
-TEST_CASE("the first of the points that are farthest along a direction is found, however often it is asked for") {
+TEST_CASE("support() returns the first of the farthest points on every call") {
   CHECK(rc::check([] {
     const int steps = *rc::gen::element(2, 30, 1'000'000);
     Points points(static_cast<std::size_t>(*rc::gen::inRange(1, 300)));
@@ -40,7 +40,7 @@ TEST_CASE("the first of the points that are farthest along a direction is found,
   }));
 }
 
-TEST_CASE("a hull knows the least and the greatest coordinates of its points") {
+TEST_CASE("a hull returns the minimum and maximum coordinates of its points") {
   const Points points{{1, 5, -2}, {-3, 4, 7}, {2, 9, 0}};
   const csg::Hull hull(points);
   CHECK(hull.low() == glm::dvec3(-3, 4, -2));

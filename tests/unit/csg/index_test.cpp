@@ -47,7 +47,7 @@ view::Sampling small_picture() {
   return sampling;
 }
 
-/// A model as a camera sees it, and the I-trees of it pruned by a walk through all of each.
+/// A model seen by a camera, with its I-trees pruned by a complete walk.
 class Pruned {
  public:
   Pruned(const std::string& text, const csg::Pruning& pruning)
@@ -59,10 +59,10 @@ class Pruned {
 
   struct Part {
     Known known = Known::depends;
-    std::vector<std::uint32_t> leaves{};  ///< those that it depends on
+    std::vector<std::uint32_t> leaves{};  ///< leaves that it depends on
   };
 
-  /// The intersection of all operands that stand beside the way from the primitive to the root.
+  /// Intersection of all operands next to the path from the primitive to the root.
   [[nodiscard]] Part i_tree(std::uint32_t primitive, const csg::Block& block) const {
     Part all{Known::in};
     std::uint32_t below = positive.leaf_of[primitive];
@@ -89,7 +89,7 @@ class Pruned {
   csg::PositiveTree positive;
 
  private:
-  /// An operand more of an operator that `dominant` decides.
+  /// Adds an operand of an operator with the given dominant value.
   static void add(Part& whole, Part&& operand, Known dominant) {
     if (whole.known == dominant) return;
     if (operand.known == dominant) {
@@ -152,16 +152,15 @@ csg::Pruning random_pruning() {
 
 }  // namespace
 
-TEST_CASE(
-    "an index of boxes finds those that meet a box and those that cover it, in order, whatever order they came in") {
+TEST_CASE("BoxIndex finds the boxes that meet or cover a box in order of their numbers") {
   CHECK(rc::check([] {
     std::vector<csg::BoxIndex::Entry> entries(static_cast<std::size_t>(*rc::gen::inRange(0, 120)));
     for (std::uint32_t i = 0; i < entries.size(); ++i) entries[i] = {random_box(), i};
     const csg::BoxIndex::Box box = random_box();
-    std::vector<std::uint32_t> are_met;
+    std::vector<std::uint32_t> expected_meeting;
     std::vector<std::uint32_t> cover;
     for (const csg::BoxIndex::Entry& entry : entries) {
-      if (meet(entry.box, box)) are_met.push_back(entry.number);
+      if (meet(entry.box, box)) expected_meeting.push_back(entry.number);
       if (covers(entry.box, box)) cover.push_back(entry.number);
     }
     const std::uint64_t seed = *rc::gen::arbitrary<std::uint64_t>();
@@ -169,13 +168,13 @@ TEST_CASE(
     const csg::BoxIndex index(entries);
     std::vector<std::uint32_t> found{7};
     index.meeting(box, found);
-    are_met.insert(are_met.begin(), 7);
-    RC_ASSERT(found == are_met);
+    expected_meeting.insert(expected_meeting.begin(), 7);
+    RC_ASSERT(found == expected_meeting);
     RC_ASSERT(index.covering(box, entries.size()) == cover);
   }));
 }
 
-TEST_CASE("of many boxes that cover one, as many are found as are asked for: the first") {
+TEST_CASE("covering() returns the first boxes up to the requested number") {
   const csg::BoxIndex::Box box{{1, 1, 1, 1}, {2, 2, 2, 2}};
   std::vector<csg::BoxIndex::Entry> entries;
   for (std::uint32_t i = 0; i < 1000; ++i) entries.push_back({box, 999 - i});
@@ -211,8 +210,7 @@ TEST_CASE("the paths of a tree lead to the same nodes as steps from parent to pa
   }));
 }
 
-TEST_CASE(
-    "primitives that meet a block are found as by a look at each, and leave the I-tree that a walk through it does") {
+TEST_CASE("meeting() matches a linear search and yields the I-tree of a full walk") {
   CHECK(rc::check([] {
     const csg::Pruning pruning = random_pruning();
     const Pruned plain(testing::random_model(*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange(2U, 120U)),

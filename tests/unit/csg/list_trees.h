@@ -16,7 +16,7 @@ namespace csgsim::testing {
 using csg::ActiveTree;
 using csg::PositiveOperator;
 
-// Primitives are numbered from left to right, each in one leaf.
+// Primitives are numbered from left to right and occur in one leaf each.
 
 inline std::uint32_t add_leaf(ActiveTree& tree, std::uint32_t primitive, bool complemented = false) {
   tree.nodes.push_back({true, complemented, PositiveOperator::unite, primitive, 0, {}, {}});
@@ -47,7 +47,7 @@ inline std::uint32_t add_text(ActiveTree& tree, std::string_view& text) {
   return add_operator(tree, first == '+' ? PositiveOperator::unite : PositiveOperator::intersect, std::move(children));
 }
 
-/// Whether operators may be operands of their own kind.
+/// Whether an operator may have operands with the same operator.
 enum class Nesting : std::uint8_t { alternating, any };
 
 class RandomTree {
@@ -87,7 +87,7 @@ class RandomTree {
   std::uint32_t primitives_ = 0;
 };
 
-/// A tree of rapidcheck's choice.
+/// A tree with a seed from rapidcheck.
 inline ActiveTree any_tree(std::uint32_t most_leaves, Nesting nesting = Nesting::any) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   return RandomTree(seed, nesting).make(*rc::gen::inRange<std::uint32_t>(1, most_leaves + 1));
@@ -110,14 +110,14 @@ inline bool evaluate(const ActiveTree& tree, const std::vector<bool>& in) {
   return std::ranges::all_of(tree.operands, [&](std::uint32_t operand) { return value[operand]; });
 }
 
-// Every positive expression over n things, each used once, is a tree of alternating operators.
+// Every positive expression over n different leaves is a tree of alternating operators.
 
 struct Shape {
   std::uint32_t leaves = 1;
-  std::vector<std::size_t> children{};  ///< indices of shapes, ascending
+  std::vector<std::size_t> children{};  ///< indices of shapes in ascending order
 };
 
-/// Appends the shapes with `missing` leaves more than `begun` whose further children are from index `from` on.
+/// Appends the shapes with `missing` more leaves than `begun` and further children from index `from`.
 inline void append_shapes(std::vector<Shape>& shapes, const Shape& begun, std::uint32_t missing, std::size_t from,
                           std::size_t smaller) {
   if (missing == 0) shapes.push_back(begun);
@@ -128,7 +128,7 @@ inline void append_shapes(std::vector<Shape>& shapes, const Shape& begun, std::u
   }
 }
 
-/// Each tree of operators over at least two children once, the order of children aside; by number of leaves.
+/// Every tree of operators with at least two children, regardless of the order of children; sorted by number of leaves.
 inline std::vector<Shape> all_shapes(std::uint32_t most_leaves) {
   std::vector<Shape> shapes{{}};
   for (std::uint32_t leaves = 2; leaves <= most_leaves; ++leaves) {
@@ -166,7 +166,7 @@ inline void for_all_trees(std::uint32_t most_leaves, const Check& check) {
   }
 }
 
-/// The tree of that footprint with the fewest leaves, 3 * 2^(labels - 2) - 2: twice the one before and a leaf, under
+/// The smallest tree with this footprint, with 3 * 2^(labels - 2) - 2 leaves: twice the previous one and a leaf, under
 /// two levels of operators.
 inline ActiveTree widest_tree(std::uint32_t labels) {
   std::vector<Shape> shapes{{}};
@@ -178,7 +178,7 @@ inline ActiveTree widest_tree(std::uint32_t labels) {
   return tree_of(shapes, shapes.size() - 1, PositiveOperator::intersect);
 }
 
-/// The union of a tree with one more leaf: in it, what is FALSE for the tree needs a label.
+/// The union of a tree with one more leaf, which makes the tree's FALSE need a label.
 inline ActiveTree under_a_union(ActiveTree tree) {
   std::vector<std::uint32_t> children = std::move(tree.operands);
   children.push_back(add_leaf(tree, static_cast<std::uint32_t>(leaves_of(tree))));

@@ -7,7 +7,7 @@
 using namespace csgsim;
 using csg::Known;
 
-TEST_CASE("a plane whose coefficients fit no width decides only where no rounding could change that") {
+TEST_CASE("a plane beyond all widths decides only where rounding cannot matter") {
   CHECK(rc::check([] {
     const double scale = *rc::gen::element(0.01, 1.0, 1e3, 1e9);
     const auto real = [&](int most) { return scale * *rc::gen::inRange(-most, most) / 16.0; };
@@ -31,13 +31,13 @@ TEST_CASE("a plane whose coefficients fit no width decides only where no roundin
     const std::array<double, 4> corners{at(pixels.x0, pixels.y0), at(pixels.x1, pixels.y0), at(pixels.x0, pixels.y1),
                                         at(pixels.x1, pixels.y1)};
     const auto [low, high] = std::minmax_element(corners.begin(), corners.end());
-    // Of a surface everything up to z_low is before the block, everything beyond z_high behind it.
+    // Depths up to z_low are in front of the block for a surface, and depths beyond z_high behind it.
     const bool edge = plane.kind == view::PlaneKind::edge;
     const double before = edge ? 0.0 : static_cast<double>(block.z_low);
     const double behind = edge ? 0.0 : static_cast<double>(block.z_high);
     const double doubt = 3.0 + 1e-8 * std::max(std::abs(*low), std::abs(*high));
     const bool same = plane.positive == halfspace.positive;
-    // The half-space behind a front, and where an edge is positive.
+    // The half-space is behind a front face, or on the positive side of an edge.
     const Known low_side = edge != same ? Known::in : Known::out;
     const Known high_side = edge != same ? Known::out : Known::in;
     const Known known = csg::locate(view, halfspace, block);

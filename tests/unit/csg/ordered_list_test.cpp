@@ -12,9 +12,9 @@ namespace {
 using namespace csgsim::testing;
 using csg::OrderedList;
 
-// ---- A pixel.
+// ---- Simulation of a pixel.
 
-/// Nothing if the pixel is left with a label other than TRUE's.
+/// Empty if the pixel ends with a label other than that of TRUE.
 std::optional<bool> execute(const OrderedList& list, const std::vector<bool>& in) {
   std::uint32_t label = 0;
   for (const csg::ListLeaf& leaf : list.leaves) {
@@ -26,7 +26,7 @@ std::optional<bool> execute(const OrderedList& list, const std::vector<bool>& in
   return label == list.true_label ? std::optional(true) : std::nullopt;
 }
 
-bool right_for_all_assignments(const ActiveTree& tree) {
+bool is_correct_for_all_assignments(const ActiveTree& tree) {
   const OrderedList list = csg::make_ordered_list(tree);
   std::vector<bool> in(leaves_of(tree));
   for (std::uint32_t assignment = 0; assignment < 1U << in.size(); ++assignment) {
@@ -36,8 +36,8 @@ bool right_for_all_assignments(const ActiveTree& tree) {
   return true;
 }
 
-// ---- What pixels wait for, worked out from a tree of alternating operators and an order of its leaves; knows nothing
-// of lists and labels.
+// ---- The leaves that pixels wait for, computed from a tree of alternating operators and an order of its leaves,
+// independently of lists and labels.
 
 constexpr std::uint32_t answer_true = 0xfffffffeU;
 constexpr std::uint32_t answer_false = 0xffffffffU;
@@ -47,7 +47,7 @@ csg::Destination destination(std::uint32_t way) {
   return way == answer_false ? csg::Destination::hidden : csg::Destination::leaf;
 }
 
-/// Positions that pixels go to for each value of the leaf (not of its primitive), or answers.
+/// Positions or answers that follow for each value of the leaf (not of its primitive).
 struct Ways {
   std::uint32_t if_true;
   std::uint32_t if_false;
@@ -102,7 +102,7 @@ class Waiting {
   std::vector<std::uint32_t> leaf_;
 };
 
-/// Things waited for at once at most, before, between and after the leaves.
+/// Maximum number of positions waited for at the same time, before, between and after the leaves.
 struct Alive {
   std::size_t with_false = 0;
   std::size_t without_false = 0;
@@ -137,8 +137,8 @@ std::vector<std::uint32_t> order_of(const OrderedList& list) {
   return primitives;
 }
 
-/// Takes all pixels there can be through the list, each with what it waits for and its label.
-bool labels_tell_apart(const ActiveTree& tree, const OrderedList& list) {
+/// Runs all possible pixels through the list with the position that each waits for and its label.
+bool labels_are_distinct(const ActiveTree& tree, const OrderedList& list) {
   const std::vector<Ways> ways = Waiting(tree).ways(order_of(list));
   std::map<std::uint32_t, std::uint32_t> label_of{{ways.empty() ? answer_true : 0, 0}};
   std::size_t most = 1;
@@ -172,7 +172,7 @@ Orders all_orders(const ActiveTree& tree, std::uint32_t node) {
   return all_orders(tree, tree.nodes[node].children);
 }
 
-/// The orders of the leaves that reordering operands gives, at all levels.
+/// All orders of the leaves that result from reordering operands at any level.
 Orders all_orders(const ActiveTree& tree, std::vector<std::uint32_t> children) {
   Orders result;
   std::ranges::sort(children);
@@ -201,14 +201,14 @@ std::size_t orders_count(const ActiveTree& tree) {
   return orders;
 }
 
-/// ceil(log2(2n/3 + 2)), the published bound, in which FALSE has a label.
+/// ceil(log2(2n/3 + 2)), the published bound, which counts a label for FALSE.
 std::uint32_t published_bound(std::size_t leaves) {
   std::uint32_t labels = 0;
   while ((std::size_t{3} << labels) < 2 * leaves + 6) ++labels;
   return labels;
 }
 
-/// ceil(log2(2n/3 + 4/3)), in which FALSE has none.
+/// ceil(log2(2n/3 + 4/3)), without a label for FALSE.
 std::uint32_t list_bound(std::size_t leaves) {
   std::uint32_t labels = 0;
   while ((std::size_t{3} << labels) < 2 * leaves + 4) ++labels;
@@ -219,7 +219,7 @@ std::uint32_t ceil_log2(std::uint32_t n) { return static_cast<std::uint32_t>(std
 
 }  // namespace
 
-TEST_CASE("a tree without operands is an empty list, and visible at once") {
+TEST_CASE("a tree without operands is an empty list and visible at once") {
   const OrderedList list = csg::make_ordered_list({});
   CHECK(list.leaves.empty());
   CHECK(execute(list, {}) == true);
@@ -228,7 +228,7 @@ TEST_CASE("a tree without operands is an empty list, and visible at once") {
   CHECK(csg::footprint({}) == 1);
 }
 
-TEST_CASE("a single leaf needs no label bit, and has its targets swapped if it is complemented") {
+TEST_CASE("a single leaf needs no label bit and swaps its targets if complemented") {
   const csg::Target visible{csg::Destination::visible, 0};
   for (const bool complemented : {false, true}) {
     ActiveTree tree;
@@ -242,7 +242,7 @@ TEST_CASE("a single leaf needs no label bit, and has its targets swapped if it i
   }
 }
 
-TEST_CASE("an intersection of leaves keeps its order, and the only label") {
+TEST_CASE("an intersection of leaves keeps its order and the only label") {
   ActiveTree tree;
   for (std::uint32_t i = 0; i < 5; ++i) tree.operands.push_back(add_leaf(tree, i));
   const OrderedList list = csg::make_ordered_list(tree);
@@ -257,11 +257,11 @@ TEST_CASE("an intersection of leaves keeps its order, and the only label") {
 
 TEST_CASE("the list has the tree's value for all assignments to small trees") {
   for_all_trees(testing::cases<std::uint32_t>(7, 6),
-                [](const ActiveTree& tree, std::uint32_t) { REQUIRE(right_for_all_assignments(tree)); });
-  CHECK(rc::check([] { RC_ASSERT(right_for_all_assignments(any_tree(10))); }));
+                [](const ActiveTree& tree, std::uint32_t) { REQUIRE(is_correct_for_all_assignments(tree)); });
+  CHECK(rc::check([] { RC_ASSERT(is_correct_for_all_assignments(any_tree(10))); }));
 }
 
-TEST_CASE("the list has the tree's value for random assignments to trees of up to 60 leaves") {
+TEST_CASE("the list has the tree's value for random assignments to larger trees") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(60);
     const OrderedList list = csg::make_ordered_list(tree);
@@ -272,17 +272,17 @@ TEST_CASE("the list has the tree's value for random assignments to trees of up t
   }));
 }
 
-TEST_CASE("pixels that wait for different things hold different labels, and no label is spare") {
+TEST_CASE("pixels waiting for different leaves hold different labels and none is spare") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(400, Nesting::alternating);
-    RC_ASSERT(labels_tell_apart(tree, csg::make_ordered_list(tree)));
+    RC_ASSERT(labels_are_distinct(tree, csg::make_ordered_list(tree)));
   }));
   for_all_trees(testing::cases<std::uint32_t>(9, 7), [](const ActiveTree& tree, std::uint32_t) {
-    REQUIRE(labels_tell_apart(tree, csg::make_ordered_list(tree)));
+    REQUIRE(labels_are_distinct(tree, csg::make_ordered_list(tree)));
   });
 }
 
-TEST_CASE("a leaf gives its name to the nearest target that no pixel waits for yet") {
+TEST_CASE("a leaf gives its name to the nearest target without waiting pixels") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(60, Nesting::alternating);
     const OrderedList list = csg::make_ordered_list(tree);
@@ -307,7 +307,7 @@ TEST_CASE("a leaf gives its name to the nearest target that no pixel waits for y
   }));
 }
 
-TEST_CASE("no order of operands needs fewer labels than the one chosen") {
+TEST_CASE("no order of operands needs fewer labels than the chosen one") {
   const auto check = [](const ActiveTree& tree) {
     Waiting waiting(tree);
     Alive least{100, 100};
@@ -319,7 +319,7 @@ TEST_CASE("no order of operands needs fewer labels than the one chosen") {
     return csg::footprint(tree) == least.with_false && csg::make_ordered_list(tree).labels == least.without_false;
   };
   for_all_trees(6, [&](const ActiveTree& tree, std::uint32_t) { REQUIRE(check(tree)); });
-  // With fewer leaves the costliest operand may always be first; here it has to be last.
+  // The costliest operand must be last here; with fewer leaves it can always be first.
   std::string_view text = "+(*(+(.*(..))+(*(..)*(..)))*(+(.*(+(..)+(.*(..)))).))";
   ActiveTree lopsided;
   lopsided.operands = {add_text(lopsided, text)};
@@ -336,7 +336,7 @@ TEST_CASE("no order of operands needs fewer labels than the one chosen") {
   }
 }
 
-TEST_CASE("the worst trees of each size have as many labels as the bounds say, and no tree has more") {
+TEST_CASE("the worst trees of each size reach the bounds and no tree exceeds them") {
   constexpr std::uint32_t most_leaves = 11;
   std::vector<std::uint32_t> most_labels(most_leaves + 1);
   std::vector<std::uint32_t> widest(most_leaves + 1);
@@ -361,7 +361,7 @@ TEST_CASE("the bounds hold for random trees of up to 400 leaves") {
   }));
 }
 
-TEST_CASE("two label bits are enough up to 21 leaves, three up to 381, four up to 98,301, without FALSE for one more") {
+TEST_CASE("two to four label bits suffice for 21 to 98301 leaves") {
   CHECK(ceil_log2(list_bound(4)) == 1);
   std::uint32_t bits = 2;
   for (const std::size_t leaves : {21U, 381U, 98'301U}) {
@@ -373,7 +373,7 @@ TEST_CASE("two label bits are enough up to 21 leaves, three up to 381, four up t
   }
 }
 
-TEST_CASE("the bounds are reached at any size, by trees with the fewest leaves for their labels") {
+TEST_CASE("the smallest trees for each number of labels reach the bounds") {
   for (std::uint32_t labels = 2; labels <= 17; ++labels) {
     const ActiveTree widest = widest_tree(labels);
     CHECK(csg::footprint(widest) == labels);
@@ -400,7 +400,7 @@ TEST_CASE("a tree a hundred thousand levels deep needs two labels") {
   CHECK(csg::footprint(tree) == 2);
 }
 
-TEST_CASE("a hundred thousand nested unions are one") {
+TEST_CASE("a hundred thousand nested unions are flattened") {
   ActiveTree tree;
   constexpr std::uint32_t depth = 100'000;
   std::uint32_t top = add_leaf(tree, 0);

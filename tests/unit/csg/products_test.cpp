@@ -19,7 +19,7 @@ ActiveNode node(PositiveOperator op, std::vector<std::uint32_t> children) {
   return {false, false, op, model::no_index, 0, std::move(children), {}};
 }
 
-/// All products by repeated traversal, as primitives.
+/// All products by repeated traversal, as lists of primitives.
 std::vector<std::vector<std::uint32_t>> traverse(const std::vector<ActiveNode>& nodes, std::uint32_t root) {
   std::vector<std::vector<std::uint32_t>> products;
   csg::ProductTraversal traversal(nodes, root);
@@ -30,8 +30,8 @@ std::vector<std::vector<std::uint32_t>> traverse(const std::vector<ActiveNode>& 
   return products;
 }
 
-/// Products by restructuring (thesis 6.3): the leaves of product number `index` of a node, from left to right, found by
-/// dividing the number up. The rightmost union varies fastest.
+/// Products by restructuring (thesis 6.3): the leaves of product number `index` of a node from left to right, found by
+/// division of the number. The rightmost union varies fastest.
 std::vector<std::uint32_t> restructured(const std::vector<ActiveNode>& nodes, const std::vector<std::uint64_t>& counts,
                                         std::uint32_t root, std::uint64_t index) {
   struct Part {
@@ -55,7 +55,7 @@ std::vector<std::uint32_t> restructured(const std::vector<ActiveNode>& nodes, co
         part.index -= counts[child];
       }
     } else {
-      // The last operand varies fastest, and is pushed first so that it comes out last.
+      // The last operand varies fastest; it is pushed first and therefore popped last.
       for (std::size_t i = node.children.size(); i-- > 0;) {
         const std::uint32_t child = node.children[i];
         open.push_back({child, part.index % counts[child]});
@@ -66,7 +66,7 @@ std::vector<std::uint32_t> restructured(const std::vector<ActiveNode>& nodes, co
   return leaves;
 }
 
-/// A random tree of that many leaves; its root is the last node.
+/// A random tree with the given number of leaves; its root is the last node.
 std::vector<ActiveNode> random_tree(std::uint32_t leaves) {
   std::vector<ActiveNode> nodes;
   std::vector<std::uint32_t> roots;
@@ -94,7 +94,7 @@ std::string cube(double x, double y, double size) {
 
 }  // namespace
 
-TEST_CASE("figure 6.2 of the thesis: the active tree of P has four products, in the order QS, QT, RS, RT") {
+TEST_CASE("thesis fig. 6.2: the active tree of P has the products QS; QT; RS; RT") {
   enum : std::uint32_t { Q, R, S, T };
   const std::vector<ActiveNode> nodes{leaf(Q),
                                       leaf(R),
@@ -110,7 +110,7 @@ TEST_CASE("figure 6.2 of the thesis: the active tree of P has four products, in 
   for (std::uint64_t i = 0; i < 4; ++i) CHECK(restructured(nodes, counts, 6, i) == expected[i]);
 }
 
-TEST_CASE("figure 6.2 of the thesis: what does not touch P is pruned from its tree") {
+TEST_CASE("thesis fig. 6.2: operands that do not touch P are pruned from its tree") {
   // Object = X u ((P n (Q u R u W)) n ((S u T) - V)), with W, V and X away from P.
   const std::string text = "union(){" + cube(90, 0, 2) + "intersection(){intersection(){" + cube(0, 0, 4) + "union(){" +
                            cube(-1, 0, 4) + cube(1, 0, 4) + cube(60, 0, 2) + "}}difference(){union(){" +
@@ -136,7 +136,7 @@ TEST_CASE("figure 6.2 of the thesis: what does not touch P is pruned from its tr
   CHECK(active.depth() == 3);
 }
 
-TEST_CASE("restructuring and repeated traversal find the same products in the same order") {
+TEST_CASE("restructuring and repeated traversal give the same products in order") {
   CHECK(rc::check([] {
     const auto leaves = *rc::gen::inRange<std::uint32_t>(1, 14);
     const std::vector<ActiveNode> nodes = random_tree(leaves);
@@ -150,7 +150,7 @@ TEST_CASE("restructuring and repeated traversal find the same products in the sa
   }));
 }
 
-TEST_CASE("the sum of a tree's products has the tree's value for every state of the leaves") {
+TEST_CASE("the sum of a tree's products has the tree's value for all assignments") {
   CHECK(rc::check([] {
     const auto leaves = *rc::gen::inRange<std::uint32_t>(1, 12);
     const std::vector<ActiveNode> nodes = random_tree(leaves);
@@ -171,7 +171,7 @@ TEST_CASE("the sum of a tree's products has the tree's value for every state of 
   }));
 }
 
-TEST_CASE("products too many to count are countless, not wrapped") {
+TEST_CASE("an overflowing number of products counts as countless") {
   std::vector<ActiveNode> nodes;
   std::vector<std::uint32_t> pairs;
   for (std::uint32_t i = 0; i < 64; ++i) {

@@ -22,7 +22,7 @@ Points cloud() {
 
 }  // namespace
 
-TEST_CASE("hulls on two sides of a plane are separated, however little room there is, whatever the units") {
+TEST_CASE("separates hulls on two sides of a plane for any gap and units") {
   CHECK(rc::check([] {
     const glm::dvec3 raw = point();
     RC_PRE(glm::length(raw) > 0.1);
@@ -33,7 +33,7 @@ TEST_CASE("hulls on two sides of a plane are separated, however little room ther
     Points right = cloud();
     for (glm::dvec3& one : left) one = (one - normal * (glm::dot(one, normal) + gap + std::abs(unit()))) * units;
     for (glm::dvec3& one : right) one = (one - normal * (glm::dot(one, normal) - gap - std::abs(unit()))) * units;
-    // Gilbert's algorithm may give up on hulls that nearly touch; it has to manage a gap of a hundredth.
+    // Gilbert's algorithm may give up on hulls that nearly touch, but must handle a gap of a hundredth.
     if (gap >= 0.01) RC_ASSERT(csg::separated(left, right));
     RC_ASSERT(!csg::separated(left, left));
   }));
@@ -43,7 +43,7 @@ TEST_CASE("hulls that share a point are never separated") {
   CHECK(rc::check([] {
     Points left = cloud();
     Points right = cloud();
-    // A convex combination of each, moved onto each other.
+    // A convex combination of each cloud; one is moved onto the other.
     const auto inner = [](const Points& points) {
       glm::dvec3 sum(0);
       double weights = 0;
@@ -57,7 +57,7 @@ TEST_CASE("hulls that share a point are never separated") {
     const glm::dvec3 shared = inner(left);
     const glm::dvec3 shift = shared - inner(right);
     for (glm::dvec3& one : right) one += shift;
-    // What rounding moves may be far beside coordinates that are nearly 0: both have the point itself.
+    // Rounding can displace coordinates near 0, so the shared point is added to both clouds.
     left.push_back(shared);
     right.push_back(shared);
     RC_ASSERT(!csg::separated(left, right));
@@ -65,4 +65,4 @@ TEST_CASE("hulls that share a point are never separated") {
   }));
 }
 
-TEST_CASE("nothing is separated from no points") { CHECK_FALSE(csg::separated({}, Points{{0, 0, 0}})); }
+TEST_CASE("no hull is separated from an empty set of points") { CHECK_FALSE(csg::separated({}, Points{{0, 0, 0}})); }

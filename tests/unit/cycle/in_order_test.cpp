@@ -11,32 +11,32 @@ using isa::Opcode;
 
 namespace {
 
-/// What an observer was told: an instruction, or the end of a segment.
-struct Told {
+/// A notification of an observer: after an instruction, or at the end of a segment.
+struct Notification {
   std::uint32_t segment = 0;
-  std::optional<std::uint32_t> index;     ///< none: the end
-  std::optional<std::uint32_t> number{};  ///< that the pixels showed, where the observer looked
+  std::optional<std::uint32_t> index;     ///< empty for the end of the segment
+  std::optional<std::uint32_t> number{};  ///< value of the pixels, if the observer read them
 
-  bool operator==(const Told&) const = default;
+  bool operator==(const Notification&) const = default;
 };
 
-/// Looks after the instructions of one opcode, or after none, and after each segment.
+/// Reads the pixels after instructions of one opcode or none, and after each segment.
 class Witness final : public engine::Observer {
  public:
-  explicit Witness(std::optional<Opcode> looks_after) : looks_after_(looks_after) {}
+  explicit Witness(std::optional<Opcode> reads_after_opcode) : reads_after_opcode_(reads_after_opcode) {}
 
   [[nodiscard]] bool reads_after(const isa::Instruction& instruction) const override {
-    return instruction.opcode == looks_after_;
+    return instruction.opcode == reads_after_opcode_;
   }
   void after_instruction(const engine::Step& step, const engine::PixelState& state) override {
-    told.push_back({step.segment, step.index, {}});
-    if (reads_after(step.instruction)) told.back().number = number_of(state);
+    notifications.push_back({step.segment, step.index, {}});
+    if (reads_after(step.instruction)) notifications.back().number = number_of(state);
   }
   void after_segment(std::uint32_t segment, const engine::PixelState& state) override {
-    told.push_back({segment, {}, number_of(state)});
+    notifications.push_back({segment, {}, number_of(state)});
   }
 
-  std::vector<Told> told;
+  std::vector<Notification> notifications;
 
  private:
   static std::uint32_t number_of(const engine::PixelState& state) {
@@ -45,10 +45,10 @@ class Witness final : public engine::Observer {
     return values.back();
   }
 
-  std::optional<Opcode> looks_after_;
+  std::optional<Opcode> reads_after_opcode_;
 };
 
-constexpr isa::Instruction looked_at{.opcode = Opcode::enable_all};
+constexpr isa::Instruction observed{.opcode = Opcode::enable_all};
 constexpr isa::Instruction other{.opcode = Opcode::enable_invert};
 
 isa::Program program_of(const std::vector<std::vector<isa::Instruction>>& segments) {
@@ -59,12 +59,12 @@ isa::Program program_of(const std::vector<std::vector<isa::Instruction>>& segmen
   return program;
 }
 
-/// The pixels show it after that instruction, or, for an index past the last, at the end of the segment.
+/// Value of the pixels after that instruction, or, for an index past the last, at the end of the segment.
 std::uint32_t number_after(std::uint32_t segment, std::size_t index) {
   return 100 * segment + static_cast<std::uint32_t>(index);
 }
 
-/// A machine that draws the segments side by side, a next event of the segment chosen at a time.
+/// A machine that draws the segments concurrently; the test chooses which one proceeds.
 class SideBySide {
  public:
   SideBySide(const isa::Program& program, cycle::InOrder& in_order)
@@ -74,7 +74,7 @@ class SideBySide {
     return next_[segment] > program_.segments[segment].instructions.size();
   }
 
-  /// The segment's next instruction, or its end.
+  /// Executes the segment's next instruction, or ends the segment.
   void proceed(std::uint32_t segment) {
     const std::vector<isa::Instruction>& instructions = program_.segments[segment].instructions;
     const std::uint32_t index = next_[segment]++;
@@ -91,14 +91,14 @@ class SideBySide {
   std::vector<std::uint32_t> next_;
 };
 
-/// What a witness has to be told of the Program, in whatever order it is drawn.
-std::vector<Told> in_program_order(const isa::Program& program, std::optional<Opcode> looks_after) {
-  std::vector<Told> all;
+/// Expected notifications for the Program, independent of the drawing order.
+std::vector<Notification> in_program_order(const isa::Program& program, std::optional<Opcode> reads_after_opcode) {
+  std::vector<Notification> all;
   for (std::uint32_t segment = 0; segment < program.segments.size(); ++segment) {
     const std::vector<isa::Instruction>& instructions = program.segments[segment].instructions;
     for (std::uint32_t index = 0; index < instructions.size(); ++index) {
       all.push_back({segment, index, {}});
-      if (instructions[index].opcode == looks_after) all.back().number = number_after(segment, index);
+      if (instructions[index].opcode == reads_after_opcode) all.back().number = number_after(segment, index);
     }
     all.push_back({segment, {}, number_after(segment, instructions.size())});
   }
@@ -107,19 +107,18 @@ std::vector<Told> in_program_order(const isa::Program& program, std::optional<Op
 
 }  // namespace
 
-TEST_CASE("in whatever order segments are drawn, observers are told in program order and see what was there then") {
+TEST_CASE("observers are notified in program order with the pixels of that time") {
   CHECK(rc::check([] {
     const auto lengths = *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange(0U, 5U));
     std::vector<std::vector<isa::Instruction>> segments;
     segments.reserve(lengths.size());
     for (const std::uint32_t length : lengths) {
-      segments.push_back(
-          *rc::gen::container<std::vector<isa::Instruction>>(length, rc::gen::element(looked_at, other)));
+      segments.push_back(*rc::gen::container<std::vector<isa::Instruction>>(length, rc::gen::element(observed, other)));
     }
     const isa::Program program = program_of(segments);
-    Witness looks(Opcode::enable_all);
+    Witness reader(Opcode::enable_all);
     Witness only_ends(std::nullopt);
-    engine::Observer* const observers[] = {&only_ends, &looks};
+    engine::Observer* const observers[] = {&only_ends, &reader};
     cycle::InOrder in_order(program, observers);
     SideBySide machine(program, in_order);
     std::vector<std::uint32_t> unfinished(program.segments.size());
@@ -131,41 +130,41 @@ TEST_CASE("in whatever order segments are drawn, observers are told in program o
         unfinished.erase(unfinished.begin() + static_cast<std::ptrdiff_t>(chosen));
       }
     }
-    RC_ASSERT(looks.told == in_program_order(program, Opcode::enable_all));
-    RC_ASSERT(only_ends.told == in_program_order(program, std::nullopt));
+    RC_ASSERT(reader.notifications == in_program_order(program, Opcode::enable_all));
+    RC_ASSERT(only_ends.notifications == in_program_order(program, std::nullopt));
   }));
 }
 
-TEST_CASE("what comes in its turn is told at once, and nothing is copied") {
-  const isa::Program program = program_of({{looked_at, other}, {looked_at}});
+TEST_CASE("events in program order are forwarded at once and without copies") {
+  const isa::Program program = program_of({{observed, other}, {observed}});
   Witness witness(Opcode::enable_all);
   engine::Observer* const observers[] = {&witness};
   cycle::InOrder in_order(program, observers);
   SideBySide machine(program, in_order);
-  std::size_t told = 0;
+  std::size_t notifications = 0;
   for (const std::uint32_t segment : {0U, 0U, 0U, 1U, 1U}) {
     machine.proceed(segment);
-    CHECK(witness.told.size() == ++told);
+    CHECK(witness.notifications.size() == ++notifications);
   }
   CHECK(machine.pixels.copies() == 0);
 }
 
-TEST_CASE("before their turn pixels are copied where an observer looks, and at the end of the segment") {
-  const isa::Program program = program_of({{other}, {other, looked_at, other, other}});
-  for (const auto& [looks_after, copies] :
+TEST_CASE("out-of-order pixels are copied only where observed and at segment ends") {
+  const isa::Program program = program_of({{other}, {other, observed, other, other}});
+  for (const auto& [reads_after_opcode, copies] :
        {std::pair{std::optional(Opcode::enable_all), 2U}, {std::optional<Opcode>(), 1U}}) {
-    Witness witness(looks_after);
+    Witness witness(reads_after_opcode);
     engine::Observer* const observers[] = {&witness};
     cycle::InOrder in_order(program, observers);
     SideBySide machine(program, in_order);
     for (int i = 0; i < 5; ++i) machine.proceed(1);
-    CHECK(witness.told.empty());
+    CHECK(witness.notifications.empty());
     CHECK(machine.pixels.copies() == copies);
   }
 }
 
-TEST_CASE("a segment whose turn comes while it is drawn is told from then on as it goes") {
-  const isa::Program program = program_of({{looked_at}, {looked_at, looked_at, looked_at}});
+TEST_CASE("a segment whose turn comes while it is drawn is forwarded from then on") {
+  const isa::Program program = program_of({{observed}, {observed, observed, observed}});
   Witness witness(Opcode::enable_all);
   engine::Observer* const observers[] = {&witness};
   cycle::InOrder in_order(program, observers);
@@ -173,13 +172,13 @@ TEST_CASE("a segment whose turn comes while it is drawn is told from then on as 
   machine.proceed(1);
   machine.proceed(0);
   machine.proceed(0);
-  CHECK(witness.told.size() == 3);
+  CHECK(witness.notifications.size() == 3);
   machine.proceed(1);
-  CHECK(witness.told.back() == Told{1, 1, number_after(1, 1)});
+  CHECK(witness.notifications.back() == Notification{1, 1, number_after(1, 1)});
   CHECK(machine.pixels.copies() == 1);
 }
 
-TEST_CASE("an observer that reads without having said so is told so, in its turn and before it") {
+TEST_CASE("an observer that reads without declaring it causes an error") {
   struct Curious final : engine::Observer {
     [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
     void after_instruction(const engine::Step& /*step*/, const engine::PixelState& state) override {

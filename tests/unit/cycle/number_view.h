@@ -9,7 +9,7 @@
 
 namespace csgsim::test {
 
-/// Pixels that all hold one number, which changes as the machine goes on; its bits are the first enable word.
+/// Pixels that all hold one number, which changes as the machine proceeds; its bits are the first enable word.
 class NumberView final : public systemc::PixelView {
  public:
   explicit NumberView(std::uint32_t number) : number_(number) {}

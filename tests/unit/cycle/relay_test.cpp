@@ -12,10 +12,10 @@ namespace {
 
 constexpr isa::Instruction enable_all{.opcode = Opcode::enable_all};
 
-/// F = x, in two bits: -2 to 1 fit.
+/// F = x in two bits, which hold -2 to 1.
 constexpr isa::Instruction narrow{.opcode = Opcode::edge_negative, .linear = {.a = 1, .width = 2}};
 
-/// On a row of 8 pixels.
+/// Executes on a row of 8 pixels.
 isa::Program program_of(const std::vector<isa::Instruction>& instructions) {
   isa::Program program;
   program.segments = {{.region = {0, 0, 8, 1}, .instructions = instructions}};
@@ -26,19 +26,19 @@ class Reader final : public engine::Observer {};
 
 }  // namespace
 
-TEST_CASE("overflows are counted at the pixels that are enabled when the instruction begins") {
+TEST_CASE("counts overflows at pixels enabled before the instruction") {
   const isa::Program program = program_of({enable_all, narrow, narrow, enable_all});
   cycle::Relay relay(program, {});
-  relay.after_instruction({.index = 0}, test::NumberView(0b1111'1111));  // x from 2 to 7 do not fit
+  relay.after_instruction({.index = 0}, test::NumberView(0b1111'1111));  // x from 2 to 7 overflow
   CHECK(relay.overflows() == 6);
-  relay.after_instruction({.index = 1}, test::NumberView(0b0100'1011));  // of these, 3 and 6
+  relay.after_instruction({.index = 1}, test::NumberView(0b0100'1011));  // of these pixels, 3 and 6 overflow
   CHECK(relay.overflows() == 8);
   relay.after_instruction({.index = 2}, test::NumberView(0b1111'1111));
   relay.after_instruction({.index = 3}, test::NumberView(0b1111'1111));
   CHECK(relay.overflows() == 8);
 }
 
-TEST_CASE("after a skip nothing is counted, whatever the pixels show: none is enabled") {
+TEST_CASE("counts no overflows after a skip because no pixel is enabled") {
   const isa::Program program =
       program_of({{.opcode = Opcode::skip_if_none, .constant = 1}, narrow, narrow, enable_all});
   cycle::Relay relay(program, {});
@@ -46,7 +46,7 @@ TEST_CASE("after a skip nothing is counted, whatever the pixels show: none is en
   CHECK(relay.overflows() == 0);
 }
 
-TEST_CASE("a stripe's sum is cut on purpose: nothing is counted, and nothing asked of the machine for it") {
+TEST_CASE("a stripe's intended overflow is not counted and needs no pixels") {
   isa::Instruction stripe = narrow;
   stripe.opcode = Opcode::stripe;
   const isa::Program program = program_of({enable_all, stripe, enable_all});
@@ -56,7 +56,7 @@ TEST_CASE("a stripe's sum is cut on purpose: nothing is counted, and nothing ask
   CHECK(relay.overflows() == 0);
 }
 
-TEST_CASE("of the machine is asked what the observers read and what the count of overflows needs") {
+TEST_CASE("requests only what observers and the overflow count need") {
   const isa::Program program = program_of({enable_all, narrow, enable_all});
   cycle::Relay unobserved(program, {});
   CHECK(unobserved.required_after(0, 0) == Keep::enable);

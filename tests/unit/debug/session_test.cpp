@@ -15,37 +15,11 @@ using testing::planes;
 
 namespace {
 
-/// Two primitives: columns 3 on at depth 40, then columns below 6 at depth x + 20; the question finds none enabled.
-constexpr const char* two_primitives = R"(.array width=8 height=2 memory_bits=24
-.frame colour_base=16 colour_bits=6
-.field Z2 [0+:8] depth
-.field Z1 [8+:8] candidate_depth
-.field colour [16+:6] colour
-.field "a b" [22] mask
-.primitive "near"
-.primitive "far"
-.segment x=0 y=0 width=8 height=2
-  enable_all                    ; setup
-  set_constant Z2, 255          ; setup
-  set_constant colour, 63       ; setup
-  edge_not_negative x - 3 (w8)  ; render p0
-  set_constant Z1, 40           ; render p0
-  copy Z2, Z1                   ; merge p0
-  set_constant colour, 12       ; shade p0
-  enable_all                    ; render p1
-  edge_negative x - 6 (w8)      ; render p1
-  load_linear Z1, x + 20 (w12)  ; render p1
-  field_lt Z1, Z2               ; merge p1
-  copy Z2, Z1                   ; merge p1
-  set_constant colour, 48       ; shade p1
-  edge_negative x (w8)          ; setup
-  skip_if_none 2                ; setup
-  set_constant colour, 0        ; setup
-  enable_all                    ; setup
-  enable_store "a b"            ; setup
-)";
+/// Two primitives: columns from 3 at depth 40, then columns below 6 at depth x + 20. The query finds no enabled pixel.
+constexpr const char* two_primitives =
+    R"(.array width=8 height=2 memory_bits=24 .frame colour_base=16 colour_bits=6 .field Z2 [0+:8] depth .field Z1 [8+:8] candidate_depth .field colour [16+:6] colour .field "a b" [22] mask .primitive "near" .primitive "far" .segment x=0 y=0 width=8 height=2 enable_all ; setup set_constant Z2, 255 ; setup set_constant colour, 63 ; setup edge_not_negative x - 3 (w8) ; render p0 set_constant Z1, 40 ; render p0 copy Z2, Z1 ; merge p0 set_constant colour, 12 ; shade p0 enable_all ; render p1 edge_negative x - 6 (w8) ; render p1 load_linear Z1, x + 20 (w12) ; render p1 field_lt Z1, Z2 ; merge p1 copy Z2, Z1 ; merge p1 set_constant colour, 48 ; shade p1 edge_negative x (w8) ; setup skip_if_none 2 ; setup set_constant colour, 0 ; setup enable_all ; setup enable_store "a b" ; setup )";
 
-/// A session with all that it needs.
+/// A session with its Program and machine.
 struct Debugger {
   explicit Debugger(isa::Program of)
       : program(std::move(of)), machine(planes(program.shape)), session(program, machine) {}
@@ -67,7 +41,7 @@ const std::string last = "at the end, after i17\n";
 
 }  // namespace
 
-TEST_CASE("a session steps through instructions, past what is skipped, to the end") {
+TEST_CASE("steps through instructions and past skipped ones to the end") {
   Debugger debug;
   CHECK(debug("step") == "i1 of 18: set_constant Z2, 255\n");
   CHECK(debug("step 3") == "i4 of 18: set_constant Z1, 40\n");
@@ -78,13 +52,13 @@ TEST_CASE("a session steps through instructions, past what is skipped, to the en
   CHECK(debug("run") == last);
 }
 
-TEST_CASE("a session tells where it is in Programs of one instruction and of none") {
+TEST_CASE("shows its position in Programs of one instruction and of none") {
   const std::string none = ".array width=8 height=2 memory_bits=24\n.segment x=0 y=0 width=8 height=2\n";
   CHECK(Debugger(none.c_str())("where") == "the Program has no instructions\n");
-  CHECK(Debugger((none + "  enable_all\n").c_str())("where").starts_with("i0 of 1: enable_all\n"));
+  CHECK(Debugger((none + " enable_all\n").c_str())("where").starts_with("i0 of 1: enable_all\n"));
 }
 
-TEST_CASE("until goes to an instruction, a primitive, a clock, and says where nothing of the kind is ahead") {
+TEST_CASE("until stops at an instruction or primitive and reports unreachable ones") {
   Debugger debug;
   CHECK(debug("until i4") == "i4\ni4 of 18: set_constant Z1, 40\n");
   CHECK(debug.error("until i4") == "i4 is not ahead; step back first with back N");
@@ -93,10 +67,10 @@ TEST_CASE("until goes to an instruction, a primitive, a clock, and says where no
   CHECK(debug("until primitive 1") == "primitive p1 far was not reached\n" + last);
   CHECK(debug("back 100") == "i0 of 18: enable_all\n");
   CHECK(debug("until primitive p0") == "primitive p0 near\ni3 of 18: edge_not_negative x - 3 (w8)\n");
-  CHECK(debug("until i15") == "i15\ni17 of 18: enable_store \"a b\"\n");  // which is skipped
+  CHECK(debug("until i15") == "i15\ni17 of 18: enable_store \"a b\"\n");  // i15 is skipped
 }
 
-TEST_CASE("until goes to the instruction that makes a condition at a pixel true") {
+TEST_CASE("until stops at the instruction that makes a pixel condition true") {
   Debugger debug;
   CHECK(debug("until Z2[5,1] == 40") == "Z2[5,1] == 40\ni6 of 18: set_constant colour, 12\n");
   CHECK(debug("until Z2[5,1] <= 40") == "Z2[5,1] <= 40 already holds\ni6 of 18: set_constant colour, 12\n");
@@ -114,7 +88,7 @@ TEST_CASE("until goes to the instruction that makes a condition at a pixel true"
   CHECK(debug("until [16+:2][7,0] != 0x3") == "[16+:2][7,0] != 3\ni7 of 18: enable_all\n");
 }
 
-TEST_CASE("breakpoints stop every run until they are deleted, several at one place together") {
+TEST_CASE("breakpoints stop every run until deleted and may coincide") {
   Debugger debug;
   CHECK(debug("breakpoints") == "no breakpoints\n");
   CHECK(debug("break i5") == "breakpoint 1: i5\n");
@@ -125,26 +99,26 @@ TEST_CASE("breakpoints stop every run until they are deleted, several at one pla
   CHECK(debug("delete 3") == "");
   CHECK(debug("delete 1") == "");
   CHECK(debug.error("delete 1") == "there is no breakpoint 1; breakpoints lists them");
-  CHECK(debug("breakpoints") == "  2  Z1[4,0] > 30\n");
+  CHECK(debug("breakpoints") == " 2 Z1[4,0] > 30\n");
   CHECK(debug("run") == last);
 }
 
-TEST_CASE("printed are a pixel's fields, by name, with colours and what stands for nothing") {
+TEST_CASE("prints a pixel's fields by name with colours and reserved values") {
   Debugger debug;
   debug("until i5");
   CHECK(debug("print 4,1") ==
-        "  E            1\n  Z2           255 (0xff), nothing\n  Z1           40 (0x28)\n"
-        "  colour       63 (0x3f), #ffffff\n  \"a b\"        0\n");
+        " E 1\n Z2 255 (0xff), nothing\n Z1 40 (0x28)\n"
+        " colour 63 (0x3f), #ffffff\n \"a b\" 0\n");
   CHECK(debug("print E[2,1]") == "E[2,1] = 0\n");
   CHECK(debug("print \"a b\"[2,1]") == "\"a b\"[2,1] = 0\n");
-  CHECK(debug("list i0").starts_with("> i0       enable_all"));
-  CHECK(debug("where").starts_with("i5 of 18: copy Z2, Z1\n  merge p0 near: depth test against Z2"));
+  CHECK(debug("list i0").starts_with("> i0 enable_all"));
+  CHECK(debug("where").starts_with("i5 of 18: copy Z2, Z1\n merge p0 near: depth test against Z2"));
 }
 
-TEST_CASE("errors show the column, and the nearest name") {
+TEST_CASE("errors show the column and suggest the nearest name") {
   Debugger debug;
   const std::array<std::pair<const char*, const char*>, 9> lines{{
-      {"  frobnicate", "test:1:3: unknown command; help lists the commands"},
+      {" frobnicate", "test:1:3: unknown command; help lists the commands"},
       {"print Z3[1,1]", "test:1:7: there is no field 'Z3'; the nearest is 'Z2'"},
       {"print Z2[8,1]", "test:1:12: there is no pixel 8,1 in a picture of 8 x 2"},
       {"print Z2", "test:1:9: expected a pixel of the field, as in Z2[100,20]"},
@@ -157,11 +131,11 @@ TEST_CASE("errors show the column, and the nearest name") {
        "test:1:7: no such field; a pixel has 24 bits of memory, and a field takes 1 to 32 of them"},
   }};
   for (const auto& [line, error] : lines) CHECK(debug.error(line) == error);
-  CHECK(debug("   # a comment") == "");
+  CHECK(debug(" # a comment") == "");
   CHECK(debug("") == "");
 }
 
-TEST_CASE("back leads to the state before the last instructions that were carried out, however they were reached") {
+TEST_CASE("back restores the state before the last executed instructions") {
   const isa::ArrayShape shape{9, 4, 40};
   CHECK(rc::check([&] {
     Debugger debug(*test::arbitrary_program(shape, 60, 2));
@@ -178,7 +152,7 @@ TEST_CASE("back leads to the state before the last instructions that were carrie
       at = std::max<std::int64_t>(0, at - count);
       if (at == now || states.empty()) continue;
       const engine::RunState state = debug.session.run().save();
-      // Before a segment's first instruction the pixels are still those of the segment before.
+      // The pixels hold the state of the previous segment until the first instruction of a segment.
       RC_ASSERT(debug.session.number() ==
                 engine::Numbers(debug.program).of(states[static_cast<std::size_t>(at)].place));
       if (state.place == states[static_cast<std::size_t>(at)].place)
@@ -190,7 +164,7 @@ TEST_CASE("back leads to the state before the last instructions that were carrie
   }));
 }
 
-TEST_CASE("what no instruction is said to change, none changes, on random Programs") {
+TEST_CASE("instructions change only the bits that can_change() reports") {
   const isa::ArrayShape shape{6, 3, 24};
   const machines::Machine machine = planes(shape);
   CHECK(rc::check([&] {
@@ -211,7 +185,7 @@ TEST_CASE("what no instruction is said to change, none changes, on random Progra
   }));
 }
 
-TEST_CASE("a condition is met at the instruction at which looking after each of them finds it") {
+TEST_CASE("until finds the same instructions as checking after every one") {
   const isa::ArrayShape shape{4, 2, 16};
   CHECK(rc::check([&] {
     Debugger debug(*test::arbitrary_program(shape, 60, 2));
@@ -233,8 +207,8 @@ TEST_CASE("a condition is met at the instruction at which looking after each of 
     }
     std::vector<std::uint64_t> found;
     for (;;) {
-      const std::string told = debug.session.execute(debug::Until{condition});
-      if (told.find("was not reached") != std::string::npos) break;
+      const std::string message = debug.session.execute(debug::Until{condition});
+      if (message.find("was not reached") != std::string::npos) break;
       if (!debug.session.run().finished() || found.empty() || found.back() != debug.session.number())
         found.push_back(debug.session.number());
       if (debug.session.run().finished()) break;
@@ -243,7 +217,7 @@ TEST_CASE("a condition is met at the instruction at which looking after each of 
   }));
 }
 
-TEST_CASE("a checkpoint leads a new session to the same place, and files that are none are refused") {
+TEST_CASE("resumes from a checkpoint and rejects invalid files") {
   const std::string file = (std::filesystem::temp_directory_path() / "csgsim_session_test.csgs").string();
   Debugger first;
   first("until i11");
@@ -258,7 +232,7 @@ TEST_CASE("a checkpoint leads a new session to the same place, and files that ar
   std::filesystem::remove(file);
 }
 
-TEST_CASE("a picture of a field is grey from its least to its greatest value, of a colour in its colours") {
+TEST_CASE("a picture of a field is scaled from minimum to maximum or uses its colours") {
   Debugger debug;
   debug("until i12");
   const auto take = [&](const std::string& name) {
@@ -266,7 +240,7 @@ TEST_CASE("a picture of a field is grey from its least to its greatest value, of
         std::get<debug::TakePicture>(debug::parse_command("picture " + name + " f", "", 1, debug.program));
     return debug::picture_of(command.field, debug.session.run(), debug.program);
   };
-  const debug::FieldPicture depth = take("Z2");  // 20 to 25, then 40 at columns 6 and 7
+  const debug::FieldPicture depth = take("Z2");  // 20 to 25, then 40 in columns 6 and 7
   CHECK(depth.scale == "black is 20, white 40 or nothing");
   CHECK(depth.picture.bytes ==
         std::vector<std::uint8_t>{0, 12, 25, 38, 51, 63, 255, 255, 0, 12, 25, 38, 51, 63, 255, 255});
@@ -275,11 +249,11 @@ TEST_CASE("a picture of a field is grey from its least to its greatest value, of
   const debug::FieldPicture colour = take("colour");
   CHECK(colour.picture.channels == 3);
   CHECK(colour.picture.bytes[0] == 255);
-  CHECK(colour.picture.bytes[3 * 3] == 0);  // 12 is green
+  CHECK(colour.picture.bytes[3 * 3] == 0);  // colour 12 is green
   CHECK(colour.picture.bytes[3 * 3 + 1] == 255);
 }
 
-TEST_CASE("a word is completed as far as those that fit agree") {
+TEST_CASE("completes a word up to the common prefix of its candidates") {
   const std::array<std::string, 4> words{"back", "break", "breakpoints", "list"};
   CHECK(debug::complete("l", words).insert == "ist ");
   CHECK(debug::complete("print br", words).insert == "eak");
@@ -289,7 +263,7 @@ TEST_CASE("a word is completed as far as those that fit agree") {
   CHECK(debug::complete("x", words).candidates.empty());
 }
 
-TEST_CASE("a state serves the instructions behind it, up to the next at which one should be kept") {
+TEST_CASE("a saved state covers the instructions up to the next due state") {
   debug::History history;
   CHECK(!history.is_kept(0));
   history.keep(512, {});
@@ -301,7 +275,7 @@ TEST_CASE("a state serves the instructions behind it, up to the next at which on
   CHECK(!history.is_kept(next));
 }
 
-TEST_CASE("states are kept at the beginning and, the longer the run, the farther apart") {
+TEST_CASE("saves states at the start and at growing distances") {
   debug::History history;
   checkpoint::Snapshot snapshot;
   snapshot.picture.frame.colour.resize(1 << 20);
@@ -318,16 +292,9 @@ TEST_CASE("states are kept at the beginning and, the longer the run, the farther
   CHECK(history.before(100'000).run.overflows > 80'000);
 }
 
-TEST_CASE("going back from between squares and their instruction leaves the squares behind") {
-  Debugger debug(R"(.array width=8 height=2 memory_bits=24
-.field Z2 [0+:8] depth
-.segment x=0 y=0 width=8 height=2
-  enable_all
-  edge_negative x - 3 (w8)
-  enable_all
-  squares 5*x*x (w12)
-  edge_negative x - 3 (w12)
-)");
+TEST_CASE("going back from between squares and their instruction discards the squares") {
+  Debugger debug(
+      R"(.array width=8 height=2 memory_bits=24 .field Z2 [0+:8] depth .segment x=0 y=0 width=8 height=2 enable_all edge_negative x - 3 (w8) enable_all squares 5*x*x (w12) edge_negative x - 3 (w12) )");
   debug("step 2");
   CHECK(debug("print E") == "E = 1 at 6 of 16 pixels\n");
   debug("step 2");

@@ -22,7 +22,7 @@ std::string show(const division::Counts& counts) {
                      counts.lists, counts.halfspaces, counts.cells, counts.nodes, counts.instructions);
 }
 
-/// The host's counts are the Program's, of which the last may be nothing.
+/// Compares the host's counts with those of the divider; the last step may be empty.
 std::string difference(const division::Divided& divided, const isa::Segment& segment,
                        const emit::SquareCounts& square) {
   for (std::size_t i = 0; i < std::max(divided.instructions.size(), segment.instructions.size()); ++i) {
@@ -35,7 +35,7 @@ std::string difference(const division::Divided& divided, const isa::Segment& seg
     division::Counts mine = i < divided.steps.size() ? divided.steps[i] : division::Counts{};
     written += std::exchange(mine.instructions, 0);
     const division::Counts host = i < square.size() ? square[i].counts : division::Counts{};
-    if (!(mine == host)) return fmt::format("the divider counts {} in step {}; the host {}", show(mine), i, show(host));
+    if (!(mine == host)) return fmt::format("divider: {} in step {}; host: {}", show(mine), i, show(host));
   }
   if (written != segment.instructions.size()) return fmt::format("the divider counts {} instructions", written);
   return {};

@@ -10,29 +10,29 @@
 
 namespace csgsim::testing {
 
-/// What both are asked to divide.
+/// Parameters of a division.
 struct DivisionCase {
-  Setup setup;                   ///< squares, sampling, camera, colouring
-  std::uint32_t group_side = 4;  ///< squares of a group, along a row and down
+  Setup setup;                   ///< squares, sampling, camera and colouring
+  std::uint32_t group_side = 4;  ///< side of a group in squares
   std::uint64_t list_entries = 1'000'000;
 };
 
-/// The setup for a camera and squares, with memory to spare.
+/// Setup for a camera and squares, with ample memory.
 Setup squares_of(const view::Camera& camera, const view::Sampling& sampling, machines::Size square,
                  emit::Colouring colouring);
 
-/// A Program that the host compiled for the divider's prunings, and what its display model travels as.
+/// A Program that the host compiled with the divider's pruning rules, and the encoded display model.
 struct ForDivider {
   Compiled host;
   division::Bits sent;
 };
 
-/// Compiles a model both ways. Throws InputError where the host refuses it.
+/// Compiles a model for the host and for the divider. Throws InputError if the host rejects it.
 ForDivider compile_for_divider(const std::string& text, const Setup& setup);
 ForDivider compile_file_for_divider(const std::string& path, const Setup& setup);
 
-/// The first way in which a divider that is given what was sent differs from the host, at one level or two, in
-/// instructions or in counts; empty if it does not. Adds what was done at one level to `done`.
+/// Describes the first difference between host and divider, at one level and at two, in instructions or counts; empty
+/// if they agree. Adds the work done at one level to `done`.
 std::string difference(const ForDivider& made, const DivisionCase& how, division::Counts& done);
 
 }  // namespace csgsim::testing

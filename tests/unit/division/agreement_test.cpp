@@ -13,7 +13,7 @@ view::Camera any_camera() {
   const auto coordinate = [](int low, int high) { return 0.25 * *rc::gen::inRange(4 * low, 4 * high); };
   view::Camera camera;
   camera.centre = {coordinate(-2, 2), coordinate(-2, 2), coordinate(-2, 2)};
-  // Near ones are inside the model.
+  // Near cameras are inside the model.
   const int reach = *rc::gen::element(3, 20, 60);
   camera.eye = {coordinate(-reach, reach), coordinate(-reach, reach), coordinate(-reach, reach)};
   if (camera.eye == camera.centre) camera.eye.z += 10.0;
@@ -47,9 +47,8 @@ testing::DivisionCase any_case() {
 
 }  // namespace
 
-TEST_CASE(
-    "the divider emits what the host compiles, word for word, and does what the rules count, at one level or two") {
-  constexpr unsigned models = 40;  // of each camera and sampling
+TEST_CASE("the divider emits the host's instructions and counts at one level or two") {
+  constexpr unsigned models = 40;  // number per camera and sampling
   std::uint64_t refused = 0;
   std::uint64_t drawn = 0;
   division::Counts all;
@@ -70,7 +69,7 @@ TEST_CASE(
     }
   }));
   if (!testing::draws_usual_cases()) return;
-  // A near plane behind the model, or faces that fit no width, are refused by both. Of the others each does something.
+  // Both reject a near plane behind the model and faces that fit no width. Every other model causes some work.
   CHECK(refused * 4 <= drawn);
   for (const std::uint64_t count : {all.boxes, all.halfspaces, all.cells, all.nodes, all.instructions})
     CHECK(count > drawn);

@@ -12,7 +12,7 @@ namespace {
 
 using Planes = std::vector<std::uint32_t>;
 
-/// Half-spaces of one side over a rectangle, plane after plane.
+/// Half-spaces of one side over a rectangle, in the order of the planes.
 struct Sides {
   DisplayModel model;
   std::vector<Tested> side;
@@ -56,7 +56,7 @@ constexpr Rectangle row{0, 0, 10, 0};
 
 std::int64_t value(const Plane& plane, std::int32_t x, std::int32_t y) { return plane.a * x + plane.b * y + plane.c; }
 
-/// Those less than a depth step behind the extreme at some pixel.
+/// Planes that are within a depth step of the extreme at some pixel.
 Planes near_somewhere(const Sides& made, bool forward) {
   const std::vector<Plane>& planes = made.model.planes;
   const std::int64_t sign = forward ? 1 : -1;
@@ -87,20 +87,20 @@ Sides any_side(bool forward) {
 
 }  // namespace
 
-TEST_CASE("of two fronts the one that is nearer at all corners is not active (thesis fig. 7.5a, convex-max)") {
+TEST_CASE("of two fronts the one nearer at all corners is inactive (thesis fig. 7.5a)") {
   CHECK(extremes(side_of({{false, 1, 0, 2}, {false, 0, 0, 20}}, true, row)) == Kept{{1}, 2});
 }
 
-TEST_CASE("of two fronts that cross between the corners both are active (thesis fig. 7.5b)") {
+TEST_CASE("two fronts that cross between the corners are both active (thesis fig. 7.5b)") {
   CHECK(extremes(side_of({{false, 1, 0, 2}, {false, -1, 0, 9}}, true, row)) == Kept{{0, 1}, 2});
 }
 
-TEST_CASE("of two backs the one that is farther at all corners is not active (thesis table 7.1, concave-min)") {
+TEST_CASE("of two backs the one farther at all corners is inactive (thesis table 7.1)") {
   CHECK(extremes(side_of({{false, 1, 0, 2}, {false, 0, 0, 20}}, false, row)) == Kept{{0}, 2});
   CHECK(extremes(side_of({{false, 1, 0, 2}, {false, -1, 0, 9}}, false, row)) == Kept{{0, 1}, 2});
 }
 
-TEST_CASE("a half-space goes only if another one is beyond it by a whole depth step") {
+TEST_CASE("drops a half-space only if another is beyond it by a whole depth step") {
   const Sides made = side_of({{false, 0, 0, 16}, {false, 0, 0, 23}, {false, 0, 0, 24}}, true, row, 3);
   CHECK(extremes(made) == Kept{{1, 2}, 3});
   CHECK(by_leaders(made) == Kept{{1, 2}, 3});
@@ -110,24 +110,24 @@ TEST_CASE("coincident half-spaces are all active") {
   CHECK(extremes(side_of({{false, 1, 0, 2}, {false, 1, 0, 2}}, true, row)) == Kept{{0, 1}, 2});
 }
 
-TEST_CASE("one half-space is looked at once, and none is no cell") {
+TEST_CASE("a single half-space takes one test and an empty side none") {
   CHECK(extremes(side_of({{false, 1, 0, 2}}, true, row)) == Kept{{0}, 1});
   CHECK(extremes(side_of({}, true, row)) == Kept{});
 }
 
-TEST_CASE("what no leader of the rectangle is beyond everywhere is held against those of its quarters") {
-  // At the corners 20 and -10, -10 and 20, 4 and 4; of columns 0 to 7, 20 and -1, -10 and 11; of 4 to 7, 8 and -1, 2
-  // and
-  // 11. In 0 to 3 the first has 11 at least, in 4 and 5 it has 5; in 6 and 7 the second has 8, and in 8 to 10 14.
+TEST_CASE("half-spaces that no leader beats everywhere are compared per quarter") {
+  // Values at the corners of the row: 20 and -10, -10 and 20, 4 and 4; in columns 0 to 7: 20 and -1, -10 and 11; in 4
+  // to 7: 8 and -1, 2 and 11. In 0 to 3 the first is at least 11, in 4 and 5 it is 5; in 6 and 7 the second is 8, and
+  // in 8 to 10 it is 14.
   const Sides made = side_of({{false, -3, 0, 20}, {false, 3, 0, -10}, {false, 0, 0, 4}}, true, row);
   CHECK(by_leaders(made) == Kept{{0, 1, 2}, 3});
   const Kept kept = extremes(made);
   CHECK(kept.planes == Planes{0, 1});
-  // All three in the row, in columns 0 to 7, 0 to 3, 4 to 7, 4 and 5, 6 and 7, and 8 to 10.
+  // All three are tested in the row and in columns 0 to 7, 0 to 3, 4 to 7, 4 and 5, 6 and 7, and 8 to 10.
   CHECK(kept.tests == 7 * 3);
 }
 
-TEST_CASE("those stay that are less than a depth step behind the extreme at some pixel, whatever is between corners") {
+TEST_CASE("keeps exactly the half-spaces within a depth step of the extreme somewhere") {
   CHECK(rc::check([] {
     const bool forward = *rc::gen::arbitrary<bool>();
     const Sides made = any_side(forward);
@@ -135,7 +135,7 @@ TEST_CASE("those stay that are less than a depth step behind the extreme at some
   }));
 }
 
-TEST_CASE("a half-space has no more tests than its rectangle has cells") {
+TEST_CASE("a half-space has at most one test per cell of its rectangle") {
   CHECK(rc::check([] {
     const Sides made = any_side(true);
     std::uint64_t cells = 1;
@@ -149,7 +149,7 @@ TEST_CASE("a half-space has no more tests than its rectangle has cells") {
   }));
 }
 
-TEST_CASE("what leaders leave out first does not change what stays") {
+TEST_CASE("dropping half-spaces by leaders first does not change the result") {
   CHECK(rc::check([] {
     const Sides made = any_side(true);
     Sides first = made;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr division::Rectangle pixels{0, 0, 10, 0};
 
-/// Half-spaces of one side at the corners of 11 pixels in a row, plane after plane.
+/// Half-spaces of one side at the corners of a row of 11 pixels, in the order of the planes.
 std::vector<Tested> side_of(const std::vector<Plane>& planes, bool forward) {
   division::DisplayModel model = testing::empty_model();
   model.planes = planes;
@@ -27,7 +27,7 @@ Known known(const Plane& plane, bool forward, std::int64_t z_low, std::int64_t z
 
 }  // namespace
 
-TEST_CASE("a corner test finds the four values, and the floors of the least and the greatest") {
+TEST_CASE("a corner test finds the four values and the floors of minimum and maximum") {
   division::DisplayModel model = testing::empty_model();
   model.fraction_bits = 2;
   model.planes = {{false, -3, 2, 10}, {false, 0, 0, -1}, {true, -3, 2, 10}};
@@ -47,16 +47,15 @@ TEST_CASE("a corner test finds the four values, and the floors of the least and 
   CHECK(edge.side == division::Side::negative);
 }
 
-TEST_CASE("a front holds depths from its own on: all if it is never farther than the nearest, none if always beyond") {
-  const Plane rising{false, 1, 0, 3};  // 3 to 13
+TEST_CASE("a front contains blocks behind it and excludes blocks before it") {
+  const Plane rising{false, 1, 0, 3};  // values 3 to 13
   CHECK(known(rising, true, 13, 20) == Known::in);
   CHECK(known(rising, true, 12, 20) == Known::depends);
   CHECK(known(rising, true, 0, 2) == Known::out);
   CHECK(known(rising, true, 0, 3) == Known::depends);
 }
 
-TEST_CASE(
-    "a back holds depths before its own: all if it is always beyond the farthest, none if never beyond the nearest") {
+TEST_CASE("a back contains blocks before it and excludes blocks behind it") {
   const Plane rising{false, 1, 0, 3};
   CHECK(known(rising, false, 0, 2) == Known::in);
   CHECK(known(rising, false, 0, 3) == Known::depends);
@@ -64,7 +63,7 @@ TEST_CASE(
   CHECK(known(rising, false, 12, 20) == Known::depends);
 }
 
-TEST_CASE("an edge test holds all pixels or none by its sign at the corners, zero with the positive values") {
+TEST_CASE("an edge is classified by its signs at the corners with zero as positive") {
   CHECK(known({true, 1, 0, 0}, true, 0, 0) == Known::in);
   CHECK(known({true, 1, 0, -1}, true, 0, 0) == Known::depends);
   CHECK(known({true, 1, 0, -11}, true, 0, 0) == Known::out);

@@ -18,7 +18,7 @@ division::DisplayModel sent_for(const std::string& text, const testing::Setup& s
   return division::decode(testing::compile_for_divider(text, setup).sent);
 }
 
-/// A cube whose right face is that many pixels right of the picture's middle.
+/// A cube with its right face at the given number of pixels right of the picture's centre.
 std::string cube_to(double pixels, const testing::Setup& setup) {
   const double half = pixels * view::pixel_size(setup.camera, setup.sampling.height, 0);
   return fmt::format("cube(size=[{0},{0},{0}],center=true);", 2 * half);
@@ -26,23 +26,23 @@ std::string cube_to(double pixels, const testing::Setup& setup) {
 
 }  // namespace
 
-TEST_CASE("a plane that several half-spaces lie on is sent once") {
+TEST_CASE("a plane shared by several half-spaces is sent once") {
   const std::string beside = "multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube(size=4);}";
   const division::DisplayModel model = sent_for("union(){cube(size=4);" + beside + "}", along_y());
   CHECK(model.primitives.size() == 2);
-  // Four sides in common, and x = 0, 4 and 8.
+  // Four common sides, and x = 0, 4 and 8.
   CHECK(model.planes.size() == 7);
   CHECK(model.primitives[0].halfspaces.size() + model.primitives[1].halfspaces.size() == 12);
 }
 
-TEST_CASE("a primitive out of the picture is sent without half-spaces") {
+TEST_CASE("a primitive outside the picture is sent without half-spaces") {
   const std::string away = "multmatrix([[1,0,0,400],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube(size=4);}";
   const division::DisplayModel model = sent_for("union(){cube(size=4);" + away + "}", along_y());
   CHECK(model.primitives[1].box.pixels.empty());
   CHECK(model.primitives[1].halfspaces.empty());
 }
 
-TEST_CASE("primitives that intersections alone join are sent as joined, with their complement") {
+TEST_CASE("primitives joined only by intersections are sent as joined") {
   const division::DisplayModel model =
       sent_for("difference(){intersection(){cube(size=4);cube(size=3);}cube(size=1);}", along_y());
   REQUIRE(model.primitives.size() == 3);
@@ -52,7 +52,7 @@ TEST_CASE("primitives that intersections alone join are sent as joined, with the
   CHECK(model.primitives[2].complemented);
 }
 
-TEST_CASE("all memory that the other fields leave is for the stack") {
+TEST_CASE("the stack gets all memory that the other fields leave") {
   testing::Setup setup = along_y();
   CHECK(sent_for("cube(size=4);", setup).fields.stack_base == 2 * 20 + 24 + 1);
   CHECK(sent_for("cube(size=4);", setup).fields.stack_bits == setup.memory_bits - 65);
@@ -60,7 +60,7 @@ TEST_CASE("all memory that the other fields leave is for the stack") {
   CHECK(sent_for("cube(size=4);", setup).fields.stack_base == 2 * 20 + 2 * 24 + 1);
 }
 
-TEST_CASE("what the other fields do not leave room for, or a colouring left to be chosen, is refused") {
+TEST_CASE("rejects too little memory and automatic colouring") {
   const testing::Compiled any = testing::compile_text("cube(size=4);", along_y());
   emit::Options options;
   CHECK_THROWS_AS(emit::make_display_model(any.tree, any.scene, any.view, options, 64), InputError);
@@ -69,8 +69,8 @@ TEST_CASE("what the other fields do not leave room for, or a colouring left to b
   CHECK_THROWS_AS(emit::make_display_model(any.tree, any.scene, any.view, options, 72), InputError);
 }
 
-TEST_CASE("a face whose coefficients fit no width is left out if all of its primitive's pixels are inside it") {
-  // The side faces pass the depth range in a hundredth of a pixel.
+TEST_CASE("omits a face that fits no width if all its pixels are inside it") {
+  // The side faces cross the depth range within a hundredth of a pixel.
   const testing::Setup setup = along_y({64, 48, 30, 20, 1.0 / 4096, std::nullopt});
   testing::DivisionCase how;
   how.setup = setup;

@@ -32,7 +32,7 @@ constexpr isa::Region top_left{0, 0, 8, 8};
 
 }  // namespace
 
-TEST_CASE("a slab that fills a square is its front, its back, a depth test, a copy and a colour") {
+TEST_CASE("a slab that fills a square compiles to the expected ten instructions") {
   testing::ModelDivider divider(testing::one_slab());
   const division::Divided divided = divider.divide(top_left);
   const std::vector<Instruction> expected{
@@ -48,30 +48,30 @@ TEST_CASE("a slab that fills a square is its front, its back, a depth test, a co
       plain(Opcode::set_constant, colour, {}, 5, shade),
   };
   CHECK(divided.instructions == expected);
-  // One list of two half-spaces; the one front and the one back are a cell each.
+  // One list of two half-spaces; the front and the back take one cell each.
   CHECK(divided.steps == std::vector<division::Counts>{{1, 1, 2, 2, 0, 10}});
 }
 
-TEST_CASE("a square that nothing touches has no instructions, but a box test for each primitive") {
+TEST_CASE("an empty square takes only a box test per primitive") {
   const division::Divided divided = testing::ModelDivider(testing::one_slab()).divide({8, 0, 8, 8});
   CHECK(divided.instructions.empty());
   CHECK(divided.steps == std::vector<division::Counts>{{.boxes = 1}});
 }
 
-TEST_CASE("a square that is the whole picture is set up even if nothing is in it") {
+TEST_CASE("a square as large as the picture is initialised even if it is empty") {
   CHECK(testing::ModelDivider(testing::empty_model()).divide({0, 0, 16, 16}).instructions.size() == 3);
 }
 
-TEST_CASE("linear expressions count from the square's corner, and a rectangle narrower than it is clipped") {
+TEST_CASE("linear expressions are relative to the square's corner and clipped to it") {
   division::DisplayModel model = testing::one_slab();
   model.planes[0] = {false, 0, 0, 3};
   model.primitives[0].box.pixels = {10, 0, 15, 15};
   const division::Divided divided = testing::ModelDivider(model).divide({8, 8, 8, 8});
-  // x - 10 at columns 8 to 15 is -2 to 5: 4 bits.
+  // x - 10 in columns 8 to 15 is -2 to 5, which needs 4 bits.
   CHECK(divided.instructions[4] == linear(Opcode::edge_not_negative, {}, {1, 0, -2, 4, 0}, render));
 }
 
-TEST_CASE("a surface that begins at depth 0, or has no front left, starts there, in the colour that it has there") {
+TEST_CASE("a surface without a front starts at depth 0 in its near colour") {
   division::DisplayModel model = testing::one_slab();
   model.planes[0].c = 0;
   for (const std::int64_t z_low : {0, 2}) {
@@ -83,14 +83,15 @@ TEST_CASE("a surface that begins at depth 0, or has no front left, starts there,
   }
 }
 
-TEST_CASE("where a slab has a hole both are drawn and compared; where it has none the hole is not looked into") {
+TEST_CASE("a hole is drawn and compared only in squares that contain it") {
   testing::ModelDivider divider(testing::slab_with_hole());
   const division::Divided holed = divider.divide(top_left);
-  // The slab and the hole, each with its own two half-spaces and the other's; each looks at the root and the other.
+  // The slab and the hole, each with its own two half-spaces and two of the other; each tests the root and the
+  // other.
   CHECK(holed.counts().boxes == 2);
   CHECK(holed.counts().halfspaces == 8);
   CHECK(holed.counts().nodes == 4);
-  // In columns 6 and 7 the hole has no pixels: the slab looks at the root and, in vain, at the hole.
+  // The hole has no pixels in columns 6 and 7: the slab tests the root and, without effect, the hole.
   const division::Divided whole = divider.divide({6, 0, 2, 8});
   CHECK(whole.counts().boxes == 2);
   CHECK(whole.counts().halfspaces == 2);
@@ -98,9 +99,10 @@ TEST_CASE("where a slab has a hole both are drawn and compared; where it has non
   CHECK(whole.instructions.size() == 10);
 }
 
-TEST_CASE("a tree with more pending results than there are bits for them is refused") {
+TEST_CASE("rejects a tree with more pending results than stack bits") {
   division::DisplayModel model = testing::slab_with_hole();
-  // The slab without where two holes meet: a union of complements is one leaf, but not with a plain solid in it.
+  // The slab minus the intersection of two holes: a union of complements is a single leaf, unless a plain solid is part
+  // of it.
   model.primitives.push_back(testing::slab(0, 3, 3, 5));
   model.primitives[2].box.pixels = {3, 0, 6, 15};
   model.nodes = {{}, {}, {}, {2, division::Operator::unite}, {2, division::Operator::intersect}};
@@ -110,9 +112,9 @@ TEST_CASE("a tree with more pending results than there are bits for them is refu
                        "a square's tree has 1 pending results, but pixel memory has 0 bits for them", InputError);
 }
 
-TEST_CASE("a group leaves the primitives that touch it, without half-spaces that decide nothing in it") {
+TEST_CASE("a group keeps the primitives in it and their deciding half-spaces") {
   division::DisplayModel model = testing::slab_with_hole();
-  // Another front, always nearer than the slab's own; an edge that holds the left half.
+  // A second front that is always nearer than the slab's, and an edge that contains the left half.
   model.planes.push_back({false, 0, 0, 1});
   model.planes.push_back({true, -1, 0, 7});
   model.primitives[0].halfspaces.push_back({4, true, 2});
@@ -120,7 +122,7 @@ TEST_CASE("a group leaves the primitives that touch it, without half-spaces that
   division::validate(model);
   testing::ModelDivider divider(model);
   const division::Candidates left = divider.survivors({0, 0, 16, 8});
-  // The two fronts of the slab against their leader, its back, and the hole's front and back.
+  // The two fronts of the slab are compared with their leader; then come its back and the hole's front and back.
   CHECK(divider.path.take_counts() == division::Counts{2, 2, 6, 5, 0, 0});
   CHECK(left.primitives == std::vector<std::uint32_t>{0, 1});
   CHECK(left.halfspaces[0].size() == 2);
@@ -132,7 +134,7 @@ TEST_CASE("a group leaves the primitives that touch it, without half-spaces that
   CHECK(from_model.counts().halfspaces == 12);
 }
 
-TEST_CASE("squares in rows make groups that the picture's edges cut off, in the order of their first squares") {
+TEST_CASE("squares in rows form groups that are clipped at the picture's edges") {
   // 5 x 3 squares of 8 x 8 in a picture of 37 x 24, in groups of 2 x 2.
   std::vector<isa::Region> squares;
   for (std::uint32_t y = 0; y < 24; y += 8) {
@@ -148,7 +150,7 @@ TEST_CASE("squares in rows make groups that the picture's edges cut off, in the 
   CHECK(groups[5].squares == std::vector<std::size_t>{14});
 }
 
-TEST_CASE("a group whose survivors do not fit the list has its squares divided from the whole model") {
+TEST_CASE("a group with too many survivors is divided from the whole model") {
   testing::ModelDivider divider(testing::slab_with_hole());
   const division::DividedGroup fits = divider.divide_group({0, 0, 16, 16}, {top_left}, 6);
   CHECK(fits.fits);

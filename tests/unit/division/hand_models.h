@@ -9,7 +9,7 @@
 
 namespace csgsim::testing {
 
-/// A picture of 16 x 16 pixels without a model: 4 bits of depth without fraction, 3 of colour, a stack of 2.
+/// An empty model for 16 x 16 pixels: 4 bits of depth without fraction, 3 of colour, a stack of 2.
 inline division::DisplayModel empty_model() {
   division::DisplayModel model;
   model.width = 16;
@@ -21,7 +21,7 @@ inline division::DisplayModel empty_model() {
   return model;
 }
 
-/// A slab in the left half of the picture at depths [front, back).
+/// A slab in the left half of the picture with depths in [front, back).
 inline division::Primitive slab(std::uint32_t front_plane, std::uint32_t back_plane, std::int64_t front,
                                 std::int64_t back) {
   division::Primitive one;
@@ -31,7 +31,7 @@ inline division::Primitive slab(std::uint32_t front_plane, std::uint32_t back_pl
   return one;
 }
 
-/// A slab at depths [3, 9).
+/// A slab with depths in [3, 9).
 inline division::DisplayModel one_slab() {
   division::DisplayModel model = empty_model();
   model.planes = {{false, 0, 0, 3}, {false, 0, 0, 9}};
@@ -40,7 +40,7 @@ inline division::DisplayModel one_slab() {
   return model;
 }
 
-/// That slab with a hole: another one, at depths [2, 5) of columns 2 to 5, is taken from it.
+/// The same slab with a hole: another slab at depths [2, 5) and columns 2 to 5 is subtracted.
 inline division::DisplayModel slab_with_hole() {
   division::DisplayModel model = one_slab();
   model.planes.push_back({false, 0, 0, 2});
@@ -56,7 +56,7 @@ inline division::DisplayModel slab_with_hole() {
   return model;
 }
 
-/// A divider with the model that it reads, in no time.
+/// A divider whose reads of the model take no time.
 struct ModelDivider {
   explicit ModelDivider(division::DisplayModel given) : model(std::move(given)), divider(model), path(model) {}
 

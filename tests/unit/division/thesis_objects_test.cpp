@@ -19,11 +19,11 @@ void check_objects(view::Projection projection, machines::Size square, emit::Col
 
 }  // namespace
 
-TEST_CASE("the divider emits the thesis's objects as the host does, in squares of 16 x 16") {
+TEST_CASE("the divider matches the host on the thesis's objects in 16 x 16 squares") {
   check_objects(view::Projection::orthographic, {16, 16}, emit::Colouring::rebroadcast);
 }
 
-TEST_CASE("the divider emits the thesis's objects as the host does, in squares of 128 x 128") {
+TEST_CASE("the divider matches the host on the thesis's objects in 128 x 128 squares") {
   check_objects(view::Projection::orthographic, {128, 128}, emit::Colouring::rebroadcast);
   check_objects(view::Projection::perspective, {128, 128}, emit::Colouring::field);
 }

@@ -36,7 +36,7 @@ testing::Setup random_view(view::Projection projection, const std::string& scene
   return setup;
 }
 
-/// Without the effect, sampled beside the pixels' centres.
+/// Draws without the effect, sampled at an offset from the pixel centres.
 observe::Frame sampled_at(const std::string& csg, testing::Setup setup, const glm::dvec2& offset) {
   setup.options.scene = testing::scene_of("");
   setup.sampling.offset = offset;
@@ -49,7 +49,7 @@ std::vector<observe::Frame> sampled(const std::string& csg, const testing::Setup
   return frames;
 }
 
-/// Sums of some of the samples at a pixel.
+/// Sum of a range of the samples at a pixel.
 Levels sum_of(const std::vector<observe::Frame>& frames, std::size_t begin, std::size_t end, std::size_t pixel) {
   Levels sum{};
   for (std::size_t i = begin; i < end; ++i) {
@@ -59,30 +59,30 @@ Levels sum_of(const std::vector<observe::Frame>& frames, std::size_t begin, std:
   return sum;
 }
 
-/// The mean, halves upwards.
+/// The mean, rounded half up.
 Levels mean_of(const std::vector<observe::Frame>& frames, std::size_t count, std::size_t pixel) {
   Levels mean = sum_of(frames, 0, count, pixel);
   for (int& one : mean) one = (one + static_cast<int>(count) / 2) / static_cast<int>(count);
   return mean;
 }
 
-/// What adaptive anti-aliasing does, by its definition.
-Levels refined(const std::vector<observe::Frame>& frames, int least_difference, std::size_t pixel) {
+/// Adaptive anti-aliasing according to its definition.
+Levels refined(const std::vector<observe::Frame>& frames, int min_difference, std::size_t pixel) {
   std::size_t count = std::max<std::size_t>(2, frames.size() / 4);
   while (count < frames.size()) {
-    const int enough = least_difference * static_cast<int>(count / 2);
+    const int enough = min_difference * static_cast<int>(count / 2);
     if (difference(sum_of(frames, 0, count / 2, pixel), sum_of(frames, count / 2, count, pixel)) < enough) break;
     count *= 2;
   }
   return mean_of(frames, count, pixel);
 }
 
-/// The most by which the first few of the samples misjudge how many of all are to one side of a straight line.
+/// Largest error with which the first `few` samples estimate the share of all samples on one side of a straight line.
 double worst_at_a_line(std::size_t few, std::size_t all) {
   const std::vector<glm::dvec2> offsets = effects::sample_offsets(all);
   double worst = 0;
   for (int step = 0; step < 3600; ++step) {
-    // Off the directions in which samples are in line.
+    // Avoids the directions in which samples are collinear.
     const double turn = (step + 0.0123) * std::numbers::pi / 1800;
     std::vector<std::pair<double, bool>> along;
     for (std::size_t i = 0; i < all; ++i)
@@ -103,7 +103,7 @@ const std::string ball_and_hole =
 
 }  // namespace
 
-TEST_CASE("each column and each row of a pixel has one sample, and the first is at the centre") {
+TEST_CASE("each column and row of a pixel has one sample and the first is central") {
   for (const std::size_t count : {2U, 4U, 8U, 16U}) {
     std::set<double> columns;
     std::set<double> rows;
@@ -123,7 +123,7 @@ TEST_CASE("each column and each row of a pixel has one sample, and the first is 
   }
 }
 
-TEST_CASE("sampling beside the pixels' centres changes the constants of the planes alone, and by what it should") {
+TEST_CASE("offset sampling changes only the constants of the planes") {
   for (const view::Projection projection : {view::Projection::orthographic, view::Projection::perspective}) {
     testing::Setup setup = random_view(projection, "");
     const testing::Compiled centre = testing::compile_text(ball_and_hole, setup);
@@ -147,7 +147,7 @@ TEST_CASE("sampling beside the pixels' centres changes the constants of the plan
   }
 }
 
-TEST_CASE("the anti-aliased picture is the rounded mean of as many pictures, bit for bit, and its depth the centre's") {
+TEST_CASE("the anti-aliased picture is the rounded mean of its samples' pictures") {
   int with_edges = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     const std::string csg = testing::random_model(seed, 7);
@@ -167,11 +167,11 @@ TEST_CASE("the anti-aliased picture is the rounded mean of as many pictures, bit
     CHECK(wrong == 0);
     with_edges += has_edges;
   }
-  // Some models leave nothing.
+  // Some models are empty.
   CHECK(with_edges >= 9);
 }
 
-TEST_CASE("with other effects at work the anti-aliased picture is still the mean of as many pictures") {
+TEST_CASE("anti-aliasing with other effects is the mean of their pictures") {
   const std::string others =
       "[effects.smooth]\n[effects.depth_cue]\nbits = 3\n[[effects.textures]]\nsize = 3\nof_colour = [0.1, 0.4, 1]\n"
       "[[materials]]\nof_colour = [1, 0.2, 0.1]\nopacity = 0.5\n";
@@ -197,7 +197,7 @@ TEST_CASE("with other effects at work the anti-aliased picture is still the mean
   }
 }
 
-TEST_CASE("fewer bits of colour are averaged a channel each") {
+TEST_CASE("averages each channel separately with fewer colour bits") {
   testing::Setup setup = random_view(view::Projection::orthographic, called(4));
   setup.options.colour_bits = 11;
   const observe::Frame picture = testing::draw(testing::compile_text(ball_and_hole, setup).program);
@@ -217,7 +217,7 @@ TEST_CASE("fewer bits of colour are averaged a channel each") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("anti-aliased colours are the means of what rays through the same places see") {
+TEST_CASE("anti-aliased colours are the means of rays through the same points") {
   for (std::uint64_t seed = 20; seed < 26; ++seed) {
     const std::string csg = testing::random_model(seed, 5);
     const auto projection = seed % 2 == 0 ? view::Projection::orthographic : view::Projection::perspective;
@@ -241,27 +241,27 @@ TEST_CASE("anti-aliased colours are the means of what rays through the same plac
   }
 }
 
-TEST_CASE("adaptive anti-aliasing stops at each pixel where its definition says, and keeps the depths") {
+TEST_CASE("adaptive anti-aliasing stops per pixel by its definition and keeps depths") {
   for (std::uint64_t seed = 40; seed < 49; ++seed) {
     const std::string csg = testing::random_model(seed, 6);
     const std::size_t count = std::size_t{4} << (seed % 3);
-    const int least_difference = std::array{1, 20, 100}.at(seed / 3 % 3);
+    const int min_difference = std::array{1, 20, 100}.at(seed / 3 % 3);
     CAPTURE(seed);
     const testing::Setup setup =
         random_view(view::Projection::perspective,
-                    called(count, fmt::format("adaptive = true\nleast_difference = {}", least_difference)));
+                    called(count, fmt::format("adaptive = true\nleast_difference = {}", min_difference)));
     const observe::Frame picture = testing::draw(testing::compile_text(csg, setup).program);
     const std::vector<observe::Frame> frames = sampled(csg, setup, count);
     CHECK(picture.depth == frames.front().depth);
     int wrong = 0;
     for (std::size_t i = 0; i < picture.colour.size(); ++i)
-      wrong += levels_of(picture.colour[i]) != refined(frames, least_difference, i);
+      wrong += levels_of(picture.colour[i]) != refined(frames, min_difference, i);
     CHECK(wrong == 0);
   }
 }
 
-TEST_CASE("along straight edges adaptive pictures differ from full ones by what the samples' places bound") {
-  // A white square, turned, on black.
+TEST_CASE("adaptive and full pictures differ at straight edges within a bound") {
+  // A rotated white square on black.
   const std::string csg =
       "color([1,1,1,1]){multmatrix([[0.8,0,0.6,30],[0,1,0,0],[-0.6,0,0.8,-24],[0,0,0,1]])"
       "{cube(size=[28,4,28],center=true);}}";
@@ -279,7 +279,7 @@ TEST_CASE("along straight edges adaptive pictures differ from full ones by what 
   CHECK(most > 0);
 }
 
-TEST_CASE("on the carburettor adaptive anti-aliasing takes less than half the clocks, within the bound of a line") {
+TEST_CASE("adaptive anti-aliasing more than halves the carburettor's clocks") {
   testing::Setup setup = testing::front_view(256, 256, testing::scene_of(called(16)));
   setup.camera = {{220, -255, 135}, {2, 0, 5}, view::Projection::orthographic};
   const testing::Compiled all = testing::compile_file(testing::model_path("carburettor"), setup);
@@ -297,7 +297,7 @@ TEST_CASE("on the carburettor adaptive anti-aliasing takes less than half the cl
   CHECK(most <= worst_at_a_line(4, 16) * 255 + 1);
 }
 
-TEST_CASE("a picture that is all one colour is not refined") {
+TEST_CASE("skips refinement if no pixel needs it") {
   testing::Setup setup = testing::front_view(32, 32, testing::scene_of(called(4, "adaptive = true")));
   const std::string wall = testing::box_text({-10, 0, -50}, {50, 1, 50});
   const testing::Compiled refined = testing::compile_text(wall, setup);
@@ -305,11 +305,11 @@ TEST_CASE("a picture that is all one colour is not refined") {
     return engine::make_functional_engine(testing::machine_of(program.shape))->run(program, {});
   };
   CHECK(run(refined.program).skipped > 0);
-  // With an edge in it there is something left to draw.
+  // An edge in the picture needs refinement.
   CHECK(run(testing::compile_text(testing::box_text({-10, 0, -50}, {9.3, 1, 50}), setup).program).skipped == 0);
 }
 
-TEST_CASE("line by line the anti-aliased picture is the same") {
+TEST_CASE("the anti-aliased picture is the same line by line") {
   for (const char* adaptive : {"adaptive = false", "adaptive = true"}) {
     testing::Setup setup = random_view(view::Projection::perspective, called(4, adaptive));
     const observe::Frame whole = testing::draw(testing::compile_text(ball_and_hole, setup).program);
@@ -320,7 +320,7 @@ TEST_CASE("line by line the anti-aliased picture is the same") {
   }
 }
 
-TEST_CASE("numbers of samples whose mean is no shift are refused") {
+TEST_CASE("rejects numbers of samples that are not a supported power of two") {
   CHECK(testing::error_of([] { testing::scene_of(called(3)); }).find("take 2, 4, 8 or 16") != std::string::npos);
   CHECK(testing::error_of([] { testing::scene_of(called(12)); }).find("take 2, 4, 8 or 16") != std::string::npos);
 }

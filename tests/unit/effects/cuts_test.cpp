@@ -9,16 +9,16 @@ namespace {
 
 constexpr std::uint32_t width = 48;
 constexpr std::uint32_t height = 40;
-constexpr double hatch = 9;  // pixels from one line to the next
+constexpr double hatch = 9;  // pixels between lines
 
-/// How far a place of the picture is into a period of the hatching, from 0 to 1.
+/// Position of a point of the picture within a period of the hatching, from 0 to 1.
 double phase(const glm::dvec2& place, double angle) {
   const double turn = angle * std::numbers::pi / 180;
   const double periods = (place.y * std::cos(turn) - place.x * std::sin(turn)) / hatch;
   return periods - std::floor(periods);
 }
 
-/// With the cuts of its scene.
+/// Draws with the cuts of the scene.
 observe::Frame drawn(const std::string& csg, const testing::Setup& setup) {
   const model::Tree tree = effects::reshaped(read::read_csg_text(csg, "box"), setup.options.scene);
   const facet::Geometry facets = facet::make_geometry(tree);
@@ -29,7 +29,7 @@ observe::Frame drawn(const std::string& csg, const testing::Setup& setup) {
 
 }  // namespace
 
-TEST_CASE("hatching has its lines where a sample looks, at the centre of a pixel or beside it") {
+TEST_CASE("hatching lines are correct at pixel centres and at offset samples") {
   const std::string box = testing::box_text({0, 0, -40}, {48, 9, 0});
   for (const double angle : {0.0, 30.0, 45.0, -70.0, 90.0}) {
     for (const glm::dvec2& aside : {glm::dvec2{0, 0}, glm::dvec2{0.25, -0.375}, {-0.5, -0.125}, {0.3125, 0.4375}}) {
@@ -47,7 +47,7 @@ TEST_CASE("hatching has its lines where a sample looks, at the centre of a pixel
       int lines = 0;
       for (std::uint32_t y = 1; y + 1 < height; ++y) {
         for (std::uint32_t x = 1; x + 1 < width; ++x) {
-          // Lines are the third quarter of each period, off by 1/128 of one at most.
+          // Lines are the third quarter of each period, with an error of at most 1/128 of it.
           const double at = phase(glm::dvec2(x, y) + aside, angle);
           if (std::abs(at - 0.5) < 0.01 || std::abs(at - 0.75) < 0.01) continue;
           const bool is_line = at > 0.5 && at < 0.75;

@@ -20,13 +20,13 @@ testing::Setup random_view(view::Projection projection, const std::string& scene
 
 int level(std::uint32_t colour, int channel) { return static_cast<int>(colour >> (16 - 8 * channel) & 255U); }
 
-/// The greatest part of a level by which a channel may miss the exact formula: half a step of fading of all there is to
-/// fade, half a level, and what one step of depth is worth.
+/// Maximum error in levels of a channel: half a step of fading over the full range, half a level, and one step of
+/// depth.
 double bound(int bits, double depths) { return 255 * (std::ldexp(0.5, -bits) + 1 / depths) + 0.5; }
 
 }  // namespace
 
-TEST_CASE("each pixel has its colour, faded by its depth, to within half a step of fading and half a level") {
+TEST_CASE("fades each pixel's colour by its depth within half a step and half a level") {
   int models_changed = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     const std::string csg = testing::random_model(seed, 6);
@@ -66,11 +66,11 @@ TEST_CASE("each pixel has its colour, faded by its depth, to within half a step 
     CHECK(worst <= allowed);
     models_changed += changed > 0;
   }
-  // Some models leave nothing.
+  // Some models are empty.
   CHECK(models_changed >= 9);
 }
 
-TEST_CASE("in an orthographic view colours fade with distance, as rays see it") {
+TEST_CASE("in orthographic views colours fade with distance as seen by rays") {
   for (std::uint64_t seed = 30; seed < 36; ++seed) {
     const std::string csg = testing::random_model(seed, 5);
     CAPTURE(seed);
@@ -90,13 +90,13 @@ TEST_CASE("in an orthographic view colours fade with distance, as rays see it") 
       for (int c = 0; c < 3; ++c)
         worst = std::max(worst, std::abs(level(picture.colour[i], c) - seen[i].colour[c] * 255));
     }
-    // The ray's colour was rounded once more, before it faded or after.
+    // The ray's colour was rounded once more, before or after fading.
     CHECK(worst <= bound(5, 1000) + 0.5);
     CHECK(certain > static_cast<int>(seen.size()) / 2);
   }
 }
 
-TEST_CASE("what is at the far setting is the background's colour, and what is before the near setting stays") {
+TEST_CASE("the far setting shows the background and the near setting the full colour") {
   const std::string boxes = testing::tinted({1, 0, 0}, 1, testing::box_text({2, 0, -12}, {10, 1, -2})) +
                             testing::tinted({0, 1, 0}, 1, testing::box_text({14, 40, -12}, {22, 41, -2}));
   testing::Setup setup = testing::front_view(24, 14, {});
@@ -117,7 +117,7 @@ TEST_CASE("what is at the far setting is the background's colour, and what is be
   CHECK(std::abs(level(half.colour[second], 1) - 127.5) <= bound(5, 1e5));
 }
 
-TEST_CASE("line by line the faded picture is the same") {
+TEST_CASE("the faded picture is the same line by line") {
   testing::Setup setup = random_view(view::Projection::perspective, "[effects.depth_cue]\n");
   const std::string csg = testing::random_model(7, 6);
   const observe::Frame whole = testing::draw(testing::compile_text(csg, setup).program);
@@ -125,7 +125,7 @@ TEST_CASE("line by line the faded picture is the same") {
   CHECK(whole.colour == testing::draw(testing::compile_text(csg, setup).program).colour);
 }
 
-TEST_CASE("settings between which nothing can fade are refused") {
+TEST_CASE("rejects depth-cue settings with an empty range") {
   const auto error = [](view::Projection projection, const std::string& settings) {
     return testing::error_of([&] {
       testing::compile_text(testing::random_model(7, 3), random_view(projection, "[effects.depth_cue]\n" + settings));

@@ -19,7 +19,7 @@ testing::Setup random_view(view::Projection projection, const std::string& scene
   return setup;
 }
 
-/// Rows of a picture: whether each pixel has that colour.
+/// Rows of a picture as text: whether each pixel has the colour.
 std::vector<std::string> where(const observe::Frame& frame, std::uint32_t colour) {
   std::vector<std::string> rows;
   for (std::uint32_t y = 0; y < frame.height; ++y) {
@@ -35,8 +35,8 @@ constexpr std::uint32_t red = 0xff0000;
 
 }  // namespace
 
-TEST_CASE("a line is drawn where the pixel to the right or below shows another facet") {
-  // The view is along +y: of each box one face is seen.
+TEST_CASE("draws a line where the pixel to the right or below shows another facet") {
+  // The view is along +y, so one face of each box is visible.
   const std::string boxes = testing::box_text({1, 0, -5}, {5, 1, -2}) + testing::box_text({5, 0, -4}, {7, 1, -3});
   const testing::Setup setup = testing::front_view(9, 7, testing::scene_of(testing::plain_colours + red_lines));
   const observe::Frame frame = testing::draw(testing::compile_text(boxes, setup).program);
@@ -51,7 +51,7 @@ TEST_CASE("a line is drawn where the pixel to the right or below shows another f
                              });
 }
 
-TEST_CASE("lines are where rays through neighbouring pixels see different facets, and nowhere else") {
+TEST_CASE("lines are exactly where neighbouring rays hit different facets") {
   int lines = 0;
   int plain = 0;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
@@ -85,12 +85,12 @@ TEST_CASE("lines are where rays through neighbouring pixels see different facets
   CHECK(plain > 2000);
 }
 
-TEST_CASE("facets around a curved solid are one, those of a prism and of a smaller crease are not") {
+TEST_CASE("facets of a curved solid have no lines between them above the crease angle") {
   const auto lines = [](int fragments, const std::string& more) {
     const testing::Setup setup = random_view(view::Projection::orthographic, red_lines + more);
     const std::string csg = fmt::format("cylinder($fn={},h=20,r1=12,r2=12,center=true);", fragments);
     const observe::Frame frame = testing::draw(testing::compile_text(csg, setup).program);
-    // A row that crosses the side alone.
+    // A row that crosses only the side.
     return where(frame, red).at(26);
   };
   const auto count = [](const std::string& row) { return std::count(row.begin(), row.end(), '#'); };
@@ -99,7 +99,7 @@ TEST_CASE("facets around a curved solid are one, those of a prism and of a small
   CHECK(count(lines(24, "crease = 10\n")) > 6);
 }
 
-TEST_CASE("colours and depths besides the lines stay") {
+TEST_CASE("edges leave depths and the other colours unchanged") {
   const std::string csg = testing::random_model(3, 6);
   const observe::Frame plain =
       testing::draw(testing::compile_text(csg, random_view(view::Projection::perspective, "")).program);
@@ -112,7 +112,7 @@ TEST_CASE("colours and depths besides the lines stay") {
   CHECK(other == 0);
 }
 
-TEST_CASE("anti-aliased lines are the means of lines in each sample, adaptive or not") {
+TEST_CASE("anti-aliased lines are the means of the lines in each sample") {
   const std::string csg = testing::random_model(5, 6);
   const testing::Setup setup =
       random_view(view::Projection::orthographic, red_lines + "[effects.antialias]\nsamples = 4\n");
@@ -143,7 +143,7 @@ TEST_CASE("anti-aliased lines are the means of lines in each sample, adaptive or
   CHECK(wrong_adaptive == 0);
 }
 
-TEST_CASE("line by line the picture with edges is the same, and so it is with a second colour field") {
+TEST_CASE("the picture with edges is the same line by line and with a colour field") {
   testing::Setup setup = random_view(view::Projection::perspective, red_lines);
   const std::string csg = testing::random_model(7, 6);
   const observe::Frame whole = testing::draw(testing::compile_text(csg, setup).program);

@@ -29,7 +29,7 @@ testing::Setup setup_of(const std::string& scene, const std::string& model) {
   return setup;
 }
 
-/// The definition, a pixel at a time.
+/// The definition, one pixel at a time.
 std::vector<std::uint32_t> equalised(const observe::Frame& before, const Lattice& lattice, unsigned colour_bits,
                                      std::uint32_t nothing) {
   std::vector<std::uint32_t> after = before.colour;
@@ -63,7 +63,7 @@ std::vector<std::uint32_t> equalised(const observe::Frame& before, const Lattice
   return after;
 }
 
-/// Pixels that the effect changes.
+/// Returns the number of pixels that the effect changes.
 int check(const std::string& model, const Lattice& lattice, unsigned colour_bits, const std::string& also = "") {
   testing::Setup setup = setup_of(also, model);
   setup.options.colour_bits = colour_bits;
@@ -85,7 +85,7 @@ const std::string smooth = "[effects.smooth]\n";
 
 }  // namespace
 
-TEST_CASE("every level becomes its rank among the samples, bit for bit") {
+TEST_CASE("every level becomes its rank among the samples") {
   int changed = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     CAPTURE(seed);
@@ -96,7 +96,7 @@ TEST_CASE("every level becomes its rank among the samples, bit for bit") {
   CHECK(changed > 1000);
 }
 
-TEST_CASE("samples with a reach count for the pixels around them alone") {
+TEST_CASE("samples with limited reach affect only the pixels around them") {
   int changed = 0;
   for (std::uint64_t seed = 11; seed <= 16; ++seed) {
     CAPTURE(seed);
@@ -107,7 +107,7 @@ TEST_CASE("samples with a reach count for the pixels around them alone") {
   CHECK(changed > 1000);
 }
 
-TEST_CASE("few bits of colour are equalised too") {
+TEST_CASE("equalises pictures with few colour bits") {
   const std::string ball = "sphere($fn = 12, $fa = 12, $fs = 2, r = 5);";
   for (const unsigned bits : {3U, 4U, 8U, 16U, 23U}) {
     CAPTURE(bits);
@@ -115,7 +115,7 @@ TEST_CASE("few bits of colour are equalised too") {
   }
 }
 
-TEST_CASE("where no sample shows anything the picture stays as it is") {
+TEST_CASE("a picture without visible samples is unchanged") {
   const std::string far_corners =
       "cube(size = [1, 1, 1]);"
       "multmatrix([[1, 0, 0, 90], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])"
@@ -127,7 +127,7 @@ TEST_CASE("a lattice of 64 x 64 is counted in full") {
   CHECK(check("sphere($fn = 12, $fa = 12, $fs = 2, r = 5);", {64, 0}, isa::max_colour_bits, smooth) > 0);
 }
 
-TEST_CASE("a machine without a global OR over the whole picture is refused, and one that has it is named") {
+TEST_CASE("rejects a machine without a picture-wide global OR and suggests one") {
   const std::string cube = "cube(size = [1, 1, 1]);";
   testing::Setup setup = setup_of("[effects.equalise]\n", cube);
   const auto error = [&] { return testing::error_of([&] { testing::compile_text(cube, setup); }); };

@@ -19,7 +19,7 @@ using testing::tinted;
 
 namespace {
 
-/// A mirroring floor and wall, which see one another, with a ball, a box and a box with a hole before them.
+/// A mirroring floor and wall that reflect each other, with a sphere, a box and a box with a hole in front of them.
 std::string room() {
   return "union(){" + tinted({0.5, 0.5, 0.6}, 1, box_text({-10, -10, -1}, {10, 10, 0})) +
          tinted({0.6, 0.5, 0.5}, 1, box_text({-10, 9, 0}, {10, 10, 12})) +
@@ -67,7 +67,7 @@ testing::Setup view_of_room(std::uint32_t width, std::uint32_t height, view::Pro
   return setup;
 }
 
-/// All flat faces of materials that mirror, as the rules name them.
+/// All flat faces of mirroring materials according to the rules.
 std::vector<testing::RayMirror> mirrors_of(const scene::Scene& scene, const testing::Compiled& compiled) {
   std::vector<testing::RayMirror> mirrors;
   for (std::uint32_t i = 0; i < compiled.tree.primitives.size(); ++i) {
@@ -89,11 +89,11 @@ std::vector<testing::RayMirror> mirrors_of(const scene::Scene& scene, const test
 struct Tally {
   int pixels = 0;
   int judged = 0;
-  int mirrored = 0;  ///< of those judged, differing from what they would be without mirrors
+  int mirrored = 0;  ///< number of judged pixels that mirrors change
   int wrong = 0;
 };
 
-/// A level for each mirror on the way; half a level more for rounding of the colours themselves.
+/// Allows one level of error per mirror on the path, and half a level for rounding of the colours.
 void judge(const std::string& model, const testing::Setup& setup, unsigned depth, Tally& tally) {
   const auto compiled = testing::compile_text(model, setup);
   const scene::Scene& scene = setup.options.scene;
@@ -119,12 +119,11 @@ void judge(const std::string& model, const testing::Setup& setup, unsigned depth
   }
 }
 
-void check(const Tally& tally, int least_mirrored) {
-  MESSAGE(tally.pixels, " pixels, ", tally.judged, " judged, ", tally.mirrored, " of them mirrored, ", tally.wrong,
-          " wrong");
+void check(const Tally& tally, int min_mirrored) {
+  MESSAGE(tally.pixels, " pixels, ", tally.judged, " judged, ", tally.mirrored, " in mirrors, ", tally.wrong, " wrong");
   CHECK(tally.wrong == 0);
   CHECK(tally.judged > tally.pixels * 3 / 4);
-  CHECK(tally.mirrored > least_mirrored);
+  CHECK(tally.mirrored > min_mirrored);
 }
 
 scene::Scene to_depth(unsigned depth) { return scene_of(mirroring, {fmt::format("effects.mirrors.depth={}", depth)}); }
@@ -161,7 +160,7 @@ observe::Frame drawn(const std::string& model, const testing::Setup& setup) {
 
 }  // namespace
 
-TEST_CASE("what mirrors show of a room is what rays see, to each depth") {
+TEST_CASE("mirrors in a room match rays at each depth") {
   for (const unsigned depth : {1U, 2U, 3U}) {
     CAPTURE(depth);
     Tally tally;
@@ -171,21 +170,21 @@ TEST_CASE("what mirrors show of a room is what rays see, to each depth") {
   }
 }
 
-TEST_CASE("what mirrors show of random models is what rays see, orthographic") {
+TEST_CASE("mirrors in random models match rays in orthographic views") {
   check(random_models(1, view::Projection::orthographic), 1000);
 }
-TEST_CASE("what mirrors show of random models is what rays see, perspective") {
+TEST_CASE("mirrors in random models match rays in perspective views") {
   check(random_models(101, view::Projection::perspective), 1000);
 }
 
-TEST_CASE("mirrors in mirrors are seen to the depth that is asked for") {
+TEST_CASE("mirrors in mirrors are visible up to the requested depth") {
   const testing::Setup once = view_of_room(64, 56, view::Projection::orthographic, to_depth(1), room());
   const testing::Setup twice = view_of_room(64, 56, view::Projection::orthographic, to_depth(2), room());
   CHECK_FALSE(same(drawn(room(), once), drawn(room(), twice)));
   CHECK(drawn(room(), once).depth == drawn(room(), twice).depth);
 }
 
-TEST_CASE("mirrors are the same on all machines and by all strategies") {
+TEST_CASE("mirrors are the same on all machines and with all strategies") {
   testing::Setup setup = view_of_room(32, 28, view::Projection::perspective, to_depth(2), room());
   const observe::Frame first = drawn(room(), setup);
   for (const emit::Strategy strategy : emit::strategies) {
@@ -202,7 +201,7 @@ TEST_CASE("mirrors are the same on all machines and by all strategies") {
   CHECK(same(drawn(room(), setup), first));
 }
 
-TEST_CASE("glass before a mirror, and in it, is see-through") {
+TEST_CASE("glass in front of and inside a mirror is transparent") {
   const std::string model = "union(){" + room() + tinted({0.3, 0.9, 0.9}, 0.4, box_text({-7, -6, 1}, {1, -5, 6})) + "}";
   const testing::Setup setup = view_of_room(64, 56, view::Projection::orthographic, to_depth(1), model);
   const auto compiled = testing::compile_text(model, setup);
@@ -220,7 +219,7 @@ TEST_CASE("glass before a mirror, and in it, is see-through") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("squares where no mirror is seen pay nothing for those where one is") {
+TEST_CASE("squares without a visible mirror have no mirror instructions") {
   const std::string model = "union(){" + tinted({0.6, 0.5, 0.5}, 1, box_text({0.5, 4, -7}, {7, 5, -1})) +
                             tinted({0.2, 0.3, 0.9}, 1, box_text({9, 0, -15}, {15, 3, -9})) + "}";
   testing::Setup setup = front_view(16, 16, scene_of(mirroring));
@@ -235,7 +234,7 @@ TEST_CASE("squares where no mirror is seen pay nothing for those where one is") 
   }
 }
 
-TEST_CASE("too few bits for mirrors are refused with what to do") {
+TEST_CASE("rejects too little memory for mirrors and suggests a fix") {
   testing::Setup setup = view_of_room(64, 56, view::Projection::orthographic, to_depth(1), room());
   setup.memory_bits = 72;
   const std::string message = testing::error_of([&] { (void)testing::compile_text(room(), setup); });
@@ -244,7 +243,7 @@ TEST_CASE("too few bits for mirrors are refused with what to do") {
   CHECK_NOTHROW((void)testing::compile_text(room(), setup));
 }
 
-TEST_CASE("more mirrors than can be drawn are refused") {
+TEST_CASE("rejects more mirrors than can be drawn") {
   std::string model = "union(){";
   for (int i = 0; i < 90; ++i) {
     const double x = 2.0 * i;

@@ -18,7 +18,7 @@ constexpr double thickness = 2;
 
 using Polygon = std::vector<glm::dvec2>;
 
-/// A plate from z = 0 to `thickness`: all that is within an odd number of the polygons.
+/// A plate from z = 0 to `thickness`: the points inside an odd number of the polygons.
 struct Plate {
   std::vector<Polygon> outlines;
 
@@ -48,7 +48,7 @@ struct Plate {
     return is_inside;
   }
 
-  /// Where a line passes its surface, in order.
+  /// Parameters at which a line crosses its surface, in order.
   [[nodiscard]] std::vector<double> crossings(const glm::dvec3& origin, const glm::dvec3& along) const {
     std::vector<double> all;
     for (const double z : {0.0, thickness}) {
@@ -74,7 +74,8 @@ struct Plate {
   }
 };
 
-/// How often the pixel's ray enters the plate; nothing where a hundredth of a pixel, or a depth step, may decide.
+/// Number of times that the pixel's ray enters the plate; empty if a hundredth of a pixel or a depth step could change
+/// it.
 std::optional<std::size_t> entries(const Plate& plate, const view::EyeSpace& eye, const glm::dvec2& place) {
   std::optional<std::size_t> count;
   for (const glm::dvec2& aside :
@@ -91,7 +92,7 @@ std::optional<std::size_t> entries(const Plate& plate, const view::EyeSpace& eye
   return count;
 }
 
-testing::Setup look_at_plate(double turn, double height_of_eye, view::Projection projection) {
+testing::Setup view_of_plate(double turn, double height_of_eye, view::Projection projection) {
   testing::Setup setup =
       testing::front_view(width, height, testing::scene_of(testing::plain_colours, {"effects.transparency.layers=8"}));
   setup.camera = {{34 * std::cos(turn), 34 * std::sin(turn), height_of_eye}, {0, 0, 1}, projection};
@@ -137,7 +138,7 @@ Polygon star(int points, double least, double most) {
 
 }  // namespace
 
-TEST_CASE("a see-through plate of many convex pieces is as dense as its rays enter it often, without a seam") {
+TEST_CASE("a transparent plate of many convex pieces has no seams") {
   Tally tally;
   const bool holds = rc::check("plates", [&tally] {
     Plate plate{{star(*rc::gen::inRange(5, 12), 4, 11)}};
@@ -146,24 +147,24 @@ TEST_CASE("a see-through plate of many convex pieces is as dense as its rays ent
     const double eye = *rc::gen::inRange(2, 40);
     const auto projection =
         *rc::gen::arbitrary<bool>() ? view::Projection::perspective : view::Projection::orthographic;
-    judge(plate, look_at_plate(turn, eye, projection), tally);
+    judge(plate, view_of_plate(turn, eye, projection), tally);
     RC_ASSERT(tally.wrong == 0);
   });
   CHECK(holds);
-  MESSAGE(tally.judged, " pixels judged, ", tally.through, " of them through several walls");
+  MESSAGE(tally.judged, " pixels judged, ", tally.through, " through several walls");
   CHECK((!testing::draws_usual_cases() || tally.through > 500));
 }
 
-TEST_CASE("pieces of glass that overlap, and that the near plane cuts open, are seen as one solid") {
-  // A cross of two bars as a Minkowski sum, whose pieces overlap, and the same as a plate.
+TEST_CASE("overlapping pieces of glass cut by the near plane appear as one solid") {
+  // A cross of two bars as a Minkowski sum with overlapping pieces, and the same shape as a plate.
   const std::string bars = "minkowski(convexity = 0) { union() { " + testing::box_text({-8, -1, 0}, {7, 0, 1}) +
                            testing::box_text({-1, -8, 0}, {0, 7, 1}) + " } cube(size = [1, 2, 1], center = false); }";
   const Plate cross{
       {{{-8, -1}, {-1, -1}, {-1, -8}, {1, -8}, {1, -1}, {8, -1}, {8, 2}, {1, 2}, {1, 9}, {-1, 9}, {-1, 2}, {-8, 2}}}};
-  const testing::Setup whole = look_at_plate(0.7, 30, view::Projection::perspective);
+  const testing::Setup whole = view_of_plate(0.7, 30, view::Projection::perspective);
   testing::Setup cut_open = whole;
   cut_open.sampling.near = 34.0;
-  testing::Setup from_above = whole;  // all front faces are at one depth
+  testing::Setup from_above = whole;  // all front faces have the same depth
   from_above.camera = {{0, 0, 34}, {0, 0, 1}, view::Projection::orthographic};
   for (const testing::Setup& setup : {whole, cut_open, from_above}) {
     CAPTURE(setup.camera.eye.z);

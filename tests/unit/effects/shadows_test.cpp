@@ -16,7 +16,7 @@ namespace {
 
 const std::string shadows = "[effects.shadows]\n";
 
-/// Shines to the right and away from the eye.
+/// The light shines to the right and away from the eye.
 const std::string slanted = "[[lights]]\ndirection = [1, 1, 0]\n";
 
 std::string lamp(const glm::dvec3& place, const glm::dvec3& colour) {
@@ -27,7 +27,7 @@ std::string lamp(const glm::dvec3& place, const glm::dvec3& colour) {
 struct Tally {
   int pixels = 0;
   int judged = 0;
-  int dark = 0;  ///< of those judged, other than without shadows
+  int dark = 0;  ///< number of judged pixels that shadows change
   int wrong = 0;
 
   Tally& operator+=(const Tally& other) {
@@ -39,11 +39,11 @@ struct Tally {
   }
 };
 
-/// The depth of what is seen and that of a plane are both cut off to whole steps, and both are off by the rounding of
-/// their coefficients: where they differ by more than this, the comparison is right.
+/// The depths of the visible surface and of a plane are both truncated to whole steps and both have rounded
+/// coefficients; a difference above this value is certain.
 constexpr double steps_in_doubt = 1.25;
 
-/// Holds a picture with shadows against rays.
+/// Compares a picture with shadows against rays.
 Tally judge(const std::string& csg, const testing::Setup& setup) {
   const testing::Compiled compiled = testing::compile_text(csg, setup);
   const observe::Frame frame = testing::draw(compiled.program);
@@ -82,7 +82,7 @@ testing::Setup seen_from(const std::string& csg, const glm::dvec3& from, view::P
   return setup;
 }
 
-/// A random model over a floor; nothing if nothing is left of it.
+/// A random model above a floor; empty text if the model is empty.
 std::string on_a_floor(std::uint64_t seed) {
   const std::string csg = testing::random_model(seed, 2 + static_cast<unsigned>(seed % 11));
   const facet::Box box = facet::make_geometry(read::read_csg_text(csg, "random")).box;
@@ -94,7 +94,7 @@ std::string on_a_floor(std::uint64_t seed) {
          "}";
 }
 
-Tally judge_random(std::uint64_t first_seed, view::Projection projection, const std::string& lights,
+Tally check_random(std::uint64_t first_seed, view::Projection projection, const std::string& lights,
                    unsigned z_bits = 20) {
   const auto models = testing::cases<std::uint64_t>(25, 8);
   Tally tally;
@@ -112,13 +112,13 @@ Tally judge_random(std::uint64_t first_seed, view::Projection projection, const 
 }
 
 void check(const Tally& tally) {
-  MESSAGE(tally.pixels, " pixels, ", tally.judged, " judged, ", tally.dark, " of them dark, ", tally.wrong, " wrong");
+  MESSAGE(tally.pixels, " pixels, ", tally.judged, " judged, ", tally.dark, " in shadow, ", tally.wrong, " wrong");
   CHECK(tally.wrong == 0);
   CHECK(tally.judged > tally.pixels * 3 / 4);
   CHECK(tally.dark > tally.pixels / 100);
 }
 
-/// Columns and rows are model units.
+/// Columns and rows are in model units.
 testing::Setup wall_view(const std::string& toml) { return testing::front_view(24, 24, testing::scene_of(toml)); }
 
 const std::string wall = box_text({0, 5, -24}, {24, 6, 0});
@@ -133,45 +133,45 @@ observe::Frame drawn(const std::string& csg, const testing::Setup& setup) {
 
 }  // namespace
 
-TEST_CASE("shadows of random models are what rays see: the usual light, orthographic") {
-  check(judge_random(1, view::Projection::orthographic, ""));
+TEST_CASE("shadows of random models match rays: default light and orthographic") {
+  check(check_random(1, view::Projection::orthographic, ""));
 }
 
-TEST_CASE("shadows of random models are what rays see: light from above, perspective") {
-  check(judge_random(101, view::Projection::perspective, "[[lights]]\ndirection = [0.3, 0.5, -1]\n"));
+TEST_CASE("shadows of random models match rays: light from above and perspective") {
+  check(check_random(101, view::Projection::perspective, "[[lights]]\ndirection = [0.3, 0.5, -1]\n"));
 }
 
-TEST_CASE("shadows of random models are what rays see: a lamp and light of two colours, orthographic") {
-  check(judge_random(201, view::Projection::orthographic,
+TEST_CASE("shadows of random models match rays: two coloured lights and orthographic") {
+  check(check_random(201, view::Projection::orthographic,
                      lamp({9, -7, 14}, {1, 0.5, 0.2}) +
                          "[[lights]]\ndirection = [-1, 0.2, -0.7]\ncolour = [0.2, 0.4, 1]\nintensity = 0.5\n"));
 }
 
-TEST_CASE("shadows of random models are what rays see: lamps among their solids, perspective") {
-  check(judge_random(
+TEST_CASE("shadows of random models match rays: lamps among solids and perspective") {
+  check(check_random(
       301, view::Projection::perspective,
       lamp({0.3, 0.2, 0.7}, {1, 1, 1}) + lamp({2.3, -4.2, 3.7}, {1, 0, 0}) + lamp({-5.3, 4.2, 6.7}, {0, 1, 0})));
 }
 
-TEST_CASE("with few bits of depth shadows are off by no more than their steps") {
+TEST_CASE("shadow errors with few depth bits stay within the depth steps") {
   const std::string light = "[[lights]]\ndirection = [0.3, 0.5, -1]\n";
   for (const unsigned z_bits : {8U, 11U}) {
-    const Tally tally = judge_random(401, view::Projection::orthographic, light, z_bits);
-    MESSAGE(z_bits, " bits: ", tally.judged, " of ", tally.pixels, " judged, ", tally.dark, " dark");
+    const Tally tally = check_random(401, view::Projection::orthographic, light, z_bits);
+    MESSAGE(z_bits, " bits: ", tally.judged, " of ", tally.pixels, " judged, ", tally.dark, " in shadow");
     CHECK(tally.wrong == 0);
     CHECK(tally.judged > tally.pixels / 2);
     CHECK(tally.dark > tally.pixels / 200);
   }
 }
 
-TEST_CASE("light passes through a hole, and no seam of the pieces around it lets any through") {
+TEST_CASE("light passes through a hole but not through seams between pieces") {
   const std::string hole = "multmatrix([[1,0,0,10],[0,1,0,0],[0,0,1,-10],[0,0,0,1]]){sphere($fn=16,$fa=12,$fs=2,r=4);}";
   const std::string csg = "union(){" + wall + "difference(){" + box_text({2, 0, -18}, {18, 1, -2}) + hole + "}}";
   const testing::Setup setup = wall_view(shadows + "[[lights]]\ndirection = [0.31, 1, -0.17]\n");
   const Tally tally = judge(csg, setup);
   check(tally);
   CHECK(tally.judged > 500);
-  // Right of the plate the wall is dark as far as 18 + 0.31 * 4, without a gap.
+  // The wall to the right of the plate is dark up to 18 + 0.31 * 4, without a gap.
   const observe::Frame frame = drawn(csg, setup);
   const std::uint32_t dark = colour_at(frame, 18, 10);
   CHECK(dark != colour_at(frame, 22, 10));
@@ -181,14 +181,14 @@ TEST_CASE("light passes through a hole, and no seam of the pieces around it lets
   }
 }
 
-TEST_CASE("light that runs along the seams of pieces does not come through them") {
-  // The hole's upper and lower sides, which cut the plate, are planes that light runs along.
+TEST_CASE("light parallel to the seams of pieces does not leak through") {
+  // The upper and lower sides of the hole, which cut the plate, are planes parallel to the light.
   const std::string csg = "union(){" + wall + "difference(){" + box_text({2, 0, -18}, {18, 1, -2}) +
                           box_text({7.5, -1, -12.5}, {12.5, 2, -7.5}) + "}}";
   const observe::Frame frame = drawn(csg, wall_view(shadows + slanted));
   const std::uint32_t dark = colour_at(frame, 20, 10);
   CHECK(dark != colour_at(frame, 0, 10));
-  // Behind the plate's right end: from its back at 1 to the wall at 5.
+  // The shadow of the plate's right end reaches from its back at 1 to the wall at 5.
   for (std::uint32_t x = 18; x < 22; ++x) {
     CAPTURE(x);
     for (std::uint32_t y = 2; y < 18; ++y) CHECK(colour_at(frame, x, y) == dark);
@@ -198,7 +198,7 @@ TEST_CASE("light that runs along the seams of pieces does not come through them"
   CHECK(colour_at(frame, 23, 10) != dark);
 }
 
-TEST_CASE("a convex solid throws no shadow on itself, and nothing is broadcast to find out") {
+TEST_CASE("a convex solid casts no shadow on itself and needs no instructions for it") {
   const std::string ball = "sphere($fn=24,$fa=12,$fs=2,r=8);";
   for (const std::string light : {"[[lights]]\ndirection = [1, 1, -0.4]\n", "[[lights]]\ndirection = [1, -0.1, 0]\n"}) {
     for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
@@ -213,7 +213,7 @@ TEST_CASE("a convex solid throws no shadow on itself, and nothing is broadcast t
   }
 }
 
-TEST_CASE("what is taken away throws no shadow, and a solid without itself none either") {
+TEST_CASE("subtracted and empty solids cast no shadow") {
   const std::string block = box_text({4, 0, -14}, {12, 2, -6});
   const testing::Setup setup = wall_view(shadows + slanted);
   const observe::Frame expected = drawn(wall, setup);
@@ -221,14 +221,14 @@ TEST_CASE("what is taken away throws no shadow, and a solid without itself none 
   CHECK(drawn("union(){" + wall + block + "}", setup).colour != expected.colour);
 }
 
-TEST_CASE("solids that share a face throw the shadow of one") {
+TEST_CASE("solids that share a face cast the shadow of their union") {
   const std::string whole = box_text({4, 0, -14}, {12, 2, -6});
   const std::string halves = box_text({4, 0, -14}, {8, 2, -6}) + box_text({8, 0, -14}, {12, 2, -6});
   const testing::Setup setup = wall_view(shadows + slanted);
   CHECK(drawn("union(){" + wall + whole + "}", setup).colour == drawn("union(){" + wall + halves + "}", setup).colour);
 }
 
-TEST_CASE("light that runs along a shared face does not come through it, however few depths there are") {
+TEST_CASE("light along a shared face does not leak through with few depth bits") {
   const std::string floor = box_text({-20, -20, -2}, {20, 20, -1});
   const std::string whole = "union(){" + floor + box_text({-4, -3, 2}, {6, 3, 5}) + "}";
   const std::string halves =
@@ -247,7 +247,7 @@ TEST_CASE("light that runs along a shared face does not come through it, however
       int wrong = 0;
       int in_shadow = 0;
       for (std::size_t i = 0; i < frames[0].colour.size(); ++i) {
-        // With few depths another facet may be seen at an edge, in any light.
+        // Another facet may be visible at an edge with few depths, in any light.
         if (frames[2].colour[i] != frames[3].colour[i]) continue;
         wrong += frames[0].colour[i] != frames[1].colour[i];
         in_shadow += frames[0].colour[i] != frames[2].colour[i];
@@ -258,13 +258,13 @@ TEST_CASE("light that runs along a shared face does not come through it, however
   }
 }
 
-TEST_CASE("a lamp in a box lights its inside, and a closed box lets no light out") {
+TEST_CASE("a lamp in an open box lights its inside and a closed box blocks it") {
   const std::string block = box_text({2, 0, -20}, {20, 10, -2});
   const std::string open = "difference(){" + block + box_text({3, -1, -19}, {19, 9, -3}) + "}";
   const std::string closed = "difference(){" + block + box_text({3, 1, -19}, {19, 9, -3}) + "}";
   const std::string light = lamp({11.2, 2.1, -10.7}, {1, 1, 1});
   check(judge("union(){" + open + box_text({6, 4, -8}, {9, 6, -5}) + "}", wall_view(shadows + light)));
-  // All of the closed box that is seen turns away from the lamp; the wall beside it does not.
+  // All visible faces of the closed box face away from the lamp, unlike the wall next to it.
   const testing::Setup dark = wall_view(shadows + lamp({11.2, 2.1, -10.7}, {0, 0, 0}));
   const std::string behind = box_text({0, 12, -24}, {24, 13, 0});
   CHECK(drawn("union(){" + closed + behind + "}", wall_view(shadows + light)).colour ==
@@ -273,7 +273,7 @@ TEST_CASE("a lamp in a box lights its inside, and a closed box lets no light out
         drawn("union(){" + open + behind + "}", dark).colour);
 }
 
-TEST_CASE("pictures with shadows are the same bits whatever is pruned and whatever is worked on at a time") {
+TEST_CASE("shadows are identical for any pruning and machine") {
   const std::string lights = lamp({9, -7, 14}, {1, 0.5, 0.2}) + "[[lights]]\ndirection = [-1, 0.2, -0.7]\n";
   for (const std::uint64_t seed : {7U, 9U, 31U}) {
     CAPTURE(seed);
@@ -295,12 +295,12 @@ TEST_CASE("pictures with shadows are the same bits whatever is pruned and whatev
   }
 }
 
-TEST_CASE("one light alone throws shadows, or some lines of the model, if the scene says so") {
+TEST_CASE("shadows can be limited to one light or to some lines of the model") {
   const std::string lights = slanted + "[[lights]]\ndirection = [-1, 1, 0]\n";
-  // box_text ends its line: the wall is on the first, the boxes are on the next two.
+  // box_text ends its line: the wall is on line 1 and the boxes are on lines 2 and 3.
   const std::string csg =
       "union(){" + wall + box_text({9, 0, -14}, {10, 1, -11}) + box_text({16, 0, -14}, {17, 1, -11}) + "}";
-  // The row of the boxes: where the wall is darker than in another row.
+  // Columns in the row of the boxes where the wall is darker than in another row.
   const auto dark_columns = [&](const std::string& keys) {
     const observe::Frame frame = drawn(csg, wall_view(shadows + keys + lights));
     std::string columns;
@@ -310,7 +310,7 @@ TEST_CASE("one light alone throws shadows, or some lines of the model, if the sc
     }
     return columns;
   };
-  // The boxes are 4 to 5 before the wall and 1 wide: from 4 to 6 beside where they begin it is dark.
+  // The boxes are 4 to 5 in front of the wall and 1 wide: the wall is dark 4 to 6 to the side of their start.
   CHECK(dark_columns("") == "....##...o.####.o...##..");
   CHECK(dark_columns("light = 0\n") == ".........o...##.o...##..");
   CHECK(dark_columns("light = 1\n") == "....##...o.##...o.......");
@@ -319,7 +319,7 @@ TEST_CASE("one light alone throws shadows, or some lines of the model, if the sc
   CHECK(dark_columns("from_line = 1\n") == ".........o......o.......");
 }
 
-TEST_CASE("settings that do not fit are told") {
+TEST_CASE("rejects invalid shadow settings") {
   CHECK(testing::error_of([] { drawn(wall, wall_view(shadows + "light = 2\n")); }).find("numbered 0 to 0") !=
         std::string::npos);
   CHECK(testing::error_of([] { testing::scene_of(shadows + "to_line = 2\n"); }).find("add from_line") !=

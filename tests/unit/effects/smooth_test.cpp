@@ -11,7 +11,7 @@ constexpr std::uint32_t side = 64;
 constexpr double radius = 28;
 const glm::dvec3 to_light = glm::normalize(glm::dvec3(-0.6, -0.7, 0.2));
 
-/// White, lit from the left.
+/// A white material, lit from the left.
 std::string lit(double intensity) {
   return fmt::format(
       "[ambient]\nintensity = 0.1\n[[lights]]\ndirection = [{}, {}, {}]\nintensity = {}\n[[materials]]\n"
@@ -19,7 +19,7 @@ std::string lit(double intensity) {
       -to_light.x, -to_light.y, -to_light.z, intensity);
 }
 
-/// A round solid in the middle of the picture, seen from the front.
+/// A curved solid in the middle of the picture, seen from the front.
 std::string cylinder(int facets) {
   return fmt::format(
       "multmatrix([[1,0,0,32],[0,1,0,50],[0,0,1,-70],[0,0,0,1]]){{cylinder($fn={},$fa=12,$fs=2,h=80,r1={},r2={},"
@@ -32,7 +32,7 @@ std::string ball(int facets) {
                      facets, radius);
 }
 
-/// Levels of green, row by row.
+/// Levels of green in row order.
 std::vector<int> draw(const std::string& model, const std::string& scene) {
   const testing::Compiled compiled = testing::compile_text(model, front_view(side, side, scene_of(scene)));
   std::vector<int> levels;
@@ -41,8 +41,8 @@ std::vector<int> draw(const std::string& model, const std::string& scene) {
   return levels;
 }
 
-/// What light the true surface throws back to the pixel, in levels; less than 0 beside it, and at its rim, where facets
-/// end before it.
+/// Level of the light that the true surface reflects to the pixel; negative outside it and at its rim, where the facets
+/// end earlier.
 double true_level(bool is_ball, std::uint32_t x, std::uint32_t y, double intensity) {
   const double across = (x + 0.5 - 32) / radius;
   const double down = is_ball ? (32 - (y + 0.5)) / radius : 0;
@@ -52,7 +52,7 @@ double true_level(bool is_ball, std::uint32_t x, std::uint32_t y, double intensi
   return 255 * std::min(1.0, 0.1 + intensity * cosine);
 }
 
-/// Root of the mean square of what levels are off the true surface's.
+/// Root mean square error of the levels compared with the true surface.
 double error_of(const std::vector<int>& levels, bool is_ball, double intensity) {
   double sum = 0;
   int count = 0;
@@ -69,7 +69,7 @@ double error_of(const std::vector<int>& levels, bool is_ball, double intensity) 
 
 }  // namespace
 
-TEST_CASE("16 smooth facets are nearer to a round cylinder than 64 flat ones, and to a ball than 32") {
+TEST_CASE("16 smooth facets are closer to curved solids than more flat ones") {
   const std::string flat = lit(0.85);
   const std::string smooth = flat + "[effects.smooth]\n";
   for (const bool is_ball : {false, true}) {
@@ -85,7 +85,7 @@ TEST_CASE("16 smooth facets are nearer to a round cylinder than 64 flat ones, an
   }
 }
 
-TEST_CASE("levels of a smooth cylinder go up and down without steps between its facets") {
+TEST_CASE("levels of a smooth cylinder have no steps between facets") {
   const std::vector<int> levels = draw(cylinder(16), lit(0.85) + "[effects.smooth]\n");
   for (std::uint32_t x = 8; x + 9 < side; ++x) {
     CAPTURE(x);
@@ -94,14 +94,14 @@ TEST_CASE("levels of a smooth cylinder go up and down without steps between its 
   }
 }
 
-TEST_CASE("light beyond the top level stays there: no channel runs over") {
+TEST_CASE("levels saturate and do not overflow") {
   const std::vector<int> dim = draw(cylinder(16), lit(0.5) + "[effects.smooth]\n");
   const std::vector<int> glaring = draw(cylinder(16), lit(5) + "[effects.smooth]\n");
   for (std::size_t i = 0; i < dim.size(); ++i) CHECK(glaring[i] >= dim[i] - 1);
   CHECK(std::count(glaring.begin(), glaring.end(), 255) > static_cast<int>(side * side / 4));
 }
 
-TEST_CASE("flat solids are as they are without smooth shading") {
+TEST_CASE("smooth shading leaves flat solids unchanged") {
   const std::string box = testing::box_text({10, 5, -50}, {50, 40, -10});
   CHECK(draw(box, lit(0.7)) == draw(box, lit(0.7) + "[effects.smooth]\n"));
 }

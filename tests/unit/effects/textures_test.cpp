@@ -31,7 +31,7 @@ testing::Setup setup_of(const std::string& scene, const view::Camera& camera) {
   return setup;
 }
 
-/// A texture as a person would work it out.
+/// A texture computed directly.
 struct Pattern {
   std::vector<std::vector<glm::dvec3>> texels;
   double size = 1;
@@ -59,7 +59,7 @@ struct Pattern {
   }
 };
 
-/// Where the ray through a place of the picture meets a plane.
+/// Intersection of the ray through a point of the picture with a plane.
 glm::dvec3 meeting(const view::EyeSpace& space, const facet::Plane& plane, const glm::dvec3& centre, glm::dvec2 at) {
   const glm::dvec3 a = space.to_model(space.from_picture({at.x, at.y, 1}));
   const glm::dvec3 b = space.to_model(space.from_picture({at.x, at.y, 2}));
@@ -69,7 +69,7 @@ glm::dvec3 meeting(const view::EyeSpace& space, const facet::Plane& plane, const
 }
 
 glm::dvec2 on_facet(const glm::dvec3& point, const glm::dvec3& normal) {
-  const glm::dvec3 n = glm::abs(normal) + glm::dvec3(2e-6, 1e-6, 0);  // of equals the first
+  const glm::dvec3 n = glm::abs(normal) + glm::dvec3(2e-6, 1e-6, 0);  // the first axis wins a tie
   if (n.x > n.y && n.x > n.z) return {point.y, point.z};
   if (n.y > n.z) return {point.x, point.z};
   return {point.x, point.y};
@@ -93,7 +93,7 @@ struct Tally {
   int wrong = 0;
 };
 
-/// White models in textures: what is seen of a texel is its colour times the light.
+/// Draws white models with textures: the visible colour is the texel's colour times the light.
 void compare(const std::string& model, const Pattern& pattern, const view::Camera& camera, Tally& tally) {
   const std::string white = "[[materials]]\ncolour = [1, 1, 1]\n";
   const testing::Setup setup = setup_of(white + pattern.text(), camera);
@@ -179,15 +179,15 @@ std::uint32_t colour_at(const observe::Frame& frame, std::uint32_t x, std::uint3
 
 }  // namespace
 
-TEST_CASE("every pixel of a random model has the texel that its ray meets, seen orthographically") {
+TEST_CASE("every pixel shows the texel that its ray hits in orthographic views") {
   check(compare_random(view::Projection::orthographic));
 }
 
-TEST_CASE("every pixel of a random model has the texel that its ray meets, seen in perspective") {
+TEST_CASE("every pixel shows the texel that its ray hits in perspective views") {
   check(compare_random(view::Projection::perspective));
 }
 
-TEST_CASE("a facet beside the eye has its texels right up to its horizon") {
+TEST_CASE("a facet next to the eye is textured up to its horizon") {
   Tally tally;
   const std::string floor =
       "multmatrix([[1, 0, 0, -50], [0, 1, 0, -50], [0, 0, 1, -2], [0, 0, 0, 1]])"
@@ -197,7 +197,7 @@ TEST_CASE("a facet beside the eye has its texels right up to its horizon") {
   CHECK(tally.wrong == 0);
 }
 
-TEST_CASE("of axes that are equally near a facet's normal the first is left out") {
+TEST_CASE("drops the first of the axes equally near to a facet's normal") {
   const std::string across_x = "multmatrix([[1, 0, 0, 0], [0, 0.6, -0.6, 0], [0, 0.6, 0.6, 0], [0, 0, 0, 1]])";
   const std::string across_z = "multmatrix([[0.6, -0.6, 0, 0], [0.6, 0.6, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])";
   const std::string both =
@@ -209,8 +209,8 @@ TEST_CASE("of axes that are equally near a facet's normal the first is left out"
   CHECK(tally.textured > 300);
 }
 
-TEST_CASE("a checker begins at u0, v0 with its first colour") {
-  // A pixel is a tenth of a unit, the cube's top is 4 x 4 of them, u goes right and v up.
+TEST_CASE("a checker starts at u0 and v0 with its first colour") {
+  // A pixel is a tenth of a unit, the top of the cube is 4 x 4 units, u points right and v up.
   const double distance = 0.1 * height / 2 / view::half_height_per_distance();
   const view::Camera camera{{0, 0, distance}, {0, 0, 0}, view::Projection::orthographic};
   const std::string cube = "cube(size = [4, 4, 4], center = true);";
@@ -229,9 +229,9 @@ TEST_CASE("a checker begins at u0, v0 with its first colour") {
   }
 }
 
-TEST_CASE("in perspective a texel that begins at the last pixels of a facet, right at their centres, is seen there") {
-  // Seen straight on, a pixel is half a unit; that in column x and row y is centred at ((x - 31.5) / 2, (23.5 - y) /
-  // 2).
+TEST_CASE("shows a texel that starts at the centres of a facet's last pixels") {
+  // A pixel of this frontal view is half a unit; the one in column x and row y has its centre at ((x - 31.5) / 2, (23.5
+  // - y) / 2).
   const double distance = 0.5 * height / 2 / view::half_height_per_distance();
   const view::Camera camera{{0, 0, distance}, {0, 0, 0}, view::Projection::perspective};
   const std::string plate =
@@ -252,7 +252,7 @@ TEST_CASE("in perspective a texel that begins at the last pixels of a facet, rig
   }
 }
 
-TEST_CASE("of several textures the last that holds for a primitive counts, and one that is off does not") {
+TEST_CASE("the last enabled texture that applies to a primitive is used") {
   const std::string lights = "[ambient]\nintensity = 1\n[[lights]]\ndirection = [0, 0, -1]\nintensity = 0\n";
   const auto one_colour = [](const std::string& colour, const std::string& rest) {
     return fmt::format("[[effects.textures]]\nfirst = {0}\nsecond = {0}\n{1}\n", colour, rest);
@@ -272,7 +272,7 @@ TEST_CASE("of several textures the last that holds for a primitive counts, and o
   CHECK(middle(red + "on = false\n") == 0x00ff00U);
 }
 
-TEST_CASE("textures are the same on lines, squares and the whole array, and however surfaces are coloured") {
+TEST_CASE("textures are the same for all machines and colourings") {
   for (const view::Projection projection : {view::Projection::orthographic, view::Projection::perspective}) {
     const std::string model = testing::random_model(5, 6);
     const facet::Box box = facet::make_geometry(read::read_csg_text(model, "random")).box;
@@ -290,14 +290,14 @@ TEST_CASE("textures are the same on lines, squares and the whole array, and howe
   }
 }
 
-TEST_CASE("a sphere that is named gets no texture but a message that says why") {
+TEST_CASE("rejects a texture for a sphere selected by line and explains why") {
   const std::string sphere = "sphere($fn = 8, $fa = 12, $fs = 2, r = 5);";
   const std::string error = error_with("[[effects.textures]]\nfrom_line = 1\n", sphere);
   CHECK(error.find("test:1:1: textures are only for flat facets, and this is a sphere") != error.npos);
   CHECK(error_with("[[effects.textures]]\n", sphere).empty());
 }
 
-TEST_CASE("too many texels in perspective are refused with the size that fits") {
+TEST_CASE("rejects too many texels in perspective and suggests a size") {
   const view::Camera camera{{50, -80, 60}, {0, 0, 0}, view::Projection::perspective};
   const std::string cube = "cube(size = [30, 30, 30], center = true);";
   const std::string error = error_with("[[effects.textures]]\nsize = 0.1\n", cube, camera);
@@ -307,7 +307,7 @@ TEST_CASE("too many texels in perspective are refused with the size that fits") 
   CHECK(error_with("[[effects.textures]]\nsize = 0.1\npattern = 'stripes'\n", cube, camera).empty());
 }
 
-TEST_CASE("a table has 1, 2, 4 or 8 rows and columns, and nothing else has one") {
+TEST_CASE("a texture table has a power of two of at most 8 rows and columns") {
   const std::string cube = "cube(size = [30, 30, 30], center = true);";
   const auto error = [&](const std::string& keys) { return error_with("[[effects.textures]]\n" + keys, cube); };
   CHECK(error("pattern = 'table'").find("needs colours") != std::string::npos);
@@ -321,7 +321,7 @@ TEST_CASE("a table has 1, 2, 4 or 8 rows and columns, and nothing else has one")
   CHECK(error("to_line = 3").find("add from_line") != std::string::npos);
 }
 
-TEST_CASE("a machine that divides the model itself refuses textures, and says how to leave them out") {
+TEST_CASE("rejects textures on a machine that divides the model itself") {
   testing::Setup setup = setup_of("[[effects.textures]]\n", from_above);
   setup.machine = "multi-processor";
   const std::string error =

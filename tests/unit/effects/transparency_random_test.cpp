@@ -21,12 +21,12 @@ const auto models = testing::cases<std::uint64_t>(30, 8);
 struct Tally {
   int pixels = 0;
   int judged = 0;
-  int mixed = 0;  ///< of those judged, differing from what the picture would be if all were opaque
+  int mixed = 0;  ///< number of judged pixels that change if everything is opaque
   int wrong = 0;
-  unsigned most_panes = 0;  ///< at a pixel
+  unsigned max_panes = 0;  ///< maximum at a pixel
 };
 
-/// Three opacities and opaque, by the line of the file.
+/// Three opacities and opaque, selected by line of the file.
 scene::Scene by_line(const std::vector<std::string>& sets) {
   scene::Scene scene = testing::scene_of("", sets);
   static constexpr std::array opacities{0.3, 1.0, 0.55, 1.0, 0.8};
@@ -47,7 +47,7 @@ std::vector<double> opacities_of(const scene::Scene& scene, const model::Tree& t
   return opacities;
 }
 
-/// The same model, its primitives listed in another order, which decides whose coincident surfaces are.
+/// The same model with its primitives in another order, which decides the owner of coincident surfaces.
 model::Tree reordered(const model::Tree& tree, const std::vector<std::uint32_t>& order) {
   model::Tree other = tree;
   for (std::size_t i = 0; i < order.size(); ++i) other.primitives[i] = tree.primitives[order[i]];
@@ -81,7 +81,7 @@ class Shot {
     facets_ = std::make_unique<facet::Geometry>(facet::make_geometry(tree_));
   }
 
-  /// See-through surfaces before the first opaque one.
+  /// Number of transparent surfaces in front of the first opaque one.
   [[nodiscard]] unsigned panes_at(std::size_t pixel) const {
     const testing::RayModel model(tree_, *facets_);
     const view::EyeSpace eye = view::eye_space(setup_.camera, setup_.sampling);
@@ -102,7 +102,7 @@ class Shot {
   [[nodiscard]] isa::Program program() const { return testing::compile_text(text_, setup_).program; }
   [[nodiscard]] observe::Frame drawn() const { return testing::draw(program()); }
 
-  /// With primitives listed in that order.
+  /// Casts rays with the primitives in the given order.
   [[nodiscard]] std::vector<testing::RayColour> cast(const std::vector<std::uint32_t>& order,
                                                      const testing::RayEffects& effects) const {
     const model::Tree tree = reordered(tree_, order);
@@ -124,7 +124,7 @@ class Shot {
   bool is_empty_ = false;
 };
 
-/// The opaque ones first, which is the rule for coincident surfaces.
+/// Opaque primitives come first, according to the rule for coincident surfaces.
 std::vector<std::uint32_t> opaque_first(const Shot& shot) {
   std::vector<std::uint32_t> order = shot.tree_order();
   const std::vector<double> opacities = shot.opacities();
@@ -157,9 +157,9 @@ Tally layers_of_random_models(std::uint64_t first_seed, view::Projection project
       if (!expected[i].is_certain) continue;
       ++tally.judged;
       tally.mixed += glm::distance(expected[i].colour, opaque[i].colour) > 0.01 ? 1 : 0;
-      // A level a pane; half a level more for rounding of the colours themselves.
+      // Allows one level per pane, and half a level for rounding of the colours.
       const unsigned panes = shot.panes_at(i);
-      tally.most_panes = std::max(tally.most_panes, panes);
+      tally.max_panes = std::max(tally.max_panes, panes);
       if (panes <= layers && testing::off_by(frame.colour[i], expected[i].colour) <= panes + 0.5 + 1e-6) continue;
       ++tally.wrong;
       MESSAGE("seed ", seed, " column ", i % width, " row ", i / width, ": off by ",
@@ -169,7 +169,8 @@ Tally layers_of_random_models(std::uint64_t first_seed, view::Projection project
   return tally;
 }
 
-/// Whether a primitive's surfaces are at a pixel: fewer than 16 * opacity of the 16 numbers come before the pixel's.
+/// Whether a primitive's surfaces are drawn at a pixel: fewer than 16 * opacity of the 16 thresholds precede the
+/// pixel's.
 bool is_there(std::uint32_t x, std::uint32_t y, double opacity) {
   const std::uint32_t number = 8 * ((x + y) % 2) + 4 * (y % 2) + 2 * ((x + y) / 2 % 2) + y / 2 % 2;
   return number < std::round(16 * opacity);
@@ -180,7 +181,7 @@ Tally screen_doors_of_random_models(std::uint64_t first_seed, view::Projection p
   for (std::uint64_t seed = first_seed; seed < first_seed + models; ++seed) {
     const Shot shot(seed, projection, by_line({"effects.transparency.method=screen-door"}));
     if (shot.is_empty()) continue;
-    // The oracle knows the first of coincident surfaces alone; where it matters which that is, nothing is judged.
+    // The oracle reports only the first of coincident surfaces; pixels where their order matters are not judged.
     std::array<std::vector<testing::RayColour>, 2> expected;
     for (const bool is_reversed : {false, true}) {
       std::vector<std::uint32_t> order = shot.tree_order();
@@ -208,7 +209,7 @@ Tally screen_doors_of_random_models(std::uint64_t first_seed, view::Projection p
   return tally;
 }
 
-/// Steps of depth at which a surface that far from the eye along the view axis is.
+/// Depth in steps of a surface at a distance from the eye along the view axis.
 double steps_at(const isa::Program& program, double distance) {
   const isa::DepthScale& scale = program.facts->depth_scale;
   const double most = std::exp2(isa::field_of(program, isa::FieldRole::depth).width) - 4;
@@ -216,9 +217,9 @@ double steps_at(const isa::Program& program, double distance) {
   return 1 + most * place(distance) / place(scale.far);
 }
 
-/// Whether the surface that rays see there is whose the picture says, where it says.
-bool is_told(const isa::Program& program, const testing::RayColour& seen, const std::vector<std::uint32_t>& order,
-             std::uint32_t owner, std::uint32_t depth) {
+/// Whether owner and depth of the picture match the surface hit by the ray.
+bool is_reported(const isa::Program& program, const testing::RayColour& seen, const std::vector<std::uint32_t>& order,
+                 std::uint32_t owner, std::uint32_t depth) {
   if (seen.primitive == model::no_index)
     return owner == observe::no_owner && depth + 1 == 1U << isa::field_of(program, isa::FieldRole::depth).width;
   return owner == order[seen.primitive] && std::abs(depth - steps_at(program, seen.depth)) <= 2;
@@ -241,7 +242,7 @@ Tally surfaces_of_random_models(std::uint64_t first_seed, view::Projection proje
       ++tally.judged;
       const bool is_glass = nearest[i].primitive != model::no_index && opacities[nearest[i].primitive] < 1;
       tally.mixed += is_glass ? 1 : 0;
-      const bool is_right = is_told(program, nearest[i], order, frame.owner[i], frame.depth[i]);
+      const bool is_right = is_reported(program, nearest[i], order, frame.owner[i], frame.depth[i]);
       const bool is_right_behind = is_glass ? opaque.depth[i] > frame.depth[i]
                                             : opaque.depth[i] == frame.depth[i] && opaque.owner[i] == frame.owner[i];
       if (is_right && is_right_behind) continue;
@@ -253,8 +254,7 @@ Tally surfaces_of_random_models(std::uint64_t first_seed, view::Projection proje
 }
 
 void check(const Tally& tally) {
-  MESSAGE(tally.pixels, " pixels, ", tally.judged, " judged, ", tally.mixed, " of them see-through, ", tally.wrong,
-          " wrong");
+  MESSAGE(tally.pixels, " pixels, ", tally.judged, " judged, ", tally.mixed, " transparent, ", tally.wrong, " wrong");
   CHECK(tally.wrong == 0);
   CHECK(tally.judged > tally.pixels * 3 / 4);
   CHECK(tally.mixed > tally.pixels / 50);
@@ -262,23 +262,23 @@ void check(const Tally& tally) {
 
 }  // namespace
 
-TEST_CASE("layers of random models are what rays see, orthographic") {
+TEST_CASE("layers of random models match rays in orthographic views") {
   const Tally tally = layers_of_random_models(1, view::Projection::orthographic, 12);
   check(tally);
-  CHECK((!testing::draws_usual_cases() || tally.most_panes >= 3));
+  CHECK((!testing::draws_usual_cases() || tally.max_panes >= 3));
 }
-TEST_CASE("layers of random models are what rays see, perspective") {
+TEST_CASE("layers of random models match rays in perspective views") {
   const Tally tally = layers_of_random_models(101, view::Projection::perspective, 12);
   check(tally);
-  CHECK((!testing::draws_usual_cases() || tally.most_panes >= 3));
+  CHECK((!testing::draws_usual_cases() || tally.max_panes >= 3));
 }
-TEST_CASE("screen doors of random models are what rays see, orthographic") {
+TEST_CASE("screen doors of random models match rays in orthographic views") {
   check(screen_doors_of_random_models(1, view::Projection::orthographic));
 }
-TEST_CASE("screen doors of random models are what rays see, perspective") {
+TEST_CASE("screen doors of random models match rays in perspective views") {
   check(screen_doors_of_random_models(101, view::Projection::perspective));
 }
-TEST_CASE("owner and depth are those of the nearest surface that rays see, see-through or not") {
+TEST_CASE("owner and depth are those of the nearest surface even if transparent") {
   for (const char* const set : {"effects.transparency.layers=12", "effects.transparency.layers=1"}) {
     CAPTURE(set);
     check(surfaces_of_random_models(1, view::Projection::orthographic, set));

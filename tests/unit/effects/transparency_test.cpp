@@ -29,7 +29,7 @@ struct Pane {
   double alpha = 1;
 };
 
-/// Over the whole picture, one behind another.
+/// Panes that cover the whole picture, one behind the other.
 std::string panes_text(const std::vector<Pane>& panes) {
   std::string text = "union(){";
   for (std::size_t i = 0; i < panes.size(); ++i) {
@@ -39,7 +39,7 @@ std::string panes_text(const std::vector<Pane>& panes) {
   return text + "}";
 }
 
-/// The nearest see-through ones, and the opaque one behind; colours rounded to levels first.
+/// Blends the nearest transparent panes and the opaque one behind them; colours are rounded to levels first.
 glm::dvec3 blended(const std::vector<Pane>& panes, std::size_t layers) {
   glm::dvec3 sum{0};
   double left = 1;
@@ -68,7 +68,7 @@ observe::Frame drawn(const std::string& csg, const std::vector<std::string>& set
   return drawn(csg, front_view(side, side, scene_of(plain_colours, sets)));
 }
 
-/// Boxes, a ball and a hole, see-through and not, that overlap and touch, no two of them with faces in one plane.
+/// Boxes, a sphere and a hole, transparent and opaque, that overlap and touch without coplanar faces.
 std::vector<std::string> parts() {
   const std::string hole =
       "difference(){" + box_text({3, 8, -13}, {15, 9, -2}) + box_text({7, 7, -9}, {11, 10, -5}) + "}";
@@ -103,7 +103,7 @@ class AlwaysCalled final : public emit::EffectOf<NoSettings> {
 
 }  // namespace
 
-TEST_CASE("panes behind one another are blended within as many levels as there are layers") {
+TEST_CASE("blends panes with an error of at most one level per pane") {
   const bool holds = rc::check("panes", [] {
     std::vector<Pane> panes;
     const int count = *rc::gen::inRange(1, 7);
@@ -117,7 +117,7 @@ TEST_CASE("panes behind one another are blended within as many levels as there a
   CHECK(holds);
 }
 
-TEST_CASE("a pixel with more layers than asked for shows the nearest and what is opaque behind all") {
+TEST_CASE("a pixel with too many panes shows the nearest ones and the opaque surface") {
   const std::vector<Pane> panes{{{1, 0, 0}, 0.5}, {{0, 1, 0}, 0.5}, {{0, 0, 1}, 0.5}, {{1, 1, 1}, 1}};
   for (const unsigned layers : {1U, 2U, 3U, 4U}) {
     CAPTURE(layers);
@@ -126,7 +126,7 @@ TEST_CASE("a pixel with more layers than asked for shows the nearest and what is
   }
 }
 
-TEST_CASE("through a hole in glass the wall behind is seen as it is, through the glass with its part") {
+TEST_CASE("a wall is unchanged through a hole in glass and tinted through the glass") {
   const std::string glass = "difference(){" + box_text({0, 0, -8}, {8, 1, 0}) + box_text({2, -1, -6}, {6, 2, -2}) + "}";
   const observe::Frame frame =
       drawn("union(){" + tinted({1, 0, 0}, 0.25, glass) + tinted({0, 0, 1}, 1, box_text({0, 3, -8}, {8, 4, 0})) + "}",
@@ -135,14 +135,14 @@ TEST_CASE("through a hole in glass the wall behind is seen as it is, through the
   CHECK(greatest(levels(frame.colour[side + 1]) - glm::dvec3(64, 0, 191)) <= 1);
 }
 
-TEST_CASE("an opaque surface is seen before a see-through one in the same place, whichever is first") {
+TEST_CASE("an opaque surface takes precedence over a coincident transparent one") {
   const std::string glass = tinted({1, 0, 0}, 0.5, box_text({0, 0, -8}, {8, 1, 0}));
   const std::string wall = tinted({0, 0, 1}, 1, box_text({0, 0, -8}, {8, 2, 0}));
   for (const std::string& model : {union_of({glass, wall}), union_of({wall, glass})})
     CHECK(levels(drawn(model, std::vector<std::string>{}).colour.front()) == glm::dvec3(0, 0, 255));
 }
 
-TEST_CASE("behind what is see-through the depths and owners of opaque surfaces are those without it") {
+TEST_CASE("transparent solids do not change depths and owners of opaque surfaces") {
   std::vector<std::string> clear;
   for (const char* const set :
        {"of_colour=0.9,0.2,0.2", "of_colour=0.2,0.8,0.3", "of_colour=0.2,0.3,0.9", "of_colour=0.6,0.1,0.7"}) {
@@ -161,7 +161,7 @@ TEST_CASE("behind what is see-through the depths and owners of opaque surfaces a
   CHECK(std::count(opaque.depth.begin(), opaque.depth.end(), nothing) < 220);
 }
 
-TEST_CASE("the order of parts in the file does not change the picture (OpenSCAD issue 1390)") {
+TEST_CASE("the order of parts does not change the picture (OpenSCAD issue 1390)") {
   for (const char* const method : {"layers", "screen-door"}) {
     CAPTURE(method);
     const testing::Setup setup = view_of_parts({fmt::format("effects.transparency.method={}", method)});
@@ -175,7 +175,7 @@ TEST_CASE("the order of parts in the file does not change the picture (OpenSCAD 
   }
 }
 
-TEST_CASE("see-through pictures are the same on all machines, by all strategies, with all colourings") {
+TEST_CASE("transparent pictures are the same on all machines and with all strategies") {
   for (const char* const method : {"layers", "screen-door"}) {
     CAPTURE(method);
     testing::Setup setup = view_of_parts({fmt::format("effects.transparency.method={}", method)});
@@ -200,7 +200,7 @@ TEST_CASE("see-through pictures are the same on all machines, by all strategies,
   }
 }
 
-TEST_CASE("see-through surfaces are the same where colours are found by the owner") {
+TEST_CASE("transparent surfaces are the same if colours are found by owner") {
   static const emit::EffectRow owners{.section = scene::effect_section<NoSettings>("effects.owners", ""),
                                       .technique = "",
                                       .parts = emit::parts_of<AlwaysCalled>,
@@ -213,7 +213,7 @@ TEST_CASE("see-through surfaces are the same where colours are found by the owne
   CHECK(same(drawn(union_of(parts()), setup), first));
 }
 
-TEST_CASE("an intersection of glass and thinner glass has the opacity of each at its own faces") {
+TEST_CASE("an intersection of two glasses has the opacity of each at its own faces") {
   const std::string text = "intersection(){" + tinted({1, 1, 1}, 0.5, box_text({0, 0, -8}, {8, 4, 0})) +
                            tinted({1, 1, 1}, 0.25,
                                   "multmatrix([[0.6,-0.8,0,4],[0.8,0.6,0,0],[0,0,1,-8],[0,0,0,1]]){cube(size=[8,8,8],"
@@ -225,7 +225,7 @@ TEST_CASE("an intersection of glass and thinner glass has the opacity of each at
   CHECK(greatest(levels(turned.colour[4 * side + 3]) - glm::dvec3(191)) <= 1);
 }
 
-TEST_CASE("what is as good as clear is not drawn, what is as good as opaque lets next to nothing through") {
+TEST_CASE("nearly clear panes are not drawn and nearly opaque ones hide what is behind") {
   const std::string clear = tinted({1, 0, 0}, 0.0015, box_text({0, 0, -8}, {8, 1, 0}));
   const std::string dense = tinted({1, 0, 0}, 0.9999, box_text({0, 0, -8}, {8, 1, 0}));
   const std::string wall = tinted({0, 0, 1}, 1, box_text({0, 2, -8}, {8, 3, 0}));
@@ -234,7 +234,7 @@ TEST_CASE("what is as good as clear is not drawn, what is as good as opaque lets
                  glm::dvec3(255, 0, 0)) <= 1.5);
 }
 
-TEST_CASE("a scene of opaque things that calls for transparency has not an instruction more, nor a bit") {
+TEST_CASE("transparency adds no instruction or field to a scene of opaque solids") {
   const std::string wall = tinted({0, 0, 1}, 1, box_text({0, 2, -8}, {8, 3, 0}));
   const auto none = testing::compile_text(wall, front_view(side, side, scene_of("")));
   const auto called = testing::compile_text(wall, front_view(side, side, scene_of("[effects.transparency]")));
@@ -242,7 +242,7 @@ TEST_CASE("a scene of opaque things that calls for transparency has not an instr
   CHECK(none.program.facts->fields == called.program.facts->fields);
 }
 
-TEST_CASE("squares without a see-through surface pay nothing for those with one") {
+TEST_CASE("squares without a transparent surface have no transparency instructions") {
   const std::string wall = tinted({0, 0, 1}, 1, box_text({0, 2, -8}, {8, 3, 0}));
   const std::string pane = tinted({1, 0, 0}, 0.5, box_text({0.5, 0, -3}, {3, 1, -1}));
   testing::Setup setup = front_view(side, side, scene_of(""));
@@ -257,7 +257,7 @@ TEST_CASE("squares without a see-through surface pay nothing for those with one"
   }
 }
 
-TEST_CASE("too few bits are refused with what they are for and what to do") {
+TEST_CASE("rejects too little memory for transparency and suggests fixes") {
   testing::Setup setup = view_of_parts({});
   setup.memory_bits = 72;
   const std::string message = testing::error_of([&] { (void)testing::compile_text(union_of(parts()), setup); });
@@ -267,13 +267,13 @@ TEST_CASE("too few bits are refused with what they are for and what to do") {
   setup.memory_bits = 208;
   CHECK_NOTHROW((void)testing::compile_text(union_of(parts()), setup));
   setup.memory_bits = 72;
-  for (const char* const mend : {"effects.transparency.method=screen-door", "effects.transparency.on=false"}) {
-    setup.options.scene = scene_of("", {mend});
+  for (const char* const fix : {"effects.transparency.method=screen-door", "effects.transparency.on=false"}) {
+    setup.options.scene = scene_of("", {fix});
     CHECK_NOTHROW((void)testing::compile_text(union_of(parts()), setup));
   }
 }
 
-TEST_CASE("a screen door is open at as many pixels of every 4 x 4 as its opacity says, and holds the sparser ones") {
+TEST_CASE("a screen door opens the expected number of pixels per 4 x 4 block") {
   std::set<std::size_t> before;
   for (unsigned pixels = 0; pixels <= effects::max_pattern_pixels; ++pixels) {
     CAPTURE(pixels);
@@ -292,7 +292,7 @@ TEST_CASE("a screen door is open at as many pixels of every 4 x 4 as its opacity
   }
 }
 
-TEST_CASE("rectangles that have a pixel in common are counted as one by one") {
+TEST_CASE("most_overlapping() counts rectangles that share a pixel") {
   const bool holds = rc::check("rectangles", [] {
     std::vector<view::PixelRect> all;
     std::array<unsigned, 64> covered{};

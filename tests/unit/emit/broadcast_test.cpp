@@ -23,7 +23,7 @@ isa::Segment empty_segment() {
   return segment;
 }
 
-/// The opcodes that `emit` leaves in a segment.
+/// Opcodes that `emit` leaves in a segment.
 template <class Emit>
 std::vector<Opcode> emitted(const Emit& emit) {
   isa::Segment segment = empty_segment();
@@ -34,13 +34,13 @@ std::vector<Opcode> emitted(const Emit& emit) {
   return opcodes;
 }
 
-/// All of [0, end) are as likely at any size of a case.
+/// Uniform in [0, end) for any size of a test case.
 template <class Number = int>
 Number below(Number end) {
   return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<Number>(0, end));
 }
 
-/// One of few instructions on few bits, so that the same bit is met again and again.
+/// One of few instructions on few bits, so that the same bit is used repeatedly.
 Instruction any_instruction() {
   const auto any_bit = [] { return Field{below<std::uint16_t>(2), 1}; };
   switch (below(16)) {
@@ -73,8 +73,8 @@ std::vector<std::uint32_t> state_of(const reference::ReferenceArray& array) {
   return state;
 }
 
-/// Every pixel begins with a memory of its own, and half of them enabled.
-reference::ReferenceArray begun() {
+/// Every pixel starts with different memory, and half of the pixels are enabled.
+reference::ReferenceArray initial_array() {
   reference::ReferenceArray array(shape);
   for (std::uint32_t i = 0; i < shape.width * shape.height; ++i) array.write({0, 4}, i % 4, i / 4, i);
   array.execute({Opcode::enable_all, {}, {}, 0, {}});
@@ -84,7 +84,7 @@ reference::ReferenceArray begun() {
 
 }  // namespace
 
-TEST_CASE("to load the bit that E was stored in, or to store E in the bit that it was loaded from, is not broadcast") {
+TEST_CASE("omits loads and stores of a bit that already equals E") {
   CHECK(emitted([](emit::Broadcast& out) {
           out.plain(Opcode::enable_store, mask);
           out.plain(Opcode::enable_load, mask);
@@ -97,7 +97,7 @@ TEST_CASE("to load the bit that E was stored in, or to store E in the bit that i
         }) == std::vector{Opcode::enable_load, Opcode::set_constant});
 }
 
-TEST_CASE("a bit is loaded where E or the bit has changed since they were equal") {
+TEST_CASE("loads a bit if E or the bit has changed since they were equal") {
   CHECK(emitted([](emit::Broadcast& out) {
           out.plain(Opcode::enable_store, mask);
           out.edge(Opcode::edge_negative, {1, 0, -2}, all);
@@ -110,7 +110,7 @@ TEST_CASE("a bit is loaded where E or the bit has changed since they were equal"
         }) == std::vector{Opcode::enable_store, Opcode::set_constant, Opcode::enable_load});
 }
 
-TEST_CASE("after a question nothing is taken as known, since a skip may end there") {
+TEST_CASE("after a query no bit is assumed equal to E because a skip may end there") {
   CHECK(emitted([](emit::Broadcast& out) {
           out.plain(Opcode::enable_load, bit);
           out.plain(Opcode::enable_store, mask);
@@ -119,19 +119,19 @@ TEST_CASE("after a question nothing is taken as known, since a skip may end ther
         }) == std::vector{Opcode::enable_load, Opcode::skip_if_none, Opcode::enable_store, Opcode::enable_load});
 }
 
-TEST_CASE("what is broadcast leaves enable and memory as all that was asked for would") {
+TEST_CASE("the broadcast instructions have the effect of the requested ones") {
   CHECK(rc::check([] {
-    reference::ReferenceArray asked = begun();
+    reference::ReferenceArray requested = initial_array();
     isa::Segment segment = empty_segment();
     emit::Broadcast out(segment, {});
     const int count = 1 + below(60);
     for (int i = 0; i < count; ++i) {
       const Instruction instruction = any_instruction();
-      asked.execute(instruction);
+      requested.execute(instruction);
       out.plain(instruction.opcode, instruction.fields[0], instruction.fields[1], instruction.constant);
     }
-    reference::ReferenceArray broadcast = begun();
+    reference::ReferenceArray broadcast = initial_array();
     for (const Instruction& instruction : segment.instructions) broadcast.execute(instruction);
-    RC_ASSERT(state_of(broadcast) == state_of(asked));
+    RC_ASSERT(state_of(broadcast) == state_of(requested));
   }));
 }

@@ -29,7 +29,7 @@ std::string at(double x, double y, double z, const std::string& solid) {
          "],[0,0,0,1]]){" + solid + "}";
 }
 
-/// A plate without that many intersections of a ball and a peg: 2 to that power products.
+/// A plate minus `count` intersections of a sphere and a peg: 2^count products.
 std::string dimpled(int count) {
   std::string text = "difference(){cube(size=[60,60,10],center=true);";
   for (int i = 0; i < count; ++i) {
@@ -58,7 +58,7 @@ isa::Program compiled(const std::string& text, const testing::Setup& how) {
 
 }  // namespace
 
-TEST_CASE("auto takes no more clocks than any strategy and colouring, and says which it took") {
+TEST_CASE("auto takes no more clocks than any strategy and colouring it chooses from") {
   for (const char* name : {"carburettor", "old_example002", "thesis_fig_2_3"}) {
     CAPTURE(name);
     testing::Setup how = setup(emit::Strategy::automatic);
@@ -68,7 +68,7 @@ TEST_CASE("auto takes no more clocks than any strategy and colouring, and says w
     CHECK(best.facts->compile.colouring != "auto");
     for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
       for (const emit::Strategy strategy : emit::default_strategies()) {
-        // One takes more memory, and one is not chosen from.
+        // One needs more memory, and one is not among the candidates.
         if (strategy == emit::Strategy::stored || strategy == emit::Strategy::products) continue;
         for (const unsigned bits : {3U, 4U, 5U, 6U}) {
           how.options.strategy = strategy;
@@ -81,7 +81,7 @@ TEST_CASE("auto takes no more clocks than any strategy and colouring, and says w
   }
 }
 
-TEST_CASE("auto goes by the clocks that it is told") {
+TEST_CASE("auto decides by the given clock counter") {
   testing::Setup how = setup(emit::Strategy::automatic);
   how.options.colouring = emit::Colouring::automatic;
   const testing::Compiled model = testing::compile_file(testing::model_path("old_example002"), how);
@@ -97,7 +97,7 @@ TEST_CASE("auto goes by the clocks that it is told") {
   CHECK(compile_by({}) == model.program);
 }
 
-TEST_CASE("auto takes what fits where the fastest does not") {
+TEST_CASE("auto chooses an option that fits in memory") {
   testing::Setup how = setup(emit::Strategy::automatic);
   how.options.colouring = emit::Colouring::automatic;
   how.memory_bits = 72;
@@ -108,7 +108,7 @@ TEST_CASE("auto takes what fits where the fastest does not") {
   CHECK_THROWS_AS(compiled(dimpled(3), how), InputError);
 }
 
-TEST_CASE("auto takes stored depths where there is memory for them, and they take the fewest clocks") {
+TEST_CASE("auto chooses stored depths if they fit because they take the fewest clocks") {
   testing::Setup how = setup(emit::Strategy::automatic);
   how.options.colouring = emit::Colouring::automatic;
   how.memory_bits = 1024;
@@ -126,14 +126,14 @@ TEST_CASE("auto takes stored depths where there is memory for them, and they tak
   }
 }
 
-TEST_CASE("fifty subtracted intersections compile with every strategy that multiplies nothing out") {
+TEST_CASE("fifty subtracted intersections compile with every strategy without products") {
   for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::automatic}) {
     CHECK(compiled(dimpled(50), setup(strategy)).facts->compile.rendered > 50);
   }
   CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, 5)).facts->compile.rendered > 50);
 }
 
-TEST_CASE("products past the limit are refused, with the primitive's place and what to do instead") {
+TEST_CASE("rejects too many products with the primitive's location and an alternative") {
   std::vector<testing::Setup> setups{setup(emit::Strategy::products)};
   for (const unsigned bits : {3U, 4U}) {
     CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, bits)).facts->compile.rendered > 50);
@@ -144,7 +144,7 @@ TEST_CASE("products past the limit are refused, with the primitive's place and w
     CHECK_NOTHROW(compiled(dimpled(8), how));
     try {
       compiled(dimpled(50), how);
-      FAIL("2 to the power of 50 products were compiled");
+      FAIL("compiled 2^50 products instead of rejecting them");
     } catch (const InputError& error) {
       const std::string text = error.what();
       CHECK(text.find("test:1:14: ") == 0);
@@ -154,7 +154,7 @@ TEST_CASE("products past the limit are refused, with the primitive's place and w
   }
 }
 
-TEST_CASE("surfaces of which each is one product are not counted as products, however many there are") {
+TEST_CASE("surfaces with a single product each do not count towards the limit") {
   std::string text = "intersection(){cube(size=900,center=true);union(){";
   for (int i = 0; i < 80; ++i) text += at(4 * i - 160, 0, 0, "cube(size=[1,1,500],center=true);");
   testing::Setup how = setup(emit::Strategy::stack);
@@ -169,7 +169,7 @@ TEST_CASE("surfaces of which each is one product are not counted as products, ho
   }
 }
 
-TEST_CASE("primitives are rendered once by any number of bits, and more never mean more comparisons or depth tests") {
+TEST_CASE("more stack bits never mean more work") {
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);

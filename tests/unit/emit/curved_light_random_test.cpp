@@ -45,18 +45,18 @@ Case any_case() {
 
 }  // namespace
 
-TEST_CASE("balls and rods that are turned at random, under random lights, are lit as Lambert's law says") {
+TEST_CASE("spheres and cylinders in random positions and lights follow Lambert's law") {
   Errors errors;
   CHECK(rc::check([&] {
     const Case one = any_case();
     Errors here;
     measure(one, here);
-    errors.looked_at += here.looked_at;
+    errors.checked += here.checked;
     errors.part = std::max(errors.part, here.part);
     RC_LOG() << one.solid.text() << " colour bits " << one.colour_bits << " z bits " << one.z_bits << " lights "
-             << one.lights.size() << ": " << here.levels << " levels off, " << here.part << " of what is promised\n";
+             << one.lights.size() << ": " << here.levels << " levels off, " << here.part << " of the tolerance\n";
     RC_ASSERT(here.part <= 1);
   }));
-  MESSAGE(errors.looked_at, " pixels, ", errors.part, " of what is promised at most");
-  CHECK((!testing::draws_usual_cases() || errors.looked_at > 20'000));
+  MESSAGE(errors.checked, " pixels, ", errors.part, " of the tolerance at most");
+  CHECK((!testing::draws_usual_cases() || errors.checked > 20'000));
 }

@@ -18,7 +18,7 @@ const Solid rod{{0.3, -0.2, 0.1}, {{0.6, 0, -0.8}, {0, 1, 0}, {0.8, 0, 0.6}}, 3,
 
 }  // namespace
 
-TEST_CASE("balls and rods of several colours under one, two and three lights are lit as Lambert's law says") {
+TEST_CASE("spheres and cylinders under one to three lights follow Lambert's law") {
   Errors errors;
   for (const Solid& solid : {ball, rod})
     for (const auto& colour : std::array<std::optional<glm::dvec3>, 5>{
@@ -33,16 +33,15 @@ TEST_CASE("balls and rods of several colours under one, two and three lights are
           CHECK(here.part <= 1);
           errors.levels = std::max(errors.levels, here.levels);
           errors.part = std::max(errors.part, here.part);
-          errors.looked_at += here.looked_at;
+          errors.checked += here.checked;
           errors.lit += here.lit;
         }
-  MESSAGE(errors.looked_at, " pixels, ", errors.levels, " levels off at most, ", errors.part, " of what is promised");
-  CHECK(errors.looked_at > 80'000);
+  MESSAGE(errors.checked, " pixels, ", errors.levels, " levels off at most, ", errors.part, " of the tolerance");
+  CHECK(errors.checked > 80'000);
   CHECK(errors.lit > 60'000);
 }
 
-TEST_CASE(
-    "light that is too bright saturates a channel and never wraps round, however bright and in however few bits") {
+TEST_CASE("excessive light saturates a channel and never wraps around") {
   Errors errors;
   for (const double intensity : {1.0, 6.5, 7.5, 10.0})
     for (const unsigned colour_bits : {24U, 15U, 3U})
@@ -56,12 +55,12 @@ TEST_CASE(
         CAPTURE(z_bits);
         CAPTURE(here.levels);
         CHECK(here.part <= 1);
-        errors.looked_at += here.looked_at;
+        errors.checked += here.checked;
       }
-  CHECK(errors.looked_at > 20'000);
+  CHECK(errors.checked > 20'000);
 }
 
-TEST_CASE("coarse depth makes light neither brighter nor darker on the whole") {
+TEST_CASE("coarse depth does not bias the brightness") {
   for (const unsigned z_bits : {4U, 5U, 6U, 8U})
     for (const auto& shines : {glm::dvec3(0.3, -0.4, 0.85), glm::dvec3(0.8, 0, 0.6), glm::dvec3(-0.8, 0.1, -0.6)}) {
       Errors errors;
@@ -75,15 +74,15 @@ TEST_CASE("coarse depth makes light neither brighter nor darker on the whole") {
     }
 }
 
-TEST_CASE("depth that hardly counts for a bright light is taken as it is halfway") {
-  // A speck far in front gives the ball the last part of the depths.
+TEST_CASE("negligible depth terms of a bright light use their middle value") {
+  // A small cube far in front leaves the sphere only the last part of the depths.
   for (const double forward : {0.0005, -0.0005}) {
     Case one{{{0, 0, 0}, glm::dmat3(1), 3}, glm::dvec3(1), {light({1, 0, forward}, {1, 1, 1}, 5.4)}, 0.1};
     one.beside = "multmatrix([[1,0,0,7],[0,1,0,7],[0,0,1,30],[0,0,0,1]]){cube(size=[0.1,0.1,0.1],center=false);}";
     Errors errors;
     measure(one, errors);
     CAPTURE(forward);
-    CHECK(errors.looked_at > 200);
+    CHECK(errors.checked > 200);
     CHECK(errors.part <= 1);
     CHECK(errors.levels < 5);
   }

@@ -16,7 +16,7 @@ double value_of(const Digits& digits) {
   return value;
 }
 
-/// Additions of the number's binary digits, from the greatest down, as far as the error wants them.
+/// Additions for the number's binary digits, from the largest down to the error.
 std::size_t binary_additions(double number, double error) {
   std::size_t count = 0;
   while (number > error) {
@@ -34,13 +34,13 @@ void check_hand_case(double number, double error, const Digits& expected) {
   CHECK(digits.rest == expected.rest);
 }
 
-/// What sums and differences of `count` powers of two, with exponents in a range, come to: the fewest additions for
-/// each multiple of the least power that they reach.
+/// Minimum number of additions for each multiple of the smallest power that sums and differences of at most `most`
+/// powers of two in a range of exponents can reach.
 class Reached {
  public:
   Reached(int lowest, int highest, unsigned most) : lowest_(lowest), highest_(highest), most_(most) { add(0, 0, 0); }
 
-  /// The fewest additions for a number within that error; `most` + 2 if there are none.
+  /// Minimum number of additions for a number within the error; `most` + 2 if there is no such sum.
   [[nodiscard]] std::size_t fewest(double number, double error) const {
     std::size_t best = most_ + 2;
     for (const auto& [value, additions] : sums_)
@@ -72,21 +72,20 @@ class Reached {
 
 }  // namespace
 
-TEST_CASE(
-    "digits of numbers by hand: powers, runs of ones that a difference is shorter than, what the error swallows") {
+TEST_CASE("digits of numbers match hand calculations") {
   check_hand_case(0, 0.01, {{}, {}, 0});
   check_hand_case(0.25, 0.25, {{}, {}, 0.25});
   check_hand_case(8, 0.01, {{3}, {}, 0});
   check_hand_case(5, 0.01, {{2, 0}, {}, 0});
   check_hand_case(7, 0.01,
-                  {{2, 1, 0}, {}, 0});  // 8 - 1 turns the sum about, which is as dear; in binary nothing is cut
+                  {{2, 1, 0}, {}, 0});  // 8 - 1 reverses the sum, which costs the same; the binary form cuts nothing
   check_hand_case(15, 0.01, {{4}, {0}, 0});
   check_hand_case(7.9, 0.2, {{3}, {}, 7.9 - 8});
   check_hand_case(0.125 + 1.0 / 64, 0.001, {{-3, -6}, {}, 0});
   check_hand_case(59, 0.01, {{6}, {2, 0}, 0});
 }
 
-TEST_CASE("what digits leave of a number is within the error, and they are never more additions than binary digits") {
+TEST_CASE("digits leave a rest within the error and need no more than binary digits") {
   for (int round = 0; round < 5; ++round) {
     CHECK(rc::check([&] {
       const auto real = [] { return *rc::gen::inRange(1, 1'000'001) / 1e6; };
@@ -102,18 +101,18 @@ TEST_CASE("what digits leave of a number is within the error, and they are never
   }
 }
 
-TEST_CASE("no other digits with exponents from -5 to 5 take fewer additions, up to four digits") {
+TEST_CASE("no digits with exponents from -5 to 5 take fewer additions") {
   const Reached reached(-5, 5, 4);
   int differences = 0;
-  int dearer = 0;
+  int worse = 0;
   for (int i = 1; i < 600; ++i) {
     const double number = i * 13.0 / 600;
     for (const double error : {1.0 / 32, 1.0 / 9, 0.4}) {
       const Digits digits = emit::fewest_digits(number, error);
       differences += digits.minus.empty() ? 0 : 1;
-      if (emit::additions(digits) > reached.fewest(number, error)) ++dearer;
+      if (emit::additions(digits) > reached.fewest(number, error)) ++worse;
     }
   }
-  CHECK(dearer == 0);
+  CHECK(worse == 0);
   CHECK(differences > 20);
 }

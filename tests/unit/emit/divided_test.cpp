@@ -20,7 +20,7 @@ using testing::error_of;
 
 namespace {
 
-/// Two cubes in the middle of a picture of 3 x 2 groups of 2 x 2 squares; nothing in some of them.
+/// Two cubes in the middle of a picture of 3 x 2 groups of 2 x 2 squares; some squares are empty.
 isa::Program divided(const machines::Machine& machine, const emit::Options& options = {}) {
   return testing::two_cubes(machine, {0, 0, 0}, options);
 }
@@ -36,7 +36,7 @@ machines::Machine machine_with(std::uint32_t levels) {
 
 }  // namespace
 
-TEST_CASE("a Program for a machine that divides has the model that is divided into its segments") {
+TEST_CASE("a Program for a dividing machine contains the model and its division") {
   for (const std::uint32_t levels : {1U, 2U}) {
     const machines::Machine machine = machine_with(levels);
     const isa::Program program = divided(machine);
@@ -62,7 +62,7 @@ TEST_CASE("the display model survives both forms of a Program") {
   CHECK(isa::parse(text.str(), "text") == program);
 }
 
-TEST_CASE("a Program whose instructions are not those of its model is refused") {
+TEST_CASE("rejects a Program whose instructions do not match its model") {
   const machines::Machine machine = machine_with(2);
   isa::Program program = divided(machine);
   for (isa::Segment& segment : program.segments) {
@@ -72,8 +72,7 @@ TEST_CASE("a Program whose instructions are not those of its model is refused") 
         std::string::npos);
 }
 
-TEST_CASE(
-    "a machine that divides refuses a Program without a model, and a model that does not fit without its planes") {
+TEST_CASE("rejects a missing display model and one that exceeds the divider's memory") {
   machines::Machine machine = machine_with(2);
   isa::Program program = divided(machine);
   auto& figures = machines::own<pixel_square::Figures>(machine);
@@ -94,7 +93,7 @@ TEST_CASE(
         }).starts_with("the Program has no display model for pixel-square to divide;"));
 }
 
-TEST_CASE("what memories at hand do not hold goes to the model's, and is refused where that is full") {
+TEST_CASE("small divider memories spill to the model memory until that is full") {
   machines::Machine machine = machine_with(2);
   const isa::Program program = divided(machine);
   auto& figures = machines::own<pixel_square::Figures>(machine);
@@ -113,7 +112,7 @@ TEST_CASE("what memories at hand do not hold goes to the model's, and is refused
   }
 }
 
-TEST_CASE("a machine that divides has prunings of its own") {
+TEST_CASE("rejects pruning options on a machine that divides the model") {
   emit::Options options;
   options.pruning = csg::Pruning::divider();
   CHECK_NOTHROW(divided(machine_with(1), options));
@@ -123,7 +122,7 @@ TEST_CASE("a machine that divides has prunings of its own") {
         }).starts_with("the machine divides the model itself, with fixed prunings;"));
 }
 
-TEST_CASE("a machine that divides has one strategy") {
+TEST_CASE("rejects other strategies on a machine that divides the model") {
   emit::Options options;
   options.strategy = emit::Strategy::list;
   CHECK(

@@ -23,7 +23,7 @@ const std::vector<Instruction>& instructions_of(const isa::Program& program) {
   return program.segments.at(0).instructions;
 }
 
-/// A cube in front of all else, and behind it a ball with a hole.
+/// A cube in front of everything else, and behind it a sphere with a hole.
 constexpr const char* behind_a_cube =
     "multmatrix([[1,0,0,0],[0,1,0,-20],[0,0,1,0],[0,0,0,1]]){cube(size=[30,2,30],center=true);}"
     "difference(){sphere($fn=24,r=9);cylinder($fn=24,h=30,r1=3,r2=3,center=true);}";
@@ -55,26 +55,26 @@ Ran run(const isa::Program& program) {
 
 }  // namespace
 
-TEST_CASE("early out adds questions and changes nothing else, with every strategy and colouring") {
+TEST_CASE("early out only adds queries with every strategy and colouring") {
   for (const emit::Strategy strategy :
        {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::bits, emit::Strategy::products}) {
     for (const emit::Colouring colouring : {emit::Colouring::rebroadcast, emit::Colouring::field}) {
       CAPTURE(emit::name_of(strategy));
       testing::Setup how = setup(strategy, colouring);
-      const isa::Program asks = testing::compile_text(behind_a_cube, how).program;
+      const isa::Program with_queries = testing::compile_text(behind_a_cube, how).program;
       how.options.pruning.early_out = false;
-      const isa::Program never = testing::compile_text(behind_a_cube, how).program;
-      CHECK(std::none_of(instructions_of(never).begin(), instructions_of(never).end(), is_skip));
-      CHECK(instructions_of(asks).size() > instructions_of(never).size());
-      CHECK(without_skips(instructions_of(asks)) == instructions_of(never));
+      const isa::Program without_queries = testing::compile_text(behind_a_cube, how).program;
+      CHECK(std::none_of(instructions_of(without_queries).begin(), instructions_of(without_queries).end(), is_skip));
+      CHECK(instructions_of(with_queries).size() > instructions_of(without_queries).size());
+      CHECK(without_skips(instructions_of(with_queries)) == instructions_of(without_queries));
       how.options.pruning.early_out = true;
       how.has_global_or = false;
-      CHECK(testing::compile_text(behind_a_cube, how).program == never);
+      CHECK(testing::compile_text(behind_a_cube, how).program == without_queries);
     }
   }
 }
 
-TEST_CASE("a question guards at least sixteen times its clocks, of one primitive, and the guards nest") {
+TEST_CASE("a query guards at least sixteen times its clocks and guards are nested") {
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     CAPTURE(one.name);
     testing::Setup how = setup();
@@ -99,32 +99,32 @@ TEST_CASE("a question guards at least sixteen times its clocks, of one primitive
   }
 }
 
-TEST_CASE("what is hidden is skipped, and what is left adds up") {
+TEST_CASE("hidden primitives are skipped and the costs add up") {
   const isa::Program program = testing::compile_text(behind_a_cube, setup()).program;
   testing::Setup how = setup();
   how.options.pruning.early_out = false;
-  const Ran asks = run(program);
-  const Ran never = run(testing::compile_text(behind_a_cube, how).program);
-  CHECK(asks.result.skipped > 0);
-  CHECK(asks.result.clocks < never.result.clocks);
-  CHECK(asks.result.clocks < machines::clocks(program, testing::machine_of(program.shape)));
-  CHECK(asks.stats.total.instructions + asks.result.skipped == instructions_of(program).size());
-  std::uint64_t others = 0;  // clocks of the controller that are no instruction's
-  for (const auto& [activity, clocks] : asks.result.account.parts.front().clocks) {
+  const Ran with_queries = run(program);
+  const Ran without_queries = run(testing::compile_text(behind_a_cube, how).program);
+  CHECK(with_queries.result.skipped > 0);
+  CHECK(with_queries.result.clocks < without_queries.result.clocks);
+  CHECK(with_queries.result.clocks < machines::clocks(program, testing::machine_of(program.shape)));
+  CHECK(with_queries.stats.total.instructions + with_queries.result.skipped == instructions_of(program).size());
+  std::uint64_t others = 0;  // controller clocks that belong to no instruction
+  for (const auto& [activity, clocks] : with_queries.result.account.parts.front().clocks) {
     if (activity == "clearing" || activity == "starved" || activity == "jumping") others += clocks;
   }
-  CHECK(asks.stats.total.clocks + others + asks.result.latency_clocks == asks.result.clocks);
+  CHECK(with_queries.stats.total.clocks + others + with_queries.result.latency_clocks == with_queries.result.clocks);
   observe::Cost by_purpose;
-  for (const observe::Cost& cost : asks.stats.by_purpose) by_purpose += cost;
-  CHECK(by_purpose == asks.stats.total);
+  for (const observe::Cost& cost : with_queries.stats.by_purpose) by_purpose += cost;
+  CHECK(by_purpose == with_queries.stats.total);
   const auto of = [](const Ran& ran, isa::Purpose purpose) {
     return ran.stats.by_purpose[static_cast<std::size_t>(purpose)];
   };
-  CHECK(of(asks, isa::Purpose::render) == of(never, isa::Purpose::render));
-  CHECK(of(asks, isa::Purpose::shade).clocks < of(never, isa::Purpose::shade).clocks);
+  CHECK(of(with_queries, isa::Purpose::render) == of(without_queries, isa::Purpose::render));
+  CHECK(of(with_queries, isa::Purpose::shade).clocks < of(without_queries, isa::Purpose::shade).clocks);
 }
 
-TEST_CASE("the clocks of a run are those of the reference, skips and all") {
+TEST_CASE("clocks_of_run() matches a run with skips") {
   const isa::Program program = testing::compile_text(behind_a_cube, setup()).program;
   CHECK(functional::measure_clocks(program, testing::machine_of(program.shape)) == run(program).result.clocks);
 }

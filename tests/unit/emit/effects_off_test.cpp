@@ -8,7 +8,7 @@ using namespace csgsim;
 
 namespace {
 
-/// A scene that speaks of every effect, and switches each off.
+/// A scene that lists every effect and disables each of them.
 std::string all_off() {
   std::string text;
   for (const scene::Section& section : effects::sections()) {
@@ -33,20 +33,20 @@ std::vector<std::byte> bytes_of(const std::string& model, const testing::Setup& 
 
 }  // namespace
 
-TEST_CASE("a scene that names no effect, or switches every one off, compiles to the Program of no effects") {
+TEST_CASE("scenes without effects or with all disabled compile to the same Program") {
   for (const char* machine : {"pixel-planes-4", "scan-line", "pixel-square", "pixel-square+divider.kind=host"}) {
     for (const char* model : {"thesis_fig_2_3", "old_example002"}) {
       CAPTURE(machine);
       CAPTURE(model);
       testing::Setup setup = setup_of(machine);
-      const std::vector<std::byte> never_heard = bytes_of(model, setup);
+      const std::vector<std::byte> no_effects = bytes_of(model, setup);
       setup.options.effects = effects::all();
-      CHECK(bytes_of(model, setup) == never_heard);
+      CHECK(bytes_of(model, setup) == no_effects);
       setup.options.scene = scene::read_scene(all_off(), "off.toml", {}, effects::sections());
       CHECK_FALSE(setup.options.scene.effects.empty());
-      CHECK(bytes_of(model, setup) == never_heard);
+      CHECK(bytes_of(model, setup) == no_effects);
       setup.options.scene = scene::read_scene("[effects.smooth]\n", "on.toml", {}, effects::sections());
-      if (setup.machine != "pixel-square") CHECK(bytes_of(model, setup) != never_heard);
+      if (setup.machine != "pixel-square") CHECK(bytes_of(model, setup) != no_effects);
     }
   }
 }

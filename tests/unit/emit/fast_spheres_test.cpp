@@ -24,11 +24,11 @@ struct Ball {
   double radius;
 };
 
-/// A first ball, and what is done with each of the others in turn.
+/// A first sphere, and the operators that combine it with the others in turn.
 struct Model {
   std::vector<Ball> balls;
-  std::vector<char> operators;  ///< '+', '-' or '*', one for each ball after the first
-  glm::dvec3 eye{0, 0.04, 40};  ///< as far from the origin as the picture is wide
+  std::vector<char> operators;  ///< '+', '-' or '*', one for each sphere after the first
+  glm::dvec3 eye{0, 0.04, 40};  ///< distance from the origin equals the picture's width
 
   [[nodiscard]] std::string text() const {
     std::string text = ball(0);
@@ -57,7 +57,7 @@ Model random_model() {
   Model model;
   const int count = *rc::gen::inRange(1, 6);
   for (int i = 0; i < count; ++i) {
-    // The depth range is that of the first, and the others' depths have to fit the machine's numbers in it.
+    // The first sphere determines the depth range; the depths of the others must fit the machine's numbers.
     const double radius = *rc::gen::element(i == 0 ? 1.0 : 0.02, real(0.3, 2), real(2, 7));
     model.balls.push_back({{real(-6, 6), real(-6, 6), real(-6, 6)}, radius});
     if (i > 0) model.operators.push_back(*rc::gen::element('+', '-', '*'));
@@ -87,7 +87,7 @@ observe::Frame run(engine::Engine& engine, const isa::Program& program) {
   return frame.frame();
 }
 
-/// A model in the picture.
+/// A model together with its geometry and view.
 struct Viewed {
   Viewed(const Model& model, const view::Sampling& sampling)
       : tree(read::read_csg_text(model.text(), "test")),
@@ -99,7 +99,7 @@ struct Viewed {
   view::View view;
 };
 
-/// Whether all its spheres fit the integers: others have to be faceted.
+/// Whether all its spheres fit the integer coefficients; others must be faceted.
 bool fits(const Model& model, const view::Sampling& sampling) {
   const Viewed viewed(model, sampling);
   return std::none_of(viewed.view.quadrics.begin(), viewed.view.quadrics.end(), [](const view::ScreenQuadric& quadric) {
@@ -117,13 +117,13 @@ Drawn draw(const Model& model, const view::Sampling& sampling, const std::string
   return drawn;
 }
 
-/// A part of a ray, depth steps.
+/// Part of a ray, in depth steps.
 struct Part {
   double near;
   double far;
 };
 
-/// The model in doubles, along the rays of one view.
+/// The model in double precision along the rays of one view.
 class Plain {
  public:
   Plain(const Model& model, const view::View& view) : model_(model) {
@@ -144,7 +144,7 @@ class Plain {
     }
   }
 
-  /// What is seen at a pixel: nothing, or a depth, and how far off it may be. False where rounding may decide.
+  /// Computes the visible depth at a pixel, if any, and its tolerance. Returns false if rounding may decide.
   bool at(int x, int y, std::optional<double>& depth, double& slack) const {
     slack = 0;
     std::vector<Part> in;
@@ -177,11 +177,11 @@ class Plain {
     double radius;
     double middle;
     double factor = 0;
-    double slack = 0;     ///< what the machine's numbers may miss in depth
-    bool unsure = false;  ///< so near to a number of two powers that rounding decides
+    double slack = 0;     ///< tolerance of the machine's depths
+    bool unsure = false;  ///< so close to a sum of two powers that rounding decides
   };
 
-  /// The greatest 2^i or 2^i +/- 2^j, j from i - 4 on, that is not above.
+  /// The largest 2^i or 2^i +/- 2^j, with j from i - 4, that does not exceed `most`.
   static double factor(double most) {
     double best = 0;
     for (int i = -40; i <= 40; ++i) {
@@ -233,8 +233,8 @@ view::Sampling random_sampling() {
 
 }  // namespace
 
-TEST_CASE("unions, differences and intersections of fast spheres are what circles and paraboloids in doubles say") {
-  int looked_at = 0;
+TEST_CASE("combinations of fast spheres match circles and paraboloids in doubles") {
+  int checked = 0;
   int seen = 0;
   for (int round = 0; round < 6; ++round) {
     CHECK(rc::check([&] {
@@ -250,8 +250,8 @@ TEST_CASE("unions, differences and intersections of fast spheres are what circle
           double slack = 0;
           if (!plain.at(static_cast<int>(x), static_cast<int>(y), expected, slack)) continue;
           const std::uint32_t depth = drawn.frame.depth[y * sampling.width + x];
-          ++looked_at;
-          // A cut away from the front of the depth range is drawn at its first step.
+          ++checked;
+          // The part in front of the depth range is drawn at its first step.
           if (expected) expected = std::max(0.0, *expected);
           RC_ASSERT(expected.has_value() == (depth != nothing));
           if (!expected) continue;
@@ -261,20 +261,18 @@ TEST_CASE("unions, differences and intersections of fast spheres are what circle
       }
     }));
   }
-  MESSAGE(looked_at, " pixels, ", seen, " with a sphere");
+  MESSAGE(checked, " pixels, ", seen, " with a sphere");
   CHECK((!testing::draws_usual_cases() || seen > 4'000));
-  CHECK((!testing::draws_usual_cases() || looked_at > seen + 1'000));
+  CHECK((!testing::draws_usual_cases() || checked > seen + 1'000));
 }
 
-TEST_CASE(
-    "the depths of a fast sphere, and of the hollow that one leaves, are the integers of host/view/screen_quadric.h "
-    "exactly") {
+TEST_CASE("depths of a fast sphere and a hollow match screen_quadric.h exactly") {
   int hollow = 0;
   for (int round = 0; round < 4; ++round) {
     CHECK(rc::check([&] {
       Model model = random_model();
       model.balls.resize(2);
-      // Into the side of the first that is seen.
+      // Centred on the visible side of the first sphere.
       const double radius = model.balls[0].radius;
       model.balls[1] = {model.balls[0].at + glm::normalize(model.eye) * radius, radius * real(0.2, 1.2)};
       model.operators = {'-'};
@@ -314,7 +312,7 @@ TEST_CASE(
   CHECK((!testing::draws_usual_cases() || hollow > 200));
 }
 
-TEST_CASE("fast spheres are the same on machines of all kinds, on all engines, with every strategy and pruning") {
+TEST_CASE("fast spheres are the same on every machine with every strategy") {
   CHECK(rc::check([] {
     const Model model = random_model();
     const view::Sampling sampling = random_sampling();
@@ -342,9 +340,7 @@ TEST_CASE("fast spheres are the same on machines of all kinds, on all engines, w
   }));
 }
 
-TEST_CASE(
-    "spheres that are compared with nothing are lit where Z1 was, and look as those that have bits of their own for "
-    "it") {
+TEST_CASE("spheres lit in the bits of Z1 look the same as with a separate field") {
   const Model model{{{{0, 0, 0}, 6}, {{4, 1, 2}, 4}, {{-5, 2, 1}, 4.5}}, {'+', '+'}};
   view::Sampling sampling;
   sampling.width = 120;
@@ -371,9 +367,8 @@ TEST_CASE(
   CHECK(has_field(draw(cut, sampling).program, "sum"));
 }
 
-TEST_CASE(
-    "the squares in pixel memory are those of the place but for what is linear in it, in as few bits as they take") {
-  /// Reads the field when the picture begins, with the farthest depth everywhere.
+TEST_CASE("the field of squares has no linear part and the minimum width") {
+  /// Reads the field when the picture starts, with the farthest depth everywhere.
   struct Look : engine::Observer {
     isa::Field field;
     std::vector<std::uint32_t> values;
@@ -414,7 +409,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("the squares of 512 x 512 pixels take 378 clocks, and a fast sphere far fewer than its facets") {
+TEST_CASE("the squares take 378 clocks and a fast sphere far fewer than its facets") {
   view::Sampling sampling;
   const Drawn drawn = draw({{{{0, 0, 0}, 10}}, {}}, sampling);
   std::uint64_t squares = 0;
@@ -423,11 +418,11 @@ TEST_CASE("the squares of 512 x 512 pixels take 378 clocks, and a fast sphere fa
   bool has_begun = false;
   for (const isa::Instruction& one : drawn.program.segments.at(0).instructions) {
     const std::uint64_t clocks = machines::bit_serial_clocks(one, machine);
-    // The picture begins with the farthest depth everywhere.
+    // The picture starts with the farthest depth everywhere.
     has_begun = has_begun || (one.opcode == isa::Opcode::set_constant && one.fields[0].width == sampling.z_bits);
     if (!has_begun) squares += clocks;
     if (one.origin.purpose == isa::Purpose::render) render += clocks;
   }
-  CHECK(squares == 379);  // and one of these enables all pixels for what follows
+  CHECK(squares == 379);  // includes one that enables all pixels for the next instruction
   CHECK(render < 200);
 }

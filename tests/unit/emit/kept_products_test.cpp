@@ -21,7 +21,7 @@ testing::Setup setup(emit::Strategy strategy) {
   return made;
 }
 
-/// A plate without that many intersections of a ball and a peg, which are all apart.
+/// A plate minus `count` separate intersections of a sphere and a peg.
 std::string dimpled(int count) {
   const auto at = [](double x, std::string_view solid) {
     return "multmatrix([[1,0,0," + std::to_string(x) + "],[0,1,0,0],[0,0,1,5],[0,0,0,1]]){" + std::string(solid) + "}";
@@ -41,7 +41,7 @@ std::vector<Instruction> of_purpose(const isa::Program& program, isa::Purpose pu
   return found;
 }
 
-/// Comparisons of Z1 with Z2 for the surface of that primitive.
+/// Comparisons of Z1 with Z2 for the surface of the primitive.
 std::ptrdiff_t depth_tests(const isa::Program& program, std::uint32_t primitive) {
   const isa::Field z1 = isa::field_of(program, isa::FieldRole::candidate_depth);
   const isa::Field z2 = isa::field_of(program, isa::FieldRole::depth);
@@ -53,7 +53,7 @@ std::ptrdiff_t depth_tests(const isa::Program& program, std::uint32_t primitive)
 
 }  // namespace
 
-TEST_CASE("with three bits a primitive is rendered once, and its depth tested once for each product") {
+TEST_CASE("with three bits a primitive is rendered once and depth-tested per product") {
   for (const int count : {1, 2, 3, 4}) {
     CAPTURE(count);
     testing::Setup how = setup(emit::Strategy::bits);
@@ -63,7 +63,8 @@ TEST_CASE("with three bits a primitive is rendered once, and its depth tested on
     const isa::Program stack = testing::compile_text(dimpled(count), how).program;
     how.options.strategy = emit::Strategy::products;
     const isa::Program products = testing::compile_text(dimpled(count), how).program;
-    // The plate without a choice of ball or peg a dimple; a ball within plate and peg; a peg within plate and ball.
+    // The plate has one product per choice of sphere or peg in each dimple; a sphere lies within plate and peg, a peg
+    // within plate and sphere.
     const std::ptrdiff_t of_plate = std::ptrdiff_t{1} << count;
     CHECK(depth_tests(three, 0) == of_plate);
     for (std::uint32_t i = 1; i <= 2 * static_cast<std::uint32_t>(count); ++i) CHECK(depth_tests(three, i) == 1);
@@ -76,8 +77,7 @@ TEST_CASE("with three bits a primitive is rendered once, and its depth tested on
   }
 }
 
-TEST_CASE(
-    "three bits scan-convert the thesis's objects as often as a stack does, and take fewer clocks than products") {
+TEST_CASE("three bits render the thesis's objects as often as a stack does") {
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     CAPTURE(one.name);
     testing::Setup how = setup(emit::Strategy::bits);
@@ -95,7 +95,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("what is hidden before its first product is hidden before all, and skipped in one jump") {
+TEST_CASE("a surface hidden before its first product skips all of them in one jump") {
   const std::string hidden =
       "multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,40],[0,0,0,1]]){cube(size=[99,99,2],center=true);}";
   testing::Setup how = setup(emit::Strategy::bits);
@@ -105,15 +105,15 @@ TEST_CASE("what is hidden before its first product is hidden before all, and ski
   const isa::Program program = testing::compile_text(hidden + dimpled(4), how).program;
   const std::vector<Instruction>& all = program.segments.at(0).instructions;
   const auto is_plates = [](const Instruction& one) { return one.origin.primitive == 1; };
-  const auto question = std::ranges::find_if(
+  const auto query = std::ranges::find_if(
       all, [&](const Instruction& one) { return one.opcode == Opcode::skip_if_none && is_plates(one); });
-  REQUIRE(question != all.end());
-  // What comes after it of the plate, colours included.
-  const auto end = question + 1 + static_cast<std::ptrdiff_t>(question->constant);
-  CHECK(std::all_of(question, end, is_plates));
+  REQUIRE(query != all.end());
+  // The remaining instructions of the plate, including colours.
+  const auto end = query + 1 + static_cast<std::ptrdiff_t>(query->constant);
+  CHECK(std::all_of(query, end, is_plates));
   CHECK(std::none_of(end, all.end(), is_plates));
   CHECK(depth_tests(program, 1) == 16);
   const auto tests_before = std::count_if(
-      all.begin(), question, [&](const Instruction& one) { return one.opcode == Opcode::field_lt && is_plates(one); });
+      all.begin(), query, [&](const Instruction& one) { return one.opcode == Opcode::field_lt && is_plates(one); });
   CHECK(tests_before == 1);
 }

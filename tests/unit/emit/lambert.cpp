@@ -17,17 +17,17 @@ namespace csgsim::testing {
 
 namespace {
 
-/// Of the error of a cosine, see law.
+/// Shares of the cosine's error, see law().
 constexpr double unit_part = 1.3;
 constexpr double step_part = 1.6;
 
-/// Where the ray of a pixel comes in.
+/// Intersection of a pixel's ray with the solid.
 struct Place {
-  glm::dvec3 normal;  ///< in the axes of the eye
-  double to_cap;      ///< along the ray, to the plane of an end of a cylinder
+  glm::dvec3 normal;  ///< in eye axes
+  double to_cap;      ///< distance along the ray to the plane of a cylinder's end
 };
 
-/// Nothing if it is no place of the ball or of the round side.
+/// Empty if the ray misses the sphere or the curved side.
 std::optional<Place> place_at(const Solid& solid, const view::EyeSpace& space, double x, double y) {
   const glm::dmat3 back = glm::transpose(solid.axes);
   const glm::dvec3 origin = back * (space.to_model(space.from_picture({x, y, 0})) - solid.at);
@@ -48,8 +48,8 @@ std::optional<Place> place_at(const Solid& solid, const view::EyeSpace& space, d
       is_round ? to_end / std::abs(along.z) : std::numeric_limits<double>::infinity()};
 }
 
-/// The normal, where the place is not so near to a limb or rim that rounding decides what is there. By a rim the round
-/// side and the plane of the end come to the same depth step: each is off by less than a step and a half.
+/// The normal, or empty if the point is so close to the outline or a rim that rounding decides what is visible. Near a
+/// rim the curved side and the end plane reach the same depth step: each is off by less than a step and a half.
 std::optional<glm::dvec3> normal_at(const Solid& solid, const view::EyeSpace& space, double steps, double x, double y) {
   constexpr std::array<std::array<double, 2>, 4> around{{{0.75, 0}, {-0.75, 0}, {0, 0.75}, {0, -0.75}}};
   const auto place = place_at(solid, space, x, y);
@@ -61,21 +61,21 @@ std::optional<glm::dvec3> normal_at(const Solid& solid, const view::EyeSpace& sp
 }
 
 struct Law {
-  double level;    ///< of the channel
-  double slack;    ///< levels
-  bool is_bright;  ///< every light shines at 0.2 of its most at least
+  double level;    ///< level of the channel
+  double slack;    ///< tolerance in levels
+  bool is_bright;  ///< every light contributes at least 0.2 of its maximum
 };
 
-/// Of depth, a length.
+/// Depth steps per unit of length.
 double steps_of(const Case& one, const view::View& view) {
   return isa::depth_steps(one.z_bits) / (view.depth.far - view.depth.near);
 }
 
-/// Half a level is lost in the ambient light. Of each light half a level by digits, half where the sum is cut off and
-/// half where its parts are, twice if it is so bright that it is added in two parts; and an error of the cosine, whose
-/// unit is 1 / 2^width at most, or a depth step's where that is more. Its depth is off by a step, and its two floors by
-/// half a unit each, or, where the unit is a step's, one floor; rounded coefficients add a tenth of a unit in 48
-/// pixels. Depth that comes to less than two units is left out: one unit, and half of one of half the size.
+/// Tolerance: half a level for the ambient light. Each light adds half a level for its digits, half for truncating the
+/// sum and half for truncating its parts, doubled if it is so bright that it is added in two parts; and an error of the
+/// cosine with a unit of at most 1 / 2^width, or of a depth step if that is larger. Depth is off by one step and its
+/// two floors by half a unit each, or by one floor if the unit is a step; rounded coefficients add a tenth of a unit
+/// over 48 pixels. Depth terms below two units are omitted: one unit, and half a unit at half the size.
 Law law(const Case& one, double steps, const glm::dvec3& normal, int channel, unsigned widest) {
   const unsigned width = isa::channel_widths(one.colour_bits).at(static_cast<std::size_t>(channel));
   const double top = std::exp2(width) - 1;
@@ -138,7 +138,7 @@ void measure(const Case& one, Errors& errors) {
     for (std::uint32_t x = 0; x < setup.sampling.width; ++x) {
       const auto normal = normal_at(one.solid, space, steps, x, y);
       if (!normal) continue;
-      ++errors.looked_at;
+      ++errors.checked;
       std::uint32_t packed = frame.colour[y * setup.sampling.width + x];
       for (int channel = 2; channel >= 0; --channel) {
         const unsigned width = widths.at(static_cast<std::size_t>(channel));

@@ -10,12 +10,12 @@
 
 namespace csgsim::testing {
 
-/// A sphere, or a cylinder about its middle.
+/// A sphere, or a cylinder centred at its middle.
 struct Solid {
   glm::dvec3 at{0};
   glm::dmat3 axes{1};
   double radius = 1;
-  double height = 0;  ///< 0: a sphere
+  double height = 0;  ///< 0 for a sphere
 
   [[nodiscard]] std::string text() const;
 };
@@ -28,24 +28,25 @@ struct Case {
   glm::dvec3 eye{0, 0.04, 40};
   unsigned colour_bits = 24;
   unsigned z_bits = 20;
-  std::string beside{};  ///< more of the model, that takes no pixels of the solid
+  std::string beside{};  ///< more geometry that covers no pixels of the solid
 };
 
-/// How far the picture is from the law.
+/// Deviation of the picture from the law.
 struct Errors {
-  double levels = 0;  ///< of a channel, the most
-  double part = 0;    ///< of what is promised, the most
-  int looked_at = 0;
-  double sum = 0;  ///< of levels, of channels where every light shines at 0.2 of its most at least: above 0 too light
-  int summed = 0;  ///< these channels
-  int lit = 0;     ///< of these, channels that are neither ambient light alone nor saturated
+  double levels = 0;  ///< maximum of any channel
+  double part = 0;    ///< maximum relative to the tolerance
+  int checked = 0;
+  double sum = 0;  ///< sum of signed errors in levels over channels where every light contributes at least 0.2 of its
+                   ///< maximum; positive means too bright
+  int summed = 0;  ///< number of these channels
+  int lit = 0;     ///< number of these channels that are neither purely ambient nor saturated
 };
 
-/// `shines`: the way that its light goes, in the axes of the eye.
+/// `shines` is the direction of the light in eye axes.
 scene::Light light(const glm::dvec3& shines, const glm::dvec3& colour, double intensity);
 
-/// Draws the case and holds it against Lambert's law in doubles, at the point where a pixel's ray meets the ball or the
-/// round side; adds to `errors`.
+/// Draws the case and compares it with Lambert's law in doubles where a pixel's ray hits the sphere or the curved side;
+/// adds to `errors`.
 void measure(const Case& one, Errors& errors);
 
 }  // namespace csgsim::testing

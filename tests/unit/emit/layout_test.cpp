@@ -13,11 +13,11 @@ std::string refusal(const emit::Needs& needs, std::uint32_t memory_bits) {
   return testing::error_of([&] { emit::plan_layout(needs, memory_bits); });
 }
 
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
-TEST_CASE("fields of a layout lie beside each other without gaps, and take what was said that they take") {
+TEST_CASE("fields of a layout are contiguous and have the requested total width") {
   CHECK(rc::check([] {
     const unsigned z_bits = *rc::gen::inRange(4U, 31U);
     const emit::Needs needs{z_bits,
@@ -36,43 +36,43 @@ TEST_CASE("fields of a layout lie beside each other without gaps, and take what 
   }));
 }
 
-TEST_CASE("memory that is too small is told with what is missing and with each option that would do") {
+TEST_CASE("a refusal lists the missing memory and each option that would help") {
   const std::string second = refusal({20, 24, true, {2, 1, 0}}, 72);
-  CHECK(says(second, "needs 92 memory bits a pixel (2 x 20 depth, 2 x 24 colour, 1 mask, 1 product, 2 stack)"));
-  CHECK(says(second, "--colouring rebroadcast"));
-  CHECK(says(second, "--z-bits 10"));
-  CHECK(says(second, "--colour-bits 14"));
-  CHECK(says(second, "--memory-bits 92"));
-  CHECK_FALSE(says(second, "--strategy"));
+  CHECK(contains(second, "needs 92 memory bits a pixel (2 x 20 depth, 2 x 24 colour, 1 mask, 1 product, 2 stack)"));
+  CHECK(contains(second, "--colouring rebroadcast"));
+  CHECK(contains(second, "--z-bits 10"));
+  CHECK(contains(second, "--colour-bits 14"));
+  CHECK(contains(second, "--memory-bits 92"));
+  CHECK_FALSE(contains(second, "--strategy"));
 
   const std::string deep = refusal({20, 24, false, {9, 0, 0}}, 72);
-  CHECK(says(deep, "--strategy list or auto"));
-  CHECK(says(deep, "--z-bits 19"));
-  CHECK_FALSE(says(deep, "--colouring"));
+  CHECK(contains(deep, "--strategy list or auto"));
+  CHECK(contains(deep, "--z-bits 19"));
+  CHECK_FALSE(contains(deep, "--colouring"));
 
   const std::string tiny = refusal({20, 24, false, {}}, 10);
-  CHECK_FALSE(says(tiny, "--z-bits"));
-  CHECK_FALSE(says(tiny, "--colour-bits"));
-  CHECK(says(tiny, "--memory-bits 65"));
+  CHECK_FALSE(contains(tiny, "--z-bits"));
+  CHECK_FALSE(contains(tiny, "--colour-bits"));
+  CHECK(contains(tiny, "--memory-bits 65"));
 }
 
-TEST_CASE("what a refusal advises fits") {
+TEST_CASE("the options suggested by a refusal fit") {
   const std::uint32_t memory = 72;
   const std::string advice = refusal({25, 24, false, {1, 0, 0}}, memory);
-  REQUIRE(says(advice, "--z-bits 23"));
+  REQUIRE(contains(advice, "--z-bits 23"));
   CHECK(refusal({23, 24, false, {1, 0, 0}}, memory).empty());
-  REQUIRE(says(advice, "--colour-bits 20"));
+  REQUIRE(contains(advice, "--colour-bits 20"));
   CHECK(refusal({25, 20, false, {1, 0, 0}}, memory).empty());
 }
 
-TEST_CASE("a machine's second buffer is told beside the rest, and what would make room for it") {
+TEST_CASE("a refusal includes a machine's second buffer and how to make room") {
   const emit::Needs fits{20, 15, false, {1, 0, 0}, {57, 15}};
   CHECK(emit::total_bits(fits) == 72);
   CHECK(emit::named_fields(emit::plan_layout(fits, 72)).back() ==
         isa::NamedField{"shown", {57, 15}, isa::FieldRole::shown});
   const std::string wide = refusal({20, 24, false, {1, 0, 0}, {48, 24}}, 72);
-  CHECK(says(wide, "needs 90 memory bits a pixel (2 x 20 depth, 24 colour, 1 mask, 1 stack, 24 displayed colour)"));
-  CHECK(says(wide, "--colour-bits 15"));
-  CHECK(says(wide, "take a machine whose scan_out.buffers is 1"));
-  CHECK(says(wide, "--memory-bits 90"));
+  CHECK(contains(wide, "needs 90 memory bits a pixel (2 x 20 depth, 24 colour, 1 mask, 1 stack, 24 displayed colour)"));
+  CHECK(contains(wide, "--colour-bits 15"));
+  CHECK(contains(wide, "take a machine whose scan_out.buffers is 1"));
+  CHECK(contains(wide, "--memory-bits 90"));
 }

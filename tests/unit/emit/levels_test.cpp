@@ -16,8 +16,7 @@ ActiveTree tree_of(std::string_view operand) {
 
 }  // namespace
 
-TEST_CASE(
-    "products are gone through below the levels that the stack works out: those of the subtrees that begin there") {
+TEST_CASE("counts products below the levels evaluated by the stack") {
   // A union of a leaf and an intersection of unions of three leaves and of two: 1 + 3 * 2 products.
   const ActiveTree tree = tree_of("+(.*(+(...)+(..)))");
   CHECK(emit::products_below_levels(tree, 0) == 7);
@@ -27,7 +26,7 @@ TEST_CASE(
   CHECK(emit::products_below_levels(tree, emit::all_levels) == 0);
 }
 
-TEST_CASE("several operands are intersected on the first level, which the mask accumulates") {
+TEST_CASE("several operands are intersected at the first level in the mask") {
   ActiveTree tree = tree_of("+(.*(..))");
   std::string_view second = "+(...)";
   tree.operands.push_back(add_text(tree, second));

@@ -10,8 +10,8 @@
 
 using namespace csgsim;
 
-// Spheres that nothing is compared with. The judge of depth is the formula of host/view/screen_quadric.h, worked out
-// for every pixel of the picture, so that it knows neither extents nor regions.
+// Spheres without comparisons. The expected depth is the formula of host/view/screen_quadric.h for every pixel of the
+// picture, independent of extents and regions.
 
 namespace {
 
@@ -39,7 +39,7 @@ std::int64_t root_of(std::int64_t square) {
   return root;
 }
 
-/// The nearest depth at each pixel, all ones where there is none.
+/// The nearest depth at each pixel, all ones for background.
 std::vector<std::uint32_t> depths_of(const view::View& view) {
   const view::Sampling& sampling = view.sampling;
   const std::int64_t farthest = (std::int64_t{1} << sampling.z_bits) - 1;
@@ -83,7 +83,7 @@ std::size_t edges_of(const isa::Program& program) {
   return count;
 }
 
-/// Throws where an expression overflows.
+/// Throws if an expression overflows.
 observe::Frame draw(const testing::Setup& setup, const isa::Program& program) {
   if (setup.machine.empty()) return testing::draw(program);
   machines::Machine machine = kinds::load(setup.machine);
@@ -95,7 +95,7 @@ const std::string squares = "pixel-square+divider.kind=host+array.width=16+array
 
 }  // namespace
 
-TEST_CASE("spheres alone are their formula's depths on whole pictures, lines and squares, however they are coloured") {
+TEST_CASE("lone spheres match their formula for every kind of region") {
   int seen = 0;
   int in_candidate = 0;
   int fewer_edges = 0;
@@ -104,7 +104,7 @@ TEST_CASE("spheres alone are their formula's depths on whole pictures, lines and
       std::vector<Ball> balls;
       const int count = *rc::gen::inRange(1, 5);
       for (int i = 0; i < count; ++i) {
-        // Some beyond the picture's sides, some smaller than a pixel, some behind others.
+        // Some extend past the picture, some are smaller than a pixel, and some are behind others.
         const double radius = *rc::gen::element(real(0.01, 0.5), real(0.5, 3), real(3, 7));
         const glm::dvec3 at = i > 0 && *rc::gen::arbitrary<bool>() ? balls[0].at * real(-1, 1)
                                                                    : glm::dvec3(real(-9, 9), real(-9, 9), real(-9, 9));
@@ -151,7 +151,7 @@ TEST_CASE("spheres alone are their formula's depths on whole pictures, lines and
   CHECK((!testing::draws_usual_cases() || fewer_edges > 50));
 }
 
-TEST_CASE("the root of spheres alone has no bits of its own, and one that is subtracted from gives it some") {
+TEST_CASE("the root of lone spheres shares bits unless a sphere is subtracted from") {
   testing::Setup setup = setup_of({0, 0.04, 60}, 64, 64);
   const std::vector<Ball> balls{{{0, 0, 0}, 6}, {{2, 1, 3}, 4}};
   const isa::Program alone = testing::compile_text(text_of(balls), setup).program;
@@ -163,7 +163,7 @@ TEST_CASE("the root of spheres alone has no bits of its own, and one that is sub
   CHECK(has_field(testing::compile_text(text_of(balls), setup).program, "root"));
 }
 
-TEST_CASE("a sphere that reaches beyond a region is cut at its border and by nothing else") {
+TEST_CASE("a sphere larger than a region is cut only at the region's border") {
   testing::Setup setup = setup_of({0, 0.04, 60}, 64, 64);
   setup.machine = squares + "16";
   const testing::Compiled compiled = testing::compile_text(text_of({{{0, 0, 0}, 6}}), setup);

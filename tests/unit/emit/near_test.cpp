@@ -21,7 +21,7 @@ testing::Setup along_y(double eye, view::Projection projection) {
   return made;
 }
 
-/// Constants that are written to a field, for a purpose.
+/// Constants written to a field for a purpose.
 std::vector<std::uint64_t> constants_to(const isa::Program& program, const std::string& field, isa::Purpose purpose) {
   const auto named = std::find_if(program.facts->fields.begin(), program.facts->fields.end(),
                                   [&](const isa::NamedField& one) { return one.name == field; });
@@ -36,13 +36,13 @@ std::vector<std::uint64_t> constants_to(const isa::Program& program, const std::
 
 }  // namespace
 
-TEST_CASE("a solid that begins at the near plane is not capped: its face is at depth 1, and nothing of it at 0") {
+TEST_CASE("a solid that begins at the near plane has its face at depth 1 and no cap") {
   const isa::Program program = testing::compile_text(cube, along_y(-60, view::Projection::orthographic)).program;
   CHECK(constants_to(program, "Z1", isa::Purpose::render).empty());
   CHECK(constants_to(program, "colour", isa::Purpose::shade).size() == 1);
 }
 
-TEST_CASE("a solid that the near plane cuts is capped at depth 0, in the colour of a face seen straight on") {
+TEST_CASE("a solid cut by the near plane gets a cap at depth 0 in frontal colour") {
   testing::Setup how = along_y(-60, view::Projection::perspective);
   how.sampling.near = 58;
   const isa::Program program = testing::compile_text(cube, how).program;
@@ -52,7 +52,7 @@ TEST_CASE("a solid that the near plane cuts is capped at depth 0, in the colour 
         constants_to(straight_on, "colour", isa::Purpose::shade));
 }
 
-TEST_CASE("fronts that are all at depth 0 at some pixel may reach the near plane, however steep they are") {
+TEST_CASE("fronts that share a pixel of depth 0 may reach the near plane") {
   const testing::Compiled any = testing::compile_text(cube, along_y(-60, view::Projection::orthographic));
   const emit::Plan plan;
   const emit::SegmentPlan segment;
@@ -73,7 +73,7 @@ TEST_CASE("fronts that are all at depth 0 at some pixel may reach the near plane
       view::ScreenPlane plane;
       plane.linear.a = static_cast<std::int64_t>(*rc::gen::inRange(-100, 100)) << shift;
       plane.linear.b = static_cast<std::int64_t>(*rc::gen::inRange(-100, 100)) << shift;
-      // The greatest values whose floor is depth 0 at the pixel.
+      // The largest values whose floor is depth 0 at the pixel.
       plane.linear.c = step - 1 - *rc::gen::inRange(0, 3) - plane.linear.a * x - plane.linear.b * y;
       fronts.push_back({0, {static_cast<std::uint32_t>(view.planes.size()), true}});
       view.planes.push_back(plane);

@@ -15,10 +15,10 @@ using namespace csgsim::testing;
 
 namespace {
 
-constexpr unsigned base = 3;  ///< of the string in pixel memory
+constexpr unsigned base = 3;  ///< base of the string in pixel memory
 constexpr unsigned alu_widths[] = {1, 2, 3, 8, 24, 32};
 
-/// What the leaves are at each pixel.
+/// Values of the leaves at each pixel.
 using Assignments = std::vector<std::vector<bool>>;
 
 isa::Segment levels_of(const csg::BitString& string, std::size_t pixels, unsigned alu_bits) {
@@ -29,8 +29,8 @@ isa::Segment levels_of(const csg::BitString& string, std::size_t pixels, unsigne
   return segment;
 }
 
-/// The root at each pixel, by the reference engine's bits.
-std::vector<bool> worked_out(const csg::RootedTree& tree, const Assignments& pixels, unsigned alu_bits) {
+/// Value of the root at each pixel, computed by the reference engine.
+std::vector<bool> evaluate_string(const csg::RootedTree& tree, const Assignments& pixels, unsigned alu_bits) {
   const csg::BitString string = csg::make_bit_string(tree.nodes, tree.root);
   const auto width = static_cast<std::uint32_t>(pixels.size());
   const auto memory_bits = static_cast<std::uint32_t>(base + string.leaves.size());
@@ -66,7 +66,7 @@ Assignments every_assignment(std::size_t leaves) {
   return pixels;
 }
 
-/// Leaves that are in at one pixel in eight, at half of them, or at seven in eight, so that deep trees are both.
+/// Leaves are true with a probability of 1/8, 1/2 or 7/8, so that deep trees take both values.
 Assignments some_assignments(std::size_t leaves, std::size_t count) {
   std::mt19937 engine(*rc::gen::arbitrary<std::uint32_t>());
   Assignments pixels(count);
@@ -88,43 +88,41 @@ std::uint64_t clocks_of(const csg::BitString& string, unsigned written_for, unsi
 
 }  // namespace
 
-TEST_CASE("the thesis's example of fig. 4.13, A - (B and C): in, where A and C are in and B is out") {
+TEST_CASE("evaluates A - (B and C) of the thesis's fig. 4.13") {
   ActiveTree tree;
   const std::uint32_t a = add_leaf(tree, 0);
   const std::uint32_t b = add_leaf(tree, 1, true);
   const std::uint32_t c = add_leaf(tree, 2, true);
   tree.operands = {a, add_operator(tree, PositiveOperator::unite, {b, c})};
   const csg::RootedTree rooted = csg::with_root(tree);
-  CHECK(worked_out(rooted, {{true, false, true}}, 1) == std::vector<bool>{true});
-  // B and C both in: out. A out: out.
-  CHECK(worked_out(rooted, {{true, true, true}, {false, false, true}}, 1) == std::vector<bool>{false, false});
+  CHECK(evaluate_string(rooted, {{true, false, true}}, 1) == std::vector<bool>{true});
+  // B and C both in, or A out: the pixel is out.
+  CHECK(evaluate_string(rooted, {{true, true, true}, {false, false, true}}, 1) == std::vector<bool>{false, false});
 }
 
-TEST_CASE("the instructions leave what Boolean evaluation gives, for random trees and all that their leaves can be") {
+TEST_CASE("the instructions match Boolean evaluation for random trees") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(8);
     const Assignments pixels = every_assignment(leaves_of(tree));
     const csg::RootedTree rooted = csg::with_root(tree);
     for (const unsigned alu_bits : alu_widths) {
-      RC_ASSERT(worked_out(rooted, pixels, alu_bits) == expected(tree, pixels));
+      RC_ASSERT(evaluate_string(rooted, pixels, alu_bits) == expected(tree, pixels));
     }
   }));
 }
 
-TEST_CASE("the instructions leave what Boolean evaluation gives, for strings of several fields") {
+TEST_CASE("the instructions match Boolean evaluation for strings of several fields") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(300);
     const Assignments pixels = some_assignments(leaves_of(tree), 24);
     const csg::RootedTree rooted = csg::with_root(tree);
     for (const unsigned alu_bits : alu_widths) {
-      RC_ASSERT(worked_out(rooted, pixels, alu_bits) == expected(tree, pixels));
+      RC_ASSERT(evaluate_string(rooted, pixels, alu_bits) == expected(tree, pixels));
     }
   }));
 }
 
-TEST_CASE(
-    "instructions written for an ALU take no more clocks on it than those written for another, nor than on a narrower "
-    "one") {
+TEST_CASE("instructions written for an ALU are fastest on that ALU") {
   CHECK(rc::check([] {
     const csg::RootedTree rooted = csg::with_root(any_tree(200));
     const csg::BitString string = csg::make_bit_string(rooted.nodes, rooted.root);
@@ -138,7 +136,7 @@ TEST_CASE(
   }));
 }
 
-TEST_CASE("a union of 32 leaves takes an inversion and five ANDs, and an ALU as wide as the string does each at once") {
+TEST_CASE("a union of 32 leaves takes an inversion and five ANDs") {
   ActiveTree tree;
   std::vector<std::uint32_t> leaves;
   for (std::uint32_t i = 0; i < 32; ++i) leaves.push_back(add_leaf(tree, i));
@@ -148,7 +146,7 @@ TEST_CASE("a union of 32 leaves takes an inversion and five ANDs, and an ALU as 
   CHECK(clocks_of(string, 32, 32) == 1 + 2 * 5);
 }
 
-TEST_CASE("operands of the topmost intersection take their bits one after another, and leaves take none") {
+TEST_CASE("string bits are those of the largest operand and leaves need none") {
   ActiveTree tree;
   const std::uint32_t alone = add_leaf(tree, 0);
   const std::uint32_t two = add_operator(tree, PositiveOperator::unite, {add_leaf(tree, 1), add_leaf(tree, 2)});

@@ -21,7 +21,7 @@ testing::Setup setup(emit::Strategy strategy) {
   return made;
 }
 
-/// Compared with the depth of a face.
+/// Comparison with the depth of a face.
 bool compares(const Instruction& one) {
   return one.origin.purpose == isa::Purpose::render &&
          (one.opcode == Opcode::linear_lt || one.opcode == Opcode::linear_le || one.opcode == Opcode::linear_gt);
@@ -42,30 +42,30 @@ std::size_t faces_loaded(const isa::Program& program) {
 
 }  // namespace
 
-TEST_CASE("a face of a cube is compared with the faces beside it, and of those at the front the first has ties") {
+TEST_CASE("a cube's face is compared with its neighbours and the first wins ties") {
   const isa::Program program =
       testing::compile_text("cube(size=20,center=true);", setup(emit::Strategy::polygons)).program;
   CHECK(faces_loaded(program) == 3);
-  // Four each, but for the two upright edges of the outline: the picture's rectangle of the cube ends there.
+  // Each face has four, except for the two vertical outline edges, where the cube's bounding rectangle ends.
   CHECK(count(program, compares) == 12 - 2);
-  // Of two faces at the front one has the edge between them: three edges.
+  // One of two front faces owns their common edge: three edges.
   CHECK(count(program, [](const Instruction& one) { return one.opcode == Opcode::linear_le; }) == 3);
   CHECK(count(program, [](const Instruction& one) { return one.opcode == Opcode::linear_lt && compares(one); }) == 3);
   CHECK(program.facts->compile.strategy == "polygons");
   CHECK(program.facts->compile.depth_tests == 3);
 }
 
-TEST_CASE("a face of a cylinder of many sides is compared with few of them") {
+TEST_CASE("a face of a cylinder with many sides is compared with only a few of them") {
   const isa::Program program =
       testing::compile_text("cylinder($fn=120,h=30,r1=25,r2=25,center=true);", setup(emit::Strategy::polygons)).program;
   const std::size_t faces = faces_loaded(program);
   CHECK(faces > 50);
   CHECK(faces < 64);
-  // The end has all sides around it; a side two of its kind, the end and the far end.
+  // The end face has all sides around it; a side has two sides, the end and the far end.
   CHECK(count(program, compares) < 130 + 8 * faces);
 }
 
-TEST_CASE("by polygons and by a stack the same picture is drawn of random models, on two machines") {
+TEST_CASE("polygons and stack draw the same pictures of random models") {
   std::size_t most_faces = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
     CAPTURE(seed);
@@ -92,7 +92,7 @@ TEST_CASE("by polygons and by a stack the same picture is drawn of random models
   CHECK(most_faces > 40);
 }
 
-TEST_CASE("what is compared with other primitives, or cut by the near plane, is drawn as by a stack") {
+TEST_CASE("primitives in comparisons or cut by the near plane fall back to the stack") {
   const std::string model = "difference(){cube(size=20,center=true);cylinder($fn=8,h=40,r1=5,r2=5,center=true);}";
   testing::Setup how = setup(emit::Strategy::stack);
   const testing::Compiled stack = testing::compile_text(model, how);

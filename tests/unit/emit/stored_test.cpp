@@ -51,7 +51,7 @@ std::set<std::uint32_t> compared_in(const isa::Segment& segment) {
   return all;
 }
 
-/// Primitives whose depths are stored there, in the order of their first instruction.
+/// Primitives whose depths are stored, in the order of their first instruction.
 std::vector<std::uint32_t> stored_in(const isa::Segment& segment) {
   std::vector<std::uint32_t> all;
   for (const Instruction& one : segment.instructions)
@@ -68,29 +68,29 @@ std::string refusal(const std::string& text, const testing::Setup& how) {
   return testing::error_of([&] { testing::compile_text(text, how); });
 }
 
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
-TEST_CASE("stored depths take a front and a back for each primitive that is compared, and a stack's bits") {
-  // The ball is compared with all else, two cubes with the ball, and the cube beside them with nothing.
+TEST_CASE("stored depths take a front and a back per compared primitive") {
+  // The sphere is compared with the others, two cubes with the sphere, and the separate cube with nothing.
   const std::string model = "difference(){sphere($fn=12,r=9);" + cube(-8, 6) + cube(8, 6) + "}" + cube(40, 5);
   const isa::Program program = compiled(model, setup(emit::Strategy::stored), emit::Strategy::stored);
   CHECK(stored_in(program.segments.at(0)) == std::vector<std::uint32_t>{0, 1, 2});
   CHECK(stored_fields(program) == 6);
-  // The mask, and nothing pending.
+  // The mask, and no pending result.
   CHECK(program.facts->compile.stack_bits == 1 + 2 * 3 * z_bits);
   CHECK(program.facts->compile.rendered == 4);
 }
 
-TEST_CASE("just those primitives are stored that a stack would compare, as many as the region with the most of them") {
-  std::size_t most_of_all = 0;
+TEST_CASE("stores exactly the primitives that a stack would compare") {
+  std::size_t overall_max = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     CAPTURE(seed);
     const std::string model = testing::random_model(seed, 3 + static_cast<unsigned>(seed % 10));
     testing::Setup how = setup(emit::Strategy::stored);
     how.camera = {{9, -13.5, 10.5}, {0, 0, 0}, view::Projection::perspective};
-    // Then each comparison has instructions.
+    // This pruning is off so that each comparison has instructions.
     how.options.pruning.halfspaces = false;
     if (seed % 2 == 0) {
       how.kind = &pixel_square::kind;
@@ -102,7 +102,7 @@ TEST_CASE("just those primitives are stored that a stack would compare, as many 
     for (std::size_t i = 0; i < stack.segments.size(); ++i) {
       const std::set<std::uint32_t> compared = compared_in(stack.segments[i]);
       const std::vector<std::uint32_t> kept = stored_in(stored.segments.at(i));
-      // A comparison where both have no pixel in common needs no depths.
+      // A comparison of primitives without common pixels needs no depths.
       CHECK(std::ranges::includes(compared, kept));
       CHECK(compared_in(stored.segments[i]) == compared);
       most = std::max(most, kept.size());
@@ -111,12 +111,12 @@ TEST_CASE("just those primitives are stored that a stack would compare, as many 
     CHECK(stored.facts->compile.stack_bits == stack.facts->compile.stack_bits + 2 * most * z_bits);
     CHECK(stored.facts->compile.classified == stack.facts->compile.classified);
     CHECK(stored.facts->compile.depth_tests == stack.facts->compile.depth_tests);
-    most_of_all = std::max(most_of_all, most);
+    overall_max = std::max(overall_max, most);
   }
-  CHECK(most_of_all >= 5);
+  CHECK(overall_max >= 5);
 }
 
-TEST_CASE("half-spaces of what is compared are broadcast once, and a comparison is one of two fields with Z1") {
+TEST_CASE("half-spaces of compared primitives are broadcast once") {
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     CAPTURE(one.name);
     testing::Setup how = setup(emit::Strategy::stored);
@@ -132,23 +132,24 @@ TEST_CASE("half-spaces of what is compared are broadcast once, and a comparison 
       CHECK((is_nowhere || is_of_fields));
       ++comparisons[{each.origin.primitive, each.origin.node}];
     }
-    for (const auto& [who, count] : comparisons) CHECK(count <= 2);
-    // Each is scan-converted once, whether for its own surface or for those of others.
+    for (const auto& [pair, count] : comparisons) CHECK(count <= 2);
+    // Each primitive is scan-converted once, for its own surface or for those of others.
     how.options.strategy = emit::Strategy::stack;
     CHECK(program.facts->compile.rendered ==
           testing::compile_file(testing::model_path(one.name), how).program.facts->compile.rendered);
   }
 }
 
-TEST_CASE("where memory does not hold the depths it is told how many bits do") {
+TEST_CASE("a refusal names the memory that stored depths need") {
   const std::string model = "difference(){sphere($fn=12,r=9);" + cube(-8, 6) + cube(8, 6) + "}";
   testing::Setup how = setup(emit::Strategy::stored);
   how.memory_bits = 72;
-  const std::string told = refusal(model, how);
-  CHECK(says(told, "the picture needs 185 memory bits a pixel (2 x 20 depth, 24 colour, 1 mask, 6 x 20 stored depth)"));
-  CHECK(says(told, "--strategy list or auto"));
-  CHECK(says(told, "--z-bits 5,"));
-  CHECK(says(told, "take --memory-bits 185"));
+  const std::string message = refusal(model, how);
+  CHECK(contains(message,
+                 "the picture needs 185 memory bits a pixel (2 x 20 depth, 24 colour, 1 mask, 6 x 20 stored depth)"));
+  CHECK(contains(message, "--strategy list or auto"));
+  CHECK(contains(message, "--z-bits 5,"));
+  CHECK(contains(message, "take --memory-bits 185"));
   how.memory_bits = 184;
   CHECK_FALSE(refusal(model, how).empty());
   how.memory_bits = 185;
@@ -158,11 +159,11 @@ TEST_CASE("where memory does not hold the depths it is told how many bits do") {
   CHECK(refusal(model, how).empty());
 }
 
-TEST_CASE("no machine has memory for the depths of hundreds of primitives, and none is proposed") {
+TEST_CASE("suggests no memory size if no machine can hold the depths") {
   std::string model = "difference(){cube(size=[60,60,10],center=true);";
   for (int i = 0; i < 120; ++i) model += cube(0.3 * i - 20, 11 + 0.1 * i);
-  const std::string told = refusal(model + "}", setup(emit::Strategy::stored));
-  CHECK(says(told, "memory bits a pixel"));
-  CHECK(says(told, "--strategy list or auto"));
-  CHECK_FALSE(says(told, "take --memory-bits"));
+  const std::string message = refusal(model + "}", setup(emit::Strategy::stored));
+  CHECK(contains(message, "memory bits a pixel"));
+  CHECK(contains(message, "--strategy list or auto"));
+  CHECK_FALSE(contains(message, "take --memory-bits"));
 }

@@ -41,7 +41,7 @@ model::Tree single(model::Primitive one) {
 
 }  // namespace
 
-TEST_CASE("sine and cosine in degrees are exact where they are 0, 1/2 or 1") {
+TEST_CASE("sine and cosine in degrees are exact where they are rational") {
   for (const int turns : {-2, 0, 1, 3}) {
     const double base = 360.0 * turns;
     CHECK(model::sin_degrees(base) == 0.0);
@@ -58,7 +58,7 @@ TEST_CASE("sine and cosine in degrees are exact where they are 0, 1/2 or 1") {
   }
 }
 
-TEST_CASE("sine and cosine in degrees are those of the library elsewhere") {
+TEST_CASE("sine and cosine in degrees match the library for other angles") {
   for (int tenth = -7200; tenth <= 7200; tenth += 7) {
     const double angle = tenth / 10.0;
     CHECK(model::sin_degrees(angle) == doctest::Approx(std::sin(angle * std::numbers::pi / 180.0)).epsilon(1e-12));
@@ -66,17 +66,17 @@ TEST_CASE("sine and cosine in degrees are those of the library elsewhere") {
   }
 }
 
-TEST_CASE("circles have as many fragments as OpenSCAD gives them") {
+TEST_CASE("circles have the number of fragments of OpenSCAD") {
   CHECK(model::fragments(10, {0, 12, 2}) == 30);   // 360 / $fa
   CHECK(model::fragments(5, {0, 12, 2}) == 16);    // 2 pi r / $fs = 15.7
-  CHECK(model::fragments(0.5, {0, 12, 2}) == 5);   // never fewer by $fa and $fs
-  CHECK(model::fragments(10, {7.9, 12, 2}) == 7);  // $fn is cut off
+  CHECK(model::fragments(0.5, {0, 12, 2}) == 5);   // $fa and $fs never yield fewer
+  CHECK(model::fragments(10, {7.9, 12, 2}) == 7);  // $fn is truncated
   CHECK(model::fragments(10, {1, 12, 2}) == 3);
   CHECK(model::fragments(1e-7, {50, 12, 2}) == 3);
   CHECK(model::fragments(100, {0, 1, 0.01}) == 360);
 }
 
-TEST_CASE("too many fragments are refused") { CHECK_THROWS_AS(model::fragments(10, {1e9, 12, 2}), InputError); }
+TEST_CASE("rejects too many fragments") { CHECK_THROWS_AS(model::fragments(10, {1e9, 12, 2}), InputError); }
 
 TEST_CASE("solids have the half-spaces of their OpenSCAD facets") {
   const auto count = [](model::Shape shape) { return facet::make_solid(primitive(std::move(shape))).faces.size(); };
@@ -88,7 +88,7 @@ TEST_CASE("solids have the half-spaces of their OpenSCAD facets") {
   CHECK(count(model::Sphere{1, {5, 12, 2}}) == 5 * 2 + 2);
 }
 
-TEST_CASE("every corner is inside every half-space of its solid, and on the planes of its own faces") {
+TEST_CASE("every corner is inside all half-spaces and on the planes of its faces") {
   CHECK(rc::check([] {
     model::Primitive one = primitive(random_shape());
     const double mirror = *rc::gen::element(1.0, -1.0);
@@ -107,21 +107,21 @@ TEST_CASE("every corner is inside every half-space of its solid, and on the plan
   }));
 }
 
-TEST_CASE("the corners of a face go round it: each side of a face is a side of exactly one other") {
+TEST_CASE("each side of a face is shared with exactly one other face") {
   CHECK(rc::check([] {
     const facet::Solid solid = facet::make_solid(primitive(random_shape()));
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> faces_at;
     for (const facet::Face& face : solid.faces) {
       for (std::size_t i = 0; i < face.corners.size(); ++i) {
         const auto [low, high] = std::minmax(face.corners[i], face.corners[(i + 1) % face.corners.size()]);
-        if (low != high) ++faces_at[{low, high}];  // the tip of a cone is a corner twice
+        if (low != high) ++faces_at[{low, high}];  // the apex of a cone occurs twice as a corner
       }
     }
     for (const auto& [side, faces] : faces_at) RC_ASSERT(faces == 2);
   }));
 }
 
-TEST_CASE("a solid whose lengths are too great or too small for doubles is refused, however it comes by them") {
+TEST_CASE("rejects a solid with lengths that are too large or too small") {
   const auto scaled_cube = [](double size, double scale) {
     model::Primitive one = primitive(model::Cube{glm::dvec3(size), true});
     one.transform = glm::dmat4(glm::dmat3(scale));
@@ -133,7 +133,7 @@ TEST_CASE("a solid whose lengths are too great or too small for doubles is refus
   CHECK_THROWS_AS(facet::make_solid(scaled_cube(1e46, 1e46)), InputError);
 }
 
-TEST_CASE("planes that coincide share an entry, whichever way they face") {
+TEST_CASE("coincident planes share an entry regardless of orientation") {
   facet::PlaneTable table({1e6, -2e6, 3e6}, 10.0);
   const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 2, -2));
   const facet::Halfspace first = table.add({normal, -glm::dot(normal, {1e6, -2e6, 3e6})});
@@ -145,7 +145,7 @@ TEST_CASE("planes that coincide share an entry, whichever way they face") {
   CHECK(table.planes().size() == 1);
 }
 
-TEST_CASE("planes a little apart stay two") {
+TEST_CASE("planes slightly apart stay separate") {
   facet::PlaneTable table({0, 0, 0}, 10.0);
   table.add({{0, 0, 1}, -1.0});
   table.add({{0, 0, 1}, -1.0 - 1e-9});
@@ -153,10 +153,10 @@ TEST_CASE("planes a little apart stay two") {
   CHECK(table.planes().size() == 3);
 }
 
-TEST_CASE("of many planes each shares the entry of the first that coincides with it, as a look at each finds it") {
+TEST_CASE("a plane shares the entry of the first coincident plane") {
   constexpr double tolerance = facet::coincidence_tolerance;
   CHECK(rc::check([&] {
-    // About 1 and about the sides of the grid's cells, in steps of a part of the tolerance.
+    // Values near 1 and near the boundaries of the grid's cells, in steps of a fraction of the tolerance.
     const double middle = *rc::gen::element(0.0, 0.5, 0x1p-32, 0x3p-32);
     const auto component = [&] { return middle + tolerance * (0.3 * *rc::gen::inRange(-6, 7)); };
     facet::PlaneTable table({0, 0, 0}, 1.0);
@@ -175,7 +175,7 @@ TEST_CASE("of many planes each shares the entry of the first that coincides with
   }));
 }
 
-TEST_CASE("two solids that touch under any rotation share the plane between them") {
+TEST_CASE("two touching solids share the plane between them under any rotation") {
   CHECK(rc::check([] {
     const glm::dmat4 place = turned(real(0, 6), {real(-9, 9), real(-9, 9), real(-9, 9)}, {1, 1, 1});
     model::Primitive low = primitive(model::Cube{{1, 2, 3}, false});
@@ -195,13 +195,13 @@ TEST_CASE("two solids that touch under any rotation share the plane between them
   }));
 }
 
-TEST_CASE("a box's edges are listed once each") {
+TEST_CASE("a box lists each edge once") {
   const facet::Geometry scene = facet::make_geometry(single(primitive(model::Cube{{1, 2, 3}, false})));
   CHECK(scene.solids[0].edges.size() == 12);
   CHECK(scene.solids[0].halfspaces.size() == 6);
 }
 
-TEST_CASE("a box around the tree is clipped by intersections and kept by differences") {
+TEST_CASE("the bounding box of a tree shrinks by intersection but not by difference") {
   model::Tree tree;
   tree.primitives = {primitive(model::Cube{{4, 4, 4}, false}), primitive(model::Cube{{2, 9, 9}, false})};
   tree.nodes = {{true, model::Operator::unite, 0, {}},
@@ -215,7 +215,7 @@ TEST_CASE("a box around the tree is clipped by intersections and kept by differe
   CHECK(facet::make_geometry(tree).box.high == glm::dvec3(4, 9, 9));
 }
 
-TEST_CASE("a polygon within a tolerance of its circle has the fewest corners that are") {
+TEST_CASE("a polygon within a tolerance of its circle has the minimum number of corners") {
   CHECK(rc::check([] {
     const double radius = real(1, 100);
     const double tolerance = radius * std::pow(10.0, -real(1, 6));
@@ -228,7 +228,7 @@ TEST_CASE("a polygon within a tolerance of its circle has the fewest corners tha
   }));
 }
 
-TEST_CASE("a ball within a tolerance reaches its sphere nowhere, and comes within the tolerance of it everywhere") {
+TEST_CASE("a faceted sphere lies within the sphere and within the tolerance") {
   CHECK(rc::check([] {
     model::Primitive one = primitive(model::Sphere{real(1, 20), {}});
     const double radius = std::get<model::Sphere>(one.shape).radius;
@@ -247,7 +247,7 @@ TEST_CASE("a ball within a tolerance reaches its sphere nowhere, and comes withi
   }));
 }
 
-TEST_CASE("a ball within a tolerance has fewer half-spaces than a mesh of meridians as exact") {
+TEST_CASE("a faceted sphere has fewer half-spaces than an equally exact meridian mesh") {
   const double tolerance = 1e-3;
   const std::size_t covered =
       facet::make_solid(primitive(model::Sphere{1, {}}), {tolerance, std::nullopt}).faces.size();
@@ -255,14 +255,14 @@ TEST_CASE("a ball within a tolerance has fewer half-spaces than a mesh of meridi
   CHECK(static_cast<double>(covered) < 0.75 * std::numbers::pi * std::numbers::pi / (theta * theta));
 }
 
-TEST_CASE("a tolerance is one of model space, whatever the transform stretches") {
+TEST_CASE("a tolerance applies in model space regardless of the transform") {
   model::Primitive one = primitive(model::Cylinder{1, 2, 2, false, {}});
   one.transform =
       glm::dmat4(glm::dvec4(10, 0, 0, 0), glm::dvec4(0, 3, 0, 0), glm::dvec4(0, 0, 1, 0), glm::dvec4(0, 0, 0, 1));
   CHECK(facet::make_solid(one, {0.01, std::nullopt}).faces.size() == facet::fragments_within(2, 0.001) + 2);
 }
 
-TEST_CASE("a tolerance that is no length is refused") {
+TEST_CASE("rejects a tolerance that is not positive") {
   for (const double tolerance : {0.0, -1.0, std::nan("")}) {
     CHECK_THROWS_AS(facet::make_geometry(single(primitive(model::Sphere{})), {tolerance, std::nullopt}), InputError);
   }

@@ -68,7 +68,7 @@ glm::dvec3 vector(int low, int high) { return {real(low, high), real(low, high),
 glm::dmat4 rotation() {
   return rotated(0, real(-180, 180)) * rotated(1, real(-180, 180)) * rotated(2, real(-180, 180));
 }
-/// 10^-3 to 10^3.
+/// Random scale from 10^-3 to 10^3.
 double factor() { return std::pow(10.0, real(-3, 3)); }
 glm::dmat4 transform() {
   return moved(vector(-50, 50)) * rotation() * scaled({factor(), factor(), factor()}) * rotation();
@@ -78,7 +78,7 @@ model::Cylinder cylinder(double height, double r1, double r2, bool center = fals
   return {height, r1, r2, center, {}};
 }
 
-/// Of a point relative to the table's centre.
+/// Value at a point relative to the table's centre.
 double value(const facet::Quadric& quadric, const glm::dvec3& point) {
   double sum = quadric.level();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -88,7 +88,7 @@ double value(const facet::Quadric& quadric, const glm::dvec3& point) {
   return sum;
 }
 
-/// A quadric is one with another's, and of the same side.
+/// Whether both primitives share a quadric with the same side.
 bool coincide(const model::Primitive& first, const model::Primitive& second) {
   const facet::Geometry scene = scene_of({first, second});
   return scene.quadrics.quadrics().size() == 1 && scene.solids[0].quadrics == scene.solids[1].quadrics;
@@ -100,7 +100,7 @@ glm::dvec3 place(const glm::dmat4& transform, const glm::dvec3& point) {
 
 }  // namespace
 
-TEST_CASE("a sphere that stays curved is one quadric and no half-space, under any transform") {
+TEST_CASE("a sphere that stays curved is one quadric under any transform") {
   CHECK(rc::check([] {
     const glm::dmat4 matrix = transform();
     const double radius = real(1, 9);
@@ -111,7 +111,7 @@ TEST_CASE("a sphere that stays curved is one quadric and no half-space, under an
     RC_ASSERT(quadric.kind == QuadricKind::ellipsoid);
     const glm::dvec3 direction = glm::normalize(vector(-9, 9) + glm::dvec3(0.0005));
     const glm::dvec3 on = place(matrix, direction * radius) - scene.quadrics.centre();
-    // Across 6 decades of scale a point in model space has so many digits left.
+    // A point in model space keeps six digits across 6 decades of scale.
     RC_ASSERT(std::abs(value(quadric, on)) < 1e-6);
     RC_ASSERT(value(quadric, place(matrix, direction * radius * 0.99) - scene.quadrics.centre()) < 0.0);
     const facet::Box& box = scene.solids[0].box;
@@ -123,7 +123,7 @@ TEST_CASE("a sphere that stays curved is one quadric and no half-space, under an
   }));
 }
 
-TEST_CASE("a cylinder is two planes and a cylinder or cone, whose nappe the axis tells") {
+TEST_CASE("a cylinder is two planes and a quadric with a nappe selected by the axis") {
   CHECK(rc::check([] {
     const glm::dmat4 matrix = transform();
     const double r1 = real(0, 5);
@@ -155,7 +155,7 @@ TEST_CASE("a cylinder is two planes and a cylinder or cone, whose nappe the axis
   }));
 }
 
-TEST_CASE("hulls hold their curved solids: every support of the solid is within its vertices'") {
+TEST_CASE("hulls contain their curved solids in every direction") {
   CHECK(rc::check([] {
     const glm::dmat4 matrix = transform();
     const model::Cylinder shape = cylinder(real(1, 9), real(0, 5), real(1, 5), *rc::gen::arbitrary<bool>());
@@ -178,7 +178,7 @@ TEST_CASE("hulls hold their curved solids: every support of the solid is within 
   }));
 }
 
-TEST_CASE("equal surfaces are one quadric, whatever the chain of transforms that made them") {
+TEST_CASE("equal surfaces share a quadric regardless of their transforms") {
   CHECK(rc::check([] {
     const double radius = real(1, 9);
     const glm::dmat4 matrix = moved(vector(-50, 50)) * rotation() * scaled(glm::dvec3(factor()));
@@ -191,7 +191,7 @@ TEST_CASE("equal surfaces are one quadric, whatever the chain of transforms that
         coincide(at(tube, matrix), at(cylinder(real(1, 9), radius, radius), matrix * moved({0, 0, real(-9, 9)}))));
     RC_ASSERT(coincide(at(tube, matrix), at(cylinder(height, radius, radius, true), matrix * rotated(0, 180))));
     RC_ASSERT(coincide(at(tube, matrix), at(tube, matrix * scaled({1, 1, -1}) * rotated(2, real(-180, 180)))));
-    // Parts of one cone, from below and from above.
+    // Parts of one cone, seen from below and above.
     const double taper = real(1, 9) / 10.0;
     const model::Cylinder whole = cylinder(radius / taper, radius, 0);
     const model::Cylinder part = cylinder(0.5 * radius / taper, radius, 0.5 * radius);
@@ -206,7 +206,7 @@ TEST_CASE("equal surfaces are one quadric, whatever the chain of transforms that
   }));
 }
 
-TEST_CASE("surfaces that differ by a ten-thousand-millionth of the model are two quadrics") {
+TEST_CASE("surfaces that differ by 10^-10 of the model stay separate quadrics") {
   const double more = 1.0 + 1e-10;
   for (const glm::dmat4& matrix : {glm::dmat4(1.0), rotated(0, 33) * rotated(1, 21)}) {
     CHECK_FALSE(coincide(at(model::Sphere{5, {}}, matrix), at(model::Sphere{5 * more, {}}, matrix)));
@@ -218,7 +218,7 @@ TEST_CASE("surfaces that differ by a ten-thousand-millionth of the model are two
   }
 }
 
-TEST_CASE("ellipsoids across six decades coincide still when they are made in another way") {
+TEST_CASE("equal ellipsoids across six decades coincide") {
   CHECK(rc::check([] {
     const glm::dmat4 turn = moved(vector(-9, 9)) * rotation();
     const glm::dvec3 sizes(factor(), factor(), factor());
@@ -228,7 +228,7 @@ TEST_CASE("ellipsoids across six decades coincide still when they are made in an
     const facet::Geometry scene = scene_of({at(unit, first)});
     const facet::Quadric& quadric = scene.quadrics.quadrics()[0];
     for (int axis = 0; axis < 3; ++axis) {
-      // The ends of the axes are on it, as exactly as places of this size can be told.
+      // The ends of the axes lie on it, as exactly as points of this size can be represented.
       glm::dvec3 end(0);
       end[axis] = 1;
       const double most =
@@ -238,7 +238,7 @@ TEST_CASE("ellipsoids across six decades coincide still when they are made in an
   }));
 }
 
-TEST_CASE("what is meant as a polygon is faceted, and everything is where exact curves are not asked for") {
+TEST_CASE("facets polygonal solids; without exact curves it facets every solid") {
   const auto quadrics_with = [](double fn, const facet::Faceting& faceting) {
     const model::Tree tree = tree_of({at(model::Cylinder{4, 5, 5, false, {fn, 12, 2}})});
     return facet::make_geometry(tree, faceting).solids[0].quadrics.size();
@@ -259,14 +259,14 @@ TEST_CASE("what is meant as a polygon is faceted, and everything is where exact 
   CHECK(scene.solids[1].quadrics.size() == 1);
 }
 
-TEST_CASE("a cone too slender for an apex is the cylinder of its mean radius, with both of its planes") {
+TEST_CASE("a cone too slender for an apex becomes a cylinder of its mean radius") {
   const facet::Geometry scene = scene_of({at(cylinder(4, 5, 5 + 1e-8))});
   CHECK(scene.quadrics.quadrics()[0].kind == QuadricKind::cylinder);
   CHECK(scene.solids[0].halfspaces.size() == 2);
   CHECK(scene_of({at(cylinder(4, 5, 5 + 1e-6))}).quadrics.quadrics()[0].kind == QuadricKind::cone);
 }
 
-TEST_CASE("a hundred thousand quadrics are told apart in little more than linear time") {
+TEST_CASE("distinguishes a hundred thousand quadrics in near-linear time") {
   facet::QuadricTable table(glm::dvec3(0), 1000.0);
   const auto add = [&](int i) {
     facet::Quadric one;

@@ -29,7 +29,7 @@ Area rectangle(double width, double height) { return flat::square({width, height
 
 }  // namespace
 
-TEST_CASE("unions, differences and intersections are OpenSCAD's") {
+TEST_CASE("Boolean operations match OpenSCAD") {
   check_as_openscad(flat::unite(std::array{rectangle(3, 2), moved(flat::circle(1.5, {.fn = 32}), 2.3, 1.1),
                                            moved(rectangle(1, 1), -4, 0)}),
                     "union");
@@ -41,7 +41,7 @@ TEST_CASE("unions, differences and intersections are OpenSCAD's") {
                     "intersection");
 }
 
-TEST_CASE("one area alone is what is combined, in its own numbers") {
+TEST_CASE("combining a single area returns its exact coordinates") {
   const std::array alone{flat::circle(1.0 / 3, {})};
   CHECK(flat::unite(alone).outlines == alone[0].outlines);
   CHECK(flat::subtract(alone).outlines == alone[0].outlines);
@@ -49,7 +49,7 @@ TEST_CASE("one area alone is what is combined, in its own numbers") {
   CHECK(flat::minkowski(alone).outlines == alone[0].outlines);
 }
 
-TEST_CASE("empty areas are combined as nothing") {
+TEST_CASE("combines empty areas correctly") {
   const std::array first_empty{Area{}, rectangle(1, 1)};
   const std::array last_empty{rectangle(1, 1), Area{}};
   for (const auto& areas : {first_empty, last_empty}) {
@@ -66,25 +66,25 @@ TEST_CASE("empty areas are combined as nothing") {
   CHECK(flat::resized({}, {1, 1}, {true, true}).empty());
 }
 
-TEST_CASE("hulls are OpenSCAD's") {
+TEST_CASE("hulls match OpenSCAD") {
   check_as_openscad(
       flat::hull(std::array{flat::circle(3, {.fn = 20}), moved(rectangle(2, 2), 10, 4), moved(rectangle(1, 1), 5, 1)}),
       "hull");
 }
 
-TEST_CASE("Minkowski sums are OpenSCAD's") {
+TEST_CASE("Minkowski sums match OpenSCAD") {
   const Area frame = flat::subtract(std::array{rectangle(20, 12), moved(rectangle(12, 6), 3, 3)});
   check_as_openscad(flat::minkowski(std::array{frame, flat::circle(1, {.fn = 16})}), "minkowski");
   const Area kite = flat::polygon(std::array<glm::dvec2, 4>{{{0, 0}, {2, 1}, {0, 0.5}, {-1, 2}}}, {});
   check_as_openscad(flat::minkowski(std::array{ell(), kite, moved(rectangle(0.5, 0.5), 30, 0)}), "minkowski_concave");
 }
 
-TEST_CASE("a Minkowski sum of too many sides is an error") {
+TEST_CASE("rejects a Minkowski sum of too many sides") {
   const Area round = flat::circle(1, {.fn = 1001});
   CHECK_THROWS_AS(flat::minkowski(std::array{round, round}), InputError);
 }
 
-TEST_CASE("offsets are OpenSCAD's") {
+TEST_CASE("offsets match OpenSCAD") {
   using flat::Corner;
   check_as_openscad(flat::offset(ell(), 2, Corner::round, {.fn = 24}), "offset_round");
   check_as_openscad(flat::offset(rectangle(20, 10), 7.5, Corner::round, {}), "offset_round_default");
@@ -96,19 +96,19 @@ TEST_CASE("offsets are OpenSCAD's") {
   check_as_openscad(flat::offset(rectangle(10, 4.5), -2, Corner::sharp, {}), "offset_vanishing");
 }
 
-TEST_CASE("an offset of no size or too much is said") {
+TEST_CASE("handles vanishing offsets and rejects excessive ones") {
   CHECK(flat::offset(rectangle(1, 1), -0.6, flat::Corner::round, {}).empty());
   CHECK(flat::area_of(flat::offset(rectangle(1, 1), 0, flat::Corner::round, {})) == 1);
   CHECK_THROWS_AS(flat::offset(rectangle(1, 1), 1.1e7, flat::Corner::sharp, {}), InputError);
   CHECK_THROWS_AS(flat::offset(flat::circle(1, {.fn = 99'999}), 1, flat::Corner::round, {.fn = 99'999}), InputError);
 }
 
-TEST_CASE("the sharpest corner, offset as far as can be, stays within the range of numbers") {
+TEST_CASE("the largest offset of the sharpest corner stays in the coordinate range") {
   const Area needle = flat::polygon(std::array<glm::dvec2, 3>{{{-1e12, 0}, {1e12, 0}, {1e12, 1e-3}}}, {});
   CHECK_NOTHROW(flat::offset(needle, 1e7, flat::Corner::sharp, {}));
 }
 
-TEST_CASE("areas in areas, many deep, are combined") {
+TEST_CASE("combines deeply nested areas") {
   Area nested;
   for (int i = 0; i < 2'000; ++i) {
     const double size = 1 + i;
@@ -120,7 +120,7 @@ TEST_CASE("areas in areas, many deep, are combined") {
   CHECK(flat::area_of(flat::intersect(both)) == flat::area_of(nested));
 }
 
-TEST_CASE("matrices act by their x, y part, and mirrored areas run the right way") {
+TEST_CASE("matrices act by their 2-D part and mirrored areas are reoriented") {
   const Area hook = flat::polygon(std::array<glm::dvec2, 5>{{{1, 0}, {10, 0}, {10, 3}, {3, 3}, {3, 10}}}, {});
   check_as_openscad(flat::transformed(hook, glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1))), "mirrored");
   const Area frame = flat::subtract(std::array{rectangle(5, 5), moved(rectangle(2, 2), 1, 1)});
@@ -130,22 +130,22 @@ TEST_CASE("matrices act by their x, y part, and mirrored areas run the right way
   CHECK_THROWS_AS(flat::transformed(frame, glm::scale(glm::dmat4(1), glm::dvec3(1e308, 1, 1))), InputError);
 }
 
-TEST_CASE("areas are resized as OpenSCAD does it") {
+TEST_CASE("resized areas match OpenSCAD") {
   check_as_openscad(flat::resized(flat::circle(3, {.fn = 16}), {12, 5}, {false, false}), "resize");
   check_as_openscad(flat::resized(rectangle(3, 2), {12, 0}, {true, true}), "resize_auto");
   check_as_openscad(flat::resized(flat::square({3, 2}, true), {0, 7}, {false, false}), "resize_zero");
 }
 
-TEST_CASE("what is far off or reaches far changes no coordinate near the origin") {
+TEST_CASE("distant or large areas do not change coordinates near the origin") {
   for (const double far : {1e6, 1e9, 1e11, 9e11}) {
     CAPTURE(far);
-    // Below the line from (-far, -far) to (far, far + 3), which cuts a square from (0, 1.5) on.
+    // The area below the line from (-far, -far) to (far, far + 3), which cuts the square starting at (0, 1.5).
     const Area half = flat::polygon(std::array<glm::dvec2, 3>{{{-far, -far}, {far, -far}, {far, far + 3}}}, {});
     const double rest = 8.5 * 8.5 / 2;
     CHECK(flat::area_of(flat::intersect(std::array{rectangle(10, 10), half})) ==
           doctest::Approx(100 - rest).epsilon(1e-5));
     CHECK(flat::area_of(flat::subtract(std::array{rectangle(10, 10), half})) == doctest::Approx(rest).epsilon(1e-5));
-    // Of two offsets, one near and one far off, the near one is as alone.
+    // The near one of two offsets is the same as without the far one.
     const Area alone = flat::offset(rectangle(10, 4), 1.5, flat::Corner::round, {.fn = 24});
     const Area both = flat::offset(flat::unite(std::array{rectangle(10, 4), moved(rectangle(far / 2, 8), far / 4, 0)}),
                                    1.5, flat::Corner::round, {.fn = 24});
@@ -154,7 +154,7 @@ TEST_CASE("what is far off or reaches far changes no coordinate near the origin"
   }
 }
 
-TEST_CASE("an area that is united several times counts once, and so does one that is subtracted") {
+TEST_CASE("repeated operands count once in a union or difference") {
   const std::array rings{ell(), moved(dart(), 1, 1), ell(), moved(dart(), 1, 1), ell()};
   const Area once = flat::unite(std::span(rings).first(2));
   CHECK(flat::unite(rings).outlines == once.outlines);

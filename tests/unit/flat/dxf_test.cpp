@@ -20,34 +20,34 @@ std::string message(const std::string& text, const flat::DxfOptions& options = {
 
 }  // namespace
 
-TEST_CASE("DXF's lines, polylines, circles, arcs and ellipses are OpenSCAD's") {
+TEST_CASE("DXF entities match OpenSCAD") {
   check_as_openscad(drawing("entities"), "dxf_entities");
   check_as_openscad(drawing("entities", {.facets = {.fn = 24}}), "dxf_fine");
   check_as_openscad(drawing("exported"), "dxf_exported");
 }
 
-TEST_CASE("DXF's lines are chained as OpenSCAD chains them where several meet") {
+TEST_CASE("DXF lines are chained as in OpenSCAD where several meet") {
   check_as_openscad(drawing("meeting"), "dxf_meeting");
 }
 
-TEST_CASE("DXF's blocks are inserted as OpenSCAD does it") {
+TEST_CASE("DXF blocks are inserted as in OpenSCAD") {
   check_as_openscad(drawing("blocks"), "dxf_blocks");
   check_as_openscad(drawing("blocks", {.layer = "b", .scale = 0.5}), "dxf_layer_b");
 }
 
-TEST_CASE("DXF's drawings are moved and scaled as OpenSCAD does it") {
+TEST_CASE("DXF drawings are moved and scaled as in OpenSCAD") {
   check_as_openscad(drawing("blocks", {.origin = {5, -3}, .scale = 2.5}), "dxf_moved");
   check_as_openscad(drawing("entities", {.origin = {3, 4}, .scale = 1.5, .facets = {.fn = 30}}), "dxf_scaled_ellipses");
 }
 
-TEST_CASE("a layer of DXF is drawn alone") {
+TEST_CASE("draws a selected DXF layer alone") {
   check_as_openscad(drawing("layers"), "dxf_layers");
   check_as_openscad(drawing("layers", {.layer = "plate"}), "dxf_plate");
   check_as_openscad(drawing("layers", {.layer = "holes"}), "dxf_holes");
   CHECK(drawing("layers", {.layer = "none"}).empty());
 }
 
-TEST_CASE("DXF that cannot be read is an error, with its line") {
+TEST_CASE("rejects invalid DXF with its line number") {
   CHECK(message("") == "line 1: not a DXF file: no section found");
   CHECK(message("AutoCAD Binary DXF\r\n\x1a") ==
         "line 1: \"AutoCAD Binary DXF\" is not a group code of ASCII DXF; every other line must be one");
@@ -66,19 +66,19 @@ TEST_CASE("DXF that cannot be read is an error, with its line") {
   CHECK_THROWS_AS(flat::read_dxf(entities(""), {.scale = 0}), InputError);
 }
 
-TEST_CASE("angles far apart take no more time than others") {
+TEST_CASE("large arc angles take no extra time") {
   const std::string arc = "0\nARC\n10\n0\n20\n0\n40\n1\n51\n90\n50\n";
   CHECK(flat::area_of(flat::read_dxf(entities(arc + "360000\n"), {})) ==
         doctest::Approx(flat::area_of(flat::read_dxf(entities(arc + "0\n"), {}))));
   CHECK(message(entities(arc + "1e300\n")) == "line 6: an arc exceeds two turns, or starts beyond a million degrees");
 }
 
-TEST_CASE("blocks of blocks are no way to fill the memory") {
+TEST_CASE("rejects exponentially nested DXF blocks") {
   std::string blocks = "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nb\n0\nLINE\n10\n0\n20\n0\n11\n1\n21\n1\n";
   for (int i = 0; i < 30; ++i) blocks += "0\nINSERT\n2\nb\n10\n0\n20\n0\n";
   CHECK(message(blocks + "0\nENDBLK\n0\nENDSEC\n0\nEOF\n").ends_with("the blocks have more than 1000000 segments"));
 }
 
-TEST_CASE("mutated DXF files are read or refused") {
+TEST_CASE("reads or rejects mutated DXF files") {
   flat::check_mutations(".dxf", [](const std::string& bytes) { flat::read_dxf(bytes, {}); });
 }

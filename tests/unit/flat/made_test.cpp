@@ -13,18 +13,18 @@ using Path = std::vector<std::uint32_t>;
 
 }  // namespace
 
-TEST_CASE("squares are OpenSCAD's") {
+TEST_CASE("squares match OpenSCAD") {
   check_as_openscad(flat::square({3, 2}, false), "square");
   check_as_openscad(flat::square({3, 2.5}, true), "square_center");
 }
 
-TEST_CASE("circles have OpenSCAD's corners") {
+TEST_CASE("circles have the corners of OpenSCAD") {
   check_as_openscad(flat::circle(10, {}), "circle");
   check_as_openscad(flat::circle(3, {.fn = 7}), "circle_7");
   check_as_openscad(flat::circle(12.5, {.fn = 0, .fa = 1, .fs = 0.3}), "circle_fine");
 }
 
-TEST_CASE("what has no size is empty") {
+TEST_CASE("shapes without size are empty") {
   CHECK(flat::square({0, 1}, false).empty());
   CHECK(flat::square({1, -1}, true).empty());
   CHECK(flat::square({infinite, 1}, false).empty());
@@ -37,13 +37,13 @@ TEST_CASE("what has no size is empty") {
   CHECK(flat::polygon(std::array{glm::dvec2(0, 0), glm::dvec2(1, 1), glm::dvec2(2, 2)}, {}).empty());
 }
 
-TEST_CASE("polygons without paths have all points in order, whichever way they run") {
+TEST_CASE("polygons without paths use all points in either orientation") {
   std::vector<glm::dvec2> points{{0, 0}, {10, 0}, {10, 5}, {4, 2}, {0, 8}};
   check_as_openscad(flat::polygon(points, {}), "polygon");
   check_as_openscad(flat::polygon(std::vector(points.rbegin(), points.rend()), {}), "polygon");
 }
 
-TEST_CASE("polygons whose paths cross are what an odd number of them hold") {
+TEST_CASE("polygons with crossing paths follow the even-odd rule") {
   const std::vector<glm::dvec2> nested{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {2, 2}, {8, 2}, {8, 8}, {2, 8}};
   check_as_openscad(flat::polygon(nested, std::array{Path{0, 1, 2, 3}, Path{4, 5, 6, 7}}), "polygon_hole");
   const std::vector<glm::dvec2> crossing{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {3, 3}, {9, 3}, {9, 9}, {3, 9}};
@@ -61,13 +61,13 @@ TEST_CASE("a polygon may touch itself") {
   check_as_openscad(flat::polygon(points, {}), "polygon_touching");
 }
 
-TEST_CASE("a path that names a point that is not there is an error") {
+TEST_CASE("rejects a path with a nonexistent point") {
   const std::vector<glm::dvec2> points{{0, 0}, {4, 0}, {4, 4}};
   CHECK_THROWS_WITH_AS(flat::polygon(points, std::array{Path{0, 1, 2}, Path{0, 3, 1}}),
                        "paths[1][1] of polygon() is 3, but there are 3 points, numbered from 0", InputError);
 }
 
-TEST_CASE("coordinates that no number of Clipper's holds are errors") {
+TEST_CASE("rejects coordinates beyond the range of Clipper") {
   CHECK_THROWS_AS(flat::polygon(std::array{glm::dvec2(0, 0), glm::dvec2(1e13, 0), glm::dvec2(0, 1)}, {}), InputError);
   CHECK_THROWS_AS(flat::polygon(std::array{glm::dvec2(0, 0), glm::dvec2(1, std::nan("")), glm::dvec2(0, 1)}, {}),
                   InputError);

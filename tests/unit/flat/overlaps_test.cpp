@@ -9,7 +9,7 @@ using ClipperLib::Paths;
 
 namespace {
 
-/// Whether an odd number of sides are above a point. No corner has its x.
+/// Even-odd test with the number of sides above the point. No corner has the same x.
 bool is_in(const Paths& paths, double x, double y) {
   bool inside = false;
   for (const Path& path : paths) {
@@ -39,16 +39,16 @@ void check_same(const Paths& paths, const Paths& made, int size) {
 
 }  // namespace
 
-TEST_CASE("paths no two of whose sides lie on each other stay as they are") {
+TEST_CASE("paths without overlapping sides stay unchanged") {
   const Paths paths{{{0, 0}, {9, 0}, {9, 0}, {9, 9}, {0, 9}}, {{2, 2}, {4, 2}, {3, 5}}, {{9, 9}, {12, 9}, {12, 12}}};
   CHECK(flat::without_overlaps(paths) == paths);
   CHECK(flat::without_overlaps({}).empty());
-  // One goes on where the other ends.
+  // One begins where the other ends.
   const Paths touching{{{0, 0}, {4, 0}, {4, 4}}, {{4, 0}, {8, 0}, {8, -4}}};
   CHECK(flat::without_overlaps(touching) == touching);
 }
 
-TEST_CASE("what an even number of sides run along is nowhere, and what an odd number do is there once") {
+TEST_CASE("sides that coincide an even number of times vanish and others remain once") {
   const Path triangle{{0, 0}, {9, 0}, {0, 9}};
   const Path back{{0, 0}, {0, 9}, {9, 0}};
   CHECK(flat::without_overlaps({triangle, triangle}).empty());
@@ -57,14 +57,14 @@ TEST_CASE("what an even number of sides run along is nowhere, and what an odd nu
   REQUIRE(once.size() == 1);
   CHECK(once[0].size() == 3);
   CHECK(std::abs(ClipperLib::Area(once[0])) == doctest::Approx(40.5));
-  // A spike goes out and back.
+  // A spike that runs out and back.
   const Paths spiked = flat::without_overlaps({{{0, 0}, {9, 0}, {20, 0}, {9, 0}, {0, 9}}});
   CHECK(spiked.size() == 1);
   check_same({triangle}, spiked, 25);
 }
 
-TEST_CASE("sides that lie on parts of each other leave what is inside as it is") {
-  // Two boxes along each other, on the x axis, the y axis and on the slant.
+TEST_CASE("partly overlapping sides do not change the interior") {
+  // Two boxes with a common side, on the x axis, the y axis and an oblique line.
   check_same({{{0, 0}, {8, 0}, {8, 4}, {0, 4}}, {{2, 4}, {6, 4}, {6, 9}, {2, 9}}},
              flat::without_overlaps({{{0, 0}, {8, 0}, {8, 4}, {0, 4}}, {{2, 4}, {6, 4}, {6, 9}, {2, 9}}}), 12);
   check_same({{{0, 0}, {4, 0}, {4, 8}, {0, 8}}, {{4, 2}, {9, 2}, {9, 6}, {4, 6}}},
@@ -73,7 +73,7 @@ TEST_CASE("sides that lie on parts of each other leave what is inside as it is")
              flat::without_overlaps({{{0, 0}, {8, 4}, {4, 9}}, {{2, 1}, {6, 3}, {7, 0}}}), 12);
 }
 
-TEST_CASE("random paths on a small grid leave what is inside as it is, and no sides on each other") {
+TEST_CASE("random grid paths keep their interior and lose overlapping sides") {
   std::mt19937 random(1);
   for (int round = 0; round < 60; ++round) {
     Paths paths(2);
@@ -87,14 +87,14 @@ TEST_CASE("random paths on a small grid leave what is inside as it is, and no si
   }
 }
 
-TEST_CASE("coordinates at the ends of what is taken do not overflow") {
+TEST_CASE("extreme coordinates do not overflow") {
   const ClipperLib::cInt far = static_cast<ClipperLib::cInt>(1e12 * flat::clipper_scale);
   const Path large{{-far, -far}, {far, -far + 1}, {far - 1, far}};
   CHECK(flat::without_overlaps({large, large}).empty());
   CHECK(flat::without_overlaps({large}) == Paths{large});
 }
 
-TEST_CASE("a path that runs around four times costs about as much as once, and is empty") {
+TEST_CASE("a path traversed four times costs about as much as once and is empty") {
   std::mt19937 random(2);
   Path once;
   for (int i = 0; i < 400; ++i)

@@ -27,7 +27,7 @@ std::size_t reflex_corners(const Area& area) {
   return count;
 }
 
-/// Checks all that is promised but fewness: every reflex corner takes two cuts at most, and every hole one.
+/// Checks every guarantee except minimality: a reflex corner takes at most two cuts, and a hole one.
 std::vector<Outline> checked_parts(const Area& area) {
   const std::vector<Outline> parts = flat::convex_parts(area);
   std::set<std::pair<double, double>> known;
@@ -60,7 +60,7 @@ Area random_area(std::mt19937& random, std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("a convex area is one part, corner by corner") {
+TEST_CASE("a convex area is one part with the same corners") {
   for (const Area& area : {flat::square({3, 2}, false), flat::circle(7, {.fn = 100}), flat::circle(1e-3, {.fn = 3})}) {
     const std::vector<Outline> parts = checked_parts(area);
     REQUIRE(parts.size() == 1);
@@ -69,7 +69,7 @@ TEST_CASE("a convex area is one part, corner by corner") {
   }
 }
 
-TEST_CASE("coordinates that are hardly numbers are 0 in a part") {
+TEST_CASE("denormal coordinates become 0 in a part") {
   const Area area{{{{1e-320, 0}, {3, -1e-320}, {3, 2}, {1, 2}, {1, 1}, {0, 1}}}};
   double sum = 0;
   for (const Outline& part : flat::convex_parts(area)) sum += flat::signed_area(part);
@@ -78,26 +78,26 @@ TEST_CASE("coordinates that are hardly numbers are 0 in a part") {
   CHECK(around.outlines[0].size() == 5);
 }
 
-TEST_CASE("an area without outlines or without size has no parts") {
+TEST_CASE("an area without outlines or size has no parts") {
   CHECK(flat::convex_parts({}).empty());
   CHECK(flat::convex_parts({{{{0, 0}, {1, 1}, {2, 2}}}}).empty());
   CHECK(flat::convex_parts({{{{0, 0}, {1, 1}}}}).empty());
   CHECK(flat::convex_parts({{{}}}).empty());
 }
 
-TEST_CASE("simple shapes have as few parts as there can be") {
+TEST_CASE("simple shapes have the minimum number of parts") {
   const Area ell = flat::polygon(std::array<glm::dvec2, 6>{{{0, 0}, {10, 0}, {10, 3}, {3, 3}, {3, 10}, {0, 10}}}, {});
   CHECK(checked_parts(ell).size() == 2);
   const Area plus = flat::unite(std::array{flat::square({6, 2}, true), flat::square({2, 6}, true)});
   CHECK(checked_parts(plus).size() == 3);
   const Area dart = flat::polygon(std::array<glm::dvec2, 4>{{{0, 0}, {10, 0}, {3, 3}, {0, 10}}}, {});
   CHECK(checked_parts(dart).size() == 2);
-  // Three corners are reflex, (3, 5), (4, 2) and (5, 2), and a cut mends two at most.
+  // Three corners are reflex, (3, 5), (4, 2) and (5, 2), and a cut resolves at most two.
   const Area notched{{{{3, 6}, {3, 5}, {1, 4}, {4, 2}, {6, 0}, {6, 1}, {4, 6}, {5, 2}}}};
   CHECK(checked_parts(notched).size() == 3);
 }
 
-TEST_CASE("areas with holes and islands, and areas that touch, are covered") {
+TEST_CASE("parts cover areas with holes and touching outlines") {
   const Area frame = flat::subtract(std::array{flat::square({8, 8}, true), flat::square({4, 4}, true)});
   CHECK(checked_parts(frame).size() == 4);
   const Area island = flat::unite(std::array{frame, flat::square({2, 2}, true)});
@@ -107,13 +107,13 @@ TEST_CASE("areas with holes and islands, and areas that touch, are covered") {
   const Area twins =
       flat::polygon(std::array<glm::dvec2, 8>{{{0, 0}, {4, 0}, {4, 4}, {8, 4}, {8, 8}, {4, 8}, {4, 4}, {0, 4}}}, {});
   CHECK(checked_parts(twins).size() == 2);
-  // Holes that touch each other and the border, in one corner and along none.
+  // Holes that touch each other and the border in single points.
   const std::vector<glm::dvec2> points{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {2, 2}, {4, 4}, {2, 6}, {0, 4}, {6, 2}, {6, 6}};
   using Path = std::vector<std::uint32_t>;
   checked_parts(flat::polygon(points, std::array{Path{0, 1, 2, 3}, Path{4, 5, 6, 7}, Path{5, 8, 9}}));
 }
 
-TEST_CASE("sides that lie on each other bound nothing") {
+TEST_CASE("coincident sides bound nothing") {
   const Area halves{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{4, 0}, {8, 0}, {8, 4}, {4, 4}}}};
   const std::vector<Outline> parts = flat::convex_parts(halves);
   REQUIRE(parts.size() == 1);
@@ -121,7 +121,7 @@ TEST_CASE("sides that lie on each other bound nothing") {
   CHECK(parts[0].size() == 4);
 }
 
-TEST_CASE("an outline that goes around twice, though it always turns to the left, is cut where it crosses itself") {
+TEST_CASE("an outline that winds twice is cut where it crosses itself") {
   Outline star;
   for (int i = 0; i < 5; ++i) {
     const double angle = i * 4 * std::acos(-1.0) / 5;
@@ -132,7 +132,7 @@ TEST_CASE("an outline that goes around twice, though it always turns to the left
   for (const Outline& part : parts) CHECK(part.size() == 3);
 }
 
-TEST_CASE("random areas are covered, also turned and far away") {
+TEST_CASE("parts cover random areas including rotated and distant ones") {
   std::mt19937 random(14);
   for (int i = 0; i < 150; ++i) {
     CAPTURE(i);
@@ -146,7 +146,7 @@ TEST_CASE("random areas are covered, also turned and far away") {
   }
 }
 
-TEST_CASE("the same area has the same parts, whatever was cut before") {
+TEST_CASE("the same area has the same parts regardless of earlier calls") {
   std::mt19937 random(15);
   const Area area = random_area(random, 60);
   const std::vector<Outline> first = flat::convex_parts(area);

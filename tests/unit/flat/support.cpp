@@ -10,7 +10,7 @@ namespace csgsim::flat {
 
 namespace {
 
-/// Finer than host/flat's own.
+/// Finer than the resolution of host/flat.
 constexpr double scale = 1 << 24;
 
 ClipperLib::Path path_of(const Outline& outline) {
@@ -59,8 +59,8 @@ std::string mutate(std::string bytes, std::mt19937& random) {
   return bytes;
 }
 
-/// What the area may differ by when its corners are written with six digits, as OpenSCAD does it: each is off by half a
-/// unit of the last one in both directions at most.
+/// Possible change of the area when OpenSCAD writes its corners with six digits: each is off by at most half a unit of
+/// the last digit in both directions.
 double rounding(const Area& area) {
   double around = 0;
   double largest = 0;

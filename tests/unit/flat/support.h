@@ -9,36 +9,35 @@
 
 namespace csgsim::flat {
 
-/// What OpenSCAD made of tests/unit/flat/openscad/NAME.scad.
+/// Area exported by OpenSCAD from tests/unit/flat/openscad/NAME.scad.
 Area openscad(const std::string& name);
 
-/// The bytes of tests/unit/flat/drawings/NAME.
+/// Contents of tests/unit/flat/drawings/NAME.
 std::string drawing(const std::string& name);
 
-/// Has the reader read each drawing of that extension with some of its bytes changed, left out or doubled, many times.
-/// Fails the test if anything else than an InputError of one printable line comes of it.
+/// Reads each drawing with the extension many times, with some bytes changed, removed or duplicated. Fails the test for
+/// any result other than success or an InputError of one printable line.
 void check_mutations(const std::string& extension, const std::function<void(const std::string&)>& read);
 
-/// Above 0 if the corners run counter-clockwise.
+/// Positive if the corners run counter-clockwise.
 double signed_area(const Outline& outline);
 
-/// Of the outlines, holes subtracted.
+/// Area of the outlines minus holes.
 double area_of(const Area& area);
 
 std::size_t corners(const Area& area);
 
-/// What is in one of them but not in both. Each is what an odd number of its outlines hold.
+/// Area of the symmetric difference; each operand follows the even-odd rule.
 double difference(const Area& a, const Area& b);
 
-/// Fails the test if they differ by more than OpenSCAD rounds what it exports, or in the numbers of their outlines and
-/// corners.
+/// Fails the test if they differ by more than OpenSCAD's rounding on export, or in the numbers of outlines and corners.
 void check_as_openscad(const Area& area, const std::string& name);
 
-/// The same without the number of corners, which Clipper 6.2 of OpenSCAD and 6.4 have in a different way where round
-/// strokes turn.
+/// Same without the number of corners, which differs between OpenSCAD's Clipper 6.2 and version 6.4 where round strokes
+/// turn.
 void check_area_as_openscad(const Area& area, const std::string& name);
 
-/// Fails the test where an outline breaks what area.h promises of its orientation: outer ones and holes alternate.
+/// Fails the test if an outline violates the orientation guaranteed by area.h: outer outlines and holes alternate.
 void check_orientation(const Area& area);
 
 }  // namespace csgsim::flat

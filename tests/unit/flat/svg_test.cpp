@@ -20,14 +20,14 @@ std::string message(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("SVG's shapes, paths, strokes and transforms are OpenSCAD's") {
+TEST_CASE("SVG elements match OpenSCAD") {
   for (const char* name : {"shapes", "paths", "transforms"}) {
     check_as_openscad(drawing(name), std::string("svg_") + name);
   }
   flat::check_area_as_openscad(drawing("strokes"), "svg_strokes");
 }
 
-TEST_CASE("SVG's page, units and alignment are OpenSCAD's") {
+TEST_CASE("SVG page sizes and alignments match OpenSCAD") {
   for (const char* name : {"pixels", "stretched", "sliced", "met", "unsized", "percent"}) {
     check_as_openscad(drawing(name), std::string("svg_") + name);
   }
@@ -35,9 +35,11 @@ TEST_CASE("SVG's page, units and alignment are OpenSCAD's") {
   check_as_openscad(drawing("met", {.dpi = 96}), "svg_dpi");
 }
 
-TEST_CASE("what OpenSCAD leaves out of an SVG file is left out") { check_as_openscad(drawing("others"), "svg_others"); }
+TEST_CASE("ignores the parts of an SVG file that OpenSCAD ignores") {
+  check_as_openscad(drawing("others"), "svg_others");
+}
 
-TEST_CASE("numbers of paths need no space where SVG needs none") {
+TEST_CASE("path numbers need no spaces where SVG allows it") {
   const flat::Area apart = path("M 10 10 L 20.5 0.5 L 30 -5 z");
   CHECK(flat::area_of(apart) > 0);
   CHECK(path("M10,10L20.5.5 30-5z").outlines == apart.outlines);
@@ -46,12 +48,12 @@ TEST_CASE("numbers of paths need no space where SVG needs none") {
   CHECK(path("M0 0a5 5 0 01.5 5z").outlines == path("M0 0 a5,5 0 0,1 0.5,5 z").outlines);
 }
 
-TEST_CASE("an arc without a radius is a line, and one to its own start is nothing") {
+TEST_CASE("an arc without radius is a line and one to its own start is empty") {
   CHECK(path("M0 0A0 5 0 0 1 10 0L10 10z").outlines == path("M0 0L10 0L10 10z").outlines);
   CHECK(path("M0 0L10 0A5 5 0 1 1 10 0L10 10z").outlines == path("M0 0L10 0L10 10z").outlines);
 }
 
-TEST_CASE("SVG that cannot be read is an error, with its line") {
+TEST_CASE("rejects invalid SVG with its line number") {
   CHECK(message("") == "line 1: invalid XML: No document element found");
   CHECK(message("<html/>") == "line 1: not an SVG file: the outermost element is not svg");
   CHECK(message("<svg>\n<g>\n</svg>") == "line 3: invalid XML: Start-end tags mismatch");
@@ -71,7 +73,7 @@ TEST_CASE("SVG that cannot be read is an error, with its line") {
   CHECK_THROWS_AS(flat::read_svg("<svg/>", {.dpi = 0}), InputError);
 }
 
-TEST_CASE("nesting without end and entities that grow are no way to fill the memory") {
+TEST_CASE("rejects deep nesting and does not expand entities") {
   std::string deep = "<svg>";
   for (int i = 0; i < 100'000; ++i) deep += "<g>";
   CHECK(message(deep).starts_with("line 1: invalid XML"));
@@ -81,6 +83,6 @@ TEST_CASE("nesting without end and entities that grow are no way to fill the mem
   CHECK(message(bomb) == "line 1: invalid path data at \"&b;\"");
 }
 
-TEST_CASE("mutated SVG files are read or refused") {
+TEST_CASE("reads or rejects mutated SVG files") {
   flat::check_mutations(".svg", [](const std::string& bytes) { flat::read_svg(bytes, {}); });
 }

@@ -7,7 +7,7 @@
 using namespace csgsim;
 using namespace flat;
 
-TEST_CASE("text is set as OpenSCAD sets it") {
+TEST_CASE("text matches OpenSCAD") {
   check_as_openscad(flat::text({.text = "Hello, World! 0123"}), "text");
   check_as_openscad(
       flat::text({.text = "%&@8$", .size = 20, .font = "Liberation Sans:style=Bold", .facets = {.fn = 100}}),
@@ -15,7 +15,7 @@ TEST_CASE("text is set as OpenSCAD sets it") {
   check_as_openscad(flat::text({.text = "minus", .size = -5}), "text_negative");
 }
 
-TEST_CASE("text is aligned and spaced as OpenSCAD does it") {
+TEST_CASE("alignment and spacing of text match OpenSCAD") {
   check_as_openscad(flat::text({.text = "Quickly",
                                 .size = 7,
                                 .font = "Liberation Serif:style=Italic",
@@ -32,7 +32,7 @@ TEST_CASE("text is aligned and spaced as OpenSCAD does it") {
       "text_bottom");
 }
 
-TEST_CASE("text runs as its script or its direction says") {
+TEST_CASE("the direction of text follows its script or the option") {
   check_as_openscad(flat::text({.text = "שלום עולם", .font = "DejaVu Sans"}), "text_hebrew");
   check_as_openscad(
       flat::text({.text = "مرحبا", .size = 12, .font = "DejaVu Sans", .halign = "center", .facets = {.fn = 32}}),
@@ -47,11 +47,11 @@ TEST_CASE("text runs as its script or its direction says") {
   check_as_openscad(flat::text({.text = "aбγ — “x”"}), "text_mixed");
 }
 
-TEST_CASE("a font that is not there is replaced as fontconfig says") {
+TEST_CASE("a missing font is replaced by fontconfig") {
   check_as_openscad(flat::text({.text = "Arial?", .font = "Arial:style=Bold Italic"}), "text_substitute");
 }
 
-TEST_CASE("a font that is not there is told apart from one that is, however it is written") {
+TEST_CASE("replacement_font() distinguishes missing fonts in any notation") {
   for (const char* name : {"", " ", "DejaVu Sans", "dejavusans:style=Bold", "Nowhere,Liberation Serif", ":style=Bold",
                            "sans", "Monospace:bold"}) {
     CAPTURE(name);
@@ -62,21 +62,21 @@ TEST_CASE("a font that is not there is told apart from one that is, however it i
   CHECK(flat::replacement_font("Nowhere,Elsewhere:style=Bold") == "DejaVu Sans");
 }
 
-TEST_CASE("letters smaller than OpenSCAD's units lose what they lose there") {
+TEST_CASE("tiny letters are quantised as in OpenSCAD") {
   check_as_openscad(flat::text({.text = "tiny", .size = 0.01, .facets = {.fn = 0, .fa = 1, .fs = 0.001}}), "text_tiny");
 }
 
-TEST_CASE("text without ink is empty") {
+TEST_CASE("text without glyph outlines is empty") {
   CHECK(flat::text({.text = ""}).empty());
   CHECK(flat::text({.text = "  "}).empty());
   CHECK(flat::text({.text = "x", .size = 0}).empty());
 }
 
-TEST_CASE("bytes that are not UTF-8 are shown as such") {
+TEST_CASE("invalid UTF-8 bytes are visible in text") {
   CHECK(flat::area_of(flat::text({.text = "a\xff\xc3z"})) > flat::area_of(flat::text({.text = "az"})));
 }
 
-TEST_CASE("a font that cannot be scaled is named, if it has a name") {
+TEST_CASE("rejects a bitmap font with its name if it has one") {
   const std::string folder = CSGSIM_SOURCE_DIR "/tests/support/fonts/";
   CHECK_THROWS_WITH_AS(flat::text({.text = "x", .font = ":file=" + folder + "small.bdf"}),
                        "font Small cannot be scaled", InputError);
@@ -84,7 +84,7 @@ TEST_CASE("a font that cannot be scaled is named, if it has a name") {
                        "font without a name cannot be scaled", InputError);
 }
 
-TEST_CASE("text that cannot be set is an error") {
+TEST_CASE("rejects invalid text parameters") {
   CHECK_THROWS_WITH_AS(flat::text({.text = "x", .halign = "middle"}),
                        "halign of text() is \"middle\"; use \"left\", \"center\" or \"right\"", InputError);
   CHECK_THROWS_WITH_AS(flat::text({.text = "x", .valign = "\n"}),

@@ -8,7 +8,7 @@
 
 using csgsim::functional::Crew;
 
-TEST_CASE("a crew does each job once, however many jobs and threads there are, call after call") {
+TEST_CASE("a crew runs each job exactly once for any number of jobs and threads") {
   for (const unsigned threads : {1U, 2U, 3U, 8U}) {
     CAPTURE(threads);
     Crew crew(threads);
@@ -30,7 +30,7 @@ TEST_CASE("a crew does each job once, however many jobs and threads there are, c
   }
 }
 
-TEST_CASE("a crew that has slept wakes for new jobs, and one without jobs ends") {
+TEST_CASE("a sleeping crew wakes for new jobs and an idle one is destroyed cleanly") {
   const Crew idle(4);
   Crew crew(2);
   for (int call = 0; call < 3; ++call) {

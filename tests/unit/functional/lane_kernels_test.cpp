@@ -11,7 +11,7 @@ using functional::Lanes;
 
 namespace {
 
-/// Enabled pixels of a tile, and two fields of it.
+/// Enabled pixels of a tile and two of its fields.
 struct Tile {
   functional::TileShape shape = any_shape();
   unsigned bits = *rc::gen::element(1U, 20U, 32U, between(1U, 33U));
@@ -27,7 +27,7 @@ struct Tile {
     return {enable, shape, between(0, 3) == 0 ? Decide::by_pixel : Decide::by_block, work};
   }
 
-  /// left_numbers := number(x, y) where enabled; asserts that this is what the lanes hold, and nothing else changed.
+  /// Sets left_numbers to number(x, y) where enabled and asserts that the lanes hold exactly that.
   template <class Number>
   void check_writes(const Number& number) {
     left_numbers.set_each(
@@ -47,7 +47,7 @@ std::vector<Plane*> pointers_to(std::vector<functional::TileBits>& planes) {
 
 }  // namespace
 
-TEST_CASE("a value is set where enabled") {
+TEST_CASE("sets a value where enabled") {
   CHECK(rc::check([] {
     Tile tile;
     const std::uint32_t value = tile.left_numbers.at(0, 0);
@@ -56,7 +56,7 @@ TEST_CASE("a value is set where enabled") {
   }));
 }
 
-TEST_CASE("a field is copied where enabled") {
+TEST_CASE("copies a field where enabled") {
   CHECK(rc::check([] {
     Tile tile;
     functional::copy_lanes(tile.pixels(), *tile.left, *tile.right);
@@ -64,7 +64,7 @@ TEST_CASE("a field is copied where enabled") {
   }));
 }
 
-TEST_CASE("a field is added where enabled, and the carry lost") {
+TEST_CASE("adds a field where enabled and drops the carry") {
   CHECK(rc::check([] {
     Tile tile;
     const std::uint32_t low_bits = ~std::uint32_t{0} >> (32 - tile.bits);
@@ -75,7 +75,7 @@ TEST_CASE("a field is added where enabled, and the carry lost") {
   }));
 }
 
-TEST_CASE("a comparison keeps the pixels at which it holds") {
+TEST_CASE("a comparison keeps the pixels that satisfy it") {
   for (const Comparison comparison : {Comparison::less, Comparison::less_or_equal, Comparison::equal}) {
     CHECK(rc::check([&] {
       Tile tile;
@@ -94,7 +94,7 @@ TEST_CASE("a comparison keeps the pixels at which it holds") {
   }
 }
 
-TEST_CASE("where blocks are constant or far apart no lane is looked at, unless every one has to be") {
+TEST_CASE("constant or distant blocks are decided without reading lanes") {
   const functional::TileShape shape(64, 64);
   auto left = std::make_unique<Lanes>();
   auto right = std::make_unique<Lanes>();
@@ -114,7 +114,7 @@ TEST_CASE("where blocks are constant or far apart no lane is looked at, unless e
   }
 }
 
-TEST_CASE("bits of a field are gathered into planes of some blocks") {
+TEST_CASE("gathers bits of a field into planes for the selected blocks") {
   CHECK(rc::check([] {
     Tile tile;
     const unsigned first = between(0U, tile.bits);
@@ -125,14 +125,14 @@ TEST_CASE("bits of a field are gathered into planes of some blocks") {
       bits_of(planes[i], tile.shape).each([&](std::uint32_t x, std::uint32_t y) {
         const unsigned block = functional::block_of(x, y);
         const bool bit = (planes[i].word(block, tile.shape) >> functional::bit_of(x, y) & 1U) != 0;
-        const bool is_asked = (blocks >> block & 1U) != 0;
-        RC_ASSERT(bit == (is_asked && (tile.left_numbers.at(x, y) >> (first + i) & 1U) != 0));
+        const bool is_selected = (blocks >> block & 1U) != 0;
+        RC_ASSERT(bit == (is_selected && (tile.left_numbers.at(x, y) >> (first + i) & 1U) != 0));
       });
     }
   }));
 }
 
-TEST_CASE("planes make the numbers of a field in some blocks; planes may not be there, and other blocks stay") {
+TEST_CASE("scatters planes into a field for the selected blocks") {
   CHECK(rc::check([] {
     Tile tile;
     std::vector<functional::TileBits> planes(tile.bits);

@@ -10,14 +10,14 @@ using functional::LinearTask;
 
 namespace {
 
-/// An expression S = a x + b y + c, x and y counted from the tile's first pixel, and how F comes of it.
+/// An expression S = a x + b y + c, with x and y relative to the tile's first pixel, and the parameters of F.
 struct Expression {
   std::int64_t a = 0;
   std::int64_t b = 0;
   std::int64_t c = 0;
   unsigned width = 0;
   unsigned shift = 0;
-  unsigned field_width = 0;  ///< 0: none
+  unsigned field_width = 0;  ///< 0 without a field
 
   [[nodiscard]] std::int64_t sum(std::size_t x, std::size_t y) const {
     return a * static_cast<std::int64_t>(x) + b * static_cast<std::int64_t>(y) + c;
@@ -29,7 +29,7 @@ struct Expression {
     return low >= period / 2 ? low - period : low;
   }
   [[nodiscard]] bool fits(std::size_t x, std::size_t y) const { return sum(x, y) == kept(x, y); }
-  /// Shifted with floor.
+  /// Shifts right, rounding down.
   [[nodiscard]] std::int64_t f(std::size_t x, std::size_t y) const {
     const std::int64_t step = std::int64_t{1} << shift;
     const std::int64_t s = kept(x, y);
@@ -37,7 +37,8 @@ struct Expression {
   }
 };
 
-/// Whose F is often near the values of the field, or near 0 without one; flat, steep, or steeper than any picture has.
+/// F is often near the values of the field, or near 0 without one; the slope is flat, steep, or steeper than in any
+/// picture.
 Expression any_expression(unsigned field_width, bool wraps) {
   Expression expression;
   expression.field_width = field_width;
@@ -56,10 +57,10 @@ Expression any_expression(unsigned field_width, bool wraps) {
   return expression;
 }
 
-/// Expressions that fit their width everywhere, and others.
+/// Mixes expressions that fit their width everywhere with others.
 Expression any_expression(unsigned field_width) { return any_expression(field_width, between(0, 2) == 0); }
 
-/// Some pixels of a tile and a field of it, and the same pixel by pixel.
+/// Some pixels of a tile and a field, together with a per-pixel reference.
 struct Tile {
   Expression expression;
   functional::TileShape shape = any_shape();
@@ -71,7 +72,7 @@ struct Tile {
   explicit Tile(const Expression& any) : expression(any) {
     if (expression.field_width == 0) return;
     set_any(*lanes, expression.field_width, shape);
-    // Blocks that F equals at some pixels.
+    // Makes some pixels of a block equal to F.
     for (unsigned block = 0; block < functional::blocks_per_tile; block += between(1U, 4U)) {
       if (lanes->is_constant(block)) functional::fill_block(*lanes, block);
       for (unsigned bit = 0; bit < functional::block_pixels; bit += 2) {
@@ -93,7 +94,7 @@ struct Tile {
     return count;
   }
 
-  /// Runs the kind. Asserts the number of overflows.
+  /// Runs the kind and asserts the number of overflows.
   void run(LinearKind kind) {
     LinearTask task;
     task.kind = kind;
@@ -146,14 +147,14 @@ Expression any_for_field() { return any_expression(*rc::gen::element(1U, 20U, 29
 
 }  // namespace
 
-TEST_CASE("a sign keeps what is not negative, or what is") {
+TEST_CASE("a sign test keeps non-negative or negative pixels") {
   CHECK(rc::check([] {
     check_tests(any_expression(0), LinearKind::not_negative, [](std::int64_t f, std::int64_t) { return f >= 0; });
     check_tests(any_expression(0), LinearKind::negative, [](std::int64_t f, std::int64_t) { return f < 0; });
   }));
 }
 
-TEST_CASE("a comparison keeps where F stands so to the number") {
+TEST_CASE("a comparison keeps pixels by the relation of F to the field") {
   CHECK(rc::check([] {
     using enum LinearKind;
     check_tests(any_for_field(), greater_or_equal, [](std::int64_t f, std::int64_t z) { return f >= z; });
@@ -164,21 +165,22 @@ TEST_CASE("a comparison keeps where F stands so to the number") {
   }));
 }
 
-TEST_CASE("a load writes the low bits of F where enabled, and clears E where F does not fit") {
+TEST_CASE("a load writes the low bits of F and clears E where F does not fit") {
   CHECK(rc::check(
       [] { check_writes(any_for_field(), LinearKind::load, [](std::int64_t, std::int64_t) { return true; }); }));
 }
 
-TEST_CASE("the greater or the less of F and the number is kept, and E cleared where what is written does not fit") {
+TEST_CASE("keep_max and keep_min update the field and clear E on overflow") {
   CHECK(rc::check([] {
     check_writes(any_for_field(), LinearKind::keep_max, [](std::int64_t f, std::int64_t z) { return f > z; });
     check_writes(any_for_field(), LinearKind::keep_min, [](std::int64_t f, std::int64_t z) { return f < z; });
   }));
 }
 
-// The sum is 0 at the last pixel and below it at all others. In 30 of its 36 bits seven steps a row and seven a column
-// lose 0.875 and more each, 13 in all: bounds that allow for less call the last block negative.
-TEST_CASE("a block whose greatest sum is 0 is looked at, however much its bounds lose in half the bits") {
+// The sum is 0 at the last pixel and negative elsewhere. With 30 of its 36 bits, seven steps along a row and seven
+// along a column lose at least 0.875 each, 13 in total: bounds with a smaller margin would classify the last block as
+// negative.
+TEST_CASE("evaluates a block with a maximum sum of 0 despite truncated bounds") {
   constexpr std::int64_t slope = (std::int64_t{1} << 29U) + 7;
   const Expression expression{.a = slope, .b = slope, .c = -126 * slope, .width = 40};
   REQUIRE(expression.sum(63, 63) == 0);

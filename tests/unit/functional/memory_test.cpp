@@ -14,7 +14,7 @@ namespace {
 
 constexpr unsigned memory_bits = 40;
 
-/// Every bit of every pixel, one by one.
+/// Reference that stores every bit of every pixel separately.
 class SlowMemory {
  public:
   explicit SlowMemory(const TileShape& shape) : shape_(shape), bits_(memory_bits, Bits(shape)) {}
@@ -36,7 +36,7 @@ class SlowMemory {
   std::vector<Bits> bits_;
 };
 
-/// One of few fields that overlap each other, or any.
+/// One of few overlapping fields, or any field.
 Field any_field() {
   const auto base = between<std::uint16_t>(0, memory_bits);
   const auto width = between<std::uint16_t>(1, std::min<std::uint16_t>(32, memory_bits - base) + 1);
@@ -49,7 +49,7 @@ bool is_in(std::uint64_t blocks, std::uint32_t x, std::uint32_t y) {
   return (blocks >> functional::block_of(x, y) & 1U) != 0;
 }
 
-/// All but those blocks as they were.
+/// Restores all blocks except the given ones.
 void keep_others(functional::Lanes& lanes, const functional::Lanes& before, std::uint64_t blocks) {
   functional::each_bit(~blocks, [&](unsigned block) {
     lanes.least[block] = before.least[block];
@@ -111,7 +111,7 @@ void do_any(Memory& memory, SlowMemory& slow, const TileShape& shape) {
 
 }  // namespace
 
-TEST_CASE("memory holds what was written, whichever form each bit is in and was in before") {
+TEST_CASE("memory holds the written values in any sequence of representations") {
   CHECK(rc::check([] {
     const TileShape shape = any_shape();
     Memory memory(shape, memory_bits);
@@ -131,7 +131,7 @@ TEST_CASE("memory holds what was written, whichever form each bit is in and was 
   }));
 }
 
-TEST_CASE("a field is in planes until it is used as a number, and again when a bit of it is") {
+TEST_CASE("a field switches between planes and lanes as it is used") {
   Memory memory({64, 3}, memory_bits);
   CHECK(memory.in_planes({0, 20}));
   memory.lanes({4, 8});
@@ -145,7 +145,7 @@ TEST_CASE("a field is in planes until it is used as a number, and again when a b
   CHECK(memory.in_planes({0, 20}));
 }
 
-TEST_CASE("lanes of more fields than are kept give way, but not those that were asked for last") {
+TEST_CASE("evicts the least recently used lanes") {
   Memory memory({64, 64}, memory_bits);
   for (std::uint16_t base = 0; base < 33; ++base) {
     functional::Lanes& one = memory.lanes({base, 2});

@@ -11,19 +11,19 @@
 
 namespace csgsim::testing {
 
-/// In [low, end), all as likely at any size of a case.
+/// Uniform in [low, end) for any size of a test case.
 template <class Number>
 Number between(Number low, Number end) {
   return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<Number>(low, end));
 }
 
-/// 64 bits of any kind: none, all, few, or as many of one as of the other.
+/// 64 bits: none, all, few, or half of them set.
 std::uint64_t any_word();
 
-/// 1 to tile_side pixels each way: whole tiles, whole blocks, parts of them.
+/// 1 to tile_side pixels in each direction: whole tiles, whole blocks, and parts of them.
 functional::TileShape any_shape();
 
-/// A value of every pixel of a tile, one by one: what the bits and lanes of sim/functional are held against.
+/// A value for every pixel of a tile: the reference for the bits and lanes of sim/functional.
 template <class Value>
 class Pixels {
  public:
@@ -40,7 +40,7 @@ class Pixels {
     for (std::uint32_t y = 0; y < shape_.height(); ++y)
       for (std::uint32_t x = 0; x < shape_.width(); ++x) visit(x, y);
   }
-  /// value := value(x, y), at every pixel.
+  /// Sets every pixel to value(x, y).
   template <class Make>
   void set_each(const Make& value) {
     each([&](std::uint32_t x, std::uint32_t y) { set(x, y, value(x, y)); });
@@ -56,17 +56,17 @@ class Pixels {
 using Bits = Pixels<char>;
 using Numbers = Pixels<std::uint32_t>;
 
-/// The bits, one by one. Asserts that those where there is no pixel are 0, and that blocks are known for what they are.
+/// Reads the bits individually. Asserts that bits outside the tile are 0 and that blocks are classified correctly.
 Bits bits_of(const functional::TileBits& bits, const functional::TileShape& shape);
 
-/// Blocks become all zeros, all ones, or words of any kind. Returns what they have to hold then.
+/// Sets blocks to all zeros, all ones, or random words. Returns the expected contents.
 Bits set_any(functional::TileBits& bits, const functional::TileShape& shape);
 
-/// The numbers, one by one. Asserts that each is within its block's bounds.
+/// Reads the numbers individually. Asserts that each is within its block's bounds.
 Numbers numbers_of(const functional::Lanes& lanes, const functional::TileShape& shape);
 
-/// Blocks become constant, or any few values of so many bits, the least and the greatest among them. Returns what they
-/// have to hold then.
+/// Sets blocks to a constant or to a few random values of `bits` bits, including the minimum and the maximum. Returns
+/// the expected contents.
 Numbers set_any(functional::Lanes& lanes, unsigned bits, const functional::TileShape& shape);
 
 }  // namespace csgsim::testing

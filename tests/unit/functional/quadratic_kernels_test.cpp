@@ -14,7 +14,7 @@ namespace {
 
 bool is_sign(LinearKind kind) { return kind == LinearKind::not_negative || kind == LinearKind::negative; }
 
-/// What F and z make of E; of z where `writes`.
+/// Expected E, and z if `writes`, for F and z.
 struct Expected {
   bool enable = false;
   bool writes = false;
@@ -59,7 +59,7 @@ struct Seen {
   std::uint32_t count = 0;
 };
 
-/// Checks E and the counts, and calls check_z(x, y, before E, what is expected) for each pixel.
+/// Checks E and the counts, and calls check_z(x, y, previous E, expected value) for each pixel.
 template <class Z, class CheckZ>
 void check_pixels(const Quadratic& sum, LinearKind kind, unsigned field_width, const Bits& before,
                   const functional::LinearResult& result, const Bits& after, const Z& z, const CheckZ& check_z) {
@@ -79,7 +79,7 @@ void check_pixels(const Quadratic& sum, LinearKind kind, unsigned field_width, c
 
 }  // namespace
 
-TEST_CASE("F of squares is tested against 0 and numbers in lanes, loaded, kept and added as in wide arithmetic") {
+TEST_CASE("operations with quadratic F in lanes match 128-bit arithmetic") {
   CHECK(rc::check([] {
     const functional::TileShape shape = any_shape();
     Quadratic sum = test::any_quadratic({shape.width(), shape.height(), 0});
@@ -108,7 +108,7 @@ TEST_CASE("F of squares is tested against 0 and numbers in lanes, loaded, kept a
   }));
 }
 
-TEST_CASE("F is loaded into, added to and reduced by a field in planes, however wide") {
+TEST_CASE("operations with quadratic F in planes match 128-bit arithmetic") {
   CHECK(rc::check([] {
     const functional::TileShape shape = any_shape();
     const Quadratic sum = test::any_quadratic({shape.width(), shape.height(), 0});
@@ -143,7 +143,7 @@ TEST_CASE("F is loaded into, added to and reduced by a field in planes, however 
   }));
 }
 
-TEST_CASE("bounds of a quadratic hold all its values, and are its own where it has no product of x and y") {
+TEST_CASE("bounds of a quadratic contain all values and are tight without a product xy") {
   CHECK(rc::check([] {
     const std::uint32_t width = between(1U, 65U);
     const std::uint32_t height = between(1U, 65U);
@@ -171,8 +171,8 @@ TEST_CASE("bounds of a quadratic hold all its values, and are its own where it h
   }));
 }
 
-TEST_CASE("blocks that a quadratic decides are not looked at pixel by pixel") {
-  // A circle of radius 20 about (32, 32).
+TEST_CASE("blocks decided by a quadratic's bounds are not evaluated per pixel") {
+  // A circle of radius 20 around (32, 32).
   const Quadratic circle{{-1, 0, -1, 20, 0}, {64, 64, 400 - 2 * 32 * 32, 20, 0}};
   const functional::TileShape shape(64, 64);
   for (const auto& [decide, blocks] :

@@ -7,7 +7,7 @@
 using namespace csgsim;
 using namespace csgsim::testing;
 
-TEST_CASE("the root is taken of every width at enabled pixels, and at these alone, in whole tiles and in part") {
+TEST_CASE("takes roots of every width at exactly the enabled pixels") {
   CHECK(rc::check([] {
     const unsigned w = between(1U, 31U);
     const functional::TileShape shape = any_shape();
@@ -37,7 +37,7 @@ TEST_CASE("the root is taken of every width at enabled pixels, and at these alon
   }));
 }
 
-TEST_CASE("the root is exact at the ends of its range, of squares and beside them") {
+TEST_CASE("roots are exact for extreme values and near squares") {
   for (unsigned w = 1; w <= 30; ++w) {
     CAPTURE(w);
     const std::vector<std::uint64_t> values = test::extreme_squares(w);

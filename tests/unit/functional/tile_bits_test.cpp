@@ -17,7 +17,7 @@ std::uint32_t ones(const Bits& bits) {
   return ones;
 }
 
-/// Does one of the things that bits can do, to them and to their pixels.
+/// Applies a random operation to the bits and to their reference.
 void do_any(TileBits& bits, Bits& pixels, const TileShape& shape) {
   const std::uint64_t blocks = any_word() & shape.blocks();
   const auto set_blocks = [&](char bit) {
@@ -63,7 +63,7 @@ void do_any(TileBits& bits, Bits& pixels, const TileShape& shape) {
 
 }  // namespace
 
-TEST_CASE("a tile has the pixels of its sides, each in one block") {
+TEST_CASE("a tile contains the pixels of its area in one block each") {
   CHECK(rc::check([] {
     const TileShape shape = any_shape();
     std::uint32_t area = 0;
@@ -81,7 +81,7 @@ TEST_CASE("a tile has the pixels of its sides, each in one block") {
   }));
 }
 
-TEST_CASE("bits of a tile are those of its pixels, whatever was done to them") {
+TEST_CASE("bits of a tile match its pixels after any operations") {
   CHECK(rc::check([] {
     const TileShape shape = any_shape();
     TileBits bits;
@@ -95,7 +95,7 @@ TEST_CASE("bits of a tile are those of its pixels, whatever was done to them") {
   }));
 }
 
-TEST_CASE("bits become rows of words, and rows bits again") {
+TEST_CASE("bits survive the conversion to rows of words and back") {
   CHECK(rc::check([] {
     const TileShape shape = any_shape();
     const auto stride = between<std::size_t>(1, 4);

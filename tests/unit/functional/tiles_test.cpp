@@ -56,7 +56,7 @@ State state_of(const engine::PixelState& pixels) {
   return state;
 }
 
-/// The tiles of a region carry out instructions as pixels that are worked on one by one.
+/// Checks that the tiles of a region execute instructions like individually processed pixels.
 void check_run(functional::Tiles& tiles, const isa::Region& region) {
   tiles.begin(region);
   reference::ReferenceArray pixels(region, memory_bits);
@@ -84,7 +84,7 @@ void check_run(functional::Tiles& tiles, const isa::Region& region) {
 
 }  // namespace
 
-TEST_CASE("whatever tiles and threads a region has, its pixels end as if each was worked on alone") {
+TEST_CASE("pixels of a region do not depend on tiles and threads") {
   CHECK(rc::check([] {
     const isa::Region region = any_region();
     const isa::Program program = program_of(region);
@@ -93,7 +93,7 @@ TEST_CASE("whatever tiles and threads a region has, its pixels end as if each wa
   }));
 }
 
-TEST_CASE("a segment begins with memory and enable 0, after one of the same size or of another") {
+TEST_CASE("a segment starts with memory and enable 0 after any other segment") {
   CHECK(rc::check([] {
     const isa::Program program = program_of({0, 0, 200, 10});
     functional::Tiles tiles(program, between(1U, 4U), any_decide());
@@ -104,7 +104,7 @@ TEST_CASE("a segment begins with memory and enable 0, after one of the same size
   }));
 }
 
-TEST_CASE("squares that wait for their instruction are gone where a segment begins") {
+TEST_CASE("clearing a tile discards pending squares") {
   const isa::Linear squares{.a = 1, .b = 0, .c = 0, .width = 12};
   const isa::Linear below_0{.a = 0, .b = 0, .c = -1, .width = 12};
   functional::Tile tile(0, 0, functional::TileShape(8, 8), memory_bits, functional::Decide::by_block);

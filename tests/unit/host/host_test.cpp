@@ -28,7 +28,7 @@ double clocks_on_mc68000(const processors::Operations& operations) {
 
 }  // namespace
 
-TEST_CASE("a machine's host can be each processor that comes with csgsim") {
+TEST_CASE("a machine's host can be any processor shipped with csgsim") {
   const std::vector<std::string_view> known = processors::processor_names();
   std::vector<std::string_view> names(machines::host_processor_names.begin() + 1, machines::host_processor_names.end());
   CHECK(machines::host_processor_names.front() == machines::ideal_value);
@@ -51,7 +51,7 @@ TEST_CASE("an ideal host compiles in no time") {
   CHECK(host::time_frame(program, machine) == machines::time_frame(program, machine));
 }
 
-TEST_CASE("the host of a machine compiles all of its segments, each with what it took to prepare it") {
+TEST_CASE("the host's clocks sum segments and their preparation") {
   const machines::Machine machine = machine_named("scan-line");
   const isa::Program program = drawn_on(machine);
   isa::Preparation sum = *program.preparation;
@@ -66,12 +66,12 @@ TEST_CASE("the host of a machine compiles all of its segments, each with what it
     prepared += static_cast<double>(sum.*recipe.count) * clocks_on_mc68000(recipe.each);
   CHECK(prepared > 0);
   CHECK(instructions > 0);
-  // 8 MHz against the machine's 10.
+  // The processor runs at 8 MHz, the machine at 10 MHz.
   const double clocks = (prepared + instructions) * 10 / 8;
   CHECK(static_cast<double>(host::compile_clocks(program, machine)) == doctest::Approx(clocks).epsilon(1e-6));
 }
 
-TEST_CASE("the host of a machine that divides the model makes that model, whatever its segments are") {
+TEST_CASE("the host of a dividing machine only builds the model") {
   for (const char* name : {"pixel-square", "multi-processor"}) {
     const machines::Machine machine = machine_named(name);
     const isa::Program program = drawn_on(machine);
@@ -86,7 +86,7 @@ TEST_CASE("the host of a machine that divides the model makes that model, whatev
   }
 }
 
-TEST_CASE("several processors share the work, to the clock that the last of it needs") {
+TEST_CASE("several processors divide the work evenly and round up") {
   const machines::Machine one = machine_named("pixel-planes-4");
   const isa::Program program = drawn_on(one);
   const std::uint64_t alone = host::compile_clocks(program, one);
@@ -95,7 +95,7 @@ TEST_CASE("several processors share the work, to the clock that the last of it n
   CHECK(together <= alone / 7 + 1);
 }
 
-TEST_CASE("a host that takes longer than the machine bounds the frame, and else it does not") {
+TEST_CASE("a host slower than the machine limits the frame and a faster one does not") {
   const machines::Machine slow = machine_named("pixel-planes-4");
   const isa::Program program = drawn_on(slow);
   const auto bound_on = [&](const machines::Machine& machine) {
@@ -113,7 +113,7 @@ TEST_CASE("a host that takes longer than the machine bounds the frame, and else 
   CHECK(bound.sentence.starts_with(kept_up.sentence));
 }
 
-TEST_CASE("a Program that says it took more than any clock can tell is refused") {
+TEST_CASE("rejects a Program with an excessive amount of preparation") {
   const machines::Machine machine = machine_named("pixel-planes-4");
   isa::Program program = drawn_on(machine);
   program.preparation->planes = 1'000'000'000'000;
@@ -121,7 +121,7 @@ TEST_CASE("a Program that says it took more than any clock can tell is refused")
                        InputError);
 }
 
-TEST_CASE("a host's operations are those of a Program's numbers, of its segments and of what is written") {
+TEST_CASE("a host's operations are the sum over its preparation and instructions") {
   const machines::Machine machine = machine_named("pixel-planes-4");
   isa::Program program;
   program.shape = machine.array;
@@ -137,7 +137,7 @@ TEST_CASE("a host's operations are those of a Program's numbers, of its segments
     if (recipe.name == "boxes") sum += 12 * recipe.each;
   }
   CHECK(host::count_operations(program, machine) == sum);
-  // A machine that divides the model has its host make that, in longs of four bytes, and write no instruction.
+  // The host of a machine that divides the model builds the model in longs of four bytes and writes no instructions.
   const machines::Machine dividing = machine_named("pixel-square");
   for (const std::size_t bytes : {0U, 1U, 4U, 5U, 8U}) {
     program.display_model.resize(bytes);
@@ -150,7 +150,7 @@ TEST_CASE("a host's operations are those of a Program's numbers, of its segments
   }
 }
 
-TEST_CASE("the largest work whose clocks a double holds is accepted, and more is refused") {
+TEST_CASE("accepts work up to the limit of exact clocks and rejects more") {
   const machines::Machine machine = machine_named("pixel-planes-4");
   isa::Program program;
   program.shape = machine.array;
@@ -165,8 +165,8 @@ TEST_CASE("the largest work whose clocks a double holds is accepted, and more is
                        InputError);
 }
 
-TEST_CASE("work of 9e15 clocks is accepted, and of the fewest clocks more that there can be refused") {
-  // A machine with the clock of an MC68000: its clocks are the host's.
+TEST_CASE("accepts exactly 9e15 clocks and rejects the next possible value") {
+  // The machine has the clock frequency of an MC68000, so both clocks are equal.
   machines::Machine machine = machine_named("pixel-planes-4+host.processor=mc68000");
   machine.clock_hz = processors::load_processor("mc68000").clock_hz;
   REQUIRE(machine.clock_hz == 8'000'000);
@@ -187,7 +187,7 @@ TEST_CASE("work of 9e15 clocks is accepted, and of the fewest clocks more that t
   };
   work_of(most);
   CHECK(host::compile_clocks(program, machine) == most);
-  // A plane's clocks and a value's, of which the compiler makes twice what the manual tells, are multiples of 8.
+  // The clocks of a plane and of a value are multiples of 8; compiled code takes twice the manual's clocks.
   REQUIRE(std::gcd(plane, value) == 8);
   work_of(most + 8);
   CHECK_THROWS_AS(host::compile_clocks(program, machine), InputError);

@@ -20,7 +20,7 @@ isa::Program compiled(const std::string& csg, const csg::Pruning& pruning = {}) 
   return testing::compile_text(csg, setup_of(pruning)).program;
 }
 
-/// Of all segments.
+/// Sum over all segments.
 isa::Preparation of_segments(const isa::Program& program) {
   isa::Preparation sum;
   for (const isa::Segment& segment : program.segments) sum += *segment.preparation;
@@ -32,20 +32,21 @@ const std::string moved = "multmatrix([[1, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 5],
 
 }  // namespace
 
-TEST_CASE("to see a cube the host transforms six planes and eight corners") {
+TEST_CASE("a cube takes the transformation of six planes and eight corners") {
   const isa::Program program = compiled(cube);
   CHECK(program.preparation->planes == 6);
   CHECK(program.preparation->points == 8);
   CHECK(program.preparation->nodes == 1);
 }
 
-TEST_CASE("a cube alone is held against the picture and its faces against the corners of its rectangle") {
+TEST_CASE("a lone cube takes box and half-space tests against its rectangle") {
   const isa::Preparation took = of_segments(compiled(cube));
-  // That it is in the picture; its block.
+  // Whether it is in the picture, and its block.
   CHECK(took.boxes == 2);
-  // To narrow the block, six; of the fronts and of the backs which decide, three each.
+  // Six to narrow the block, and three each for the deciding front and back half-spaces.
   CHECK(took.halfspaces == 12);
-  // Three fronts have values at four corners, as have three backs; then each is held against those that lead.
+  // Three front and three back half-spaces have values at four corners each; then each is compared with the leading
+  // ones.
   CHECK(took.values >= 2 * 3 * 4);
   CHECK(took.values <= 2 * (3 + 3 * 3) * 4);
   CHECK(took.supports == 0);
@@ -53,16 +54,16 @@ TEST_CASE("a cube alone is held against the picture and its faces against the co
   CHECK(took.colours == 3);
 }
 
-TEST_CASE("of a cube with a notch each surface looks at the other cube") {
+TEST_CASE("each surface of a notched cube examines the other cube") {
   const isa::Preparation took = of_segments(compiled("difference() {" + cube + moved + "{" + cube + "} }"));
   CHECK(took.nodes > 0);
-  // Gilbert's algorithm looks at eight corners of both in each step.
+  // Gilbert's algorithm examines eight corners of both in each step.
   CHECK(took.supports > 0);
   CHECK(took.supports % 16 == 0);
   CHECK(took.halfspaces > 24);
 }
 
-TEST_CASE("a pruning that is not asked for is not counted") {
+TEST_CASE("disabled prunings are not counted") {
   const std::string notched = "difference() {" + cube + moved + "{" + cube + "} }";
   csg::Pruning pruning;
   pruning.separation = false;
@@ -75,7 +76,7 @@ TEST_CASE("a pruning that is not asked for is not counted") {
   CHECK(none.boxes < of_segments(compiled(notched)).boxes);
 }
 
-TEST_CASE("twice as many cubes side by side take twice as much") {
+TEST_CASE("twice the cubes side by side take twice the work") {
   const auto row_of = [](int cubes) {
     std::string row = "group() {";
     for (int i = 0; i < cubes; ++i)

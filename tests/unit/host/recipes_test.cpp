@@ -12,7 +12,7 @@ using namespace csgsim;
 
 namespace {
 
-/// Clocks of an MC68000 that is programmed by hand, by its manual's tables.
+/// Clocks of a hand-programmed MC68000, from its manual's tables.
 double clocks_of(const processors::Operations& operations) {
   return processors::clocks(operations, processors::load_processor("mc68000+compiler.factor=1000"));
 }
@@ -21,7 +21,7 @@ using processors::Operation;
 
 using Counts = std::map<Operation, std::uint64_t>;
 
-/// The kinds that occur.
+/// The kinds that occur, with their counts.
 Counts counts_of(const processors::Operations& operations) {
   Counts counts;
   for (std::size_t kind = 0; kind < processors::operation_kinds; ++kind)
@@ -29,7 +29,7 @@ Counts counts_of(const processors::Operations& operations) {
   return counts;
 }
 
-/// The sum of counts, each times its factor.
+/// Sum of the counts multiplied by their factors.
 Counts sum_of(std::initializer_list<std::pair<std::uint64_t, const Counts*>> parts) {
   Counts sum;
   for (const auto& [times, counts] : parts)
@@ -38,9 +38,9 @@ Counts sum_of(std::initializer_list<std::pair<std::uint64_t, const Counts*>> par
   return sum;
 }
 
-// What docs/host.md says of each, in operations.
+// Operations of each recipe according to docs/host.md.
 const std::map<std::string, Counts> expected_recipes{
-    // Four rows of the matrix, of four longs each, and the plane's four; three quotients brought to their places.
+    // Four matrix rows of four longs each, and the plane's four; three quotients aligned to their positions.
     {"planes",
      {{Operation::load_long, 16 + 4},
       {Operation::multiply_long, 16},
@@ -51,7 +51,7 @@ const std::map<std::string, Counts> expected_recipes{
       {Operation::compare_long, 2},
       {Operation::branch, 2},
       {Operation::store_long, 3}}},
-    // Three rows of four, and the point's three; two quotients; its part in a box of six sides.
+    // Three rows of four and the point's three; two quotients; update of a box with six sides.
     {"points",
      {{Operation::load_long, 12 + 3},
       {Operation::multiply_long, 9},
@@ -80,7 +80,7 @@ const std::map<std::string, Counts> expected_recipes{
       {Operation::branch, 6},
       {Operation::add_long, 1},
       {Operation::branch_taken, 1}}},
-    // Three coefficients and four sides; two products of long and word for a corner and two for the steps to the
+    // Three coefficients and four sides; two products of long and word for a corner, and two for the steps to the
     // others.
     {"tests",
      {{Operation::load_long, 3},
@@ -146,32 +146,32 @@ constexpr double stored = 16 + 8 + 6 + 10;                           // MOVE.L, 
 
 }  // namespace
 
-TEST_CASE("an instruction without operands is a number that is put into one word") {
+TEST_CASE("an instruction without operands takes one number in one word") {
   const isa::Instruction instruction{.opcode = isa::Opcode::enable_all};
   CHECK(clocks_of(host::count_operations(instruction, 32)) == called + number + stored);
-  // A word of 16 bits is stored as a long is; one of 64 takes two.
+  // A 16-bit word is stored like a long; a 64-bit word takes two stores.
   CHECK(clocks_of(host::count_operations(instruction, 16)) == called + number + stored);
   CHECK(clocks_of(host::count_operations(instruction, 64)) == called + number + 2 * stored);
 }
 
-TEST_CASE("a linear expression is moved to its corner, tested, made short, and packed in as many longs as it has") {
+TEST_CASE("a linear expression takes the clocks of its four steps") {
   constexpr double moved = 3 * 16 + 2 * 12 + 4 * 70 + 4 * 8;
   constexpr double tested = 3 * 16 + 4 * 12 + 8 * 70 + 10 * 8 + 6 * 6 + 6 * 8 + 10;
   constexpr double fitted = 6 * 8 + 5 * 6 + 10 * 8 + 3 * 8 + 24 * 2;
   isa::Instruction edge{.opcode = isa::Opcode::edge_not_negative, .linear = {1, 2, 3, 20, 0}};
-  // The number of the command, 6 bits; width and shift, 6 each; A, B and C of 20: 78 bits.
+  // The opcode has 6 bits, width and shift 6 each, and A, B and C 20 each: 78 bits.
   CHECK(clocks_of(host::count_operations(edge, 32)) == called + 6 * number + moved + tested + fitted + 3 * stored);
-  edge.linear.width = 40;  // two longs a coefficient, 138 bits
+  edge.linear.width = 40;  // two longs per coefficient, 138 bits
   CHECK(clocks_of(host::count_operations(edge, 32)) == called + 9 * number + moved + tested + fitted + 5 * stored);
 }
 
-TEST_CASE("a field is two numbers") {
+TEST_CASE("a field takes two numbers") {
   const isa::Instruction copy{.opcode = isa::Opcode::copy, .fields = {isa::Field{3, 8}, isa::Field{20, 8}, {}}};
-  // 6 bits, and 12 and 6 for each field: 42.
+  // 6 bits, plus 12 and 6 for each field: 42.
   CHECK(clocks_of(host::count_operations(copy, 32)) == called + 5 * number + 2 * stored);
 }
 
-TEST_CASE("what is counted has a recipe each, that takes time") {
+TEST_CASE("every counted item has a recipe that takes time") {
   isa::Preparation all;
   for (const host::Recipe& recipe : host::recipes()) {
     CHECK(all.*recipe.count == 0);
@@ -181,7 +181,7 @@ TEST_CASE("what is counted has a recipe each, that takes time") {
   CHECK(all == isa::Preparation{1, 1, 1, 1, 1, 1, 1, 1});
 }
 
-TEST_CASE("each recipe is of the operations that the page of the host tells") {
+TEST_CASE("each recipe has the operations listed in docs/host.md") {
   REQUIRE(host::recipes().size() == expected_recipes.size());
   for (const host::Recipe& recipe : host::recipes()) {
     const std::string name(recipe.name);
@@ -191,7 +191,7 @@ TEST_CASE("each recipe is of the operations that the page of the host tells") {
   }
 }
 
-TEST_CASE("each recipe is counted by the number of a Program that has its name") {
+TEST_CASE("each recipe is counted by the preparation member of the same name") {
   isa::Preparation preparation{
       .planes = 1, .points = 2, .colours = 3, .boxes = 4, .halfspaces = 5, .values = 6, .supports = 7, .nodes = 8};
   std::map<std::string, std::uint64_t> counted;
@@ -206,7 +206,7 @@ TEST_CASE("each recipe is counted by the number of a Program that has its name")
                                                         {"nodes", 8}});
 }
 
-TEST_CASE("what is written takes a call and its own number for each instruction, and the rest by what it has") {
+TEST_CASE("written instructions take a call and their numbers and operands") {
   const Counts tested = expected_recipes.at("tests");
   const host::Written written{.instructions = 3, .numbers = 10, .linear = 2, .squares = 1, .longs = 7};
   CHECK(counts_of(host::count_operations(written)) == sum_of({{3, &counts_called},
@@ -219,7 +219,7 @@ TEST_CASE("what is written takes a call and its own number for each instruction,
   CHECK(counts_of(host::model_long_operations()) == sum_of({{2, &counts_number}, {1, &counts_stored}}));
 }
 
-TEST_CASE("an operand counts the numbers that the page gives it, and a coefficient a long for each 32 bits") {
+TEST_CASE("an operand takes its documented numbers and a long per 32 coefficient bits") {
   using isa::Opcode;
   const isa::Linear narrow{.a = 1, .b = 2, .c = 3, .width = 32};
   const isa::Linear wide{.a = 1, .b = 2, .c = 3, .width = 33};

@@ -26,7 +26,7 @@ using Bytes = std::vector<std::byte>;
 
 constexpr std::size_t checksum_size = 4;
 
-/// Puts the right checksum behind bytes that have been tampered with.
+/// Replaces the checksum of modified bytes with the correct one.
 void seal(Bytes& bytes) {
   boost::crc_32_type crc;
   crc.process_bytes(bytes.data(), bytes.size() - checksum_size);
@@ -34,7 +34,7 @@ void seal(Bytes& bytes) {
     bytes[bytes.size() - checksum_size + i] = static_cast<std::byte>(crc.checksum() >> 8U * i);
 }
 
-/// Refuses it, or reads a valid Program.
+/// Asserts that decode() either rejects the bytes or returns a valid Program.
 void survives(const Bytes& bytes) {
   Program program;
   if (refusal([&] { program = decode(bytes, "p.csgt"); }).empty()) validate(program);
@@ -51,7 +51,7 @@ TEST_CASE("every Program survives the binary form") {
   }));
 }
 
-TEST_CASE("a Program of the version before names no machine, shows its field of colour and has its pieces' rows") {
+TEST_CASE("reads files of the previous version without machine record or extents") {
   const std::string folder = std::string(CSGSIM_SOURCE_DIR) + "/tests/fuzz/corpus/program_binary/";
   const Program lines = load_program(folder + "one_lines.csgt");
   CHECK(lines.machine == MachineRecord{});
@@ -72,7 +72,7 @@ TEST_CASE("an instruction takes few bytes") {
   CHECK(encode(program).size() - before < 1000 * 14);
 }
 
-TEST_CASE("numbers of the binary form survive") {
+TEST_CASE("varints of the binary form round-trip") {
   for (const std::int64_t value :
        {std::int64_t{0}, std::int64_t{-1}, std::int64_t{1}, std::int64_t{63}, std::int64_t{-64},
         std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}) {
@@ -86,13 +86,13 @@ TEST_CASE("numbers of the binary form survive") {
   CHECK(zigzag(1) == 2);
 }
 
-TEST_CASE("a number of more than 64 bits is refused") {
+TEST_CASE("rejects a varint of more than 64 bits") {
   const Bytes bytes(10, std::byte{0xff});
   ByteReader in(bytes);
   CHECK_THROWS_AS(in.varint(), MalformedBytes);
 }
 
-TEST_CASE("every byte that is damaged is noticed") {
+TEST_CASE("detects every flipped bit") {
   const Bytes sound = encode(sample_program());
   for (std::size_t i = 0; i < sound.size(); ++i)
     for (unsigned bit = 0; bit < 8; ++bit) {
@@ -102,7 +102,7 @@ TEST_CASE("every byte that is damaged is noticed") {
     }
 }
 
-TEST_CASE("every truncation is noticed, with a right checksum or without") {
+TEST_CASE("detects every truncation regardless of the checksum") {
   const Bytes sound = encode(sample_program());
   for (std::size_t size = 0; size < sound.size(); ++size) {
     Bytes shortened(sound.begin(), sound.begin() + static_cast<std::ptrdiff_t>(size));
@@ -113,7 +113,7 @@ TEST_CASE("every truncation is noticed, with a right checksum or without") {
   }
 }
 
-TEST_CASE("a hostile byte with a right checksum is refused or harmless") {
+TEST_CASE("a hostile byte with a correct checksum is rejected or harmless") {
   const Bytes sound = encode(sample_program());
   for (std::size_t i = 5; i + checksum_size < sound.size(); ++i)
     for (const unsigned value : {0x00U, 0x01U, 0x7fU, 0x80U, 0x9bU, 0xbfU, 0xffU}) {
@@ -124,7 +124,7 @@ TEST_CASE("a hostile byte with a right checksum is refused or harmless") {
     }
 }
 
-TEST_CASE("random tampering with a right checksum is refused or harmless") {
+TEST_CASE("random corruption with a correct checksum is rejected or harmless") {
   const Bytes sound = encode(sample_program());
   CHECK(rc::check("decode is total", [&sound] {
     Bytes hostile = sound;
@@ -139,7 +139,7 @@ TEST_CASE("random tampering with a right checksum is refused or harmless") {
   }));
 }
 
-TEST_CASE("random bytes behind a sound magic, version and checksum are refused or harmless") {
+TEST_CASE("random bytes after a valid header are rejected or harmless") {
   CHECK(rc::check("decode is total", [] {
     const auto noise = *rc::gen::container<std::vector<std::uint8_t>>(
         rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint8_t>()));
@@ -153,7 +153,7 @@ TEST_CASE("random bytes behind a sound magic, version and checksum are refused o
   }));
 }
 
-/// A file without instructions, with that metadata.
+/// A file without instructions and with the given metadata.
 Bytes file_of(const std::vector<std::uint8_t>& metadata) {
   ByteWriter out;
   for (const char c : {'C', 'S', 'G', 'T', '\x02'}) out.byte(static_cast<std::uint8_t>(c));
@@ -165,7 +165,7 @@ Bytes file_of(const std::vector<std::uint8_t>& metadata) {
   return bytes;
 }
 
-TEST_CASE("metadata nested a million deep is refused without running out of stack") {
+TEST_CASE("rejects metadata nested a million deep without overflowing the stack") {
   constexpr std::size_t depth = 1000000;
   const Bytes arrays = file_of(std::vector<std::uint8_t>(depth, 0x81));
   CHECK(contains(refusal([&] { decode(arrays, "p.csgt"); }), "not CBOR"));
@@ -175,7 +175,7 @@ TEST_CASE("metadata nested a million deep is refused without running out of stac
   }
 }
 
-TEST_CASE("a piece of a string is found behind items of every kind") {
+TEST_CASE("finds an indefinite-length string after items of every kind") {
   const std::vector<std::uint8_t> items{0x18, 0xff, 0x39, 1,    2,    0x1b, 1,    2,    3,    4,    5,    6,
                                         7,    8,    0x62, 'a',  0x7f, 0x42, 0x7f, 0x7f, 0x82, 0xa1, 0xc1, 0xf4,
                                         0xf9, 0x7f, 0x7f, 0xfb, 1,    2,    3,    4,    5,    6,    7,    0x7f};
@@ -185,36 +185,36 @@ TEST_CASE("a piece of a string is found behind items of every kind") {
   CHECK(contains(refusal([&] { decode(file_of(one_more), "p.csgt"); }), "in pieces"));
 }
 
-TEST_CASE("what is wrong with the bytes is said") {
+TEST_CASE("errors in the bytes have specific messages") {
   Bytes bytes = encode(sample_program());
-  const auto said = [&] { return refusal([&] { decode(bytes, "p.csgt"); }); };
+  const auto current_error = [&] { return refusal([&] { decode(bytes, "p.csgt"); }); };
 
   bytes.back() ^= std::byte{1};
-  CHECK(contains(said(), "p.csgt: is damaged: its checksum does not match; "));
+  CHECK(contains(current_error(), "p.csgt: is damaged: its checksum does not match; "));
 
   bytes[4] = std::byte{9};
-  CHECK(contains(said(), "format version 9"));
+  CHECK(contains(current_error(), "format version 9"));
 
   bytes.resize(5 + checksum_size);
-  CHECK(contains(said(), "format version 9"));
+  CHECK(contains(current_error(), "format version 9"));
   bytes.resize(4 + checksum_size);
-  CHECK(contains(said(), "ends too soon"));
+  CHECK(contains(current_error(), "ends too soon"));
 
   bytes[0] = std::byte{'X'};
-  CHECK(contains(said(), "does not begin with CSGT"));
+  CHECK(contains(current_error(), "does not begin with CSGT"));
 
   bytes = encode(sample_program());
   bytes.insert(bytes.end() - checksum_size, std::byte{0});
   seal(bytes);
-  CHECK(contains(said(), "1 bytes left over"));
+  CHECK(contains(current_error(), "1 bytes left over"));
 
   bytes = encode(sample_program());
-  bytes[bytes.size() - checksum_size - 1] = std::byte{0x80 | opcode_table.size()};  // the last instruction's opcode
+  bytes[bytes.size() - checksum_size - 1] = std::byte{0x80 | opcode_table.size()};  // opcode of the last instruction
   seal(bytes);
-  CHECK(contains(said(), "undefined opcode " + std::to_string(opcode_table.size())));
+  CHECK(contains(current_error(), "undefined opcode " + std::to_string(opcode_table.size())));
 }
 
-TEST_CASE("a count beyond the bytes that are there is refused before anything is reserved") {
+TEST_CASE("rejects a count beyond the available bytes before allocating memory") {
   Bytes bytes = encode(sample_program());
   // The instruction count of the first segment, 9, is the last element of its row: 0x09 before the next row's 0x8a.
   constexpr std::array pattern{std::byte{0x09}, std::byte{0x8a}};
@@ -225,7 +225,7 @@ TEST_CASE("a count beyond the bytes that are there is refused before anything is
   CHECK(contains(refusal([&] { decode(bytes, "p.csgt"); }), "ends too soon"));
 }
 
-TEST_CASE("a Program that is not valid is refused when it is read") {
+TEST_CASE("rejects an invalid Program when reading it") {
   Program program = sample_program();
   program.segments[0].instructions[3].linear.width = 3;
   CHECK(refusal([&] { decode(encode(program), "p.csgt"); }).starts_with("p.csgt: segment 0, instruction 3: "));

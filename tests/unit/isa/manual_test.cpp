@@ -10,7 +10,7 @@ using namespace csgsim::isa;
 
 namespace {
 
-TEST_CASE("the tables of the manual have a row an instruction, a number of clocks and a purpose") {
+TEST_CASE("the manual's tables have the expected rows") {
   const std::string page = instruction_set_page();
   for (const char* const row : {
            "| 12 | `linear_le` | source, linear | any | 36 + 3w | E := E and F <= s |\n",
@@ -28,7 +28,7 @@ TEST_CASE("the tables of the manual have a row an instruction, a number of clock
   }
 }
 
-TEST_CASE("the manual gives the bits of each command on a link") {
+TEST_CASE("the manual lists the bits of each command on a link") {
   const std::string page = instruction_set_page();
   for (const std::string_view row :
        {"| 0 | `enable_all` |  |  | 6 |", "| 9 | `edge_negative` | linear |  | 18 + 3w |",

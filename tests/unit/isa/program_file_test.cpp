@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-/// An empty directory of its own for a test case.
+/// An empty directory for a test case.
 class Scratch {
  public:
   explicit Scratch(const std::string& name) : path_(fs::path(CSGSIM_BINARY_DIR) / "scratch_isa" / name) {
@@ -29,7 +29,7 @@ class Scratch {
   fs::path path_;
 };
 
-TEST_CASE("a file is written in the form that is asked for, and read in that form") {
+TEST_CASE("a file is written in the requested form and read back from it") {
   const Scratch scratch("forms");
   for (const ProgramForm form : {ProgramForm::binary, ProgramForm::text}) {
     const fs::path path = scratch / "p.csgt";
@@ -51,7 +51,7 @@ TEST_CASE("a file that cannot be written leaves nothing behind") {
   CHECK(contains(refusal([&] { save_program(sample_program(), scratch / "none/p.csgt"); }), "cannot be written"));
 }
 
-TEST_CASE("a file that cannot be read is told by name") {
+TEST_CASE("the error for an unreadable file names it") {
   const Scratch scratch("unreadable");
   const fs::path path = scratch / "p.csgt";
   CHECK(refusal([&] { load_program(path); }).starts_with(path.string() + ": cannot be read: No such file"));
@@ -59,7 +59,7 @@ TEST_CASE("a file that cannot be read is told by name") {
   CHECK(contains(refusal([&] { load_program(path); }), "it is a folder; name a .csgt file"));
 }
 
-TEST_CASE("errors inside a file name it") {
+TEST_CASE("errors inside a file name the file") {
   const Scratch scratch("errors");
   const fs::path path = scratch / "p.csgt";
   std::ofstream(path) << "CSGT";
@@ -68,7 +68,7 @@ TEST_CASE("errors inside a file name it") {
   CHECK(refusal([&] { load_program(path); }).starts_with(path.string() + ":1:1: "));
 }
 
-TEST_CASE("a Program file past 1 GiB is refused without being read") {
+TEST_CASE("rejects a Program file larger than 1 GiB without reading it") {
   const Scratch scratch("large");
   const fs::path path = scratch / "p.csgt";
   save_program(sample_program(), path);

@@ -9,7 +9,7 @@ using namespace csgsim::test;
 
 namespace {
 
-/// Checks that so many random Programs are valid, and says which opcodes they have.
+/// Checks that random Programs are valid and returns their opcodes.
 std::set<isa::Opcode> opcodes_of_valid_programs(isa::ArrayShape shape) {
   std::set<isa::Opcode> opcodes;
   CHECK(rc::check("valid", [&] {
@@ -26,7 +26,7 @@ TEST_CASE("random Programs are valid and use every opcode") {
     CHECK(opcodes_of_valid_programs(shape).size() == isa::opcode_table.size());
 }
 
-TEST_CASE("random Programs for a single memory bit leave out what does not fit it") {
+TEST_CASE("random Programs for a single memory bit omit what does not fit") {
   const auto opcodes = opcodes_of_valid_programs({3, 3, 1});
   CHECK_FALSE(opcodes.contains(isa::Opcode::copy));
   CHECK(opcodes.contains(isa::Opcode::bit_and));

@@ -19,7 +19,8 @@ machines::Machine machine_of(isa::ArrayShape shape) {
   return machine;
 }
 
-/// Two segments: the first fills a field with 5 and asks, the second asks before and after it enables a column.
+/// Two segments: the first fills a field with 5 and queries the global OR; the second queries before and after it
+/// enables a column.
 isa::Program two_segments() {
   isa::Program program;
   program.shape = {8, 4, 16};
@@ -55,7 +56,7 @@ class Recorder final : public Observer {
   std::vector<std::uint32_t> first_values;
 };
 
-/// Of the controller, by what it did.
+/// Clocks of the controller in the given activities.
 std::uint64_t clocks_of(const RunResult& result, const std::vector<std::string_view>& activities) {
   std::uint64_t clocks = 0;
   for (const machines::ActivityClocks& one : result.account.parts.at(0).clocks) {
@@ -67,7 +68,7 @@ std::uint64_t clocks_of(const RunResult& result, const std::vector<std::string_v
 TEST_CASE("a run takes each instruction's clocks and the latency once") {
   const auto machine = machine_of({8, 4, 16});
   const RunResult result = make_reference_engine(machine)->run(two_segments(), {});
-  // Latency 3 + 2 levels; answers 1 + 5 each.
+  // Latency is 3 + 2 levels; a query takes 1 + 5.
   CHECK(result.latency_clocks == 5);
   CHECK(clocks_of(result, {"issuing", "answering"}) == (1 + 8 + 6) + (6 + 1 + 3 + 6));
   CHECK(clocks_of(result, {"draining"}) == 5);
@@ -75,12 +76,12 @@ TEST_CASE("a run takes each instruction's clocks and the latency once") {
   CHECK(result.overflows == 0);
 }
 
-TEST_CASE("answers say whether any pixel of the segment is enabled") {
+TEST_CASE("answers report whether any pixel of the segment is enabled") {
   const RunResult result = make_reference_engine(machine_of({8, 4, 16}))->run(two_segments(), {});
   CHECK(result.answers == std::vector<bool>{true, false, true});
 }
 
-TEST_CASE("observers see every step in order with the pixels enabled before it") {
+TEST_CASE("observers receive every step in order with the previously enabled pixels") {
   Recorder first;
   Recorder second;
   const std::array<Observer*, 2> observers{&first, &second};
@@ -92,14 +93,14 @@ TEST_CASE("observers see every step in order with the pixels enabled before it")
   CHECK(first.segments == std::vector<std::uint32_t>{0, 1});
 }
 
-TEST_CASE("a segment begins with cleared memory") {
+TEST_CASE("a segment starts with cleared memory") {
   Recorder recorder;
   const std::array<Observer*, 1> observers{&recorder};
   make_reference_engine(machine_of({8, 4, 16}))->run(two_segments(), observers);
   CHECK(recorder.first_values == std::vector<std::uint32_t>{5, 0});
 }
 
-TEST_CASE("overflows add up over segments") {
+TEST_CASE("overflows accumulate over segments") {
   isa::Program program = two_segments();
   const isa::Instruction narrow{Opcode::edge_negative, {}, {0, 0, 2, 2, 0}, 0, {}};
   program.segments[0].instructions.push_back(narrow);
@@ -113,7 +114,7 @@ const isa::Instruction all{Opcode::enable_all, {}, {}, 0, {}};
 const isa::Instruction invert{Opcode::enable_invert, {}, {}, 0, {}};
 const isa::Instruction ask{Opcode::global_or, {}, {}, 0, {}};
 
-/// Runs one segment after another on 8x4 pixels, with a latency of 5 clocks.
+/// Runs segments on 8 x 4 pixels with a latency of 5 clocks.
 RunResult run(const std::vector<std::vector<isa::Instruction>>& segments, Recorder& recorder) {
   isa::Program program;
   program.shape = {8, 4, 16};
@@ -124,7 +125,7 @@ RunResult run(const std::vector<std::vector<isa::Instruction>>& segments, Record
   return make_reference_engine(machine_of(program.shape))->run(program, observers);
 }
 
-TEST_CASE("where no pixel is enabled a skip leaves out just what it says, at no clock") {
+TEST_CASE("a skip without enabled pixels omits its instructions at no cost") {
   Recorder recorder;
   const RunResult result = run({{skip(2), all, all, ask, all}}, recorder);
   CHECK(recorder.steps == std::vector<Record>{{0, 0, 6, 0}, {0, 3, 6, 0}, {0, 4, 1, 0}});
@@ -134,7 +135,7 @@ TEST_CASE("where no pixel is enabled a skip leaves out just what it says, at no 
   CHECK(result.answers == std::vector<bool>{false});
 }
 
-TEST_CASE("where one pixel is enabled a skip leaves out nothing") {
+TEST_CASE("a skip with an enabled pixel omits nothing") {
   Recorder recorder;
   const isa::Instruction last_column{Opcode::edge_not_negative, {}, {1, 0, -7, 4, 0}, 0, {}};
   const isa::Instruction last_row{Opcode::edge_not_negative, {}, {0, 1, -3, 3, 0}, 0, {}};
@@ -145,7 +146,7 @@ TEST_CASE("where one pixel is enabled a skip leaves out nothing") {
   CHECK(result.answers == std::vector<bool>{true});
 }
 
-TEST_CASE("a skip to the end of its segment goes on with the next segment") {
+TEST_CASE("a skip to the end of its segment continues with the next segment") {
   Recorder recorder;
   const RunResult result = run({{skip(2), all, ask}, {all, ask}, {skip(1), all}}, recorder);
   CHECK(recorder.steps == std::vector<Record>{{0, 0, 6, 0}, {1, 0, 1, 0}, {1, 1, 6, 32}, {2, 0, 6, 0}});
@@ -154,7 +155,7 @@ TEST_CASE("a skip to the end of its segment goes on with the next segment") {
   CHECK(result.answers == std::vector<bool>{true});
 }
 
-TEST_CASE("a skipped skip skips nothing, and one that is skipped to does") {
+TEST_CASE("a skipped skip has no effect and a reached one does") {
   Recorder skipped;
   CHECK(run({{skip(1), skip(2), all, ask}}, skipped).answers == std::vector<bool>{true});
   Recorder reached;
@@ -163,13 +164,13 @@ TEST_CASE("a skipped skip skips nothing, and one that is skipped to does") {
   CHECK(result.skipped == 2);
 }
 
-TEST_CASE("what is skipped does not overflow") {
+TEST_CASE("skipped instructions do not overflow") {
   const isa::Instruction narrow{Opcode::edge_negative, {}, {0, 0, 2, 2, 0}, 0, {}};
   Recorder recorder;
   CHECK(run({{skip(2), all, narrow, all, narrow}}, recorder).overflows == 32);
 }
 
-TEST_CASE("a Program that asks is refused before it begins on a machine without a global OR") {
+TEST_CASE("rejects a query on a machine without global OR before running") {
   machines::Machine machine = machine_of({8, 4, 16});
   machines::own<pixel_planes::Figures>(machine).has_global_or = false;
   machine.name = "deaf";
@@ -187,7 +188,7 @@ TEST_CASE("a Program that asks is refused before it begins on a machine without 
   CHECK_NOTHROW(make_reference_engine(machine)->run(program, {}));
 }
 
-TEST_CASE("the engine is the reference") {
+TEST_CASE("the engine's level is reference") {
   CHECK(make_reference_engine(machine_of({1, 1, 1}))->level() == "reference");
 }
 

@@ -14,7 +14,7 @@ namespace {
 using namespace isa;
 using namespace test;
 
-/// A field of up to 64 bits in halves.
+/// Reads a field of up to 64 bits in two halves.
 std::uint64_t wide_value(const ReferenceArray& array, Field field, std::uint32_t x, std::uint32_t y) {
   const auto low = static_cast<std::uint16_t>(std::min<unsigned>(field.width, 32));
   std::uint64_t value = array.read({field.base, low}, x, y);
@@ -30,7 +30,7 @@ void put_wide(ReferenceArray& array, Field field, std::uint32_t x, std::uint32_t
     array.write({static_cast<std::uint16_t>(field.base + bit), 1}, x, y, static_cast<std::uint32_t>(value >> bit & 1U));
 }
 
-TEST_CASE("a root is the greatest number whose square is no more, and what is left of D, at every width") {
+TEST_CASE("a root and its remainder are correct at every width") {
   for (std::uint16_t width = 3; width <= 61; width += 2) {
     CAPTURE(width);
     const Field field{5, width};
@@ -50,7 +50,7 @@ TEST_CASE("a root is the greatest number whose square is no more, and what is le
   }
 }
 
-TEST_CASE("a pixel that is not enabled keeps its field while others take the root") {
+TEST_CASE("a disabled pixel keeps its field while others take the root") {
   ReferenceArray array(isa::ArrayShape{2, 1, 9});
   for (std::uint32_t x = 0; x < 2; ++x) array.write({0, 9}, x, 0, 200);
   array.write_enable(1, 0, true);
@@ -60,7 +60,7 @@ TEST_CASE("a pixel that is not enabled keeps its field while others take the roo
   CHECK(array.read({0, 9}, 1, 0) == (14U << 5U | 7U));
 }
 
-TEST_CASE("squares add to the sum of the next instruction, and of no other") {
+TEST_CASE("squares add to the sum of only the next instruction") {
   CHECK(rc::check([] {
     const Quadratic sum = test::any_quadratic({9, 7, 0});
     const Field field{3, static_cast<std::uint16_t>(sum.linear.width - sum.linear.shift - 1)};
@@ -92,7 +92,7 @@ TEST_CASE("squares add to the sum of the next instruction, and of no other") {
   }));
 }
 
-TEST_CASE("F is added to a field, or the field taken from F, modulo 2^width, and E stays") {
+TEST_CASE("F is added to or subtracted from a field modulo 2^width and E is unchanged") {
   CHECK(rc::check([] {
     const Quadratic sum = test::any_quadratic({5, 3, 0});
     const auto width =

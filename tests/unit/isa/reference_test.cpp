@@ -20,7 +20,7 @@ constexpr Field t1{8, 1};  // single bits
 constexpr Field s1{9, 1};
 constexpr Field r1{10, 1};
 
-/// A row of pixels of 12 memory bits, all enabled.
+/// A row of enabled pixels with 12 memory bits.
 ReferenceArray row(std::uint32_t width) {
   ReferenceArray array(isa::ArrayShape{width, 1, 12});
   array.execute({Opcode::enable_all, {}, {}, 0, {}});
@@ -54,7 +54,7 @@ Instruction on_fields(Opcode opcode, Field first = {}, Field second = {}, Field 
 
 Instruction on_linear(Opcode opcode, Field field, Linear linear) { return {opcode, {field}, linear, 0, {}}; }
 
-/// E after the instruction where E and s1 were, from pixel 0: 0 0, 0 1, 1 0, 1 1.
+/// E after the instruction for E and s1 before it, from pixel 0: 0 0, 0 1, 1 0, 1 1.
 Bits enable_table(Opcode opcode, Field operand = s1) {
   ReferenceArray array = row(4);
   set(array, s1, {0, 1, 0, 1});
@@ -64,7 +64,7 @@ Bits enable_table(Opcode opcode, Field operand = s1) {
   return enabled(array);
 }
 
-/// t1 after the instruction where s1 and r1 were, from pixel 0: 0 0, 0 1, 1 0, 1 1; a disabled pixel follows.
+/// t1 after the instruction for s1 and r1 before it, from pixel 0: 0 0, 0 1, 1 0, 1 1; then a disabled pixel.
 Values bit_table(Opcode opcode, Field second = r1) {
   ReferenceArray array = row(5);
   set(array, s1, {0, 0, 1, 1, 1});
@@ -77,7 +77,7 @@ Values bit_table(Opcode opcode, Field second = r1) {
   return values(array, t1);
 }
 
-TEST_CASE("memory and enable begin as 0") {
+TEST_CASE("memory and enable start at 0") {
   const ReferenceArray array(isa::ArrayShape{2, 3, 12});
   CHECK(values(array, {0, 12}) == Values{0, 0, 0, 0, 0, 0});
   CHECK(enabled(array) == Bits{0, 0, 0, 0, 0, 0});
@@ -105,7 +105,7 @@ TEST_CASE("enable_store writes E at enabled and disabled pixels") {
   CHECK(enabled(array) == Bits{1, 0});
 }
 
-TEST_CASE("edge tests keep the pixels on one side, and 0 is not negative") {
+TEST_CASE("edge tests keep the pixels on one side and 0 is not negative") {
   // 2x - 4 is -4, -2, 0, 2 at x = 0, 1, 2, 3.
   ReferenceArray array = row(4);
   array.execute(on_linear(Opcode::edge_not_negative, {}, {2, 0, -4, 4, 0}));
@@ -130,19 +130,19 @@ TEST_CASE("x is the column and y the row within the segment") {
   CHECK(values(array, {0, 8}) == Values{100, 101, 102, 110, 111, 112});
 }
 
-TEST_CASE("F is shifted with floor") {
-  // x - 3 is -3 ... 3; halved with floor: -2, -1, -1, 0, 0, 1, 1. Plus 2: 0, 1, 1, 2, 2, 3, 3.
+TEST_CASE("F is shifted rounding down") {
+  // x - 3 is -3 ... 3; halved rounding down: -2, -1, -1, 0, 0, 1, 1. Plus 2: 0, 1, 1, 2, 2, 3, 3.
   ReferenceArray array = row(7);
   array.execute(on_linear(Opcode::load_linear, t, {1, 0, -3 + 4, 8, 1}));
   CHECK(values(array, t) == Values{0, 1, 1, 2, 2, 3, 3});
 
-  // (x - 3) >> 1 is negative for x = 0, 1, 2: -1 >> 1 is -1, not 0.
+  // (x - 3) >> 1 is negative for x = 0, 1, 2, because -1 >> 1 is -1.
   array = row(7);
   array.execute(on_linear(Opcode::edge_negative, {}, {1, 0, -3, 4, 1}));
   CHECK(enabled(array) == Bits{1, 1, 1, 0, 0, 0, 0});
 }
 
-TEST_CASE("the high bits of a sum that does not fit the width are lost") {
+TEST_CASE("a sum loses the high bits that exceed its width") {
   // 3 bits hold -4 to 3: 2, 3, 4, 5 become 2, 3, -4, -3.
   ReferenceArray array = row(4);
   array.execute(on_linear(Opcode::edge_negative, {}, {1, 0, 2, 3, 0}));
@@ -150,7 +150,7 @@ TEST_CASE("the high bits of a sum that does not fit the width are lost") {
   CHECK(array.overflows() == 2);
 }
 
-TEST_CASE("overflows count at enabled pixels only") {
+TEST_CASE("counts overflows only at enabled pixels") {
   ReferenceArray array = row(4);
   enable(array, {1, 1, 1, 0});
   array.execute(on_linear(Opcode::edge_negative, {}, {1, 0, 2, 3, 0}));
@@ -163,8 +163,8 @@ TEST_CASE("overflows count at enabled pixels only") {
   CHECK(array.overflows() == 5);
 }
 
-TEST_CASE("F is compared with a field, negative F lying below every field") {
-  // x - 1 is -1, 0, 1, 2, 3 against 0, 0, 2, 2, 2.
+TEST_CASE("compares F with a field and a negative F is less than every field") {
+  // x - 1 is -1, 0, 1, 2, 3, compared with 0, 0, 2, 2, 2.
   const auto compared = [](Opcode opcode) {
     ReferenceArray array = row(5);
     set(array, s, {0, 0, 2, 2, 2});
@@ -190,8 +190,8 @@ TEST_CASE("comparisons never enable a pixel") {
   }
 }
 
-TEST_CASE("F beyond the field compares as the number it is, not as its low bits") {
-  // 19 has the low bits 3: it is greater than 5.
+TEST_CASE("F beyond the field's range is compared by its full value") {
+  // The low bits of 19 are 3, but it is greater than 5.
   ReferenceArray array = row(1);
   set(array, s, {5});
   array.execute(on_linear(Opcode::linear_gt, s, {0, 0, 19, 6, 0}));
@@ -199,7 +199,7 @@ TEST_CASE("F beyond the field compares as the number it is, not as its low bits"
 }
 
 TEST_CASE("load_linear writes F where enabled and disables where it does not fit") {
-  // 8x - 8 is -8, 0, 8, 16; 4 bits hold 0 to 15. Low bits of -8 are 8, of 16 are 0.
+  // 8x - 8 is -8, 0, 8, 16; 4 bits hold 0 to 15. The low bits of -8 are 8, of 16 they are 0.
   ReferenceArray array = row(5);
   set(array, t, {7, 7, 7, 7, 7});
   enable(array, {1, 1, 1, 1, 0});
@@ -208,8 +208,8 @@ TEST_CASE("load_linear writes F where enabled and disables where it does not fit
   CHECK(enabled(array) == Bits{0, 1, 1, 0, 0});
 }
 
-TEST_CASE("keep_max writes only where F is greater, and disables where that does not fit") {
-  // 6x - 4 is -4, 2, 8, 14, 20 against 5, 2, 5, 15, 5; the last is disabled from the start.
+TEST_CASE("keep_max writes where F is greater and disables where that does not fit") {
+  // 6x - 4 is -4, 2, 8, 14, 20, compared with 5, 2, 5, 15, 5; the last pixel is disabled from the start.
   ReferenceArray array = row(6);
   set(array, t, {5, 2, 5, 15, 5, 5});
   enable(array, {1, 1, 1, 1, 1, 0});
@@ -218,8 +218,8 @@ TEST_CASE("keep_max writes only where F is greater, and disables where that does
   CHECK(enabled(array) == Bits{1, 1, 1, 1, 0, 0});
 }
 
-TEST_CASE("keep_min writes only where F is less, and disables where that does not fit") {
-  // 6x - 4 is -4, 2, 8, 14, 20 against 5, 2, 9, 15, 5; -4 has the low bits 12.
+TEST_CASE("keep_min writes where F is less and disables where that does not fit") {
+  // 6x - 4 is -4, 2, 8, 14, 20, compared with 5, 2, 9, 15, 5; the low bits of -4 are 12.
   ReferenceArray array = row(6);
   set(array, t, {5, 2, 9, 15, 5, 15});
   enable(array, {1, 1, 1, 1, 1, 0});
@@ -228,8 +228,8 @@ TEST_CASE("keep_min writes only where F is less, and disables where that does no
   CHECK(enabled(array) == Bits{0, 1, 1, 1, 1, 0});
 }
 
-TEST_CASE("the widest linear expression meets the widest field") {
-  // 2^61 - 1 over 30 fraction bits is 2^31 - 1, with floor; its negative is -2^31.
+TEST_CASE("loads the widest linear expression into a wide field") {
+  // 2^61 - 1 over 30 fraction bits is 2^31 - 1, rounded down; its negative is -2^31.
   constexpr std::int64_t most = (std::int64_t{1} << 61U) - 1;
   ReferenceArray array(isa::ArrayShape{2, 1, 32});
   array.execute({Opcode::enable_all, {}, {}, 0, {}});
@@ -239,7 +239,7 @@ TEST_CASE("the widest linear expression meets the widest field") {
   CHECK(array.overflows() == 0);
 }
 
-TEST_CASE("set_constant and copy write where enabled and leave other bits alone") {
+TEST_CASE("set_constant and copy write where enabled and leave other bits unchanged") {
   ReferenceArray array = row(2);
   set(array, {0, 12}, {0xfff, 0xfff});
   enable(array, {1, 0});
@@ -281,8 +281,8 @@ TEST_CASE("a bit instruction may write one of its sources") {
   CHECK(values(array, s1) == Values{0, 0});
 }
 
-TEST_CASE("bit instructions work bit by bit on fields, and leave a disabled pixel alone") {
-  const auto worked = [](Opcode opcode) {
+TEST_CASE("bit instructions act bitwise on fields and skip disabled pixels") {
+  const auto bitwise_result = [](Opcode opcode) {
     ReferenceArray array = row(2);
     set(array, t, {0b1001, 0b1001});
     set(array, s, {0b0011, 0b0011});
@@ -292,11 +292,11 @@ TEST_CASE("bit instructions work bit by bit on fields, and leave a disabled pixe
     CHECK(values(array, s) == Values{0b0011, 0b0011});
     return values(array, t);
   };
-  CHECK(worked(Opcode::bit_and) == Values{0b0001, 0b1001});
-  CHECK(worked(Opcode::bit_or) == Values{0b0111, 0b1001});
-  CHECK(worked(Opcode::bit_xor) == Values{0b0110, 0b1001});
-  CHECK(worked(Opcode::bit_and_not) == Values{0b0010, 0b1001});
-  CHECK(worked(Opcode::bit_not) == Values{0b1100, 0b1001});
+  CHECK(bitwise_result(Opcode::bit_and) == Values{0b0001, 0b1001});
+  CHECK(bitwise_result(Opcode::bit_or) == Values{0b0111, 0b1001});
+  CHECK(bitwise_result(Opcode::bit_xor) == Values{0b0110, 0b1001});
+  CHECK(bitwise_result(Opcode::bit_and_not) == Values{0b0010, 0b1001});
+  CHECK(bitwise_result(Opcode::bit_not) == Values{0b1100, 0b1001});
 }
 
 TEST_CASE("xor_constant inverts the target where the constant is 1") {
@@ -309,7 +309,7 @@ TEST_CASE("xor_constant inverts the target where the constant is 1") {
   CHECK(values(array, s) == Values{15, 0, 15});
 }
 
-TEST_CASE("add adds where enabled, and loses the carry out of the target's top bit") {
+TEST_CASE("add works where enabled and drops the carry out of the target's top bit") {
   ReferenceArray array = row(5);
   set(array, t, {0, 9, 15, 15, 9});
   set(array, s, {0, 5, 1, 15, 5});
@@ -320,7 +320,7 @@ TEST_CASE("add adds where enabled, and loses the carry out of the target's top b
   CHECK(enabled(array) == Bits{1, 1, 1, 1, 0});
 }
 
-TEST_CASE("add takes the bits that a narrower source lacks as 0, and the carry goes on through the target's") {
+TEST_CASE("add extends a narrower source with zeros and propagates the carry") {
   ReferenceArray array = row(4);
   set(array, t, {0b0011, 0b0111, 0b1100, 0b1101});
   set(array, s1, {1, 1, 0, 1});
@@ -329,7 +329,7 @@ TEST_CASE("add takes the bits that a narrower source lacks as 0, and the carry g
   CHECK(values(array, s) == Values{0, 0, 0, 0});
 }
 
-TEST_CASE("random fields add as integers do, modulo the target's range") {
+TEST_CASE("random fields add like integers modulo the target's range") {
   CHECK(rc::check([] {
     const auto wide = *rc::gen::inRange<std::uint16_t>(1, 33);
     const auto narrow = *rc::gen::inRange<std::uint16_t>(1, static_cast<std::uint16_t>(wide + 1));
@@ -350,16 +350,16 @@ TEST_CASE("random fields add as integers do, modulo the target's range") {
   }));
 }
 
-TEST_CASE("a stripe is as wide as the gap, repeats, and overflows nowhere") {
-  // x + 2 mod 8 is 2 to 7, 0, 1, 2 ...: 4 and above at x = 2 to 5 and 10 to 13.
+TEST_CASE("a stripe is as wide as the gap and repeats without overflow") {
+  // x + 2 mod 8 is 2 to 7, 0, 1, 2 ...: at least 4 at x = 2 to 5 and 10 to 13.
   ReferenceArray array = row(15);
   array.execute(on_linear(Opcode::stripe, {}, {1, 0, 2, 3, 0}));
   CHECK(enabled(array) == Bits{0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0});
   CHECK(array.overflows() == 0);
 }
 
-TEST_CASE("stripes go on where the sum is negative, whatever the shift") {
-  // x - 5 mod 4 at x = 0 on: 3, 0, 1, 2, 3, 0, 1.
+TEST_CASE("stripes continue at negative sums for any shift") {
+  // x - 5 mod 4 starts at x = 0 with 3, 0, 1, 2, 3, 0, 1.
   for (const std::uint16_t shift : {std::uint16_t{0}, std::uint16_t{1}}) {
     ReferenceArray array = row(7);
     array.execute(on_linear(Opcode::stripe, {}, {1, 0, -5, 2, shift}));
@@ -374,7 +374,7 @@ TEST_CASE("stripes only clear E") {
   CHECK(enabled(array) == Bits{0, 1, 0, 1});
 }
 
-TEST_CASE("stripes are the bit of that number of A*x + B*y + C in wide arithmetic") {
+TEST_CASE("stripes are one bit of A x + B y + C in wide arithmetic") {
   CHECK(rc::check([] {
     const auto below = [](std::int64_t end) {
       return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::int64_t>(-end + 1, end));
@@ -394,7 +394,7 @@ TEST_CASE("stripes are the bit of that number of A*x + B*y + C in wide arithmeti
   }));
 }
 
-TEST_CASE("global_or changes nothing") {
+TEST_CASE("global_or changes no pixel") {
   ReferenceArray array = row(2);
   enable(array, {0, 1});
   set(array, t, {3, 4});
@@ -403,7 +403,7 @@ TEST_CASE("global_or changes nothing") {
   CHECK(enabled(array) == Bits{0, 1});
 }
 
-TEST_CASE("a single pixel is an array") {
+TEST_CASE("an array may have a single pixel") {
   ReferenceArray array(isa::ArrayShape{1, 1, 1});
   array.execute({Opcode::enable_all, {}, {}, 0, {}});
   array.execute(on_linear(Opcode::load_linear, {0, 1}, {100, 100, 1, 2, 0}));
@@ -411,7 +411,7 @@ TEST_CASE("a single pixel is an array") {
   CHECK(array.enabled_pixels() == 1);
 }
 
-TEST_CASE("enable bits come in words of 64 with each row padded") {
+TEST_CASE("enable bits are read in 64-bit words with padded rows") {
   ReferenceArray array(isa::ArrayShape{65, 2, 1});
   array.write_enable(0, 0, true);
   array.write_enable(64, 0, true);

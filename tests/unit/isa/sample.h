@@ -10,7 +10,7 @@
 
 namespace csgsim::test {
 
-/// One instruction of each kind of operand, on an array of 8x4 pixels of 40 bits.
+/// One instruction of each kind of operand, on an array of 8 x 4 pixels with 40 bits.
 inline isa::Program sample_program() {
   using isa::Opcode;
   using isa::Purpose;
@@ -44,7 +44,7 @@ inline isa::Program sample_program() {
   return program;
 }
 
-/// What the call says as it throws InputError; empty if it does not.
+/// Text of the InputError that the call throws; empty if it throws none.
 template <class Call>
 std::string refusal(const Call& call) {
   try {

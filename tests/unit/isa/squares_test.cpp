@@ -12,7 +12,7 @@ using namespace test;
 
 const std::string header = ".array width=100 height=64 memory_bits=128\n.segment width=100 height=64\n";
 
-/// The error of a Program whose instructions begin in line 3.
+/// Error of a Program with its instructions starting in line 3.
 std::string error_of(const std::string& instructions) {
   return refusal([&] { parse(header + instructions, "t"); });
 }
@@ -23,7 +23,7 @@ Instruction first_of(const std::string& instructions) {
 
 Instruction squares(const Linear& linear) { return {Opcode::squares, {}, linear, 0, {}}; }
 
-TEST_CASE("squares are read term by term, in any order, and printed so that they read back") {
+TEST_CASE("squares are parsed in any order of terms and print round-trips") {
   const std::string next = "\nedge_negative x (w35)\n";
   for (const auto& [line, read] :
        {std::pair{"squares 3*x*x - 2*x*y + 5*y*y (w35)", Linear{3, -2, 5, 35, 0}},
@@ -34,7 +34,7 @@ TEST_CASE("squares are read term by term, in any order, and printed so that they
     const std::string text = line;
     const Linear& linear = read;
     CAPTURE(text);
-    // The last is out of range of the segment, but as an instruction it is sound.
+    // The last one is out of range for the segment, but valid as a single instruction.
     if (linear.a > -4) CHECK(first_of(text + next) == squares(linear));
     const std::string printed = text_of(squares(linear), {});
     if (linear.a > -4) CHECK(first_of(printed + next) == squares(linear));
@@ -44,7 +44,7 @@ TEST_CASE("squares are read term by term, in any order, and printed so that they
   CHECK(text_of(squares({0, 0, 0, 9, 0}), {}) == "squares 0*x*x (w9)");
 }
 
-TEST_CASE("what does not parse of squares is told with its place") {
+TEST_CASE("errors in squares have a position") {
   CHECK(error_of("squares 3*x (w35)").starts_with("t:3:9: expected a term of A*x*x + B*x*y + C*y*y"));
   CHECK(error_of("squares 3 (w35)").starts_with("t:3:9: expected a term of A*x*x"));
   CHECK(error_of("squares y*x (w35)").starts_with("t:3:9: expected a term of A*x*x"));
@@ -54,7 +54,7 @@ TEST_CASE("what does not parse of squares is told with its place") {
   CHECK(contains(error_of("squares 9223372036854775808*x*x (w35)"), "out of range"));
 }
 
-TEST_CASE("right after squares stands a linear expression of their width") {
+TEST_CASE("squares must precede a linear expression of their width") {
   CHECK(error_of("squares x*x (w35)\nlinear_ge [0+:8], x (w35 >> 4)").empty());
   CHECK(error_of("squares x*x (w35)\nstripe x (w35)").empty());
   CHECK(error_of("enable_all\nsquares x*x (w35)") ==
@@ -71,7 +71,7 @@ TEST_CASE("right after squares stands a linear expression of their width") {
       contains(error_of("squares x*x (w35)\n.segment width=1 height=1\nedge_negative x (w35)"), "t:3:1: squares are"));
 }
 
-TEST_CASE("no skip ends between squares and their instruction") {
+TEST_CASE("a skip must not end between squares and their instruction") {
   const std::string pair = "squares x*x (w35)\nedge_negative x (w35)\nenable_all\n";
   CHECK(error_of("skip_if_none 2\n" + pair).empty());
   CHECK(error_of("skip_if_none 1\n" + pair) ==
@@ -80,7 +80,7 @@ TEST_CASE("no skip ends between squares and their instruction") {
   CHECK(contains(error_of("skip_if_none 2\nenable_all\n" + pair), "ends between squares"));
 }
 
-TEST_CASE("the whole sum stays below 2^62 over the segment") {
+TEST_CASE("the whole sum must stay below 2^62 over the segment") {
   // 100 * 100 A + 100 * 64 B + 64 * 64 C + 100 D + 64 E + F
   constexpr std::int64_t limit = std::int64_t{1} << 62U;
   const auto error = [](std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t rest) {
@@ -97,16 +97,16 @@ TEST_CASE("the whole sum stays below 2^62 over the segment") {
   CHECK_FALSE(error(std::int64_t{1} << 61U, std::int64_t{1} << 61U, std::int64_t{1} << 61U, 1).empty());
 }
 
-TEST_CASE("squares have 1 to 62 bits, no shift, and no field") {
-  const auto said = [](const Instruction& instruction) { return refusal([&] { validate(instruction, 128); }); };
-  CHECK(said(squares({1, 2, 3, 62, 0})).empty());
-  CHECK(contains(said(squares({1, 2, 3, 63, 0})), "squares are 63 bits wide; give them 1 to 62"));
-  CHECK(contains(said(squares({1, 2, 3, 0, 0})), "0 bits wide"));
-  CHECK(contains(said(squares({1, 2, 3, 20, 1})), "no shift"));
-  CHECK_FALSE(said({Opcode::squares, {{{0, 1}}}, {1, 2, 3, 20, 0}, 0, {}}).empty());
+TEST_CASE("squares have 1 to 62 bits and no shift and no field") {
+  const auto refusal_of = [](const Instruction& instruction) { return refusal([&] { validate(instruction, 128); }); };
+  CHECK(refusal_of(squares({1, 2, 3, 62, 0})).empty());
+  CHECK(contains(refusal_of(squares({1, 2, 3, 63, 0})), "squares are 63 bits wide; give them 1 to 62"));
+  CHECK(contains(refusal_of(squares({1, 2, 3, 0, 0})), "0 bits wide"));
+  CHECK(contains(refusal_of(squares({1, 2, 3, 20, 1})), "no shift"));
+  CHECK_FALSE(refusal_of({Opcode::squares, {{{0, 1}}}, {1, 2, 3, 20, 0}, 0, {}}).empty());
 }
 
-TEST_CASE("a field is wide where F is loaded or added, or a root is taken") {
+TEST_CASE("wide fields are allowed only for loading or adding F and for roots") {
   CHECK(error_of("load_linear [0+:61], x (w62)").empty());
   CHECK(error_of("linear_plus [0+:61], x (w62)").empty());
   CHECK(error_of("linear_minus [67+:61], x (w62)").empty());
@@ -123,11 +123,11 @@ TEST_CASE("a field is wide where F is loaded or added, or a root is taken") {
   CHECK(contains(error_of("root [0+:63]"), "63 bits wide; a field has 1 to 62 bits"));
 }
 
-TEST_CASE("no binary form of another instruction holds what squares do not") {
+TEST_CASE("squares take five bytes in the binary form and round-trip") {
   const Program program = parse(header + "squares 3*x*x - 2*x*y + 5*y*y (w35)\nload_linear [0+:34], 7*x (w35)\n", "t");
   const auto bytes = encode(program);
   CHECK(decode(bytes, "t") == program);
-  // number, origin of three bytes; 3, -2, 5 and 35: each a byte.
+  // The opcode and the origin take three bytes; 3, -2, 5 and 35 take one byte each.
   const Program without = parse(header + "load_linear [0+:34], 7*x (w35)\n", "t");
   CHECK(bytes.size() == encode(without).size() + 5);
 }

@@ -7,7 +7,7 @@ using namespace csgsim::isa;
 
 namespace {
 
-TEST_CASE("an opcode's row is found by its number, wherever it stands") {
+TEST_CASE("info() finds the row of an opcode by its number") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     CHECK(&info(row.opcode) == &row);
@@ -25,7 +25,7 @@ TEST_CASE("numbers without a row are not in the table") {
   CHECK_FALSE(in_table(static_cast<Opcode>(opcode_table.size())));
 }
 
-TEST_CASE("the numbers of instructions stay what files and links have carried") {
+TEST_CASE("opcode numbers stay compatible with files and links") {
   const std::vector<std::string_view> names{
       "enable_all",   "enable_invert", "enable_load",  "enable_and",        "enable_and_not",
       "enable_or",    "enable_xor",    "enable_store", "edge_not_negative", "edge_negative",
@@ -48,7 +48,7 @@ TEST_CASE("every opcode has a meaning") {
   for (const OpcodeInfo& row : opcode_table) CHECK_FALSE(row.meaning.empty());
 }
 
-TEST_CASE("operands come without gaps, and a field that F or a constant meets comes first") {
+TEST_CASE("operands have no gaps and a field used with F or a constant comes first") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     const auto none = std::find(row.operands.begin(), row.operands.end(), OperandKind::none);
@@ -59,7 +59,7 @@ TEST_CASE("operands come without gaps, and a field that F or a constant meets co
   }
 }
 
-TEST_CASE("an instruction writes one field at most, and names it first") {
+TEST_CASE("an instruction writes at most one field and lists it first") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     CHECK(row.operands[1] != OperandKind::target);
@@ -78,7 +78,7 @@ TEST_CASE("clock classes agree with the operands") {
   }
 }
 
-TEST_CASE("enable instructions on fields, and they alone, work on single bits, bit instructions bit by bit") {
+TEST_CASE("only enable instructions on fields take single bits") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     CHECK(row.name.starts_with("enable_") == (row.widths == FieldWidths::one));
@@ -86,7 +86,7 @@ TEST_CASE("enable instructions on fields, and they alone, work on single bits, b
   }
 }
 
-TEST_CASE("of the instructions with a source and a target that differ in width, the target is the wider") {
+TEST_CASE("the target is the wider of two fields of different width") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     if (row.widths != FieldWidths::narrower) continue;
@@ -95,7 +95,7 @@ TEST_CASE("of the instructions with a source and a target that differ in width, 
   }
 }
 
-TEST_CASE("what reads its target has one, and a sum that may be cut is streamed") {
+TEST_CASE("instructions that read their target have one and stripes are linear") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     if (reads_target(row.opcode)) CHECK(row.operands[0] == OperandKind::target);
@@ -109,7 +109,7 @@ TEST_CASE("what reads its target has one, and a sum that may be cut is streamed"
   }
 }
 
-TEST_CASE("wide fields are for what loads or adds F and for roots, and what looks ahead skips or squares") {
+TEST_CASE("only the expected instructions take wide fields or look ahead") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     const bool loads_or_adds = row.meaning.starts_with("where E: t := the low bits of F");

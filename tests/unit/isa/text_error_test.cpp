@@ -19,10 +19,10 @@ std::string error_of(const std::string& text) {
   return refusal([&] { parse(text, "t"); });
 }
 
-/// The error of an instruction that stands in line 5 of an otherwise sound Program.
+/// Error of an instruction in line 5 of an otherwise valid Program.
 std::string error_in_line_5(const std::string& line) { return error_of(header + line + "\nenable_all\n"); }
 
-TEST_CASE("an unknown word is told with its place and the nearest known one") {
+TEST_CASE("an unknown word is reported with its position and the nearest known one") {
   CHECK(error_in_line_5("  keep_mx Z1, x (w9)") == "t:5:3: unknown instruction 'keep_mx'; the nearest is 'keep_max'");
   CHECK(error_in_line_5("keep_max Z2, x (w9)") == "t:5:10: unknown field 'Z2'; the nearest is 'Z1'");
   CHECK(error_in_line_5("enable_all ; rendr p0") == "t:5:14: unknown purpose 'rendr'; the nearest is 'render'");
@@ -33,18 +33,18 @@ TEST_CASE("an unknown word is told with its place and the nearest known one") {
         "t:3:13: unknown field 'a'; none is defined yet");
 }
 
-TEST_CASE("an error is one line, whatever it quotes of the input") {
+TEST_CASE("an error is one line even if it quotes control characters") {
   CHECK(error_in_line_5("enable_load \"a\\x0ab\"") == "t:5:13: unknown field 'a\\nb'; the nearest is 'Z1'");
 }
 
-TEST_CASE("the nearest of long words is found in no time, by their beginnings") {
+TEST_CASE("finds the nearest of long words quickly by their prefixes") {
   const std::string a(1'000'000, 'a');
   const std::string b(1'000'000, 'b');
   const std::vector<std::string_view> words{b, a};
   CHECK(nearest(a + "c", words) == a);
 }
 
-TEST_CASE("what does not parse is told with its place") {
+TEST_CASE("syntax errors have a position") {
   CHECK(error_in_line_5("keep_max Z1 x (w9)").starts_with("t:5:13: expected a comma"));
   CHECK(error_in_line_5("keep_max Z1, 3*z (w9)").starts_with("t:5:16: expected x or y"));
   CHECK(error_in_line_5("keep_max Z1, 3*x").starts_with("t:5:17: expected the width of the linear expression"));
@@ -70,7 +70,7 @@ TEST_CASE("what does not parse is told with its place") {
   CHECK(error_of(array + ".model unions=").starts_with("t:2:15: expected a number"));
 }
 
-TEST_CASE("values of the wrong kind or out of range are told with their place") {
+TEST_CASE("values of the wrong kind or out of range are reported with their position") {
   CHECK(error_of(array + ".model unions=\"1\"").starts_with("t:2:8: unions takes a number"));
   CHECK(error_of(array + ".model unions=-1").starts_with("t:2:8: unions takes a whole number"));
   CHECK(error_of(array + ".compile z_bits=4294967296")
@@ -89,13 +89,13 @@ TEST_CASE("values of the wrong kind or out of range are told with their place") 
   CHECK(error_in_line_5("copy [70000], [1]").starts_with("t:5:7: 70000 is out of range"));
 }
 
-TEST_CASE("a key that another directive has is told so") {
+TEST_CASE("a key of another directive is reported as such") {
   CHECK(
       error_of(array + ".compile background=1").starts_with("t:2:10: background is a key of .frame, not of .compile"));
   CHECK(error_of(array + ".frame figures=[]").starts_with("t:2:8: figures is a key of .machine"));
 }
 
-TEST_CASE("the colour that is shown is said before the field that has it, and is that field") {
+TEST_CASE("a colour field must match the displayed colour declared before it") {
   const std::string field = ".field colour [8+:6] colour";
   CHECK(error_of(array + field)
             .starts_with(
@@ -107,14 +107,14 @@ TEST_CASE("the colour that is shown is said before the field that has it, and is
   CHECK(error_of(array + ".frame colour_base=30 colour_bits=6").starts_with("t:2:1: the colour shown: field [30+:6]"));
 }
 
-TEST_CASE("an extent is of rows of the picture, 16 bits each") {
+TEST_CASE("an extent consists of 16-bit rows of the picture") {
   CHECK(error_of(array + ".extent first=2 last=1").starts_with("t:2:1: the extent from row 2 to row 1"));
   CHECK(error_of(array + ".extent first=2 last=8").starts_with("t:2:1: the extent from row 2 to row 8"));
   CHECK(error_of(array + ".extent last=65536").starts_with("t:2:9: last takes a whole number of 0 to 65535"));
   CHECK(error_of(array + ".extent last=7").empty());
 }
 
-TEST_CASE("what is not valid is told with its place") {
+TEST_CASE("validation errors have a position") {
   CHECK(error_in_line_5(" keep_max Z1, x (w8)").starts_with("t:5:2: keep_max: F has 8 bits"));
   CHECK(error_in_line_5("enable_all ; render p1").starts_with("t:5:1: the origin's primitive is p1"));
   CHECK(error_in_line_5("edge_negative 4611686018427387904 (w9)").starts_with("t:5:1: edge_negative: |A|"));
@@ -123,7 +123,7 @@ TEST_CASE("what is not valid is told with its place") {
   CHECK(error_of(".array width=8 height=8 memory_bits=9999").starts_with("t:1:1: a pixel has 9999 memory bits"));
 }
 
-TEST_CASE("a skip that cannot be is told with its place, also when that shows at the end of its segment only") {
+TEST_CASE("invalid skips are reported with their position") {
   CHECK(error_in_line_5("skip_if_none 1").empty());
   CHECK(error_in_line_5("skip_if_none").starts_with("t:5:13: expected a number of instructions"));
   CHECK(error_in_line_5("skip_if_none Z1").starts_with("t:5:14: expected a number of instructions"));
@@ -134,7 +134,7 @@ TEST_CASE("a skip that cannot be is told with its place, also when that shows at
   CHECK(error_in_line_5("skip_if_none 1\n" + end).starts_with("t:5:1: skip_if_none 1 leaves the segment, which has 0"));
 }
 
-TEST_CASE("what a host prepares for a frame is told where it is more than that, and so is the sum") {
+TEST_CASE("rejects preparation counts beyond the limit and their sum") {
   constexpr const char* most = "281474976710656";
   const std::string segment = ".segment width=8 height=8\n";
   CHECK(error_of(array + ".prepare boxes=281474976710657\n" + segment) ==
@@ -144,7 +144,7 @@ TEST_CASE("what a host prepares for a frame is told where it is more than that, 
         std::string("t: sum of all .prepare: boxes=281474976710657 exceeds the limit for a frame, ") + most);
 }
 
-TEST_CASE("directives come in order") {
+TEST_CASE("directives must be in order") {
   CHECK(error_of("").starts_with("t: there is no .array"));
   CHECK(error_of(".model unions=1\n" + array).starts_with("t:1:2: .model comes before .array"));
   CHECK(error_of(array + "enable_all").starts_with("t:2:1: the instruction is in no segment"));
@@ -153,7 +153,7 @@ TEST_CASE("directives come in order") {
   CHECK(error_of(array + ".field Q [9] stack\n.field Q [8] stack").starts_with("t:3:1: field \"Q\" is named twice"));
 }
 
-TEST_CASE("text that has been tampered with is refused in one line or read as a valid Program") {
+TEST_CASE("corrupted text is rejected in one line or read as a valid Program") {
   std::ostringstream out;
   print(out, test::sample_program());
   const std::string sound = out.str();

@@ -20,7 +20,7 @@ std::string printed(const Program& program) {
   return out.str();
 }
 
-/// The only instruction of a Program that holds it on an array with a field Z of 8 bits and a primitive.
+/// The only instruction of a Program on an array with a field Z of 8 bits and a primitive.
 Instruction instruction_of(const std::string& line) {
   const std::string text =
       ".array width=4 height=4 memory_bits=32\n.field Z [0+:8] depth\n.primitive \"p\"\n.segment width=4 height=4\n" +
@@ -28,7 +28,7 @@ Instruction instruction_of(const std::string& line) {
   return parse(text, "t").segments.at(0).instructions.at(0);
 }
 
-TEST_CASE("the sample is printed so") {
+TEST_CASE("the sample prints as expected") {
   CHECK(printed(sample_program()) == R"(# csgsim program
 .array width=8 height=4 memory_bits=40
 .machine name="pixel-planes-4+alu.bits=4" kind="frame-buffer" figures=["alu.bits=4", "scan_out.port=shared"]
@@ -68,14 +68,14 @@ TEST_CASE("every Program survives the text form") {
   }));
 }
 
-TEST_CASE("every Program is printed the same after it was read") {
+TEST_CASE("a Program prints the same after it was read") {
   CHECK(rc::check("print(parse(print(p))) == print(p)", [] {
     const std::string text = printed(*test::arbitrary_program({5, 3, 40}, 20, 2));
     RC_ASSERT(printed(parse(text, "t")) == text);
   }));
 }
 
-TEST_CASE("doubles survive bit by bit") {
+TEST_CASE("doubles round-trip exactly") {
   for (const double value : {0.1, 1.0 / 3, 5e-324, 1.7976931348623157e308, 123456789012345678.0}) {
     Program program = sample_program();
     program.facts->compile.edge_on_fraction = value;
@@ -83,7 +83,7 @@ TEST_CASE("doubles survive bit by bit") {
   }
 }
 
-TEST_CASE("names of any bytes survive") {
+TEST_CASE("names of arbitrary bytes round-trip") {
   Program program = sample_program();
   std::string all;
   for (int c = 0; c < 256; ++c) all += static_cast<char>(c);
@@ -95,7 +95,7 @@ TEST_CASE("names of any bytes survive") {
   CHECK(parse(printed(program), "t") == program);
 }
 
-TEST_CASE("blanks, comments and line ends may be as one likes") {
+TEST_CASE("accepts any whitespace and line endings") {
   const std::string text =
       "# a program\r\n\r\n\t.array  height=4 width=4   memory_bits=32 # wide\r\n"
       ".field Z [ 0 +: 8 ] depth\r\n.segment width=4 height=4\r\n"
@@ -119,13 +119,13 @@ TEST_CASE("constants may be hexadecimal") {
   CHECK(instruction_of("set_constant Z, 017").constant == 17);
 }
 
-TEST_CASE("fields may be named or placed") {
+TEST_CASE("fields may be given by name or by position") {
   CHECK(instruction_of("set_constant Z, 1") == instruction_of("set_constant [0+:8], 1"));
   CHECK(instruction_of("set_constant \"Z\", 1") == instruction_of("set_constant [0+:8], 1"));
   CHECK(instruction_of("enable_load [7]") == instruction_of("enable_load [7+:1]"));
 }
 
-TEST_CASE("a hundred thousand named fields are read and printed in no time, and the first name of a field is shown") {
+TEST_CASE("reads and prints a hundred thousand named fields quickly") {
   constexpr std::size_t count = 100'000;
   std::string text = ".array width=8 height=8 memory_bits=8\n";
   for (std::size_t i = 0; i < count; ++i) text += fmt::format(".field f{} [0] stack\n", i);
@@ -139,6 +139,6 @@ TEST_CASE("a hundred thousand named fields are read and printed in no time, and 
   CHECK(again.find("  enable_load f1") == std::string::npos);
 }
 
-TEST_CASE("an origin that is left out is setup") { CHECK(instruction_of("enable_all").origin == Origin{}); }
+TEST_CASE("an omitted origin is setup") { CHECK(instruction_of("enable_all").origin == Origin{}); }
 
 }  // namespace

@@ -20,7 +20,7 @@ std::string refusal_of(const Program& program) {
   return refusal([&] { validate(program); });
 }
 
-/// An instruction of that opcode that uses fields of that width, valid for the opcodes that need no more than fields.
+/// An instruction with the given fields, valid for opcodes that take only fields.
 Instruction on(Opcode opcode, Field first, Field second = {}, Field third = {}) {
   return {opcode, {first, second, third}, {}, 0, {}};
 }
@@ -31,19 +31,19 @@ Instruction streaming(Opcode opcode, Field field, std::uint16_t width, std::uint
 
 TEST_CASE("the sample is valid") { CHECK(refusal_of(sample_program()).empty()); }
 
-TEST_CASE("an opcode has to be in the table") {
+TEST_CASE("rejects an opcode outside the table") {
   Instruction instruction;
   instruction.opcode = static_cast<Opcode>(opcode_table.size());
   CHECK(contains(refusal_of(instruction), "opcode " + std::to_string(opcode_table.size()) + " is undefined"));
 }
 
-TEST_CASE("a purpose has to be in the table") {
+TEST_CASE("rejects a purpose outside the table") {
   Instruction instruction;
   instruction.origin.purpose = static_cast<Purpose>(purpose_table.size());
   CHECK(contains(refusal_of(instruction), "purpose 7 is undefined"));
 }
 
-TEST_CASE("members that the opcode does not use have to be zero") {
+TEST_CASE("members that the opcode does not use must be zero") {
   CHECK_FALSE(refusal_of(on(Opcode::enable_all, {0, 1})).empty());
   CHECK_FALSE(refusal_of(on(Opcode::enable_load, {0, 1}, {3, 0})).empty());
   CHECK_FALSE(refusal_of(on(Opcode::copy, {0, 1}, {1, 1}, {2, 1})).empty());
@@ -52,7 +52,7 @@ TEST_CASE("members that the opcode does not use have to be zero") {
   CHECK_FALSE(refusal_of({Opcode::linear_ge, {{{0, 1}, {4, 1}}}, {0, 0, 0, 8, 0}, 0, {}}).empty());
 }
 
-TEST_CASE("fields lie inside the memory and are 1 to 32 bits wide") {
+TEST_CASE("fields must lie in the memory and have 1 to 32 bits") {
   CHECK(refusal_of(on(Opcode::set_constant, {40, 32})).empty());
   CHECK(refusal_of(on(Opcode::set_constant, {71, 1})).empty());
   CHECK(contains(refusal_of(on(Opcode::set_constant, {41, 32})), "outside the 72 memory bits"));
@@ -66,7 +66,7 @@ TEST_CASE("enable instructions take single bits") {
   CHECK(contains(refusal_of(on(Opcode::enable_store, {5, 2})), "single bit"));
 }
 
-TEST_CASE("fields of a bit instruction may coincide, but overlap in whole only") {
+TEST_CASE("fields of a bit instruction may coincide but not overlap in part") {
   CHECK(refusal_of(on(Opcode::bit_and, {5, 1}, {5, 1}, {5, 1})).empty());
   CHECK(refusal_of(on(Opcode::bit_xor, {0, 32}, {0, 32}, {32, 32})).empty());
   CHECK(refusal_of(on(Opcode::bit_or, {0, 9}, {20, 9}, {20, 9})).empty());
@@ -80,21 +80,21 @@ TEST_CASE("fields of a bit instruction may coincide, but overlap in whole only")
   CHECK(contains(refusal_of(on(Opcode::bit_not, {0, 8}, {1, 8})), "overlap in part"));
 }
 
-TEST_CASE("fields of other instructions may not overlap") {
+TEST_CASE("fields of other instructions must not overlap") {
   CHECK(refusal_of(on(Opcode::copy, {0, 8}, {8, 8})).empty());
   CHECK(contains(refusal_of(on(Opcode::copy, {0, 8}, {7, 8})), "overlap"));
   CHECK(contains(refusal_of(on(Opcode::field_lt, {0, 8}, {0, 8})), "overlap"));
   CHECK(contains(refusal_of(on(Opcode::copy, {5, 1}, {5, 1})), "overlap"));
 }
 
-TEST_CASE("fields that are copied, compared or inverted are equally wide") {
+TEST_CASE("operands of copy and comparisons must be equally wide") {
   for (const Opcode opcode : {Opcode::copy, Opcode::field_lt, Opcode::field_le, Opcode::field_eq, Opcode::bit_not}) {
     CHECK(refusal_of(on(opcode, {0, 7}, {8, 7})).empty());
     CHECK(contains(refusal_of(on(opcode, {0, 8}, {8, 7})), "equally wide"));
   }
 }
 
-TEST_CASE("what is added is no wider than what it is added to, and apart from it") {
+TEST_CASE("an addend must be no wider than its target and must not overlap it") {
   CHECK(refusal_of(on(Opcode::add, {0, 8}, {8, 8})).empty());
   CHECK(refusal_of(on(Opcode::add, {40, 32}, {39, 1})).empty());
   CHECK(refusal_of(on(Opcode::add, {0, 8}, {20, 9})) == "add: field [20+:9] is wider than [0+:8]; make it no wider");
@@ -105,7 +105,7 @@ TEST_CASE("what is added is no wider than what it is added to, and apart from it
   CHECK_FALSE(refusal_of(on(Opcode::add, {0, 8}, {8, 8}, {16, 8})).empty());
 }
 
-TEST_CASE("a stripe takes a linear expression as an edge does, and no field") {
+TEST_CASE("a stripe takes a linear expression and no field") {
   CHECK(refusal_of(streaming(Opcode::stripe, {}, 1)).empty());
   CHECK(refusal_of(streaming(Opcode::stripe, {}, 62, 61)).empty());
   CHECK(contains(refusal_of(streaming(Opcode::stripe, {}, 63)), "63 bits wide"));
@@ -113,7 +113,7 @@ TEST_CASE("a stripe takes a linear expression as an edge does, and no field") {
   CHECK(contains(refusal_of(streaming(Opcode::stripe, {0, 1}, 12)), "not a field"));
 }
 
-TEST_CASE("a linear expression is 1 to 62 bits wide and keeps a bit after the shift") {
+TEST_CASE("a linear expression has 1 to 62 bits and keeps a bit after the shift") {
   CHECK(refusal_of(streaming(Opcode::edge_negative, {}, 1)).empty());
   CHECK(refusal_of(streaming(Opcode::edge_negative, {}, 62, 61)).empty());
   CHECK_FALSE(refusal_of(streaming(Opcode::edge_negative, {}, 0)).empty());
@@ -121,14 +121,14 @@ TEST_CASE("a linear expression is 1 to 62 bits wide and keeps a bit after the sh
   CHECK(contains(refusal_of(streaming(Opcode::edge_negative, {}, 12, 12)), "shift 12"));
 }
 
-TEST_CASE("F has a bit more than the field it meets") {
+TEST_CASE("F has one bit more than its field") {
   for (const Opcode opcode : {Opcode::linear_ge, Opcode::linear_eq, Opcode::load_linear, Opcode::keep_max}) {
     CHECK(refusal_of(streaming(opcode, {0, 20}, 33, 12)).empty());
     CHECK(contains(refusal_of(streaming(opcode, {0, 20}, 32, 12)), "one more than the field"));
   }
 }
 
-TEST_CASE("a constant fits its target") {
+TEST_CASE("a constant must fit its target") {
   CHECK(refusal_of({Opcode::xor_constant, {{{3, 5}}}, {}, 31, {}}).empty());
   CHECK(contains(refusal_of({Opcode::xor_constant, {{{3, 5}}}, {}, 32, {}}), "does not fit 5 bits"));
   CHECK(refusal_of({Opcode::set_constant, {{{0, 8}}}, {}, 255, {}}).empty());
@@ -137,7 +137,7 @@ TEST_CASE("a constant fits its target") {
   CHECK_FALSE(refusal_of({Opcode::set_constant, {{{0, 32}}}, {}, 1ULL << 32U, {}}).empty());
 }
 
-TEST_CASE("a skip leaves out one instruction at least, and none beyond its segment") {
+TEST_CASE("a skip omits at least one instruction and stays in its segment") {
   const auto skip = [](std::uint64_t count) { return Instruction{Opcode::skip_if_none, {}, {}, count, {}}; };
   CHECK(refusal_of(skip(1)).empty());
   CHECK(refusal_of(skip(0)) == "skip_if_none 0 skips nothing; skip at least one instruction, or remove it");
@@ -159,13 +159,13 @@ TEST_CASE("a skip leaves out one instruction at least, and none beyond its segme
   CHECK(refusal_of(program).starts_with("segment 0, instruction " + std::to_string(last) + ": "));
 }
 
-TEST_CASE("an error in a Program says the segment and the instruction") {
+TEST_CASE("an error in a Program names the segment and the instruction") {
   Program program = sample_program();
   program.segments[0].instructions[3].linear.width = 3;
   CHECK(refusal_of(program).starts_with("segment 0, instruction 3: linear_ge: "));
 }
 
-TEST_CASE("the coefficients' sum over the region stays below 2^62") {
+TEST_CASE("the coefficients' sum over the region must stay below 2^62") {
   Program program = sample_program();
   Linear& linear = program.segments[0].instructions[4].linear;
   const std::int64_t bound = std::int64_t{1} << 62U;
@@ -181,7 +181,7 @@ TEST_CASE("the coefficients' sum over the region stays below 2^62") {
   CHECK_FALSE(refusal_of(program).empty());
 }
 
-TEST_CASE("origins name primitives that the Program lists, or none") {
+TEST_CASE("origins must refer to primitives of the Program or to none") {
   Program program = sample_program();
   Origin& origin = program.segments[0].instructions[0].origin;
   origin = {Purpose::render, 1, 1};
@@ -204,7 +204,7 @@ TEST_CASE("the shape has sides of 1 to 16384 and 1 to 4096 memory bits") {
   CHECK(refusal_of(program).empty());
 }
 
-TEST_CASE("regions are not empty and lie inside the picture") {
+TEST_CASE("regions must not be empty and must lie in the picture") {
   for (const Region region : {Region{0, 0, 0, 1},
                               {0, 0, 1, 0},
                               {8, 0, 1, 1},
@@ -219,7 +219,7 @@ TEST_CASE("regions are not empty and lie inside the picture") {
   }
 }
 
-TEST_CASE("named fields lie inside the memory and have names of their own") {
+TEST_CASE("named fields must lie in the memory and have unique names") {
   Program program = sample_program();
   program.facts->fields[0].field = {33, 8};
   CHECK(refusal_of(program).starts_with("field 'Z1': "));
@@ -234,7 +234,7 @@ TEST_CASE("named fields lie inside the memory and have names of their own") {
   CHECK(contains(refusal_of(program), "role 200"));
 }
 
-TEST_CASE("depth runs between finite distances, in perspective before the eye") {
+TEST_CASE("depth limits must be finite and positive in perspective") {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const DepthScale scale : {DepthScale{false, 1, 1},
                                  {false, 2, 1},

@@ -21,7 +21,7 @@ std::vector<LinkWord> words_of(const Command& command, unsigned link_width) {
   return words;
 }
 
-/// The bits of the words one after the other, each word's first bit first.
+/// The bits of the words in sequence, each word's first bit first.
 std::string bits_of(const std::vector<LinkWord>& words, unsigned link_width) {
   std::string bits;
   for (const LinkWord& word : words)
@@ -40,13 +40,13 @@ LinkWord word_of(const std::string& bits) {
   return word;
 }
 
-/// What a decoder says of bits that arrive over a link as wide as they are.
+/// Error of a decoder for bits that arrive over a link of exactly that width.
 std::string refusal_of(const std::string& bits) {
   WireDecoder decoder(static_cast<unsigned>(bits.size()));
   return testing::error_of([&] { decoder.take(word_of(bits)); });
 }
 
-/// The only command that the words hold, and which ends with the last of them.
+/// The only command in the words; it must end with the last of them.
 Command decoded(const std::vector<LinkWord>& words, unsigned link_width) {
   WireDecoder decoder(link_width);
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
@@ -59,20 +59,20 @@ Command decoded(const std::vector<LinkWord>& words, unsigned link_width) {
   return *command;
 }
 
-/// The number that is equal modulo 2^width and has its sign in that many bits.
+/// The number congruent modulo 2^width with its sign in that many bits.
 Wide residue(Wide number, unsigned width) {
   const Wide modulus = static_cast<Wide>(1) << width;
   const Wide rest = ((number % modulus) + modulus) % modulus;
   return rest >= modulus / 2 ? rest - modulus : rest;
 }
 
-/// F as the instruction set's page defines it.
+/// F according to the instruction set's documentation.
 Wide value_of_f(const Linear& linear, std::uint32_t x, std::uint32_t y) {
   const Wide sum = static_cast<Wide>(linear.a) * x + static_cast<Wide>(linear.b) * y + linear.c;
   return residue(sum, linear.width) >> linear.shift;
 }
 
-/// The bits that a page of the instruction set gives each kind of operand.
+/// Bits of each kind of operand according to the instruction set's documentation.
 unsigned expected_bits(const Instruction& instruction) {
   unsigned bits = 6;
   for (const OperandKind kind : info(instruction.opcode).operands) {
@@ -99,14 +99,14 @@ constexpr ArrayShape shape{1000, 700, 4096};
 
 Instruction some_instruction() { return *test::arbitrary_instruction(shape, shape.memory_bits, 3, 2); }
 
-TEST_CASE("an instruction on a field is its number, the field's base and its width") {
+TEST_CASE("an instruction on a field has its number and the field's base and width") {
   CHECK(bits_of(Instruction{Opcode::enable_and, {{{5, 1}}}, {}, 0, {}}, 24) ==
         "110000"
         "101000000000"
         "100000");
 }
 
-TEST_CASE("a constant is as wide as the field it goes to") {
+TEST_CASE("a constant is as wide as its field") {
   CHECK(bits_of(set_constant, 32) ==
         "010010"
         "000010000000"
@@ -114,7 +114,7 @@ TEST_CASE("a constant is as wide as the field it goes to") {
         "10100101");
 }
 
-TEST_CASE("a linear expression is width, shift, then A, B and C in that width") {
+TEST_CASE("a linear expression is encoded as width; shift; A; B; C") {
   CHECK(bits_of(Instruction{Opcode::linear_ge, {{{0, 3}}}, {-1, 2, -5, 6, 1}, 0, {}}, 54) ==
         "010100"
         "000000000000"
@@ -126,7 +126,7 @@ TEST_CASE("a linear expression is width, shift, then A, B and C in that width") 
         "110111");
 }
 
-TEST_CASE("squares are width, then A, B and C in that width, and have no shift") {
+TEST_CASE("squares are encoded as width; A; B; C") {
   CHECK(bits_of(Instruction{Opcode::squares, {}, {-1, 2, -5, 6, 0}, 0, {}}, 30) ==
         "100001"
         "011000"
@@ -135,14 +135,14 @@ TEST_CASE("squares are width, then A, B and C in that width, and have no shift")
         "110111");
 }
 
-TEST_CASE("a skip carries a count of 32 bits") {
+TEST_CASE("a skip has a count of 32 bits") {
   CHECK(bits_of(Instruction{Opcode::skip_if_none, {}, {}, 12, {}}, 38) ==
         "011110"
         "0011000000000000"
         "0000000000000000");
 }
 
-TEST_CASE("a segment's label is its region, its end a number alone, and a frame's end names the colours to be shown") {
+TEST_CASE("encodes the start and end of segments and the end of a frame") {
   CHECK(bits_of(SegmentStart{{3, 0, 64, 16384}}, 70) ==
         "101111"
         "1100000000000000"
@@ -167,7 +167,7 @@ TEST_CASE("the unused bits of a command's last word are 0") {
         "0100000000");
 }
 
-/// Sends an instruction over a link of that width and looks at all that has to hold.
+/// Sends an instruction over a link of the given width and checks all properties of the result.
 void check_arrival(const Instruction& instruction, unsigned link_width) {
   const auto words = words_of(instruction, link_width);
   const unsigned bits = expected_bits(instruction);
@@ -180,7 +180,7 @@ void check_arrival(const Instruction& instruction, unsigned link_width) {
   RC_ASSERT(words_of(command, link_width) == words);
 }
 
-TEST_CASE("instructions of the whole set arrive as they were sent, without origin and with coefficients reduced") {
+TEST_CASE("all instructions round-trip without origin and with reduced coefficients") {
   std::set<Opcode> sent;
   CHECK(rc::check("decode(encode(i)) is i, on links of every width", [&] {
     for (int i = 0; i < 100; ++i) {
@@ -203,7 +203,7 @@ TEST_CASE("every width of link carries the longest and the shortest commands") {
   }
 }
 
-TEST_CASE("F is the same from the coefficients that arrive, whatever those that were sent") {
+TEST_CASE("F computed from received coefficients equals F of the sent ones") {
   CHECK(rc::check("F of the decoded is F of the sent", [] {
     const auto any = rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::int64_t>());
     Linear linear{*any >> *rc::gen::inRange(2, 63), *any >> *rc::gen::inRange(2, 63), *any >> *rc::gen::inRange(2, 63),
@@ -220,13 +220,13 @@ TEST_CASE("F is the same from the coefficients that arrive, whatever those that 
   }));
 }
 
-TEST_CASE("coefficients that fit the width arrive as they are, others as the nearest to 0 that give the same F") {
+TEST_CASE("coefficients are reduced to the nearest equivalent values") {
   CHECK(reduced({-8, 7, 8, 4, 1}) == Linear{-8, 7, -8, 4, 1});
   CHECK(reduced({16, -9, 23, 4, 0}) == Linear{0, 7, 7, 4, 0});
   CHECK(reduced({1, 2, -3, 1, 0}) == Linear{-1, 0, -1, 1, 0});
 }
 
-TEST_CASE("commands follow each other over one link, each from a new word on") {
+TEST_CASE("commands follow each other over one link and start with a new word") {
   CHECK(rc::check("a stream is decoded command by command", [] {
     const auto link_width = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1U, 257U));
     std::vector<Command> sent{SegmentStart{{0, 0, 5, 7}}};
@@ -242,7 +242,7 @@ TEST_CASE("commands follow each other over one link, each from a new word on") {
   }));
 }
 
-TEST_CASE("random words are commands that are sent as they came, or errors, and nothing else") {
+TEST_CASE("random words are either commands that re-encode equally or errors") {
   std::mt19937_64 random(1988);
   unsigned commands = 0;
   unsigned errors = 0;
@@ -250,7 +250,7 @@ TEST_CASE("random words are commands that are sent as they came, or errors, and 
     WireDecoder decoder(link_width);
     std::vector<LinkWord> taken;
     for (unsigned i = 0; i < 2000; ++i) {
-      // Few ones: what is mostly 0 is more often valid.
+      // Words with few ones are more often valid.
       LinkWord word;
       for (std::uint64_t& bits : word.bits) bits = random() & random() & (i % 2 == 0 ? random() & random() : ~0ULL);
       if (i % 3 == 0) word = word.slice(0, 6 + i % 40);
@@ -271,7 +271,7 @@ TEST_CASE("random words are commands that are sent as they came, or errors, and 
   CHECK(errors > 10'000);
 }
 
-TEST_CASE("a number that is no command's is refused as soon as it is in, and a command can follow") {
+TEST_CASE("rejects an unknown command number at once and accepts the next command") {
   WireDecoder decoder(6);
   for (unsigned number = opcode_table.size(); number < 61; ++number) {
     CAPTURE(number);
@@ -280,8 +280,8 @@ TEST_CASE("a number that is no command's is refused as soon as it is in, and a c
   }
 }
 
-TEST_CASE("a command that no machine could carry out is refused") {
-  // enable_and of a field of no bit; edge_negative of no bits, of 63, and with a shift as large as the width.
+TEST_CASE("rejects a command that no machine could execute") {
+  // enable_and of an empty field; edge_negative of 0 bits, of 63 bits, and with a shift equal to the width.
   CHECK(refusal_of("110000"
                    "101000000000"
                    "000000") != "");
@@ -301,7 +301,7 @@ TEST_CASE("a command that no machine could carry out is refused") {
                    "000000"
                    "000")
             .empty());
-  // Segments of no pixel, and beyond the largest picture.
+  // Empty segments, and segments beyond the largest picture.
   CHECK(refusal_of("101111" + std::string(32, '0') + "1000000000000000" + "0000000000000000") != "");
   CHECK(refusal_of("101111"
                    "1000000000000000"
@@ -310,7 +310,7 @@ TEST_CASE("a command that no machine could carry out is refused") {
                    "1000000000000000") != "");
 }
 
-TEST_CASE("ones after the end of a command are refused, also where they are beyond the decoder's register") {
+TEST_CASE("rejects ones after the end of a command") {
   CHECK(refusal_of("000000"
                    "000")
             .empty());
@@ -325,7 +325,7 @@ TEST_CASE("ones after the end of a command are refused, also where they are beyo
   }
 }
 
-TEST_CASE("wires that the link does not have are not looked at") {
+TEST_CASE("ignores wires that the link does not have") {
   WireDecoder decoder(6);
   CHECK(decoder.take(LinkWord{{0xffffffffffffffc1U, 1, 1, 1}}) ==
         Command{Instruction{Opcode::enable_invert, {}, {}, 0, {}}});
@@ -339,7 +339,7 @@ TEST_CASE("links have 1 to 256 bits") {
   }
 }
 
-TEST_CASE("what does not fit its bits is not sent") {
+TEST_CASE("refuses to send values that do not fit their bits") {
   Instruction instruction = set_constant;
   instruction.constant = 0x100;
   CHECK_THROWS_AS(packed(instruction), std::invalid_argument);

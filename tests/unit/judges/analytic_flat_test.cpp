@@ -11,13 +11,13 @@ using view::Projection;
 
 namespace {
 
-/// On a grid of halves, so that many faces coincide.
+/// Coordinates on a grid of halves, so that many faces coincide.
 double on_grid(int low, int high) { return 0.5 * *rc::gen::inRange(2 * low, 2 * high + 1); }
 
 glm::dvec3 any_corner() { return {on_grid(-3, 2), on_grid(-3, 2), on_grid(-3, 2)}; }
 glm::dvec3 any_extent() { return {on_grid(1, 4), on_grid(1, 4), on_grid(1, 4)}; }
 
-/// A wedge whose upright faces are polygons of four corners.
+/// A wedge with quadrilateral upright faces.
 std::string wedge(const glm::dvec3& at, const glm::dvec3& extent) {
   const std::string unit =
       "polyhedron(points=[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[0,1,1]],"
@@ -42,7 +42,7 @@ std::string any_solid() {
   }
 }
 
-/// In one of three orientations, exactly.
+/// One of three exact orientations.
 std::string any_placed(const std::string& solid) {
   switch (*rc::gen::inRange(0, 5)) {
     case 0: return placed(std::string(turns::right_angle), solid);
@@ -66,19 +66,19 @@ std::string any_tree(const std::function<std::string()>& solid, int primitives) 
   }
 }
 
-/// Of which something is left.
+/// A model that is not empty.
 std::string any_model(const std::function<std::string()>& solid) {
   return unite({any_tree(solid, *rc::gen::inRange(1, 9)), any_placed(solid())});
 }
 
-/// The pictures agree: owners everywhere, distances to eight digits, but for the few rays that graze a face, which
-/// leave five.
+/// Whether the pictures agree: owners everywhere, and distances to eight digits, except for a few rays that graze a
+/// face, which agree to five.
 bool agree(const std::string& csg, const view::Camera& camera, Size size, double near = 1) {
   const Scenery scenery = make_scenery(csg, camera, size, near);
   const Truth truth = analytic(scenery);
   const Truth flat = exact(scenery);
   if (truth.owner != flat.owner) return false;
-  // An orthographic view may see what is at the eye.
+  // An orthographic view may show surfaces at the eye.
   const double least = camera.projection == Projection::perspective ? 0 : glm::length(camera.centre - camera.eye);
   int grazing = 0;
   for (std::size_t i = 0; i < flat.owner.size(); ++i) {
@@ -102,7 +102,7 @@ std::size_t covered(const std::string& csg, const view::Camera& camera, Size siz
 
 }  // namespace
 
-TEST_CASE("flat solids look the same from anywhere with and without facets") {
+TEST_CASE("flat solids look the same with and without facets") {
   CHECK(rc::check([] {
     const std::string model =
         placed(rotation(*rc::gen::inRange(0, 3600) / 10.0, *rc::gen::inRange(0, 3600) / 10.0), any_model(any_solid));
@@ -112,8 +112,8 @@ TEST_CASE("flat solids look the same from anywhere with and without facets") {
   }));
 }
 
-TEST_CASE("boxes with faces edge-on and through pixel centres look the same with and without facets") {
-  // Boxes only: where slanting planes end at a pixel centre the last bits of their doubles decide.
+TEST_CASE("boxes with edge-on faces through pixel centres look the same without facets") {
+  // Only boxes are used: at oblique planes that end at a pixel centre the last bits of doubles decide.
   CHECK(rc::check([] {
     const std::string model = any_model(any_box);
     for (const glm::dvec3& eye : {glm::dvec3(0, -32, 0), glm::dvec3(32, 0, 0), glm::dvec3(0, 0, 32)}) {
@@ -132,8 +132,9 @@ TEST_CASE("flat solids around the eye look the same with and without facets") {
   }));
 }
 
-TEST_CASE("faces that are one plane by the tolerance for coinciding planes have one owner, however steep they are") {
-  // The second front is nearer by less than the tolerance; half a degree from edge-on its depth is 100 times as much.
+TEST_CASE("faces within the plane tolerance have one owner at any angle") {
+  // The second front is nearer by less than the tolerance; half a degree from edge-on its depth difference is 100 times
+  // as large.
   const std::string first = box({-5, 0, -5}, {5, 5, 5});
   for (const double nearer : {1e-15, 1e-13, 1e-11, 1e-10}) {
     CAPTURE(nearer);
@@ -150,7 +151,7 @@ TEST_CASE("faces that are one plane by the tolerance for coinciding planes have 
   }
 }
 
-TEST_CASE("coinciding faces at the eye's own distance have one owner") {
+TEST_CASE("coincident faces at the distance of the eye have one owner") {
   const std::string first = box({-5, 0, -5}, {5, 5, 5});
   for (const double degrees : {0.0, 33.3, 111.1}) {
     CAPTURE(degrees);

@@ -19,8 +19,9 @@ constexpr Size size{40, 30};
 const double to_origin = straight_distance(size.height);
 constexpr double none = std::numeric_limits<double>::infinity();
 
-/// The surface of a solid about the origin, seen along +y: the distance from the eye, or `none`, along the ray that is
-/// x to the right and z above the axis, in pixels: model units, or model units at the origin.
+/// Surface of a solid around the origin, seen along +y: the distance from the eye, or `none`, along the ray with offset
+/// x to the right and z upwards from the axis. Offsets are in pixels, which are model units (at the origin, in
+/// perspective).
 using Surface = std::function<double(double x, double z)>;
 
 /// The nearer root of a t^2 - 2 b t + c = 0.
@@ -31,7 +32,7 @@ double nearer(double a, double b, double c) {
 
 double square(double x) { return x * x; }
 
-/// Turned, with the camera, about x and then about z: the picture stays.
+/// Rotates solid and camera about x and then about z, which leaves the picture unchanged.
 struct Turn {
   double about_x = 0;
   double about_z = 0;
@@ -49,7 +50,7 @@ view::Camera turned(const view::Camera& camera, Turn turn) {
 
 Turn any_turn() { return {*rc::gen::inRange(-890, 890) / 10.0, *rc::gen::inRange(-1800, 1800) / 10.0}; }
 
-/// Whether the surface is not about to begin or end at that place.
+/// Whether the surface does not begin or end close to the point.
 bool is_clear(const Surface& surface, double x, double z) {
   constexpr double little = 1e-6;
   const bool seen = surface(x, z) < none;
@@ -61,7 +62,7 @@ bool is_clear(const Surface& surface, double x, double z) {
   return true;
 }
 
-/// Pixels at which the solid is not seen as the formula says.
+/// Number of pixels that do not match the formula.
 std::size_t wrong(const std::string& csg, Projection projection, Turn turn, const Surface& surface) {
   const std::string placed_csg = placed(rotation(turn.about_x, turn.about_z), csg);
   const judges::Truth truth = analytic(make_scenery(placed_csg, turned(straight(size.height, projection), turn), size));
@@ -74,7 +75,7 @@ std::size_t wrong(const std::string& csg, Projection projection, Turn turn, cons
     const double expected = surface(x, z);
     const bool seen = truth.owner[i] != judges::nothing;
     if (seen) ++covered;
-    // An infinite distance equals itself only.
+    // An infinite distance equals only itself.
     const bool right = seen ? std::abs(truth.distance[i] - expected) <= 1e-9 * to_origin : expected == none;
     if (!right) ++count;
   }
@@ -90,7 +91,7 @@ std::string scaled(const glm::dvec3& by, const std::string& part) { return place
 
 }  // namespace
 
-TEST_CASE("a sphere is at the distance that Pythagoras says") {
+TEST_CASE("a sphere has the distance given by Pythagoras") {
   const std::string sphere = ball({0, 0, 0}, 12.25, 5);
   check(sphere, Projection::orthographic, [](double x, double z) {
     const double depth = square(12.25) - x * x - z * z;
@@ -101,7 +102,7 @@ TEST_CASE("a sphere is at the distance that Pythagoras says") {
   });
 }
 
-TEST_CASE("a sphere under a scale is the ellipsoid") {
+TEST_CASE("a scaled sphere is an ellipsoid") {
   const std::string ellipsoid = scaled({14, 3, 8}, ball({0, 0, 0}, 1, 5));
   check(ellipsoid, Projection::orthographic, [](double x, double z) {
     const double depth = 1 - square(x / 14) - square(z / 8);
@@ -113,11 +114,11 @@ TEST_CASE("a sphere under a scale is the ellipsoid") {
   });
 }
 
-TEST_CASE("a cylinder from the side is as deep as its circle, between its ends") {
+TEST_CASE("a cylinder from the side has the depth of its circle between its ends") {
   check(cylinder({0, 0, -7.25}, 14.5, 6.25, 6.25, 3), Projection::orthographic, [](double x, double z) {
     return std::abs(z) > 7.25 || std::abs(x) > 6.25 ? none : to_origin - std::sqrt(square(6.25) - x * x);
   });
-  // So high that its ends are out of the picture.
+  // The ends of this cylinder are outside the picture.
   check(cylinder({0, 0, -40}, 80, 6.25, 6.25, 3), Projection::perspective, [](double x, double) {
     return nearer(1 + square(x / to_origin), to_origin, square(to_origin) - square(6.25));
   });
@@ -127,15 +128,15 @@ TEST_CASE("a cylinder from its end is a flat ellipse under a scale") {
   const std::string lying = placed(rotation(90, 0), scaled({2, 1, 3}, cylinder({0, 0, -1}, 2, 6.25, 6.25, 3)));
   check(lying, Projection::orthographic,
         [](double x, double z) { return square(x / 2) + z * z > square(6.25) ? none : to_origin - 3; });
-  // In perspective its side is hidden by its front.
+  // The front hides the side in perspective.
   check(lying, Projection::perspective, [](double x, double z) {
     const double nearness = (to_origin - 3) / to_origin;
     return square(x * nearness / 2) + square(z * nearness) > square(6.25) ? none : to_origin - 3;
   });
 }
 
-TEST_CASE("a cone from above slopes evenly, and an end of a frustum is flat") {
-  // The tip is towards the eye: the axis is along -y.
+TEST_CASE("a cone from above slopes evenly and a frustum has a flat end") {
+  // The apex points to the eye: the axis is along -y.
   const auto towards = [](const std::string& upright) { return placed(rotation(90, 0), upright); };
   check(towards(cylinder({0, 0, 0}, 9, 12.25, 0, 3)), Projection::orthographic, [](double x, double z) {
     const double aside = std::hypot(x, z);
@@ -145,7 +146,7 @@ TEST_CASE("a cone from above slopes evenly, and an end of a frustum is flat") {
     const double aside = std::max(std::hypot(x, z), 4.25);
     return aside > 12.25 ? none : to_origin - 9 * (12.25 - aside) / 8;
   });
-  // At the distance t the ray is slope t off the axis, where the cone is 9 slope t / 12.25 behind its tip.
+  // The ray at distance t is slope t off the axis, where the cone is 9 slope t / 12.25 behind its apex.
   check(towards(cylinder({0, 0, 0}, 9, 12.25, 0, 3)), Projection::perspective, [](double x, double z) {
     const double slope = std::hypot(x, z) / to_origin;
     const double t = (to_origin - 9) / (1 - slope * 9 / 12.25);
@@ -153,7 +154,7 @@ TEST_CASE("a cone from above slopes evenly, and an end of a frustum is flat") {
   });
 }
 
-TEST_CASE("a cone from the side is a hyperbola's depth at every height, and ends at its tip") {
+TEST_CASE("a cone from the side has hyperbolic depth and ends at its apex") {
   for (const bool tip_up : {true, false}) {
     const std::string cone = tip_up ? cylinder({0, 0, -9.25}, 18.5, 8, 0, 3) : cylinder({0, 0, -9.25}, 18.5, 0, 8, 3);
     check(cone, Projection::orthographic, [&](double x, double z) {
@@ -164,11 +165,11 @@ TEST_CASE("a cone from the side is a hyperbola's depth at every height, and ends
   }
 }
 
-TEST_CASE("a ray that is steeper than a cone meets one of its two halves only") {
-  // Seen from its foot: the flat end hides what is mirrored beyond the tip.
+TEST_CASE("a ray steeper than a cone hits only one of its nappes") {
+  // Seen from its base: the flat end hides the mirrored nappe beyond the apex.
   const std::string away = placed(rotation(-90, 0), cylinder({0, 0, 0}, 9, 12.25, 0, 3));
   check(away, Projection::orthographic, [](double x, double z) { return std::hypot(x, z) > 12.25 ? none : to_origin; });
-  // Its inside is seen where it is taken from something that ends at its foot.
+  // The inside is visible if the cone is subtracted from a solid that ends at its base.
   const std::string dent = subtract({placed(rotation(90, 0), cylinder({0, 0, -20}, 20, 14.25, 14.25, 3)), away});
   check(dent, Projection::orthographic, [](double x, double z) {
     const double aside = std::hypot(x, z);
@@ -177,7 +178,7 @@ TEST_CASE("a ray that is steeper than a cone meets one of its two halves only") 
   });
 }
 
-TEST_CASE("facets make no difference to the true picture") {
+TEST_CASE("the number of facets does not change the true picture") {
   const view::Camera camera = straight(size.height, Projection::perspective);
   const judges::Truth few = analytic(make_scenery(ball({1, 2, 3}, 8, 3), camera, size));
   const judges::Truth many = analytic(make_scenery(ball({1, 2, 3}, 8, 50), camera, size));
@@ -185,8 +186,8 @@ TEST_CASE("facets make no difference to the true picture") {
   CHECK(few.plane.empty());
 }
 
-TEST_CASE("what the model means as a polygon is one in the true picture, unless facets of another number replace it") {
-  // Low counts of every shape that has them, turned so that no side is seen edge-on.
+TEST_CASE("intended polygons stay polygons in the true picture unless overridden") {
+  // Low counts of every shape that has them, rotated so that no side is edge-on.
   const std::string nuts =
       "sphere($fn=5,$fa=12,$fs=2,r=9);"
       "multmatrix([[1,0,0,-12],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cylinder($fn=6,$fa=12,$fs=2,h=14,r1=5,r2=5,center=true);"
@@ -202,7 +203,7 @@ TEST_CASE("what the model means as a polygon is one in the true picture, unless 
     };
     const judges::Truth meant = truth_as({});
     CHECK(meant.owner == facets.owner);
-    constexpr double nudge = 1e-10;  // rays are moved off edge-on faces, 1e-9 pixels
+    constexpr double nudge = 1e-10;  // rays are moved 1e-9 pixels off edge-on faces
     for (std::size_t i = 0; i < meant.distance.size(); ++i) {
       if (meant.owner[i] != judges::nothing)
         CHECK(meant.distance[i] == doctest::Approx(facets.distance[i]).epsilon(nudge));
@@ -216,8 +217,8 @@ TEST_CASE("what the model means as a polygon is one in the true picture, unless 
   }
 }
 
-TEST_CASE("one near plane after the other gives the pictures that each gives alone") {
-  // Balls on and before each other, in front of the eye, around it and behind it.
+TEST_CASE("pictures for successive near planes equal those computed separately") {
+  // Spheres that touch and overlap, in front of the eye, around it and behind it.
   const std::string balls =
       "difference(){sphere($fn=50,$fa=12,$fs=2,r=9);"
       "multmatrix([[1,0,0,3],[0,1,0,-7],[0,0,1,1],[0,0,0,1]]){sphere($fn=50,$fa=12,$fs=2,r=5);}}"

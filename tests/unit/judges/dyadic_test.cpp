@@ -10,7 +10,7 @@ namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
 
-/// Any finite double: zeros, integers, subnormals, and all exponents alike.
+/// Any finite double: zeros, integers, subnormals, and all exponents equally often.
 double any_double() {
   switch (*rc::gen::inRange(0, 5)) {
     case 0:
@@ -39,7 +39,7 @@ Both operator+(const Both& a, const Both& b) { return {a.dyadic + b.dyadic, a.ra
 Both operator-(const Both& a, const Both& b) { return {a.dyadic - b.dyadic, a.rational - b.rational}; }
 Both operator*(const Both& a, const Both& b) { return {a.dyadic * b.dyadic, a.rational * b.rational}; }
 
-/// The value of a random expression of a few sums, differences and products.
+/// Value of a random expression of a few sums, differences and products.
 Both any_expression() {
   std::vector<Both> values;
   for (int i = 0; i < 3; ++i) values.push_back(both(any_double()));
@@ -64,7 +64,7 @@ bool in_range(const Rational& value) {
 
 }  // namespace
 
-TEST_CASE("sums, differences and products have the sign that they have in rational numbers") {
+TEST_CASE("dyadic expressions have the sign of rational arithmetic") {
   CHECK(rc::check([] {
     const Both value = any_expression();
     RC_ASSERT(value.dyadic.sign() == sign(value.rational));
@@ -72,7 +72,7 @@ TEST_CASE("sums, differences and products have the sign that they have in ration
   }));
 }
 
-TEST_CASE("the nearest double is off by at most 2^-52 of the value") {
+TEST_CASE("the nearest double has an error of at most 2^-52 of the value") {
   CHECK(rc::check([] {
     const Both value = any_expression();
     if (!in_range(value.rational)) return;
@@ -81,7 +81,7 @@ TEST_CASE("the nearest double is off by at most 2^-52 of the value") {
   }));
 }
 
-TEST_CASE("what a double leaves of a number has the right sign, however little that is") {
+TEST_CASE("the rest of a number after rounding to double has the right sign") {
   CHECK(rc::check([] {
     const Both value = any_expression();
     const double rounded = value.dyadic.approximately();
@@ -91,7 +91,7 @@ TEST_CASE("what a double leaves of a number has the right sign, however little t
   }));
 }
 
-TEST_CASE("a double becomes itself again") {
+TEST_CASE("a double round-trips") {
   CHECK(rc::check([] {
     const double value = any_double();
     RC_ASSERT(Dyadic(value).approximately() == value);
@@ -99,7 +99,7 @@ TEST_CASE("a double becomes itself again") {
   }));
 }
 
-TEST_CASE("nothing is lost where a huge and a tiny number are added") {
+TEST_CASE("adding a huge and a tiny number loses nothing") {
   const double huge = std::numeric_limits<double>::max();
   const double tiny = std::numeric_limits<double>::denorm_min();
   const Dyadic sum = Dyadic(huge) + Dyadic(tiny);
@@ -117,7 +117,7 @@ TEST_CASE("numbers beyond the range of doubles keep their sign") {
   CHECK(small.approximately() == 0.0);
 }
 
-TEST_CASE("a real number keeps all its digits") {
+TEST_CASE("a Real keeps all its digits") {
   for (const int of : {2, 3, 5, 1'000'003}) {
     const Real root = sqrt(Real(of)) * pow(Real(10), 30);
     CHECK(Dyadic(root).to_real() == root);
@@ -126,7 +126,7 @@ TEST_CASE("a real number keeps all its digits") {
   CHECK(Dyadic(Real(0)).sign() == 0);
 }
 
-TEST_CASE("a cross product is perpendicular to both vectors exactly, and a dot product is that of rational numbers") {
+TEST_CASE("cross and dot products are exact") {
   CHECK(rc::check([] {
     const glm::dvec3 a(any_double(), any_double(), any_double());
     const glm::dvec3 b(any_double(), any_double(), any_double());

@@ -13,7 +13,7 @@ constexpr unsigned z_bits = 12;
 constexpr std::uint32_t farthest = (1U << z_bits) - 1;
 constexpr std::size_t pixel = 1234;
 
-/// Depth step d stands for the distance d - 1.
+/// Depth step d represents the distance d - 1.
 isa::Program unit_steps() {
   isa::Program program;
   program.facts->compile.z_bits = z_bits;
@@ -26,7 +26,7 @@ struct Pictures {
   observe::Frame frame;
 };
 
-/// 50 x 40 pixels of two primitives and a quarter of nothing, the picture right everywhere.
+/// 50 x 40 pixels with two primitives and a quarter of background; the picture is correct everywhere.
 Pictures identical() {
   Pictures p{judges::empty_truth(50, 40), {}};
   p.frame = {
@@ -48,7 +48,7 @@ void check_no_depth_error(const Errors& errors) {
 
 }  // namespace
 
-TEST_CASE("identical pictures differ nowhere") {
+TEST_CASE("identical pictures have no differences") {
   const Errors errors = errors_of(identical());
   CHECK(errors.pixels == 2000);
   CHECK(errors.covered == 1500);
@@ -57,7 +57,7 @@ TEST_CASE("identical pictures differ nowhere") {
   check_no_depth_error(errors);
 }
 
-TEST_CASE("something seen in one picture only is a silhouette error, and has no depth error") {
+TEST_CASE("a surface in only one picture is a silhouette error without depth error") {
   Pictures p = identical();
   p.frame.depth[pixel] = farthest;
   p.frame.depth[7] = 9;
@@ -69,13 +69,13 @@ TEST_CASE("something seen in one picture only is a silhouette error, and has no 
   check_no_depth_error(errors);
 }
 
-TEST_CASE("what is left of an owner where nothing is seen counts for nothing") {
+TEST_CASE("ignores the owner of a background pixel") {
   Pictures p = identical();
   p.frame.owner[7] = 1;
   CHECK(errors_of(p).wrong() == 0);
 }
 
-TEST_CASE("another owner is an owner error, whatever the depth") {
+TEST_CASE("a different owner is an owner error regardless of depth") {
   Pictures p = identical();
   p.frame.owner[pixel] ^= 1U;
   p.frame.depth[pixel] += 500;
@@ -85,7 +85,7 @@ TEST_CASE("another owner is an owner error, whatever the depth") {
   check_no_depth_error(errors);
 }
 
-TEST_CASE("a depth that is off is measured in steps and in model units") {
+TEST_CASE("a depth error is measured in steps and in model units") {
   Pictures p = identical();
   p.frame.depth[pixel] -= 3;
   isa::Program coarse = unit_steps();
@@ -98,12 +98,12 @@ TEST_CASE("a depth that is off is measured in steps and in model units") {
   CHECK(compare(p.truth, p.frame, coarse).model_units.max == 12);
 }
 
-TEST_CASE("in perspective a depth step is as long as the depth scale says") {
+TEST_CASE("in perspective the length of a depth step follows the depth scale") {
   Pictures p = identical();
   isa::Program program = unit_steps();
   program.facts->depth_scale = {true, 10, 40};
   for (std::size_t i = 0; i < p.truth.owner.size(); ++i) {
-    // Depth 1 at 10, farthest - 2 at 40, linear in the reciprocal of the distance.
+    // Depth 1 is at 10 and farthest - 2 at 40, linear in the reciprocal of the distance.
     const double part = (p.frame.depth[i] - 1.0) / (farthest - 3.0);
     if (p.truth.owner[i] != nothing) p.truth.distance[i] = 1 / (0.1 - part * 0.075);
   }
@@ -117,9 +117,10 @@ TEST_CASE("in perspective a depth step is as long as the depth scale says") {
   CHECK(compare(p.truth, p.frame, program).model_units.max == doctest::Approx(step).epsilon(1e-3));
 }
 
-TEST_CASE("99.9 % of the pixels are off by at most p999, and by more than what is less") {
+TEST_CASE("p999 is the error bound of 99.9 % of the pixels") {
   Pictures p = identical();
-  // 1000 pixels with the right owner, off by 1/1024, 2/1024 and so on; what is off by most has the wrong owner.
+  // 1000 pixels with the right owner have errors of 1/1024, 2/1024 and so on; the pixels with the largest errors have
+  // the wrong owner.
   for (std::size_t i = 500; i < 1500; ++i) p.truth.distance[i] += static_cast<double>((i * 7) % 1000 + 1) / 1024;
   for (std::size_t i = 1500; i < 2000; ++i) {
     p.truth.distance[i] += 77;
@@ -132,7 +133,7 @@ TEST_CASE("99.9 % of the pixels are off by at most p999, and by more than what i
   CHECK(errors.model_units.p999 == doctest::Approx(999.0 / 1024).epsilon(1e-12));
 }
 
-TEST_CASE("of fewer than a thousand pixels p999 is the greatest error") {
+TEST_CASE("p999 of fewer than a thousand pixels is the maximum error") {
   Pictures p = identical();
   for (std::size_t i = 1000; i < 2000; ++i) {
     p.truth.owner[i] = nothing;
@@ -142,7 +143,7 @@ TEST_CASE("of fewer than a thousand pixels p999 is the greatest error") {
   CHECK(errors_of(p).steps.p999 == 5);
 }
 
-TEST_CASE("pictures of different sizes are not compared") {
+TEST_CASE("rejects pictures of different sizes") {
   Pictures p = identical();
   std::swap(p.frame.width, p.frame.height);
   CHECK_THROWS_AS(errors_of(p), std::invalid_argument);

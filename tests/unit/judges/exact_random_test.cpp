@@ -17,9 +17,9 @@ std::size_t covered(const Truth& truth) {
   return truth.owner.size() - static_cast<std::size_t>(std::count(truth.owner.begin(), truth.owner.end(), nothing));
 }
 
-/// Random models of which something is to be seen, judged pixel by pixel in rational numbers.
+/// Random non-empty models, judged pixel by pixel in rational arithmetic.
 void check_models(const view::Camera& camera, std::uint64_t seed, int models) {
-  // Odd, so that pixel centres meet faces; larger than a tile.
+  // Odd, so that pixel centres lie on faces; larger than a tile.
   constexpr Size size{11, 7};
   constexpr double near = 0.5;
   for (int judged = 0; judged < models; ++seed) {
@@ -39,19 +39,19 @@ void check_models(const view::Camera& camera, std::uint64_t seed, int models) {
 
 }  // namespace
 
-TEST_CASE("random models are seen as rational numbers say") {
+TEST_CASE("random models match rational arithmetic") {
   check_models({{15, -22, 17}, {0, 0, 0}, Projection::orthographic}, 1, testing::cases(2, 1));
   check_models({{15, -22, 17}, {0, 0, 0}, Projection::perspective}, 101, testing::cases(2, 1));
 }
-TEST_CASE("random models with faces edge-on, through pixel centres, are seen as rational numbers say") {
+TEST_CASE("random models with edge-on faces through pixel centres match rationals") {
   check_models({{0, -30, 0}, {0, 0, 0}, Projection::orthographic}, 201, testing::cases(4, 1));
   check_models({{0, 0, 30}, {0, 0, 0}, Projection::orthographic}, 301, testing::cases(4, 1));
   check_models({{0, -25, 0}, {0, 0, 0}, Projection::perspective}, 401, testing::cases(4, 1));
 }
-TEST_CASE("random models around the eye are seen as rational numbers say") {
+TEST_CASE("random models around the eye match rational arithmetic") {
   check_models({{0.25, -1, 0.5}, {0, 3, 0}, Projection::perspective}, 501, testing::cases(2, 1));
 }
-TEST_CASE("where the faces of turned boxes meet on a ray, but for the last bits, the last bits decide") {
+TEST_CASE("nearly coincident faces of rotated boxes are ordered exactly") {
   CHECK(rc::check([] {
     std::vector<std::string> boxes;
     for (int i = 0; i < 3; ++i) {

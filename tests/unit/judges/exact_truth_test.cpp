@@ -17,7 +17,7 @@ Truth straight_on(const std::string& csg, Size size, Projection projection = Pro
   return exact(make_scenery(csg, straight(size.height, projection), size, near));
 }
 
-/// Every pixel that shows something is so many model units behind the middle of the picture.
+/// Whether every covered pixel lies `behind` model units behind the centre of the picture.
 bool all_at(const Truth& truth, double behind) {
   const double expected = straight_distance(truth.height) + behind;
   for (std::size_t i = 0; i < truth.owner.size(); ++i) {
@@ -30,7 +30,7 @@ bool all_at(const Truth& truth, double behind) {
 
 }  // namespace
 
-TEST_CASE("a box seen straight on covers the pixels whose centres it holds, at the distance of its front") {
+TEST_CASE("a frontal box covers the pixel centres inside it at the distance of its front") {
   const Truth truth = straight_on(box({-3, -1, -2}, {2, 5, 1}), even);
   CHECK(owners(truth) ==
         "........\n"
@@ -42,7 +42,7 @@ TEST_CASE("a box seen straight on covers the pixels whose centres it holds, at t
   CHECK(all_at(truth, -1));
 }
 
-TEST_CASE("a hole through a box shows what is behind it, though its ends are flush with the box") {
+TEST_CASE("a through hole with flush ends shows what is behind it") {
   const std::string holed = subtract({box({-3, -1, -2}, {3, 1, 2}), box({-1, -1, -1}, {2, 1, 1})});
   CHECK(owners(straight_on(holed, even)) ==
         "........\n"
@@ -60,7 +60,7 @@ TEST_CASE("a hole through a box shows what is behind it, though its ends are flu
         "........\n");
 }
 
-TEST_CASE("the bottom of a hole belongs to what is taken away, at the distance of its back") {
+TEST_CASE("the bottom of a hole belongs to the subtracted primitive at its back") {
   const Truth truth = straight_on(subtract({box({-3, -1, -2}, {3, 9, 2}), box({-5, -5, -5}, {5, 4, 5})}), even);
   CHECK(owners(truth) ==
         "........\n"
@@ -91,7 +91,7 @@ TEST_CASE("a shared surface belongs to the first primitive in tree order") {
         "...00...\n");
 }
 
-TEST_CASE("solids that touch have nothing in common, and take nothing from each other") {
+TEST_CASE("touching solids have no intersection and subtract nothing") {
   const std::string before = box({-3, -2, -2}, {3, 0, 2});
   const std::string behind = box({-3, 0, -2}, {3, 2, 2});
   const std::string none = owners(straight_on(subtract({before, before}), even));
@@ -101,7 +101,7 @@ TEST_CASE("solids that touch have nothing in common, and take nothing from each 
   CHECK(owners(straight_on(subtract({behind, before}), even)) == owners(straight_on(behind, even)));
 }
 
-TEST_CASE("pixel centres on a face seen edge-on belong to the solid right of it, or below it") {
+TEST_CASE("pixel centres on an edge-on face belong to the solid to the right or below") {
   const std::string four = unite({box({-1.5, 0, 0}, {0, 1, 1.5}), box({0, 0, 0}, {1.5, 1, 1.5}),
                                   box({-1.5, 0, -1.5}, {0, 1, 0}), box({0, 0, -1.5}, {1.5, 1, 0})});
   CHECK(owners(straight_on(four, odd)) ==
@@ -112,7 +112,7 @@ TEST_CASE("pixel centres on a face seen edge-on belong to the solid right of it,
         ".......\n");
 }
 
-TEST_CASE("what reaches before the near plane is capped there, and the cap has a plane of its own") {
+TEST_CASE("a solid across the near plane is capped with a separate plane") {
   const Scenery scenery =
       make_scenery(box({-50, -50, -50}, {50, 3, 50}), straight(6, Projection::perspective), even, 2);
   const Truth truth = exact(scenery);
@@ -130,7 +130,7 @@ TEST_CASE("a face in the near plane is not cut") {
   for (const std::uint32_t plane : truth.plane) CHECK(plane < scenery.scene.planes.planes().size());
 }
 
-TEST_CASE("inside of what is taken away one sees its back, and nothing of what ends before the near plane") {
+TEST_CASE("inside a subtracted solid its back is visible") {
   const std::string hollow = subtract({box({-50, -50, -50}, {50, 50, 50}), box({-40, -40, -40}, {40, 3, 40})});
   const Truth truth = straight_on(hollow, even, Projection::perspective);
   for (const std::uint32_t owner : truth.owner) CHECK(owner == 1);
@@ -139,8 +139,8 @@ TEST_CASE("inside of what is taken away one sees its back, and nothing of what e
   for (const std::uint32_t owner : behind.owner) CHECK(owner == nothing);
 }
 
-TEST_CASE("a perspective picture of a box has its front at its distance, and as large as that says") {
-  // At half the distance of the origin two pixels are one unit.
+TEST_CASE("a perspective picture of a box has the right distance and size") {
+  // Two pixels are one unit at half the distance of the origin.
   const double front = -straight_distance(6) / 2;
   const Truth truth = straight_on(box({-1, front, -0.5}, {1.5, 3, 1}), even, Projection::perspective);
   CHECK(owners(truth) ==
@@ -153,7 +153,7 @@ TEST_CASE("a perspective picture of a box has its front at its distance, and as 
   CHECK(all_at(truth, front));
 }
 
-TEST_CASE("nothing is seen of an empty model") {
+TEST_CASE("an empty model is background everywhere") {
   const model::Tree tree;
   const Truth truth = exact({tree, facet::make_geometry(tree), straight(even.height), even.width, even.height});
   for (const std::uint32_t owner : truth.owner) CHECK(owner == nothing);

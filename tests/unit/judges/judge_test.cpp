@@ -23,7 +23,7 @@ view::Sampling picture(std::uint32_t width, std::uint32_t height) {
   return sampling;
 }
 
-/// A picture, and what judges it.
+/// A picture with its judge.
 struct Trial {
   Compiled compiled;
   judges::Truth truth;
@@ -42,7 +42,7 @@ struct Trial {
   [[nodiscard]] Errors judge() const { return judges::judge(truth, frame, compiled.program, explainer); }
   [[nodiscard]] std::uint32_t farthest() const { return (1U << compiled.program.facts->compile.z_bits) - 1; }
 
-  /// Puts a pixel so many depth steps towards the middle of the range.
+  /// Moves a pixel by `by` depth steps towards the middle of the range.
   void move(std::size_t at, std::uint32_t by) {
     std::uint32_t& depth = frame.depth[at];
     depth = depth < farthest() / 2 ? depth + by : depth - by;
@@ -59,13 +59,13 @@ const view::Camera near_by{{15, -22, 17}, {0, 0, 0}, Projection::perspective};
 
 const std::string holed = subtract({box({-5, -5, -5}, {5, 5, 5}), cylinder({0, 0, -6}, 12, 3, 3, 9)});
 
-/// A random model of which something is left.
+/// A random model that is not empty.
 std::string any_model() {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   return unite({random_model(seed, *rc::gen::inRange(1U, 9U)), random_model(~seed, 1)});
 }
 
-/// Pixels whose eight neighbours show the same plane of the same primitive.
+/// Pixels with the same plane of the same primitive in all eight neighbours.
 std::vector<std::size_t> middles(const judges::Truth& truth) {
   std::vector<std::size_t> all;
   for (std::size_t y = 1; y + 1 < truth.height; ++y) {
@@ -83,7 +83,7 @@ std::vector<std::size_t> middles(const judges::Truth& truth) {
   return all;
 }
 
-/// The only wrong pixel is that one, and nothing explains it.
+/// Whether exactly this pixel became wrong and unexplained.
 bool caught(const Errors& errors, const Errors& before, std::size_t at, std::uint32_t width) {
   return errors.wrong() == before.wrong() + 1 && errors.unexplained == 1 && errors.first_unexplained &&
          errors.first_unexplained->column == at % width && errors.first_unexplained->row == at / width;
@@ -91,7 +91,7 @@ bool caught(const Errors& errors, const Errors& before, std::size_t at, std::uin
 
 }  // namespace
 
-TEST_CASE("a correct picture has no pixel that the bounds do not explain") {
+TEST_CASE("a correct picture has no unexplained pixels") {
   CHECK(rc::check([] {
     view::Sampling sampling = picture(48, 36);
     sampling.z_bits = *rc::gen::element(8U, 12U, 20U);
@@ -105,7 +105,7 @@ TEST_CASE("a correct picture has no pixel that the bounds do not explain") {
   }));
 }
 
-TEST_CASE("one pixel made wrong in the middle of a face is found and not explained") {
+TEST_CASE("a corrupted pixel inside a face is found and unexplained") {
   CHECK(rc::check([] {
     Trial trial(compile_text(any_model(), {*rc::gen::element(oblique, near_by), picture(48, 36), 80}));
     const std::vector<std::size_t> places = middles(trial.truth);
@@ -126,7 +126,7 @@ TEST_CASE("one pixel made wrong in the middle of a face is found and not explain
   }));
 }
 
-TEST_CASE("a pixel where nothing should be seen is found and not explained") {
+TEST_CASE("a spurious pixel on the background is found and unexplained") {
   for (const view::Camera& camera : {oblique, near_by}) {
     Trial trial(compile_text(holed, {camera, picture(48, 36), 80}));
     const Errors before = trial.judge();
@@ -137,7 +137,7 @@ TEST_CASE("a pixel where nothing should be seen is found and not explained") {
   }
 }
 
-TEST_CASE("the first of several unexplained pixels is named, in row order") {
+TEST_CASE("names the first of several unexplained pixels in row order") {
   Trial trial(compile_text(holed, {oblique, picture(48, 36), 80}));
   const std::vector<std::size_t> places = middles(trial.truth);
   REQUIRE(places.size() > 100);
@@ -148,7 +148,7 @@ TEST_CASE("the first of several unexplained pixels is named, in row order") {
   CHECK(errors.first_unexplained->row * 48 + errors.first_unexplained->column == places[20]);
 }
 
-TEST_CASE("a picture from a camera that is a twentieth of a pixel aside is not explained") {
+TEST_CASE("a camera shift of a twentieth of a pixel is not explained") {
   const double aside = 0.05 * 2.0 * view::half_height(oblique) / 90;
   const glm::dvec3 by = view::basis(oblique).right * aside;
   Trial trial(compile_text(holed, {oblique, picture(120, 90), 80}));
@@ -168,7 +168,7 @@ TEST_CASE("wrong pixels of a coarse picture are explained") {
   CHECK(errors.explained == errors.wrong());
 }
 
-TEST_CASE("a pixel centre on an edge-on face may fall on either side of it, but one beside it may not") {
+TEST_CASE("only a pixel centre exactly on an edge-on face may fall on either side") {
   // The middle column of an odd picture is on the left face.
   Trial trial(compile_text(box({0, 0, -2.5}, {2.5, 1, 2.5}), {straight(21), picture(21, 21), 80}));
   CHECK(trial.judge().wrong() == 0);
@@ -182,7 +182,7 @@ TEST_CASE("a pixel centre on an edge-on face may fall on either side of it, but 
   CHECK(trial.judge().unexplained == 1);
 }
 
-TEST_CASE("a pixel in the middle of the picture, away from the edge-on faces around it, may not be missing") {
+TEST_CASE("a missing pixel away from edge-on faces is not explained") {
   constexpr std::size_t centre = 10 * 21 + 10;
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     Trial trial(compile_text(box({-2.5, 0, -2.5}, {2.5, 1, 2.5}), {straight(21, projection), picture(21, 21), 80}));
@@ -193,7 +193,7 @@ TEST_CASE("a pixel in the middle of the picture, away from the edge-on faces aro
   }
 }
 
-TEST_CASE("coinciding faces may not be shown as the second primitive's") {
+TEST_CASE("coincident faces must not show the second primitive") {
   const std::string twice = unite({box({-3, 0, -3}, {3, 2, 3}), box({-2, 0, -2}, {2, 4, 2})});
   Trial trial(compile_text(twice, {straight(20), picture(20, 20), 80}));
   const Errors before = trial.judge();
@@ -202,7 +202,7 @@ TEST_CASE("coinciding faces may not be shown as the second primitive's") {
   CHECK(caught(trial.judge(), before, 10 * 20 + 10, 20));
 }
 
-TEST_CASE("the steps that a plane may have hold what is drawn, and no more than two at the defaults") {
+TEST_CASE("the possible steps of a plane include the drawn one and are at most two") {
   const Trial trial(compile_text(holed, {near_by, picture(64, 48), 80}));
   std::size_t seen = 0;
   for (std::uint32_t i = 0; i < trial.truth.owner.size(); ++i) {

@@ -17,14 +17,14 @@ model::Tree pair(model::Operator op) {
   return tree;
 }
 
-/// Between planes `first` and `first + 1`, without edges.
+/// A primitive between planes `first` and `first + 1`, without edges.
 Candidate between(std::uint32_t primitive, std::uint32_t first, judges::Steps front, judges::Steps back) {
   return {primitive, {}, {{first, front}}, {{first + 1, back}}, false};
 }
 
 }  // namespace
 
-TEST_CASE("a surface may be shown at the depths that its plane may have, and has to be shown") {
+TEST_CASE("a surface must be shown at one of its possible depths") {
   const Ray ray{{between(0, 0, {10, 11}, {20, 20})}, {}};
   const model::Tree tree = pair(model::Operator::unite);
   CHECK_FALSE(can_show(tree, ray, 0, 9));
@@ -35,14 +35,14 @@ TEST_CASE("a surface may be shown at the depths that its plane may have, and has
   CHECK_FALSE(can_show(tree, ray, nothing, 0));
 }
 
-TEST_CASE("a solid whose front and back may be at one depth step may be missing") {
+TEST_CASE("a solid with front and back in one depth step may be missing") {
   const Ray ray{{between(0, 0, {10, 11}, {11, 12})}, {}};
   const model::Tree tree = pair(model::Operator::unite);
   CHECK(can_show(tree, ray, 0, 10));
   CHECK(can_show(tree, ray, nothing, 0));
 }
 
-TEST_CASE("of two surfaces either may be nearer if their depths overlap, else only the nearer one") {
+TEST_CASE("the farther of two surfaces is possible only if their depths overlap") {
   const model::Tree tree = pair(model::Operator::unite);
   const Ray overlapping{{between(0, 0, {10, 12}, {90, 90}), between(1, 2, {12, 13}, {90, 90})}, {}};
   CHECK(can_show(tree, overlapping, 0, 12));
@@ -55,19 +55,19 @@ TEST_CASE("of two surfaces either may be nearer if their depths overlap, else on
   CHECK(can_show(tree, apart, 1, 11));
 }
 
-TEST_CASE("two fronts on one plane have the same depth, whatever it is: the first primitive is shown") {
+TEST_CASE("two fronts on one plane have equal depths and show the first primitive") {
   const Ray ray{{between(0, 0, {10, 12}, {90, 90}), {1, {}, {{0, {10, 12}}}, {{7, {80, 80}}}, false}}, {}};
   CHECK(can_show(pair(model::Operator::unite), ray, 0, 11));
   CHECK_FALSE(can_show(pair(model::Operator::unite), ray, 1, 11));
 }
 
-TEST_CASE("the farthest of several fronts is behind each of them, whichever it is") {
+TEST_CASE("the farthest of several fronts is behind each of them") {
   const Candidate corner{0, {}, {{0, {10, 12}}, {1, {11, 13}}}, {{2, {80, 80}}}, false};
   const Candidate wall{1, {}, {{1, {11, 13}}}, {{3, {80, 80}}}, false};
   CHECK_FALSE(can_show(pair(model::Operator::intersect), {{corner, wall}, {}}, nothing, 0));
 }
 
-TEST_CASE("what is flush with the front of what it is taken from leaves no membrane") {
+TEST_CASE("a subtracted solid with a flush front leaves no membrane") {
   const Ray ray{{between(0, 0, {10, 12}, {90, 90}), {1, {}, {{0, {10, 12}}}, {{7, {80, 81}}}, false}}, {}};
   const model::Tree tree = pair(model::Operator::subtract);
   CHECK_FALSE(can_show(tree, ray, 0, 11));
@@ -75,7 +75,7 @@ TEST_CASE("what is flush with the front of what it is taken from leaves no membr
   CHECK_FALSE(can_show(tree, ray, nothing, 0));
 }
 
-TEST_CASE("solids that touch have nothing in common") {
+TEST_CASE("touching solids have an empty intersection") {
   const Ray ray{{between(0, 0, {10, 12}, {20, 22}), {1, {}, {{1, {20, 22}}}, {{7, {80, 81}}}, false}}, {}};
   const model::Tree tree = pair(model::Operator::intersect);
   CHECK(can_show(tree, ray, nothing, 0));
@@ -83,7 +83,7 @@ TEST_CASE("solids that touch have nothing in common") {
   CHECK_FALSE(can_show(tree, ray, 1, 21));
 }
 
-TEST_CASE("of solids on both sides of an undecided edge exactly one is there") {
+TEST_CASE("exactly one of two solids on both sides of an undecided edge is present") {
   Candidate left = between(0, 0, {10, 10}, {20, 20});
   Candidate right = between(1, 0, {10, 10}, {20, 20});
   left.edges = {{5, true}};
@@ -97,7 +97,7 @@ TEST_CASE("of solids on both sides of an undecided edge exactly one is there") {
   CHECK(can_show(both, {{left}, {5}}, nothing, 0));
 }
 
-TEST_CASE("a doubtful primitive may be shown and may be missing, but hides nothing") {
+TEST_CASE("a doubtful primitive may be shown or missing but hides nothing") {
   Candidate doubtful = between(0, 0, {10, 10}, {20, 20});
   doubtful.doubtful = true;
   const Ray ray{{doubtful, between(1, 2, {15, 15}, {30, 30})}, {}};

@@ -16,7 +16,7 @@ namespace {
 
 constexpr Size size{48, 36};
 
-/// One curved solid in the host's integers.
+/// One curved solid in the host's integer coefficients.
 struct Trial {
   Scenery scenery;
   view::View view;
@@ -139,7 +139,7 @@ view::Sampling picture(unsigned z_bits, unsigned fraction_bits) {
   return sampling;
 }
 
-/// An Explainer of a square picture of that side, whose depths span twice `reach`.
+/// An Explainer for a square picture with the given side and a depth range of twice `reach`.
 judges::Explainer straight_explainer(const Scenery& scenery, std::uint32_t side, double reach, unsigned z_bits,
                                      unsigned fraction_bits) {
   isa::Program program;
@@ -153,7 +153,7 @@ judges::Explainer straight_explainer(const Scenery& scenery, std::uint32_t side,
 
 }  // namespace
 
-TEST_CASE("a curved solid in the host's integers has no pixel that the bounds do not explain") {
+TEST_CASE("a curved solid in integer coefficients has no unexplained pixels") {
   std::uint64_t covered = 0;
   std::uint64_t wrong = 0;
   CHECK(rc::check([&] {
@@ -168,12 +168,12 @@ TEST_CASE("a curved solid in the host's integers has no pixel that the bounds do
     covered += errors.covered;
     wrong += errors.wrong();
   }));
-  // Coarse integers may have a quarter of a solid's pixels wrong, fine ones next to none.
+  // Coarse coefficients may give a quarter of a solid's pixels wrong values, fine ones hardly any.
   CHECK((!testing::draws_usual_cases() || covered > 1000));
   CHECK((!testing::draws_usual_cases() || wrong <= covered / 20));
 }
 
-TEST_CASE("a depth two steps off in the middle of a ball is not explained, and a ball that is missing is not") {
+TEST_CASE("depths two steps off and missing spheres are not explained") {
   for (const view::Camera& camera : {oblique, near_by}) {
     Trial trial(ball({1, 0, 0}, 4, 64), camera, picture(20, 12));
     const std::size_t middle = 18 * size.width + 24;
@@ -188,7 +188,7 @@ TEST_CASE("a depth two steps off in the middle of a ball is not explained, and a
     trial.frame.depth[middle] = trial.farthest();
     trial.frame.owner[middle] = observe::no_owner;
     CHECK(trial.judge().unexplained == 1);
-    // Where nothing is, nothing may be shown.
+    // Background must not show a primitive.
     trial.frame.depth[middle] = right;
     trial.frame.owner[middle] = trial.frame.owner[0] = 0;
     trial.frame.depth[0] = right;
@@ -196,7 +196,7 @@ TEST_CASE("a depth two steps off in the middle of a ball is not explained, and a
   }
 }
 
-TEST_CASE("a ball from a camera that is a twentieth of a pixel aside is not explained") {
+TEST_CASE("a sphere shifted by a twentieth of a pixel is not explained") {
   const double aside = 0.05 * 2.0 * view::half_height(oblique) / size.height;
   const glm::dvec3 by = view::basis(oblique).right * aside;
   const std::string model = ball({1, 0, 0}, 4, 64);
@@ -206,11 +206,11 @@ TEST_CASE("a ball from a camera that is a twentieth of a pixel aside is not expl
   CHECK(trial.judge().unexplained > 100);
 }
 
-TEST_CASE("a ray on a ball's outline may meet it or miss it, and a ray beside it may not") {
+TEST_CASE("only a ray exactly on a sphere's outline may hit or miss it") {
   // The middle column of an odd picture is on the left side.
   const Scenery scenery = make_curved_scenery(ball({4, 0, 0}, 4, 64), straight(21), {21, 21});
   const judges::Explainer explainer = straight_explainer(scenery, 21, 4, 20, 12);
-  // Half of the 2^20 - 4 steps behind the first.
+  // Half of the 2^20 - 4 steps after the first.
   constexpr std::uint32_t half_way = (1U << 19) - 1;
   CHECK(explainer.may_show(10, 10, 0, half_way));
   CHECK(explainer.may_show(10, 10, judges::nothing, (1 << 20) - 1));
@@ -219,7 +219,7 @@ TEST_CASE("a ray on a ball's outline may meet it or miss it, and a ray beside it
   CHECK_FALSE(explainer.may_show(10, 10, 0, half_way - 2000));
 }
 
-TEST_CASE("a primitive is nowhere outside the rectangle of its vertices, however coarse its numbers are") {
+TEST_CASE("a primitive never appears outside the rectangle of its vertices") {
   const Scenery scenery = make_curved_scenery(ball({0, 0, 0}, 4, 64), straight(41), {41, 41});
   const judges::Explainer explainer = straight_explainer(scenery, 41, 4, 4, 0);
   CHECK(explainer.may_show(20, 20, 0, 1));
@@ -229,11 +229,11 @@ TEST_CASE("a primitive is nowhere outside the rectangle of its vertices, however
   }
 }
 
-TEST_CASE("a cone that is seen along its axis has its depths where its apex is in the middle of the depth range too") {
+TEST_CASE("a cone seen along its axis has its depths around the middle of the range") {
   const std::string cone = placed(rotation(-90, 0), cylinder({0, 0, 0}, 8, 0, 6, 64));
   const Scenery scenery = make_curved_scenery(cone, straight(21), {21, 21});
   const judges::Explainer explainer = straight_explainer(scenery, 21, 8, 20, 12);
-  // Three pixels beside the axis it is met 4 units behind the apex.
+  // Three pixels from the axis the surface is 4 units behind the apex.
   constexpr std::uint32_t there = 1 + ((1U << 20) - 4) / 4 * 3;
   CHECK((explainer.may_show(13, 10, 0, there) || explainer.may_show(13, 10, 0, there - 1)));
   CHECK_FALSE(explainer.may_show(13, 10, 0, there + 100));

@@ -15,7 +15,7 @@ constexpr Size size{40, 30};
 
 double number(int low, int high) { return *rc::gen::inRange(low * 1000, high * 1000) / 1000.0; }
 
-/// A ball, cylinder, frustum or cone about the origin, stretched, sheared, turned and moved.
+/// A sphere, cylinder, frustum or cone around the origin, stretched, sheared, rotated and moved.
 std::string any_solid() {
   const double r = number(1, 4);
   const double h = number(1, 6);
@@ -54,7 +54,7 @@ struct Agreement {
   int wrong = 0;
 };
 
-/// Where the true picture stays when the camera is moved by a part of a pixel, the exact one has to be the same.
+/// The exact picture must match the true one wherever that is stable under camera moves of a fraction of a pixel.
 Agreement compare(const std::string& model, const view::Camera& camera, double near) {
   constexpr double little = 1e-5;
   const Scenery scenery = make_curved_scenery(model, camera, size, near);
@@ -108,16 +108,16 @@ void check_models(const view::Camera& camera, double near) {
 
 }  // namespace
 
-TEST_CASE("random quadrics are seen as rays in long doubles see the true surfaces") {
+TEST_CASE("random quadrics match rays in long doubles") {
   check_models({{15, -22, 17}, {0, 0, 0}, Projection::orthographic}, 1);
   check_models({{15, -22, 17}, {0, 0, 0}, Projection::perspective}, 0.5);
 }
 
-TEST_CASE("random quadrics seen along an axis are seen as rays in long doubles see the true surfaces") {
+TEST_CASE("random quadrics along an axis match rays in long doubles") {
   check_models({{0, -30, 0}, {0, 0, 0}, Projection::orthographic}, 1);
   check_models({{0, 0, 30}, {0, 0, 0}, Projection::perspective}, 1);
 }
 
-TEST_CASE("random quadrics around the eye are seen as rays in long doubles see the true surfaces") {
+TEST_CASE("random quadrics around the eye match rays in long doubles") {
   check_models({{0.25, -1, 0.5}, {0, 3, 0}, Projection::perspective}, 0.125);
 }

@@ -16,7 +16,7 @@ double any(int most) { return *rc::gen::inRange(-most * 100, most * 100) / 100.0
 
 }  // namespace
 
-TEST_CASE("no place of a rectangle has more or less than the greatest and the least") {
+TEST_CASE("minimum and maximum of a quadratic over a rectangle are tight bounds") {
   CHECK(rc::check([] {
     const FilterQuadratic of{any(9), any(9), any(9), any(2), any(2), any(2), 0};
     const double x = any(9);
@@ -34,7 +34,7 @@ TEST_CASE("no place of a rectangle has more or less than the greatest and the le
         fewest = i + j == 0 ? value : std::min(fewest, value);
       }
     }
-    // The grid misses a peak by half a cell at most.
+    // The grid misses an extremum by at most half a cell.
     RC_ASSERT(judges::greatest(of, over) >= most - 1e-9);
     RC_ASSERT(judges::greatest(of, over) <= most + 0.05);
     RC_ASSERT(judges::least(of, over) <= fewest + 1e-9);
@@ -42,13 +42,13 @@ TEST_CASE("no place of a rectangle has more or less than the greatest and the le
   }));
 }
 
-TEST_CASE("a ball reaches the places around its outline, and no more than the picture") {
+TEST_CASE("a sphere's reach surrounds its outline and is clipped to the picture") {
   const auto reach = [](const glm::dvec3& centre, double radius, view::Projection projection) {
     const Scenery scenery = make_curved_scenery(ball(centre, radius, 64), straight(40, projection), {60, 40});
     const judges::ExactCamera camera(scenery.camera, 60, 40, {projection == view::Projection::perspective, 1, 1000});
     return judges::quadric_reaches(scenery.scene, camera).front();
   };
-  // Places are half pixels; there are two pixels around, and the hull is a twentieth larger.
+  // Places are half pixels; the margin is two pixels, and the hull is a twentieth larger.
   const PlaceRect orthographic = reach({5, 0, 0}, 10, view::Projection::orthographic);
   CHECK(orthographic.x0 <= 2 * -5);
   CHECK(orthographic.x0 >= 2 * -8);

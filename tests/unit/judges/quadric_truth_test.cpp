@@ -9,14 +9,14 @@ using view::Projection;
 
 namespace {
 
-/// Pixel centres at whole numbers from the middle.
+/// Pixel centres are at integer distances from the middle.
 constexpr Size odd{9, 7};
 constexpr std::uint32_t middle = 3 * 9 + 4;
 constexpr unsigned fine = 64;
 
 std::string round(const glm::dvec3& centre, double radius) { return ball(centre, radius, fine); }
 
-/// From y = low to y = high, about a line along y: along the view.
+/// A frustum along the view from y = low to y = high.
 std::string along_view(double low, double high, double low_radius, double high_radius, double x = 0) {
   return placed("[[1,0,0," + std::to_string(x) + "],[0,0,1,0],[0,1,0,0],[0,0,0,1]]",
                 cylinder({0, 0, low}, high - low, low_radius, high_radius, fine));
@@ -26,7 +26,7 @@ Truth straight_on(const std::string& csg, Projection projection = Projection::or
   return exact(make_curved_scenery(csg, straight(odd.height, projection), odd, near));
 }
 
-/// How far behind the origin the pixel x to the right and z above the middle shows something; not a number if nothing.
+/// Distance behind the origin of the surface at the pixel x to the right and z above the middle; NaN for background.
 double behind(const Truth& truth, int x, int z) {
   const auto at = static_cast<std::size_t>(static_cast<int>(middle) + x - z * static_cast<int>(odd.width));
   return truth.owner[at] == nothing ? NAN : truth.distance[at] - straight_distance(odd.height);
@@ -41,7 +41,7 @@ bool empty(const Truth& truth) {
 
 }  // namespace
 
-TEST_CASE("a ball covers the pixels whose centres are in its outline, at its own depths") {
+TEST_CASE("a sphere covers the pixel centres in its outline at its own depths") {
   const Truth truth = straight_on(round({0, 0, 0}, 2.5));
   CHECK(owners(truth) ==
         ".........\n"
@@ -58,7 +58,7 @@ TEST_CASE("a ball covers the pixels whose centres are in its outline, at its own
   }
 }
 
-TEST_CASE("nothing is seen of a solid where a ray is on its outline exactly") {
+TEST_CASE("a ray exactly on an outline sees nothing of the solid") {
   CHECK(owners(straight_on(round({2, 0, 0}, 2))) ==
         ".........\n"
         ".........\n"
@@ -71,12 +71,12 @@ TEST_CASE("nothing is seen of a solid where a ray is on its outline exactly") {
   CHECK(both.owner[middle] == nothing);
   CHECK(both.owner[middle + 1] == 0);
   CHECK(both.owner[middle - 1] == 1);
-  // The upright cylinder's left side is in the middle column.
+  // The left side of the upright cylinder is in the middle column.
   CHECK(straight_on(cylinder({2, 0, -2}, 4, 2, 2, fine)).owner[middle] == nothing);
   CHECK(straight_on(cylinder({2, 0, -2}, 4, 2.0000000000000004, 2.0000000000000004, fine)).owner[middle] == 0);
 }
 
-TEST_CASE("balls that touch have nothing in common, and take nothing from each other") {
+TEST_CASE("touching spheres have no intersection and subtract nothing") {
   const std::string before = round({0, -2, 0}, 2);
   const std::string after = round({0, 2, 0}, 2);
   CHECK(empty(straight_on(intersect({before, after}))));
@@ -86,14 +86,14 @@ TEST_CASE("balls that touch have nothing in common, and take nothing from each o
   CHECK(behind(taken, 0, 0) == doctest::Approx(0).scale(1));
 }
 
-TEST_CASE("where a taken ball touches the surface from inside, its back is seen") {
+TEST_CASE("a subtracted sphere touching the surface from inside shows its back") {
   const Truth truth = straight_on(subtract({round({0, 0, 0}, 4), round({0, -2, 0}, 2)}));
   CHECK(truth.owner[middle] == 1);
   CHECK(behind(truth, 0, 0) == doctest::Approx(0).scale(1));
   CHECK(truth.owner[middle + 3] == 0);
 }
 
-TEST_CASE("where a ball touches a face, the first in tree order is seen") {
+TEST_CASE("a sphere touching a face shows the first in tree order") {
   const std::string wall = box({-4.5, 0, -3.5}, {4.5, 1, 3.5});
   const std::string touching = round({0, 2, 0}, 2);
   const Truth first = straight_on(unite({touching, wall}));
@@ -102,13 +102,13 @@ TEST_CASE("where a ball touches a face, the first in tree order is seen") {
   for (const std::uint32_t owner : last.owner) CHECK(owner == 0);
 }
 
-TEST_CASE("what coincides falls by rule: a cylinder without itself is empty, and a flush wall is the first one's") {
+TEST_CASE("coincident quadrics follow the rules of coincident faces") {
   const std::string outer = cylinder({0, 0, -2.5}, 5, 3, 3, fine);
   CHECK(empty(straight_on(subtract({outer, outer}))));
   const Truth shared = straight_on(intersect({outer, cylinder({0, 0, -9}, 18, 3, 3, fine)}));
   CHECK(shared.owner == straight_on(outer).owner);
   CHECK(straight_on(unite({outer, outer})).owner == straight_on(outer).owner);
-  // The plug fills the bore: there is nothing between them to be seen from the side, or along the axis.
+  // The plug fills the bore: nothing between them is visible from the side or along the axis.
   const std::string bore = along_view(-2, 2, 1.5, 1.5);
   const std::string plugged = unite({subtract({along_view(-2, 2, 3, 3), bore}), bore});
   const Truth truth = straight_on(plugged);
@@ -117,17 +117,17 @@ TEST_CASE("what coincides falls by rule: a cylinder without itself is empty, and
   }
 }
 
-TEST_CASE("a cylinder seen along its axis holds the rays in its surface") {
+TEST_CASE("a cylinder along the view contains the rays in its surface") {
   const Truth truth = straight_on(along_view(-1, 1, 2, 2, 2));
   CHECK(truth.owner[middle] == 0);
   CHECK(truth.owner[middle - 1] == nothing);
   CHECK(behind(truth, 0, 0) == doctest::Approx(-1));
-  // Taken away, it takes them.
+  // A subtracted cylinder removes them.
   CHECK(straight_on(subtract({box({-4.5, 0, -3.5}, {4.5, 1, 3.5}), along_view(-1, 2, 2, 2, 2)})).owner[middle] ==
         nothing);
 }
 
-TEST_CASE("a cone's tip is seen where it points to the eye, and not where it is on its outline") {
+TEST_CASE("a cone's apex is visible if it points to the eye but not on its outline") {
   const Truth pointing = straight_on(along_view(-3, 1, 0, 2.5));
   CHECK(behind(pointing, 0, 0) == doctest::Approx(-3));
   CHECK(behind(pointing, 1, 0) == doctest::Approx(-3 + 4 / 2.5));
@@ -138,19 +138,19 @@ TEST_CASE("a cone's tip is seen where it points to the eye, and not where it is 
   CHECK(behind(upright, 0, -1) == doctest::Approx(-1));
   const Truth away = straight_on(along_view(-1, 3, 2.5, 0));
   CHECK(behind(away, 0, 0) == doctest::Approx(-1));
-  // Inside of it one sees the nappe that there is, from its back.
+  // Inside a subtracted cone the existing nappe is visible from behind.
   const Truth taken = straight_on(subtract({along_view(-1, 9, 4, 4), along_view(-1, 3, 2.5, 0)}));
   CHECK(behind(taken, 1, 0) == doctest::Approx(3 - 4 / 2.5));
   CHECK(behind(taken, 0, 0) == doctest::Approx(3));
 }
 
 TEST_CASE("rays along a cone's generator meet it once") {
-  // x^2 <= Z Y of a point (x, Y, Z), between two planes.
+  // The cone is x^2 <= Z Y for a point (x, Y, Z), between two planes.
   const std::string leaning = placed("[[1,0,0,0],[0,1,1,0],[0,-1,1,0],[0,0,0,1]]", cylinder({0, 0, 0}, 2, 0, 2, fine));
   const Truth truth = straight_on(leaning);
   for (int x = -3; x <= 3; ++x) {
     for (int z = -3; z <= 3; ++z) {
-      // At z <= 0 the ray runs beside the cone, or in its surface, or in the other nappe.
+      // The ray at z <= 0 passes the cone, lies in its surface, or meets the other nappe.
       const double front = z > 0 ? static_cast<double>(x * x) / z : NAN;
       CAPTURE(x);
       CAPTURE(z);
@@ -161,10 +161,10 @@ TEST_CASE("rays along a cone's generator meet it once") {
   }
 }
 
-TEST_CASE("a cone with its tip at the eye is a part of the picture, with the rays in its surface") {
+TEST_CASE("a cone with its apex at the eye covers the rays in its surface") {
   const view::Camera camera{{0, -16, 0}, {0, 0, 0}, Projection::perspective};
   const auto seen = [&](const std::string& csg) { return exact(make_curved_scenery(csg, camera, odd, 1)); };
-  // About the view: as wide as the picture is high, all of it cut by the near plane.
+  // A cone along the view, as wide as the picture is high and completely cut by the near plane.
   const Truth round_cone = seen(along_view(-16, 0, 0, 16 * view::half_height_per_distance()));
   CHECK(owners(round_cone) ==
         "...000...\n"
@@ -177,7 +177,7 @@ TEST_CASE("a cone with its tip at the eye is a part of the picture, with the ray
   for (std::uint32_t i = 0; i < round_cone.owner.size(); ++i) {
     if (round_cone.owner[i] != nothing) CHECK(round_cone.distance[i] == doctest::Approx(1));
   }
-  // The view is a generator: the cone is above the middle row, which has one ray of it.
+  // The view direction is a generator: the cone is above the middle row and includes one ray of it.
   const Truth leaning =
       seen(placed("[[1,0,0,0],[0,1,1,-16],[0,-1,1,0],[0,0,0,1]]", cylinder({0, 0, 0}, 8, 0, 8, fine)));
   CHECK(leaning.owner[middle] == 0);
@@ -186,19 +186,19 @@ TEST_CASE("a cone with its tip at the eye is a part of the picture, with the ray
   CHECK(leaning.owner[middle + 9] == nothing);
 }
 
-TEST_CASE("a ball is not seen behind the eye in perspective, and is in an orthographic view") {
+TEST_CASE("a sphere behind the eye is invisible in perspective but not orthographically") {
   const double eye = straight_distance(odd.height);
   const std::string back = round({0, -eye - 5, 0}, 2.5);
   CHECK(empty(straight_on(back, Projection::perspective)));
   CHECK(straight_on(back).owner == straight_on(round({0, 0, 0}, 2.5)).owner);
 }
 
-TEST_CASE("around the eye a ball is cut by the near plane, and taken away it shows its back") {
+TEST_CASE("a sphere around the eye is capped and a subtracted one shows its back") {
   const double eye = straight_distance(odd.height);
   const Truth capped = straight_on(round({0, -eye, 0}, 5), Projection::perspective, 2);
   for (std::uint32_t i = 0; i < capped.owner.size(); ++i) {
     CHECK(capped.owner[i] == 0);
-    CHECK(capped.plane[i] == 0);  // no planes: the near cap
+    CHECK(capped.plane[i] == 0);  // the near cap, since the model has no planes
     CHECK(capped.distance[i] == doctest::Approx(2));
   }
   const Truth hollow =
@@ -208,7 +208,7 @@ TEST_CASE("around the eye a ball is cut by the near plane, and taken away it sho
   CHECK(hollow.distance[middle] == doctest::Approx(5));
 }
 
-TEST_CASE("with the eye in a ball's surface its far side is one depth") {
+TEST_CASE("with the eye on a sphere's surface its far side has one depth") {
   const view::Camera camera{{0, -16, 0}, {0, 0, 0}, Projection::perspective};
   const std::string model = subtract({box({-40, -40, -40}, {40, 40, 40}), round({0, -11, 0}, 5)});
   const Truth truth = exact(make_curved_scenery(model, camera, odd, 1));
@@ -218,7 +218,7 @@ TEST_CASE("with the eye in a ball's surface its far side is one depth") {
   CHECK(truth.distance[middle + 3] == doctest::Approx(10 / (1 + slope * slope)));
 }
 
-TEST_CASE("what is seen of a quadric is named by its number and its root") {
+TEST_CASE("a visible quadric is identified by its number and root") {
   const Truth truth = straight_on(subtract({round({0, 0, 0}, 3), round({0, -3, 0}, 1.5)}));
   CHECK(truth.plane[middle] == 1 + 2 * 1 + 1);
   CHECK(truth.plane[middle + 2] == 1);

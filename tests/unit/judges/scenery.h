@@ -11,14 +11,14 @@
 
 namespace csgsim::testing {
 
-/// A model and how it is looked at, without a Program.
+/// A model with a camera, without a Program.
 struct Scenery {
   model::Tree tree;
   facet::Geometry scene;
   view::Camera camera;
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  double near = 1;  ///< perspective: distance of the near plane, model units
+  double near = 1;  ///< distance of the near plane in perspective, in model units
 };
 
 struct Size {
@@ -28,24 +28,24 @@ struct Size {
 
 Scenery make_scenery(const std::string& csg, const view::Camera& camera, Size size, double near = 1);
 
-/// With spheres, cylinders and cones as quadrics.
+/// Keeps spheres, cylinders and cones as quadrics.
 Scenery make_curved_scenery(const std::string& csg, const view::Camera& camera, Size size, double near = 1);
 
 judges::Truth exact(const Scenery& scenery);
 judges::Truth analytic(const Scenery& scenery);
 
-/// Looks along +y at the origin, x to the right and z upward, from where a pixel of a picture of that height is one
-/// model unit (in perspective, at the origin).
+/// Camera along +y towards the origin, x to the right and z upward, at the distance where a pixel of a picture of the
+/// given height is one model unit (at the origin, in perspective).
 view::Camera straight(std::uint32_t height, view::Projection projection = view::Projection::orthographic);
 
-/// Model units from the eye of that camera to the origin.
+/// Distance in model units from the eye of that camera to the origin.
 double straight_distance(std::uint32_t height);
 
-/// Owners as digits, a point where nothing is seen, a line a row.
+/// Owners as digits, a point for background, one line per row.
 std::string owners(const judges::Truth& truth);
 
-/// Model units along the view axis from the eye to the surface of the owner, in plain doubles: the farthest of its
-/// front planes, or the nearest of its back planes if it is taken away.
+/// Distance in model units along the view axis from the eye to the owner's surface, in plain doubles: the farthest of
+/// its front planes, or the nearest of its back planes if it is subtracted.
 double distance_in_doubles(const Scenery& scenery, std::uint32_t column, std::uint32_t row, std::uint32_t owner);
 
 }  // namespace csgsim::testing

@@ -15,7 +15,7 @@ Surd surd(double whole, int root, double square, double over) {
   return {Dyadic(whole), root, Dyadic(square), Dyadic(over)};
 }
 
-/// The numbers of a Surd, which Dyadic does not give back.
+/// The numbers of a Surd, which cannot be read back from Dyadic.
 struct Numbers {
   double whole, square, over;
   int root;
@@ -24,7 +24,7 @@ struct Numbers {
   [[nodiscard]] Long value() const { return (Long(whole) + root * sqrt(Long(square))) / Long(over); }
 };
 
-/// Small integers, so that equal numbers are common; times powers of two.
+/// Small integers, so that equal numbers are common, multiplied by powers of two.
 Numbers any_numbers() {
   const double scale = *rc::gen::element(1.0, 0x1p-40, 0x1p70);
   const int over = *rc::gen::inRange(1, 7);
@@ -32,12 +32,12 @@ Numbers any_numbers() {
           over * *rc::gen::element(-1.0, 1.0), *rc::gen::inRange(-1, 2)};
 }
 
-/// Moves the size of a number by its last bit.
+/// Changes a number by its last bit.
 double nudged(double value) { return value * (1.0 + *rc::gen::element(0.0, 0x1p-52, -0x1p-52)); }
 
 }  // namespace
 
-TEST_CASE("numbers with square roots that are equal in different terms compare as equal") {
+TEST_CASE("equal numbers with different square-root terms compare as equal") {
   CHECK(compare(surd(0, 1, 8, 1), surd(0, 1, 2, 0.5)) == 0);
   CHECK(compare(surd(3, -1, 9, 1), surd(0, 0, 0, 5)) == 0);
   CHECK(compare(surd(1, 1, 2, 1), surd(-1, -1, 2, -1)) == 0);
@@ -45,7 +45,7 @@ TEST_CASE("numbers with square roots that are equal in different terms compare a
   CHECK(compare(surd(7, 1, 0, 1), surd(7, -1, 0, 1)) == 0);
 }
 
-TEST_CASE("numbers with square roots that differ beyond the digits of a double compare as they are") {
+TEST_CASE("square-root numbers that differ beyond double precision compare exactly") {
   // 99^2 = 2 70^2 + 1, and so on: the best approximations of the root of 2 from above and below.
   CHECK(compare(surd(0, 1, 2, 1), surd(99, 0, 0, 70)) < 0);
   CHECK(compare(surd(0, 1, 2, 1), surd(6625109, 0, 0, 4684660)) != 0);
@@ -54,13 +54,13 @@ TEST_CASE("numbers with square roots that differ beyond the digits of a double c
   CHECK(compare(surd(1, -1, 0x1p-200, 1), surd(1, 0, 0, 1)) < 0);
 }
 
-TEST_CASE("square roots compare as 200 digits do where these tell, and are equal where they do not") {
+TEST_CASE("square-root comparisons match arithmetic of 200 digits") {
   int equal = 0;
   CHECK(rc::check([&] {
     Numbers a = any_numbers();
     Numbers b = any_numbers();
     if (*rc::gen::inRange(0, 3) == 0) {
-      // The same number otherwise: both terms and what is under the root times a number or its square.
+      // The same number in another form: both terms multiplied by a number and the radicand by its square.
       const double factor = *rc::gen::element(-2.0, 2.0, 3.0, 4.0, 0.5);
       b = {a.whole * factor, a.square * factor * factor, a.over * factor, factor > 0 ? a.root : -a.root};
       if (*rc::gen::arbitrary<bool>()) b.whole = nudged(b.whole);
@@ -68,7 +68,7 @@ TEST_CASE("square roots compare as 200 digits do where these tell, and are equal
     }
     const Long difference = a.value() - b.value();
     const Long size = abs(a.value()) + abs(b.value());
-    // Numbers of a few hundred bits whose difference is below that are the same.
+    // Numbers of a few hundred bits with a smaller difference are equal.
     const bool same = abs(difference) <= size * Long("1e-190");
     equal += same ? 1 : 0;
     RC_ASSERT(compare(a.exact(), b.exact()) == (same ? 0 : difference.sign()));

@@ -9,7 +9,7 @@ using namespace csgsim;
 
 namespace {
 
-/// Leaves in order; neighbours are joined until one is left.
+/// Leaves in order; neighbours are combined until one remains.
 model::Tree any_tree() {
   model::Tree tree;
   const auto count = *rc::gen::inRange<std::uint32_t>(1, 13);
@@ -54,7 +54,7 @@ struct Event {
 
 bool same_depth(const Event& a, const Event& b) { return a.depth == b.depth; }
 
-/// What each primitive fills of a ray, if anything, at depths so few that many are the same.
+/// Interval of a ray inside each primitive, if any, at few different depths so that many coincide.
 struct Interval {
   int front;
   int back;
@@ -70,7 +70,7 @@ Intervals any_intervals(std::size_t count) {
   return intervals;
 }
 
-/// The events in order of depth, those of one depth in any order.
+/// Events in order of depth; those of equal depth in any order.
 std::vector<Event> events_of(const Intervals& intervals) {
   std::vector<Event> events;
   for (std::uint32_t i = 0; i < intervals.size(); ++i) {
@@ -90,7 +90,7 @@ struct Shown {
   bool operator==(const Shown&) const = default;
 };
 
-/// The nearest visible side that no operator takes away, the first in tree order of several.
+/// The nearest visible side that no operator removes; the first in tree order if several coincide.
 std::optional<Shown> nearest_shown(const model::Tree& tree, const Intervals& intervals) {
   const testing::TreeRules rules(tree);
   std::optional<Shown> seen;
@@ -107,7 +107,7 @@ std::optional<Shown> nearest_shown(const model::Tree& tree, const Intervals& int
 
 }  // namespace
 
-TEST_CASE("the value that follows toggles is that of the whole tree worked out anew") {
+TEST_CASE("incremental updates give the value of a full evaluation") {
   CHECK(rc::check([] {
     const model::Tree tree = any_tree();
     judges::TreeOnRay on_ray(tree);
@@ -122,7 +122,7 @@ TEST_CASE("the value that follows toggles is that of the whole tree worked out a
   }));
 }
 
-TEST_CASE("a surface shows where its side of the primitive is there and no operator takes it away") {
+TEST_CASE("a surface shows where its side is present and no operator removes it") {
   CHECK(rc::check([] {
     const model::Tree tree = any_tree();
     judges::TreeOnRay on_ray(tree);
@@ -136,7 +136,7 @@ TEST_CASE("a surface shows where its side of the primitive is there and no opera
   }));
 }
 
-TEST_CASE("what a ray sees first is the nearest surface that shows, of the first primitive in tree order") {
+TEST_CASE("a ray sees the nearest surface and the first primitive in tree order") {
   CHECK(rc::check([] {
     const model::Tree tree = any_tree();
     judges::TreeOnRay on_ray(tree);
@@ -152,4 +152,4 @@ TEST_CASE("what a ray sees first is the nearest surface that shows, of the first
   }));
 }
 
-TEST_CASE("an empty tree is out everywhere") { CHECK_FALSE(judges::TreeOnRay(model::Tree{}).in_model()); }
+TEST_CASE("an empty tree is outside everywhere") { CHECK_FALSE(judges::TreeOnRay(model::Tree{}).in_model()); }

@@ -5,7 +5,7 @@
 
 namespace {
 
-/// In their order, a line each, so that a failed check says which.
+/// Sorted, one per line, so that a failed check shows the lines.
 std::string lines_of(std::vector<std::string> found) {
   std::ranges::sort(found);
   std::string lines;
@@ -13,8 +13,8 @@ std::string lines_of(std::vector<std::string> found) {
   return lines;
 }
 
-/// Lines `file: included` below a folder whose included path matches none of the allowed prefixes.
-std::string strangers(const std::string& folder, const std::vector<std::string>& allowed) {
+/// Lines `file: included` for files in a directory with an included path that has none of the allowed prefixes.
+std::string foreign_includes(const std::string& folder, const std::vector<std::string>& allowed) {
   static const std::regex include("^\\s*#\\s*include\\s*\"([^\"]+)\".*");
   std::vector<std::string> found;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(CSGSIM_SOURCE_DIR) / folder)) {
@@ -34,65 +34,66 @@ std::string strangers(const std::string& folder, const std::vector<std::string>&
 
 }  // namespace
 
-TEST_CASE("the base room includes nothing of the others") { CHECK(strangers("hw/base", {"hw/base/"}) == ""); }
+TEST_CASE("hw/base includes nothing from other directories") { CHECK(foreign_includes("hw/base", {"hw/base/"}) == ""); }
 
-TEST_CASE("hw includes neither host nor sim") { CHECK(strangers("hw", {"hw/"}) == ""); }
+TEST_CASE("hw includes neither host nor sim") { CHECK(foreign_includes("hw", {"hw/"}) == ""); }
 
-TEST_CASE("the array in plain C++ and the instruction set know nothing of SystemC's modules") {
-  CHECK(strangers("hw/array", {"hw/array/", "hw/base/", "hw/isa/", "hw/machines/"}) == "");
-  CHECK(strangers("hw/isa", {"hw/base/", "hw/isa/"}) == "");
-  CHECK(strangers("hw/machines", {"hw/base/", "hw/isa/", "hw/machines/"}) == "");
-  CHECK(strangers("hw/process", {"hw/base/", "hw/isa/", "hw/machines/", "hw/process/"}) == "");
-  CHECK(strangers("hw/processors", {"hw/base/", "hw/isa/", "hw/machines/", "hw/processors/"}) == "");
-  CHECK(strangers("hw/host", {"hw/base/", "hw/isa/", "hw/machines/", "hw/processors/", "hw/host/"}) == "");
+TEST_CASE("the plain C++ parts of hw include no SystemC modules") {
+  CHECK(foreign_includes("hw/array", {"hw/array/", "hw/base/", "hw/isa/", "hw/machines/"}) == "");
+  CHECK(foreign_includes("hw/isa", {"hw/base/", "hw/isa/"}) == "");
+  CHECK(foreign_includes("hw/machines", {"hw/base/", "hw/isa/", "hw/machines/"}) == "");
+  CHECK(foreign_includes("hw/process", {"hw/base/", "hw/isa/", "hw/machines/", "hw/process/"}) == "");
+  CHECK(foreign_includes("hw/processors", {"hw/base/", "hw/isa/", "hw/machines/", "hw/processors/"}) == "");
+  CHECK(foreign_includes("hw/host", {"hw/base/", "hw/isa/", "hw/machines/", "hw/processors/", "hw/host/"}) == "");
 }
 
-TEST_CASE("the divider in plain C++ knows the base and the instruction set alone") {
-  CHECK(strangers("hw/division", {"hw/division/", "hw/base/", "hw/isa/"}) == "");
+TEST_CASE("the divider in plain C++ includes only the base and the instruction set") {
+  CHECK(foreign_includes("hw/division", {"hw/division/", "hw/base/", "hw/isa/"}) == "");
 }
 
-TEST_CASE("host includes nothing of hw but the base, the instruction set, the machine descriptions and what it sends") {
-  CHECK(strangers("host", {"host/", "hw/base/", "hw/isa/", "hw/machines/", "hw/division/display_model.h",
-                           "hw/division/encoding.h", "hw/division/bit_stream.h", "hw/division/counts.h"}) == "");
+TEST_CASE("host includes only the data formats of hw") {
+  CHECK(foreign_includes("host", {"host/", "hw/base/", "hw/isa/", "hw/machines/", "hw/division/display_model.h",
+                                  "hw/division/encoding.h", "hw/division/bit_stream.h", "hw/division/counts.h"}) == "");
 }
 
-TEST_CASE("convex pieces are geometry in model space: they know neither the view nor the instruction stream") {
-  CHECK(strangers("host/convex",
-                  {"host/convex/", "host/csg/positive_tree.h", "host/facet/", "host/model/", "hw/base/"}) == "");
+TEST_CASE("host/convex includes neither the view nor the instruction set") {
+  CHECK(foreign_includes("host/convex",
+                         {"host/convex/", "host/csg/positive_tree.h", "host/facet/", "host/model/", "hw/base/"}) == "");
 }
 
-TEST_CASE("swept surfaces are geometry: they know meshes as plain data, and nothing of models and machines") {
-  CHECK(strangers("host/swept", {"host/swept/", "host/solids/mesh.h", "hw/base/"}) == "");
+TEST_CASE("host/swept includes meshes as plain data but neither models nor machines") {
+  CHECK(foreign_includes("host/swept", {"host/swept/", "host/solids/mesh.h", "hw/base/"}) == "");
 }
 
-TEST_CASE("methods of software work on what the host has made: they know no machine and no other room of sim") {
-  CHECK(strangers("sim/software", {"sim/software/", "host/", "hw/base/", "hw/machines/", "hw/processors/"}) == "");
+TEST_CASE("sim/software includes the host but no machine model and no other part of sim") {
+  CHECK(foreign_includes("sim/software", {"sim/software/", "host/", "hw/base/", "hw/machines/", "hw/processors/"}) ==
+        "");
 }
 
-TEST_CASE("the engines share no code: each includes only itself, the engine interface and hw") {
-  CHECK(strangers("sim/reference",
-                  {"sim/reference/", "sim/engine/", "hw/base/", "hw/isa/", "hw/machines/", "hw/host/"}) == "");
-  CHECK(strangers("sim/functional",
-                  {"sim/functional/", "sim/engine/", "hw/base/", "hw/isa/", "hw/machines/", "hw/host/"}) == "");
-  CHECK(strangers("sim/cycle", {"sim/cycle/", "sim/engine/", "hw/"}) == "");
+TEST_CASE("the engines share no code except their interface and hw") {
+  CHECK(foreign_includes("sim/reference",
+                         {"sim/reference/", "sim/engine/", "hw/base/", "hw/isa/", "hw/machines/", "hw/host/"}) == "");
+  CHECK(foreign_includes("sim/functional",
+                         {"sim/functional/", "sim/engine/", "hw/base/", "hw/isa/", "hw/machines/", "hw/host/"}) == "");
+  CHECK(foreign_includes("sim/cycle", {"sim/cycle/", "sim/engine/", "hw/"}) == "");
 }
 
 namespace {
 
-/// A file of a kind's room that may name a Program, with the reason.
+/// A file of a machine kind that may use a Program, with the reason.
 struct Exception {
   std::string file;
   std::string reason;
 };
 
-/// What is known of a kind without building a machine: no module.
+/// Whether the file describes a kind without building a machine, that is, contains no module.
 bool is_description(const fs::path& file) {
   static const std::vector<std::string> stems{"kind", "timing", "account", "figures", "regions", "make"};
   const std::string stem = file.stem().string();
   return std::any_of(stems.begin(), stems.end(), [&](const std::string& one) { return stem.starts_with(one); });
 }
 
-/// Modules that name a Program, its segments or a host's instructions: `room/file`.
+/// Modules that use a Program, its segments or a host's instructions, as `directory/file`.
 std::string readers_of_programs(const std::vector<std::string>& rooms) {
   static const std::regex of_a_program(
       R"(isa::Program\b|isa::Segment\b|\bsegments\b|\.facts\b|span<const isa::Instruction>)");
@@ -116,11 +117,11 @@ std::string readers_of_programs(const std::vector<std::string>& rooms) {
 
 }  // namespace
 
-TEST_CASE("no module reads a Program: each acts on what came in through its ports") {
+TEST_CASE("no module reads a Program except the listed files") {
   const std::vector<Exception> exceptions{
-      {"bit_serial_memory/completion.cpp", "an observer: numbers of segments and instructions, for who watches"},
+      {"bit_serial_memory/completion.cpp", "an observer: numbers of segments and instructions, for views"},
       {"bit_serial_memory/completion.h", "as above"},
-      {"bit_serial_memory/memory_machine.cpp", "hands the Program to the host's end of the link"},
+      {"bit_serial_memory/memory_machine.cpp", "passes the Program to the host's end of the link"},
       {"bit_serial_memory/memory_machine.h", "as above"},
       {"bit_serial_memory/row_text.cpp", "a Program's row commands as text, which other simulators replay"},
       {"bit_serial_memory/row_text.h", "as above"},
@@ -128,19 +129,19 @@ TEST_CASE("no module reads a Program: each acts on what came in through its port
       {"bit_serial_memory/taps.h", "as above"},
       {"link/frame_words.cpp", "encodes a Program into the words of the host's memory"},
       {"link/frame_words.h", "as above"},
-      {"multi_processor/clocks.cpp", "clocks of a list that a node holds, or has yet to hold"},
+      {"multi_processor/clocks.cpp", "clocks of a list that a node holds or will receive"},
       {"multi_processor/clocks.h", "as above"},
       {"multi_processor/list_renderer.cpp", "the list that a node holds, as it came over the bus"},
       {"multi_processor/list_renderer.h", "as above"},
-      {"multi_processor/multi_processor.cpp", "hands the Program to what stands for the host"},
+      {"multi_processor/multi_processor.cpp", "passes the Program to the model of the host"},
       {"multi_processor/multi_processor.h", "as above"},
       {"multi_processor/taps.cpp", "an observer: names of instructions and fields, for waves"},
       {"multi_processor/taps.h", "as above"},
-      {"pixel_planes/completion.cpp", "an observer: numbers of segments and instructions, for who watches"},
+      {"pixel_planes/completion.cpp", "an observer: numbers of segments and instructions, for views"},
       {"pixel_planes/completion.h", "as above"},
-      {"pixel_planes/pixel_planes.cpp", "hands the Program to the host's end of the link"},
+      {"pixel_planes/pixel_planes.cpp", "passes the Program to the host's end of the link"},
       {"pixel_planes/pixel_planes.h", "as above"},
-      {"pixel_planes/probed.cpp", "works out where in a frame a machine of some pixels begins, for waves"},
+      {"pixel_planes/probed.cpp", "computes where in a frame a machine of selected pixels begins, for waves"},
       {"pixel_planes/probed.h", "as above"},
       {"pixel_planes/taps.cpp", "an observer: names of instructions and fields, for waves"},
       {"pixel_planes/taps.h", "as above"},
@@ -150,7 +151,7 @@ TEST_CASE("no module reads a Program: each acts on what came in through its port
       {"pixel_square/graphics_processors.h", "as above"},
       {"pixel_square/host_sender.cpp", "divider.kind host: the host sends squares from its own memory"},
       {"pixel_square/host_sender.h", "as above"},
-      {"pixel_square/pixel_square.cpp", "hands the Program to what stands for the host"},
+      {"pixel_square/pixel_square.cpp", "passes the Program to the model of the host"},
       {"pixel_square/pixel_square.h", "as above"},
       {"pixel_square/renderer_taps.cpp", "an observer: names of instructions and fields, for waves"},
       {"pixel_square/renderer_taps.h", "as above"},
@@ -175,7 +176,7 @@ TEST_CASE("no module reads a Program: each acts on what came in through its port
                              "scan_line", "systemc"}) == lines_of(allowed));
 }
 
-TEST_CASE("no machine and no engine reads facts, which are for people, nor whom an instruction serves") {
+TEST_CASE("no machine and no engine reads facts or origins") {
   const std::regex for_people(R"(\.facts\b|\.origin\b|\bfield_of\()");
   for (const char* const room : {"hw/array", "hw/bit_serial_memory", "hw/kinds", "hw/link", "hw/machines",
                                  "hw/multi_processor", "hw/pixel_planes", "hw/pixel_square", "hw/scan_line",
@@ -189,7 +190,7 @@ TEST_CASE("no machine and no engine reads facts, which are for people, nor whom 
   }
 }
 
-TEST_CASE("what a room declares is in the namespace of its name, and what the base declares in csgsim itself") {
+TEST_CASE("headers declare names only in the namespace of their directory") {
   const std::regex opened(R"(^namespace (csgsim[a-z_:]*) \{.*)");
   std::vector<std::string> strange;
   for (const char* const part : {"hw", "host", "sim"}) {
@@ -207,8 +208,8 @@ TEST_CASE("what a room declares is in the namespace of its name, and what the ba
       }
     }
   }
-  // An instantiation is declared in the namespace of its template; SystemC looks for the operators of a word of a link
-  // beside the word; the others name parts of a page beforehand.
+  // An instantiation is declared in the namespace of its template; SystemC finds the operators of a link word in its
+  // namespace; the others are forward declarations of page parts.
   CHECK(lines_of(strange) ==
         "hw/isa/program.h: csgsim\n"
         "hw/link/frame_words.h: csgsim::isa\n"

@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+// SystemC elaborates once per process, so each case must run in a separate process, as under ctest.
 
 #include "hw/link/link_source.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr machines::Link slow{.width = 32, .word_clocks = 3, .fifo_depth = 8, .latency = 2};
 
-/// Of two instructions, a word each.
+/// Words of two instructions, one each.
 link::FrameWords two_words() { return {.words = std::vector<isa::LinkWord>(2), .begins = {0, 1, 2}}; }
 
 struct Board {
@@ -21,7 +21,7 @@ struct Board {
     source.words(words);
   }
 
-  /// So many edges go by, and all that belongs to them happens.
+  /// Runs `count` clock edges and everything that they trigger.
   void edges(std::uint64_t count) {
     if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(clock.period() / 2);
     for (std::uint64_t i = 0; i < count; ++i) sc_core::sc_start(clock.period());
@@ -35,7 +35,7 @@ struct Board {
 
 }  // namespace
 
-TEST_CASE("a word that is on the link at the start is there for the clocks that it has left") {
+TEST_CASE("a resumed word stays on the link for its remaining clocks") {
   Board board;
   board.source.resume(two_words(), 1, 2);
   board.edges(1);
@@ -44,7 +44,7 @@ TEST_CASE("a word that is on the link at the start is there for the clocks that 
   CHECK(board.words.num_available() == 1);
 }
 
-TEST_CASE("the account is of the clocks since the frame's beginning was asked for, with those before a jump") {
+TEST_CASE("the account covers the clocks since the request including an abandoned word") {
   Board board;
   board.source.load(two_words());
   board.edges(5);
@@ -52,7 +52,7 @@ TEST_CASE("the account is of the clocks since the frame's beginning was asked fo
   board.edges(1 + 2 + 3);
   CHECK(board.source.account() == machines::LinkAccount{.words = 1, .sending = 3, .waiting = 1 + 2});
   board.requests.write(1);
-  board.edges(1 + 2 + 3);  // in the first of them the second word is on the link, in vain
+  board.edges(1 + 2 + 3);  // the second word is on the link in the first of these clocks and is discarded
   board.edges(1);
   CHECK(board.source.account() == machines::LinkAccount{.words = 2, .sending = 3 + 1 + 3, .waiting = 3 + 2, .done = 1});
 }

@@ -19,7 +19,7 @@ Instruction constant(Field target, std::uint64_t value) {
   return {.opcode = Opcode::set_constant, .fields = {target}, .constant = value};
 }
 
-/// Pixels from column 3 on get a colour.
+/// Assigns a colour to the pixels from column 3.
 isa::Program two_columns() {
   isa::Program program;
   program.shape = {5, 2, 20};
@@ -70,7 +70,7 @@ TEST_CASE("two levels are equal at every instruction boundary of random Programs
   }));
 }
 
-TEST_CASE("each side leaves the picture and the counts of its Program run alone, wherever the two differ") {
+TEST_CASE("each side's result equals a run of its Program alone") {
   const isa::ArrayShape shape{9, 5, 40};
   const machines::Machine machine = planes(shape);
   const auto functional = engine::make_functional_engine(machine);
@@ -84,10 +84,10 @@ TEST_CASE("each side leaves the picture and the counts of its Program run alone,
   }));
 }
 
-TEST_CASE("the first instruction that differs, the first pixel after it, and what differs there are found") {
+TEST_CASE("finds the first divergent instruction and its first differing pixel") {
   const isa::Program a = two_columns();
   isa::Program b = a;
-  b.segments[0].instructions[2].linear.c = -2;  // column 2 too
+  b.segments[0].instructions[2].linear.c = -2;  // also enables column 2
   const lockstep::Comparison found = compare(a, b);
   CHECK(found.other_instruction == 2);
   REQUIRE(found.divergence.has_value());
@@ -100,7 +100,7 @@ TEST_CASE("the first instruction that differs, the first pixel after it, and wha
   CHECK(found.picture->pixels == 2);
 }
 
-TEST_CASE("a field is told by its name, its place where it has none, with both values") {
+TEST_CASE("reports a differing field by name or position with both values") {
   const isa::Program a = two_columns();
   isa::Program b = a;
   b.segments[0].instructions[3].constant = 41;
@@ -112,7 +112,7 @@ TEST_CASE("a field is told by its name, its place where it has none, with both v
   CHECK_FALSE(found.picture.has_value());
 }
 
-TEST_CASE("Programs of different length are compared up to their first different instruction, and by their pictures") {
+TEST_CASE("Programs of different length are compared up to their first difference") {
   const isa::Program a = two_columns();
   isa::Program b = a;
   b.segments[0].instructions.insert(b.segments[0].instructions.begin() + 3, {.opcode = Opcode::enable_all});
@@ -129,7 +129,7 @@ TEST_CASE("Programs of different length are compared up to their first different
   CHECK_FALSE(compare(a, b).picture.has_value());
 }
 
-TEST_CASE("where an instruction takes other clocks on a machine that is told to be the same, it is found") {
+TEST_CASE("detects different clocks of an instruction on supposedly equal machines") {
   isa::Program program = two_columns();
   const machines::Machine machine = planes(program.shape);
   machines::Machine wide = machine;

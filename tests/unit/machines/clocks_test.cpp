@@ -36,7 +36,7 @@ std::uint64_t linear_clocks(Opcode opcode, Field field, std::uint16_t width) {
 
 }  // namespace
 
-TEST_CASE("the evaluator's latency is a clock a level of both trees") {
+TEST_CASE("evaluator latency is one clock per level of both trees") {
   const auto latency = [](std::uint32_t width, std::uint32_t height) {
     machines::Machine one = machine(1);
     one.array = {width, height, 72};
@@ -50,7 +50,7 @@ TEST_CASE("the evaluator's latency is a clock a level of both trees") {
   CHECK(latency(513, 512) == 10 + 9);
 }
 
-TEST_CASE("with fewer registers a clock takes several levels, of one tree, and the last of them too few or not") {
+TEST_CASE("with fewer registers a clock covers several levels of one tree") {
   const auto latency = [](std::uint32_t width, std::uint32_t height, std::uint32_t levels) {
     machines::Machine one = machine(1);
     one.array = {width, height, 72};
@@ -78,7 +78,7 @@ TEST_CASE("instructions on the enable register take one clock") {
     CHECK(clocks(opcode, {7, 1}) == 1);
 }
 
-TEST_CASE("a linear expression that is only compared or loaded takes a clock a bit of it") {
+TEST_CASE("a linear expression that is only compared or loaded takes one clock per bit") {
   CHECK(linear_clocks(Opcode::edge_not_negative, {}, 22) == 22);
   CHECK(linear_clocks(Opcode::edge_negative, {}, 1) == 1);
   CHECK(linear_clocks(Opcode::stripe, {}, 1) == 1);
@@ -88,18 +88,18 @@ TEST_CASE("a linear expression that is only compared or loaded takes a clock a b
     CHECK(linear_clocks(opcode, {0, 20}, 34) == 34);
 }
 
-TEST_CASE("a linear expression that is compared and then kept takes two clocks a bit of it") {
+TEST_CASE("a linear expression that is compared and kept takes two clocks per bit") {
   CHECK(linear_clocks(Opcode::keep_max, {0, 20}, 34) == 68);
   CHECK(linear_clocks(Opcode::keep_min, {0, 20}, 33) == 66);
 }
 
-TEST_CASE("writing a field from one source takes a clock a bit") {
+TEST_CASE("writing a field from one source takes one clock per bit") {
   CHECK(clocks(Opcode::set_constant, {0, 24}) == 24);
   CHECK(clocks(Opcode::copy, {0, 20}, {20, 20}) == 20);
   CHECK(clocks(Opcode::bit_not, {0, 1}, {1, 1}) == 1);
 }
 
-TEST_CASE("two source bits take two clocks with one read of memory a clock, else one") {
+TEST_CASE("two source bits take two clocks at one memory read per clock and else one") {
   for (const Opcode opcode : {Opcode::field_lt, Opcode::field_le, Opcode::field_eq}) {
     CHECK(clocks(opcode, {0, 20}, {20, 20}) == 40);
     CHECK(clocks(opcode, {0, 20}, {20, 20}, {}, 2) == 20);
@@ -110,7 +110,7 @@ TEST_CASE("two source bits take two clocks with one read of memory a clock, else
   }
 }
 
-TEST_CASE("a sum takes the clocks of its target, through which the carry ripples, however narrow the source") {
+TEST_CASE("a sum takes the clocks of its target however narrow the source") {
   for (const std::uint16_t width : {std::uint16_t{1}, std::uint16_t{7}, std::uint16_t{20}}) {
     CAPTURE(width);
     CHECK(clocks(Opcode::add, {0, 20}, {20, width}) == 40);
@@ -121,7 +121,7 @@ TEST_CASE("a sum takes the clocks of its target, through which the carry ripples
   CHECK(machines::clocks({.opcode = Opcode::add, .fields = {Field{0, 20}, Field{20, 3}}}, wide) == 6);
 }
 
-TEST_CASE("each bit of a root takes three clocks, and one or two for each of those before it") {
+TEST_CASE("each bit of a root takes three clocks plus one or two per preceding bit") {
   const auto expected = [](std::uint64_t bits, std::uint64_t of_each_before) {
     std::uint64_t clocks = 0;
     for (std::uint64_t bit = 0; bit < bits; ++bit) clocks += 3 + of_each_before * bit;
@@ -138,13 +138,13 @@ TEST_CASE("each bit of a root takes three clocks, and one or two for each of tho
   CHECK(machines::clocks({.opcode = Opcode::root, .fields = {Field{0, 41}}}, wide) == 20 * 20 + 2 * 20);
 }
 
-TEST_CASE("squares take a clock, and what adds F to a field the width of the expression") {
+TEST_CASE("squares take one clock and adding F to a field takes the expression's width") {
   CHECK(machines::clocks({.opcode = Opcode::squares, .linear = {.a = 1, .width = 40}}, machine(1)) == 1);
   CHECK(linear_clocks(Opcode::linear_plus, {0, 20}, 40) == 40);
   CHECK(linear_clocks(Opcode::linear_minus, {0, 20}, 40) == 40);
 }
 
-TEST_CASE("wider trees bring as many bits of an expression in a clock, the last of them too few to fill it or not") {
+TEST_CASE("wider trees deliver several bits per clock with a partial last group") {
   Instruction instruction;
   instruction.fields[0] = {0, 20};
   instruction.linear = {.a = 1, .b = -2, .c = 3, .width = 34, .shift = 12};
@@ -162,17 +162,17 @@ TEST_CASE("wider trees bring as many bits of an expression in a clock, the last 
     CHECK(with(opcode, 17) == 2);
     CHECK(with(opcode, 32) == 2);
   }
-  // Each pass begins with a clock of its own.
+  // Each pass starts with one extra clock.
   CHECK(with(Opcode::keep_max, 4) == 18);
   CHECK(with(Opcode::keep_min, 32) == 4);
-  // Neither the squares before a stream, nor roots, nor questions have to do with it.
+  // Unaffected: the squares before a stream, roots and questions.
   CHECK(with(Opcode::squares, 32) == 1);
   CHECK(with(Opcode::global_or, 32) == 1 + 18);
   instruction.fields[0] = {0, 41};
   CHECK(with(Opcode::root, 32) == 20 * 20 + 2 * 20);
 }
 
-TEST_CASE("a wider ALU works on as many bits of a field in a clock, the last of them too few to fill it or not") {
+TEST_CASE("a wider ALU processes several bits per clock with a partial last group") {
   Instruction instruction;
   instruction.fields = {Field{0, 20}, Field{20, 20}, Field{40, 20}};
   const auto with = [&](Opcode opcode, std::uint32_t alu_bits, std::uint32_t memory_reads = 1) {
@@ -191,7 +191,7 @@ TEST_CASE("a wider ALU works on as many bits of a field in a clock, the last of 
   CHECK(with(Opcode::field_lt, 20) == 2);
 }
 
-TEST_CASE("linear expressions, the enable register and answers gain nothing from a wider ALU") {
+TEST_CASE("a wider ALU speeds up neither linear expressions nor enable nor questions") {
   machines::Machine wide = machine(1);
   wide.alu_bits = 16;
   Instruction instruction;
@@ -203,18 +203,18 @@ TEST_CASE("linear expressions, the enable register and answers gain nothing from
   CHECK(machines::clocks({.opcode = Opcode::global_or}, wide) == 1 + 18);
 }
 
-TEST_CASE("an answer takes a clock and the way through the trees") {
+TEST_CASE("an answer takes one clock plus the latency of the trees") {
   CHECK(clocks(Opcode::global_or) == 1 + 18);
   CHECK(clocks(Opcode::skip_if_none) == 1 + 18);
 }
 
-TEST_CASE("the clocks of a Program are those of a run that skips nothing") {
+TEST_CASE("a Program's clocks are those of a run without skips") {
   isa::Program program;
   program.shape = {512, 512, 72};
   const Instruction all{Opcode::enable_all, {}, {}, 0, {}};
   const Instruction skip{Opcode::skip_if_none, {}, {}, 1, {}};
   program.segments = {{{0, 0, 512, 512}, {skip, all, all}}, {{0, 0, 8, 8}, {all}}};
   CHECK(machines::clocks(program.segments[0].instructions, machine(1)) == 19 + 2);
-  // The first word takes four clocks from the request to the first clear; a segment is cleared in one.
+  // The first word takes four clocks from the request to the first clear; clearing a segment takes one.
   CHECK(machines::clocks(program, machine(1)) == 4 + 1 + 19 + 2 + 1 + 1 + 18);
 }

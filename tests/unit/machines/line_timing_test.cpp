@@ -13,11 +13,11 @@ using scan_line::LineAccount;
 
 namespace {
 
-/// Clocks before the frame's first instruction enters: the host hands the line over, the link takes it, the line's
-/// beginning crosses the link and is taken, and the instruction comes behind it.
+/// Clocks before the frame's first instruction enters: the host hands over the line, the link takes it, the line's
+/// start crosses the link and is taken, and the instruction follows.
 constexpr std::uint64_t first_entry = 5;
 
-machines::Machine machine_of(machines::Size picture, std::uint32_t chains, std::uint32_t ports = 0) {
+machines::Machine make_machine(machines::Size picture, std::uint32_t chains, std::uint32_t ports = 0) {
   machines::Machine machine = machines::blank(scan_line::kind);
   machine.name = "test";
   machine.array = {picture.width, 1, 64};
@@ -27,7 +27,7 @@ machines::Machine machine_of(machines::Size picture, std::uint32_t chains, std::
   return machine;
 }
 
-/// As many of the instruction on each line as the numbers say.
+/// Computes the timing of a frame with packets[i] copies of the instruction on line i.
 scan_line::LineTiming time(const machines::Machine& machine, const std::vector<std::size_t>& packets,
                            const Instruction& instruction = {.opcode = Opcode::enable_all},
                            const std::vector<isa::RowExtent>& extents = {}) {
@@ -47,43 +47,43 @@ const Instruction copy{.opcode = Opcode::copy, .fields = {Field{0, 8}, Field{8, 
 
 }  // namespace
 
-TEST_CASE("lines of many packets follow as their words come, and the last has its way through the cells and back") {
-  const scan_line::LineTiming timing = time(machine_of({4, 3}, 1), {10, 20, 30});
+TEST_CASE("long lines stream back to back and the last crosses the cells and returns") {
+  const scan_line::LineTiming timing = time(make_machine({4, 3}, 1), {10, 20, 30});
   CHECK(timing.clocks == first_entry + 11 + 22 + 32 + 2 * 4);
   CHECK(account_of(timing).refresh_clocks == 0);
   CHECK(account_of(timing).busy_cells == 60 * 4);
   CHECK(account_of(timing).link_words == 60 + 3 * 2);
 }
 
-TEST_CASE("lines of few packets wait for the refresh path") {
-  const scan_line::LineTiming timing = time(machine_of({8, 3}, 1), {2, 1, 0});
+TEST_CASE("lines with few packets wait for the refresh path") {
+  const scan_line::LineTiming timing = time(make_machine({8, 3}, 1), {2, 1, 0});
   CHECK(timing.clocks == first_entry + 3 + 8 + 8 + 2 * 8);
   CHECK(account_of(timing).refresh_clocks == (8 - 3) + (8 - 2));
 }
 
-TEST_CASE("chains take lines in turn, each over its own link, and the frame ends with the chain that ends last") {
-  const scan_line::LineTiming timing = time(machine_of({4, 5}, 2), {10, 1, 10, 40, 10});
-  const std::uint64_t handed_over = 1;  // that much later than the first line
+TEST_CASE("chains take lines in turn over separate links and the slowest ends the frame") {
+  const scan_line::LineTiming timing = time(make_machine({4, 5}, 2), {10, 1, 10, 40, 10});
+  const std::uint64_t handed_over = 1;  // delay relative to the first line
   CHECK(timing.clocks == handed_over + first_entry + 2 + 42 + 2 * 4);
   CHECK(account_of(timing).entry_clocks == 33 + 2 + 41);
   CHECK(account_of(timing).fill_clocks == first_entry + 1 + 3);
 }
 
-TEST_CASE("a packet enters as long as the ports of the cells' memory need for it") {
-  const scan_line::LineTiming timing = time(machine_of({4, 2}, 1, 1), {5, 6}, copy);
+TEST_CASE("a packet's entry lasts until the cells' memory ports have done its accesses") {
+  const scan_line::LineTiming timing = time(make_machine({4, 2}, 1, 1), {5, 6}, copy);
   CHECK(timing.clocks == first_entry + 2 * 5 + 1 + 1 + 2 * 6 + 1 + 2 * 4);
   CHECK(account_of(timing).fill_clocks == first_entry + 2 + 3);
   CHECK(account_of(timing).busy_cells == 2 * 11 * 4);
 }
 
-TEST_CASE("clearing is a packet at the beginning of a line") {
-  machines::Machine machine = machine_of({4, 2}, 1, 1);
+TEST_CASE("clearing takes a packet at the beginning of a line") {
+  machines::Machine machine = make_machine({4, 2}, 1, 1);
   machine.clear_clocks = 3;
   CHECK(time(machine, {5, 6}, copy).clocks == first_entry - 1 + 3 + 2 * 5 + 1 + 3 + 2 * 6 + 1 + 2 * 4);
 }
 
-TEST_CASE("the host sorts, brings its list up to date, and prepares what it hands over, beside the link") {
-  machines::Machine machine = machine_of({2, 3}, 1);
+TEST_CASE("the host sorts and updates its list and prepares lines while the link transfers") {
+  machines::Machine machine = make_machine({2, 3}, 1);
   machine.own = scan_line::Figures{.words = 2,
                                    .word_bits = 32,
                                    .chains = 1,
@@ -101,8 +101,8 @@ TEST_CASE("the host sorts, brings its list up to date, and prepares what it hand
   CHECK(account_of(timing).host.of(scan_line::LineActivity::waiting_for_link) == 0);
 }
 
-TEST_CASE("what instructions are for is nothing to the host: it goes by the rows that the Program says") {
-  machines::Machine machine = machine_of({2, 3}, 1);
+TEST_CASE("the host's clocks depend on row extents and not on instruction purposes") {
+  machines::Machine machine = make_machine({2, 3}, 1);
   machines::own<scan_line::Figures>(machine).bucket_clocks = 7;
   machines::own<scan_line::Figures>(machine).active_clocks = 5;
   const Instruction plain{.opcode = Opcode::enable_all};
@@ -111,9 +111,8 @@ TEST_CASE("what instructions are for is nothing to the host: it goes by the rows
   CHECK(time(machine, {2, 2, 0}, plain, {{0, 1}, {1, 2}}).clocks > time(machine, {2, 2, 0}, plain, {{0, 1}}).clocks);
 }
 
-TEST_CASE(
-    "with trees a frame ends when its last mark has come through the levels and its pixels through the shift chain") {
-  machines::Machine machine = machine_of({20, 3}, 1);
+TEST_CASE("with trees a frame ends after the last mark's levels and its pixels' shift chain") {
+  machines::Machine machine = make_machine({20, 3}, 1);
   const std::uint64_t chained = time(machine, {30, 20, 30}).clocks;
   machines::own<scan_line::Figures>(machine).network = scan_line::Network::trees;
   machines::own<scan_line::Figures>(machine).tree_bits = 32;
@@ -128,21 +127,21 @@ TEST_CASE(
   CHECK(time(machine, {1, 1, 1}, wide).account.busy_cells == 3 * 5 * 20);
 }
 
-TEST_CASE("a narrow link brings a command in many words") {
-  machines::Machine machine = machine_of({4, 1}, 1);
+TEST_CASE("a narrow link transfers a command in many words") {
+  machines::Machine machine = make_machine({4, 1}, 1);
   machine.link = {.width = 8, .word_clocks = 3, .fifo_depth = 16, .latency = 10};
-  const std::uint64_t words = 9 + 3 + 1;  // the line's beginning has 70 bits
+  const std::uint64_t words = 9 + 3 + 1;  // the line's start command has 70 bits
   CHECK(time(machine, {3}).clocks == 2 + 10 + 3 * words + 2 + 2 * 4);
 }
 
-TEST_CASE("a FIFO of one word lets a word pass every other clock") {
-  machines::Machine machine = machine_of({4, 1}, 1);
+TEST_CASE("a FIFO of one word passes a word every other clock") {
+  machines::Machine machine = make_machine({4, 1}, 1);
   machine.link.fifo_depth = 1;
   CHECK(time(machine, {3}).clocks == first_entry + 4 + 4 + 2 * 4);
 }
 
-TEST_CASE("the refresh gives each line of a field an equal share of its time, times the chains") {
-  machines::Machine machine = machine_of({4, 7}, 1);
+TEST_CASE("each line of a field gets an equal share of the refresh time times the chains") {
+  machines::Machine machine = make_machine({4, 7}, 1);
   CHECK(scan_line::line_budget(machine, 7) == 7);  // 1000 / (20 * 7)
   machines::own<scan_line::Figures>(machine).chains = 3;
   CHECK(scan_line::line_budget(machine, 7) == 21);
@@ -150,17 +149,17 @@ TEST_CASE("the refresh gives each line of a field an equal share of its time, ti
   CHECK(scan_line::line_budget(machine, 7) == 3 * 12);  // 1000 / (20 * 4)
 }
 
-TEST_CASE("a line is late from the first clock on that its budget does not hold") {
-  // The first has the way of the link before it; of the others the beginning and the mark are two clocks.
-  const LineAccount account = account_of(time(machine_of({4, 5}, 1), {9, 9, 0, 11, 8}));
+TEST_CASE("a line is late from the first clock beyond its budget") {
+  // The first line includes the link latency before it; the start and the mark of each other line take two clocks.
+  const LineAccount account = account_of(time(make_machine({4, 5}, 1), {9, 9, 0, 11, 8}));
   CHECK(account.line_budget == 10);
   CHECK(account.late_lines == 3);
   CHECK(account.packets == 37);
   CHECK(account.max_packets == 11);
 }
 
-TEST_CASE("the next frame begins when the last mark has entered, unless its first mark would have to wait then") {
-  CHECK(time(machine_of({4, 3}, 1), {10, 20, 30}).interval_clocks == first_entry + 11 + 22 + 32);
+TEST_CASE("the next frame starts after the last mark unless its first mark would wait") {
+  CHECK(time(make_machine({4, 3}, 1), {10, 20, 30}).interval_clocks == first_entry + 11 + 22 + 32);
   const std::uint64_t first_mark = first_entry + 3;
-  CHECK(time(machine_of({20, 2}, 1), {2, 2}).interval_clocks == first_mark + 20 + (20 - first_mark));
+  CHECK(time(make_machine({20, 2}, 1), {2, 2}).interval_clocks == first_mark + 20 + (20 - first_mark));
 }

@@ -33,11 +33,11 @@ namespace {
 std::string description_of(std::string_view machine) {
   for (const machines::BuiltIn& one : kinds::built_in())
     if (one.name == machine) return std::string(one.text);
-  FAIL("there is no such machine");
+  FAIL("no built-in machine has this name");
   return {};
 }
 
-/// The description of Pixel-planes with one piece of its text replaced.
+/// Returns the description of Pixel-planes with one piece of its text replaced.
 std::string changed(std::string_view from, std::string_view to) {
   std::string text = description_of("pixel-planes-4");
   const std::size_t at = text.find(from);
@@ -46,7 +46,7 @@ std::string changed(std::string_view from, std::string_view to) {
   return text;
 }
 
-/// The message that reading the text ends with.
+/// Returns the error message of reading the text.
 std::string message(std::string_view text) {
   try {
     read_description(text, "my.toml", kinds::all());
@@ -60,7 +60,7 @@ std::string message_of_change(std::string_view from, std::string_view to) { retu
 
 }  // namespace
 
-TEST_CASE("a pixel takes the transistors of its logic and of its memory, where it has been synthesised") {
+TEST_CASE("a pixel has the transistors of its logic and of its memory if synthesised") {
   Machine machine = kinds::load("pixel-planes-4");
   const std::uint64_t logic = *machines::pixel_transistors(machine, 0);
   CHECK(logic > 100);
@@ -75,7 +75,7 @@ TEST_CASE("a pixel takes the transistors of its logic and of its memory, where i
   CHECK(machines::pixel_transistors(kinds::load("multi-processor"), 72) == std::nullopt);
 }
 
-TEST_CASE("processor and node of a pixel take the transistors that the page on area tells") {
+TEST_CASE("processor and node transistors match the table in docs/area.md") {
   struct Row {
     std::uint32_t alu_bits;
     std::uint32_t reads;
@@ -94,7 +94,7 @@ TEST_CASE("processor and node of a pixel take the transistors that the page on a
   }
 }
 
-TEST_CASE("a pixel is larger with a wider ALU, and with quadratic expressions") {
+TEST_CASE("a pixel grows with a wider ALU and with quadratic expressions") {
   Machine machine = kinds::load("pixel-planes-4");
   for (const std::uint32_t reads : {1U, 2U}) {
     machine.memory_reads = reads;
@@ -113,7 +113,7 @@ TEST_CASE("a pixel is larger with a wider ALU, and with quadratic expressions") 
   }
 }
 
-TEST_CASE("quadratic expressions and the flag for roots make a pixel larger, by about what is published") {
+TEST_CASE("quadratics and the root flag enlarge a pixel by about the published share") {
   const Machine machine = kinds::load("pixel-powers");
   Machine linear = machine;
   linear.evaluator_degree = 1;
@@ -125,7 +125,7 @@ TEST_CASE("quadratic expressions and the flag for roots make a pixel larger, by 
   CHECK(with / without < 1.45);
 }
 
-TEST_CASE("pixel-planes-4 is built in, with the published figures") {
+TEST_CASE("pixel-planes-4 is built in with the published figures") {
   const Machine machine = kinds::load("pixel-planes-4");
   CHECK(machine.name == "pixel-planes-4");
   CHECK(machine.array == isa::ArrayShape{512, 512, 72});
@@ -135,7 +135,7 @@ TEST_CASE("pixel-planes-4 is built in, with the published figures") {
   CHECK(machines::own<pixel_planes::Figures>(machine).has_global_or);
 }
 
-TEST_CASE("every built-in machine reads and bears its own name") {
+TEST_CASE("every built-in machine loads and has the name it was loaded by") {
   for (const std::string_view name : kinds::built_in_names()) {
     CAPTURE(name);
     const Machine machine = kinds::load(std::string(name));
@@ -144,14 +144,14 @@ TEST_CASE("every built-in machine reads and bears its own name") {
   }
 }
 
-TEST_CASE("studies of several machines draw on all that come with csgsim but the costly ones") {
+TEST_CASE("multi-machine studies cover every built-in machine except the expensive ones") {
   std::vector<std::string_view> names = kinds::built_in_names();
   std::erase_if(names,
                 [](std::string_view name) { return kinds::load(std::string(name)).kind->name == "bit-serial-memory"; });
   CHECK(names == kinds::studied_names());
 }
 
-TEST_CASE("figures come in the order of the file, each with unit, provenance and source") {
+TEST_CASE("figures keep the file's order with unit and provenance and source") {
   const Machine machine = kinds::load("pixel-planes-4");
   std::string keys;
   for (const Figure& figure : machine.figures) {
@@ -171,19 +171,19 @@ TEST_CASE("figures come in the order of the file, each with unit, provenance and
   CHECK(machine.figures[3].unit == "Hz");
 }
 
-TEST_CASE("a machine file is read by its path, whatever its name") {
+TEST_CASE("loads a machine file by path whatever its name") {
   const std::string path = std::string(CSGSIM_BINARY_DIR) + "/machine_test_two_reads.toml";
   std::ofstream(path) << changed("[memory.reads]\nvalue = 1", "[memory.reads]\nvalue = 2");
   CHECK(kinds::load(path).memory_reads == 2);
 }
 
-TEST_CASE("a machine file says how wide the ALU is") {
+TEST_CASE("reads the ALU width from a machine file") {
   CHECK(
       read_description(changed("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 16"), "my.toml", kinds::all()).alu_bits ==
       16);
 }
 
-TEST_CASE("a machine file says how many bits the trees bring in a clock, no more than the ALU takes") {
+TEST_CASE("reads the tree bits per clock and limits them to the ALU width") {
   const std::string trees = "[evaluator.bits]\nvalue = ";
   CHECK(read_description(changed(trees + "1", trees + "1"), "my.toml", kinds::all()).evaluator_bits == 1);
   std::string wide = changed("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 8");
@@ -203,7 +203,7 @@ TEST_CASE("a machine file says how many bits the trees bring in a clock, no more
   }
 }
 
-TEST_CASE("a machine has a global OR or has none") {
+TEST_CASE("a machine either has a global OR or has none") {
   const Machine without = read_description(changed("[global_or.present]\nvalue = 1", "[global_or.present]\nvalue = 0"),
                                            "my.toml", kinds::all());
   CHECK_FALSE(machines::own<pixel_planes::Figures>(without).has_global_or);
@@ -211,7 +211,7 @@ TEST_CASE("a machine has a global OR or has none") {
             .ends_with("global_or.present is 2; it takes 0 to 1 lines"));
 }
 
-TEST_CASE("an unknown machine names the nearest known") {
+TEST_CASE("rejects an unknown machine and suggests the nearest name") {
   CHECK_THROWS_WITH_AS(
       kinds::load("pixel-plane-4"),
       fmt::format("there is no machine 'pixel-plane-4'; did you mean pixel-planes-4? The machines are {}, or a file, "
@@ -224,7 +224,7 @@ TEST_CASE("an unknown machine names the nearest known") {
                        InputError);
 }
 
-TEST_CASE("an unknown key is pointed at and names the nearest known one") {
+TEST_CASE("rejects an unknown key with its place and the nearest known key") {
   const std::string group = changed("[clock.frequency]", "[clok.frequency]");
   CHECK(message(group) == testing::place_in(group, "clok") + ": unknown key 'clok'; the nearest known is 'clock'");
   const std::string figure = changed("[array.memory_bits]", "[array.memory_bit]");
@@ -235,7 +235,7 @@ TEST_CASE("an unknown key is pointed at and names the nearest known one") {
                              ": unknown key 'array.width.valu'; the nearest known is 'array.width.value'");
 }
 
-TEST_CASE("a wrong type is pointed at") {
+TEST_CASE("rejects a wrong type with its place") {
   const std::string number = changed("value = 72", "value = 72.5");
   CHECK(message(number) ==
         testing::place_in(number, "72.5") + ": array.memory_bits is a number with a point; make it an integer");
@@ -245,7 +245,7 @@ TEST_CASE("a wrong type is pointed at") {
   CHECK(message(plain) == testing::place_in(plain, "3") + ": 'array' is an integer; make it a table");
 }
 
-TEST_CASE("a value out of range, a wrong unit and a wrong provenance are pointed at") {
+TEST_CASE("rejects out-of-range values and wrong units and provenances with their place") {
   const std::string big = changed("value = 72", "value = 4097");
   CHECK(message(big) == testing::place_in(big, "4097") + ": array.memory_bits is 4097; it takes 1 to 4096 bits");
   CHECK(message_of_change("value = 512", "value = 0").ends_with("array.width is 0; it takes 1 to 16384 pixels"));
@@ -260,7 +260,7 @@ TEST_CASE("a value out of range, a wrong unit and a wrong provenance are pointed
                                    ": provenance 'guessed' of memory.reads; write 'published' or 'assumed'");
 }
 
-TEST_CASE("a missing key is named") {
+TEST_CASE("names a missing key") {
   CHECK(message_of_change("name = \"pixel-planes-4\"", "").ends_with("key 'name' is missing; add name = \"...\""));
   CHECK(message_of_change("value = 72\n", "").ends_with("array.memory_bits has no value; add value = ..."));
   CHECK(message("name = \"x\"\ndescription = \"y\"\n").ends_with("key 'kind' is missing; add kind = \"...\""));
@@ -269,13 +269,13 @@ TEST_CASE("a missing key is named") {
         "my.toml:1:1: key 'array.width' is missing; add a table [array.width] with value, unit, provenance and source");
 }
 
-TEST_CASE("a figure that machines of another kind have is unknown") {
+TEST_CASE("rejects a figure that belongs to another kind of machine") {
   const std::string text = changed("[memory.writes]", "[refresh.rate]");
   CHECK(message(text) ==
         testing::place_in(text, "refresh.rate") + ": unknown key 'refresh'; the nearest known is 'name'");
 }
 
-TEST_CASE("an unknown kind and an unknown order name those there are") {
+TEST_CASE("lists the valid names for an unknown kind or order") {
   std::string names;
   for (const machines::Kind* const one : kinds::all()) names += (names.empty() ? "" : ", ") + std::string(one->name);
   CHECK(names.starts_with("frame-buffer, scan-line, pixel-square"));
@@ -287,20 +287,20 @@ TEST_CASE("an unknown kind and an unknown order name those there are") {
         testing::place_in(order, "\"columns\"") + ": divider.order is 'columns'; it takes rows, serpentine, morton");
 }
 
-TEST_CASE("a scan-line machine whose picture is wider than its chain is refused") {
+TEST_CASE("rejects a scan-line machine whose picture is wider than its chain") {
   std::string text = description_of("scan-line");
   text.replace(text.find("value = 512"), 11, "value = 511");
   CHECK(message(text).find("a line of 512 pixels exceeds the 511 cells of scan-line") != std::string::npos);
 }
 
-TEST_CASE("a key of very many parts is refused without running out of stack") {
+TEST_CASE("rejects a key of very many parts without exhausting the stack") {
   std::string key = "a";
   for (int i = 0; i < 400'000; ++i) key += ".a";
   CHECK(message("\n" + key + " = 1\n").starts_with("my.toml:2:1: more than 50 dots in a line"));
   CHECK(message("[" + key + "]\n").starts_with("my.toml:1:1: more than 50 dots in a line"));
 }
 
-TEST_CASE("keys of as many parts as are allowed, in values nested as deep as is allowed, do no harm") {
+TEST_CASE("accepts keys and nested values at the allowed limits") {
   const std::string key = [] {
     std::string parts = "a";
     for (int i = 0; i < 50; ++i) parts += ".a";
@@ -311,11 +311,11 @@ TEST_CASE("keys of as many parts as are allowed, in values nested as deep as is 
   CHECK(message(text).starts_with("my.toml:"));
 }
 
-TEST_CASE("what is not TOML is pointed at") {
+TEST_CASE("reports the place of text that is not TOML") {
   CHECK(message("name = \"x\"\nwidth = = 3\n").starts_with("my.toml:2:9: "));
 }
 
-TEST_CASE("figures can be changed behind a machine's name, which tells them, and are assumed then") {
+TEST_CASE("figures changed after a machine's name appear in the name and count as assumed") {
   const Machine plain = kinds::load("pixel-square");
   const Machine other = kinds::load("pixel-square+divider.kind=host+array.memory_bits=100");
   CHECK(other.name == "pixel-square+divider.kind=host+array.memory_bits=100");
@@ -331,7 +331,7 @@ TEST_CASE("figures can be changed behind a machine's name, which tells them, and
   CHECK(kinds::file_of("pixel-square+divider.kind=host").empty());
 }
 
-TEST_CASE("a change that is none is told") {
+TEST_CASE("rejects a change of an unknown figure or to an invalid value") {
   CHECK_THROWS_WITH_AS(kinds::load("pixel-square+divider.kin=host"),
                        "pixel-square.toml: unknown parameter 'divider.kin'; the nearest known is 'divider.kind'",
                        csgsim::InputError);
@@ -341,7 +341,7 @@ TEST_CASE("a change that is none is told") {
   CHECK_THROWS_AS(kinds::load("pixel-planes-4+array.memory_bits=0"), csgsim::InputError);
 }
 
-TEST_CASE("a machine of degree 1 refuses a Program with squares and names one that takes it") {
+TEST_CASE("a degree-1 machine rejects squares and suggests a machine that supports them") {
   isa::Program program;
   program.shape = {8, 4, 16};
   const isa::Linear wide{.a = 1, .width = 9};
@@ -368,7 +368,7 @@ TEST_CASE("a machine of degree 1 refuses a Program with squares and names one th
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
 }
 
-TEST_CASE("expressions are of degree 2 on the machines whose papers say so, and of degree 1 on the others") {
+TEST_CASE("expressions are of degree 2 only on machines documented to have them") {
   for (const std::string_view name : kinds::built_in_names()) {
     CAPTURE(name);
     const bool quadratic = name == "pixel-powers" || name == "pixel-planes-5";
@@ -376,7 +376,7 @@ TEST_CASE("expressions are of degree 2 on the machines whose papers say so, and 
   }
 }
 
-TEST_CASE("what a Program says of its machine makes that machine again, whatever figures were changed") {
+TEST_CASE("a Program's machine record rebuilds the machine including changed figures") {
   std::vector<std::string> names{"pixel-planes-4+array.memory_bits=96+alu.bits=4", "scan-line+link.latency=ideal",
                                  "pixel-square+divider.kind=host", "digital-bit-serial-ddr4+logic.expressions=trees"};
   for (const std::string_view name : kinds::built_in_names()) names.emplace_back(name);
@@ -392,7 +392,7 @@ TEST_CASE("what a Program says of its machine makes that machine again, whatever
   }
 }
 
-TEST_CASE("a Program's figures are the machine's, where csgsim's own have become others since") {
+TEST_CASE("a Program's recorded figures take precedence over csgsim's current ones") {
   isa::MachineRecord record = machines::record_of(kinds::load("pixel-planes-4"));
   for (std::string& figure : record.figures)
     if (figure == "alu.bits=1") figure = "alu.bits=2";
@@ -404,7 +404,7 @@ TEST_CASE("a Program's figures are the machine's, where csgsim's own have become
   CHECK(kinds::load(record, {"alu.bits=4"}).alu_bits == 4);
 }
 
-TEST_CASE("a machine that csgsim does not know is made of all its figures, and of no fewer") {
+TEST_CASE("an unknown machine is rebuilt from a complete set of figures only") {
   isa::MachineRecord record = machines::record_of(kinds::load("scan-line+clock.frequency=12000000"));
   record.name = "my lines";
   const Machine machine = kinds::load(record);

@@ -31,14 +31,14 @@ Machine machine_with(const machines::Link& link, std::uint32_t clear_clocks = 0,
   return machine;
 }
 
-isa::Program program_of(std::vector<Instruction> instructions) {
+isa::Program make_program(std::vector<Instruction> instructions) {
   isa::Program program;
   program.shape = shape;
   program.segments = {{.region = {0, 0, 8, 8}, .instructions = std::move(instructions)}};
   return program;
 }
 
-/// With colours in the lowest bits.
+/// Returns the program with colours in the lowest bits.
 isa::Program coloured(isa::Program program, std::uint32_t bits) {
   program.colour = {0, static_cast<std::uint16_t>(bits)};
   return program;
@@ -56,7 +56,7 @@ std::uint64_t clocks_of(const machines::FrameTiming& timing, std::size_t part, s
   return std::find_if(clocks.begin(), clocks.end(), [&](const auto& one) { return one.activity == activity; })->clocks;
 }
 
-/// Some of the questions of a Program are answered by a jump; which, is drawn by lot.
+/// Returns jumps for a random subset of the Program's questions.
 std::vector<machines::Skip> arbitrary_skips(const isa::Program& program) {
   std::vector<machines::Skip> skips;
   for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
@@ -70,7 +70,7 @@ std::vector<machines::Skip> arbitrary_skips(const isa::Program& program) {
   return skips;
 }
 
-/// Random figures of a link, and figures of which each is as good or better.
+/// Random link figures and a second set that is at least as good in each.
 struct Links {
   machines::Link worse;
   machines::Link better;
@@ -89,7 +89,7 @@ Links arbitrary_links() {
   return links;
 }
 
-/// What the parts have to do for what is carried out, each for itself.
+/// Work of each part for the executed instructions, without waits.
 struct Work {
   std::uint64_t controller = 0;  ///< clocks
   std::uint64_t words = 0;
@@ -118,7 +118,7 @@ Work work_of(const isa::Program& program, const Machine& machine, std::span<cons
 
 }  // namespace
 
-TEST_CASE("an OR of so many lines has a level for each power of its fan-in") {
+TEST_CASE("an OR has one level per power of its fan-in") {
   CHECK(pixel_planes::or_levels(512 * 512, 64) == 3);
   CHECK(pixel_planes::or_levels(64, 64) == 1);
   CHECK(pixel_planes::or_levels(65, 64) == 2);
@@ -127,13 +127,13 @@ TEST_CASE("an OR of so many lines has a level for each power of its fan-in") {
   CHECK(pixel_planes::or_levels(512 * 512, 0) == 0);
 }
 
-// By hand, edges from the request at 0: the host knows of it at 1; SegmentStart's 70 bits are three words of 32, stored
-// at 6, 7, 8 after a latency of 4, read at 7, 8, 9; clearing begins at 10 and takes 3 clocks. enable_all's word is
-// stored at 9, read at 10, the edge that empties the register, and begins at 13; FrameEnd's is stored at 10, read at
-// 13, and begins at 14, and the step is carried out 6 clocks later.
-TEST_CASE("a small frame takes the clocks counted by hand") {
+// Hand calculation; edges count from the request at 0. The host sees it at 1. SegmentStart has 70 bits, three words of
+// 32: stored at 6, 7, 8 after a latency of 4, read at 7, 8, 9. Clearing starts at 10 and takes 3 clocks. The word of
+// enable_all is stored at 9 and read at 10, the edge that empties the register; the instruction starts at 13. FrameEnd
+// is stored at 10, read at 13 and starts at 14; its step executes 6 clocks later.
+TEST_CASE("a small frame takes the hand-counted clocks") {
   const machines::FrameTiming timing =
-      machines::time_frame(program_of({{.opcode = Opcode::enable_all}}),
+      machines::time_frame(make_program({{.opcode = Opcode::enable_all}}),
                            machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 3));
   CHECK(timing.clocks == 20);
   CHECK(timing.account.count("link_words") == 5);
@@ -147,46 +147,47 @@ TEST_CASE("a small frame takes the clocks counted by hand") {
   CHECK(clocks_of(timing, 1, "done") == 10);
 }
 
-// As above until edge 13, where the question begins: 1 clock, 6 of the trees and 2 levels of the OR; the answer is
-// there at 22, the host knows of it at 23, sends FrameEnd from 27 on, stores it at 28; it is read at 29 and begins
-// at 30.
-TEST_CASE("a jump takes the clocks counted by hand, and what was sent in vain is counted") {
+// Same clocks until edge 13, where the question starts: 1 clock, 6 for the trees and 2 levels of the OR. The answer is
+// available at 22; the host sees it at 23, sends FrameEnd from 27 on and stores it at 28. FrameEnd is read at 29 and
+// starts at 30.
+TEST_CASE("a jump takes the hand-counted clocks and counts words sent in vain") {
   const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
   const std::vector<machines::Skip> skips{{0, 0}};
-  isa::Program program = program_of({{.opcode = Opcode::skip_if_none, .constant = 3},
-                                     {.opcode = Opcode::enable_all},
-                                     {.opcode = Opcode::enable_all},
-                                     {.opcode = Opcode::enable_all}});
+  isa::Program program = make_program({{.opcode = Opcode::skip_if_none, .constant = 3},
+                                       {.opcode = Opcode::enable_all},
+                                       {.opcode = Opcode::enable_all},
+                                       {.opcode = Opcode::enable_all}});
   const machines::FrameTiming timing = machines::time_frame(program, machine, skips);
-  // The question is 38 bits, two words, stored at 9 and 10, read at 10 and 11; it begins at 13, its bits are gone.
+  // The question has 38 bits, two words: stored at 9 and 10, read at 10 and 11. It starts at 13 and its bits leave the
+  // register.
   CHECK(timing.clocks == 36);
   CHECK(clocks_of(timing, 0, "answering") == 8);
   CHECK(clocks_of(timing, 0, "jumping") == 8);
   CHECK(clocks_of(timing, 0, "starved") == 10);
-  // Three and two, one in the register, two in the FIFO, FrameEnd.
+  // Three and two words read, one in the register, two in the FIFO, and FrameEnd.
   CHECK(timing.account.count("link_words") == 3 + 2 + 1 + 2 + 1);
 }
 
-// As above, but the instruction that is jumped to takes the place of FrameEnd: its word is read at 29. FrameEnd's word
-// is stored at 29, too. Before the jump's aim there are three words of the segment, two of the question and three that
-// are jumped over.
-TEST_CASE("the words read and sent at a moment after a jump count those that were jumped over, by hand") {
+// Same clocks, but the jump target replaces FrameEnd: its word is read at 29. FrameEnd's word is stored at 29 as well.
+// Three words of the segment, two of the question and three skipped words precede the jump target.
+TEST_CASE("words read and sent after a jump include the skipped ones (hand calculation)") {
   const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
   const std::vector<machines::Skip> skips{{0, 0}};
   std::vector<Instruction> instructions(5, {.opcode = Opcode::enable_all});
   instructions.front() = {.opcode = Opcode::skip_if_none, .constant = 3};
-  const pixel_planes::Moment moment = pixel_planes::instruction_moment(program_of(instructions), machine, skips, 0, 4);
+  const pixel_planes::Moment moment =
+      pixel_planes::instruction_moment(make_program(instructions), machine, skips, 0, 4);
   CHECK(moment.clock == 30);
   CHECK(moment.words_read == 3 + 2 + 3 + 1);
   CHECK(moment.words_sent == 3 + 2 + 3 + 2);
 }
 
-TEST_CASE("at a pixel a question takes its first clock, another instruction all, and one left out none") {
+TEST_CASE("at a pixel a question takes one clock and a skipped instruction none") {
   const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
-  const isa::Program program = program_of({{.opcode = Opcode::skip_if_none, .constant = 1},
-                                           {.opcode = Opcode::enable_all},
-                                           {.opcode = Opcode::skip_if_none, .constant = 1},
-                                           {.opcode = Opcode::enable_all}});
+  const isa::Program program = make_program({{.opcode = Opcode::skip_if_none, .constant = 1},
+                                             {.opcode = Opcode::enable_all},
+                                             {.opcode = Opcode::skip_if_none, .constant = 1},
+                                             {.opcode = Opcode::enable_all}});
   machines::Timeline timeline;
   timeline.issued = {{{13, 22}, {0, 0}, {30, 38}, {40, 43}}};
   const std::vector<machines::ClockSpan> steps = machines::at_pixel(timeline, program, machine, 0, 0, 0);
@@ -200,8 +201,8 @@ TEST_CASE("at a pixel a question takes its first clock, another instruction all,
   CHECK(steps[3].end == 43 + latency);
 }
 
-TEST_CASE("no frame is shorter than the work of its busiest part, none longer than all of it one after the other") {
-  CHECK(rc::check("a frame lies between what its parts have to do side by side and one after the other", [] {
+TEST_CASE("a frame takes at least the work of its busiest part and at most that of all") {
+  CHECK(rc::check("a frame lies between the parallel and the sequential work of its parts", [] {
     const auto program = *test::arbitrary_program(shape, 30);
     const Machine machine =
         machine_with(arbitrary_links().worse, *rc::gen::inRange(0U, 50U), *rc::gen::element(0U, 2U, 3U, 8U, 64U));
@@ -216,8 +217,8 @@ TEST_CASE("no frame is shorter than the work of its busiest part, none longer th
   }));
 }
 
-TEST_CASE("a better link never costs a clock") {
-  CHECK(rc::check("a link that is wider, faster, deeper or sooner there costs no clock", [] {
+TEST_CASE("a better link never adds clocks") {
+  CHECK(rc::check("a link that is wider, faster, deeper or of lower latency adds no clock", [] {
     const auto program = *test::arbitrary_program(shape, 30);
     const auto skips = arbitrary_skips(program);
     const Links links = arbitrary_links();
@@ -229,14 +230,13 @@ TEST_CASE("a better link never costs a clock") {
   }));
 }
 
-// The frame of the first case, whose FrameEnd begins at 14. Copying 5 bits takes the steps of enable_all and 5 of copy;
-// the last is carried out 6 clocks later, at 26.
-//
-// At a port of its own the scan-out latches a row in 5 clocks while the one before it is shown in 8: it has latched the
-// last after 2 * 5 + 6 * 8 = 58 clocks from 27 on, and shown it after 5 + 8 * 8 = 69. The next frame begins at 27, too;
-// 14 clocks later its picture could be copied, 58 clocks later it is, and it ends at 70; the one after begins at 71.
-TEST_CASE("with two buffers a frame is copied when the one before it has been latched, counted by hand") {
-  const isa::Program program = coloured(program_of({{.opcode = Opcode::enable_all}}), 5);
+// The frame of the first case, whose FrameEnd starts at 14. Copying 5 bits takes the steps of enable_all and 5 of copy;
+// the last executes 6 clocks later, at 26. With a separate port the scan-out latches a row in 5 clocks while the
+// previous row is shown for 8. Counted from 27 on, it has latched the last row after 2 * 5 + 6 * 8 = 58 clocks and
+// shown it after 5 + 8 * 8 = 69. The next frame also starts at 27; its picture is complete 14 clocks later, is copied
+// 58 clocks later, and the frame ends at 70. The frame after it starts at 71.
+TEST_CASE("with two buffers a frame is copied when its predecessor is latched (by hand)") {
+  const isa::Program program = coloured(make_program({{.opcode = Opcode::enable_all}}), 5);
   const Machine machine = with_buffers(machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 3),
                                        2, ScanOutPort::own);
   const machines::FrameTiming alone = machines::time_frame(program, machine);
@@ -255,12 +255,12 @@ TEST_CASE("with two buffers a frame is copied when the one before it has been la
   CHECK(sequence[1].interval_clocks == 71);
 }
 
-// The same at a shared port, where a row takes 5 + 8 clocks to latch. The words of the first row go at 1 to 5 of the
-// second frame, while the host is waited for. The second row begins at 13, as does enable_all; its words go at 14 to
-// 18, and FrameEnd, which could have begun at 14, at 19. A row is latched every 13 clocks from then on, the last at
-// 103; it is known at 104, copied, and carried out at 116.
-TEST_CASE("refresh words go before the next command and wherever the controller waits, counted by hand") {
-  const isa::Program program = coloured(program_of({{.opcode = Opcode::enable_all}}), 5);
+// The same with a shared port, where latching a row takes 5 + 8 clocks. The words of the first row are sent at 1 to 5
+// of the second frame while the controller waits for the host. The second row starts at 13, as does enable_all; its
+// words are sent at 14 to 18, and FrameEnd, which could have started at 14, starts at 19. From then on a row is latched
+// every 13 clocks, the last at 103; its end is seen at 104, and the picture is copied and complete at 116.
+TEST_CASE("refresh words precede the next command and fill the controller's waits") {
+  const isa::Program program = coloured(make_program({{.opcode = Opcode::enable_all}}), 5);
   const Machine machine = with_buffers(machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 3),
                                        2, ScanOutPort::shared);
   const std::vector<pixel_planes::DrawnFrame> frames(3, {&program});
@@ -275,52 +275,51 @@ TEST_CASE("refresh words go before the next command and wherever the controller 
   CHECK(second.account.count("refresh_waits") == 0);
 }
 
-// The clear of 40 clocks begins at 10; the first row's words have gone by then, and the second row's, asked for at 13,
-// wait from 14 until 50.
-TEST_CASE("a scan-out that the drawing keeps waiting is told of") {
-  const isa::Program program = coloured(program_of({{.opcode = Opcode::enable_all}}), 5);
+// The clear of 40 clocks starts at 10, when the words of the first row have been sent. Those of the second row,
+// requested at 13, wait from 14 until 50.
+TEST_CASE("reports a scan-out that drawing delays") {
+  const isa::Program program = coloured(make_program({{.opcode = Opcode::enable_all}}), 5);
   const Machine machine = with_buffers(
       machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 40), 2, ScanOutPort::shared);
   const std::vector<pixel_planes::DrawnFrame> frames(2, {&program});
   CHECK(pixel_planes::time_sequence(frames, machine)[1].account.count("refresh_waits") == 36);
 }
 
-TEST_CASE("a second buffer costs a frame its copy, and a sequence no more than that; mostly it gains the scan-out") {
+TEST_CASE("a second buffer delays a sequence by at most one copy and hides most scan-outs") {
   unsigned faster = 0;
   unsigned slower = 0;
-  CHECK(rc::check(
-      "two buffers keep a sequence up by a copy at most, and no part has more to do than there are clocks", [&] {
-        const auto pick = [](std::uint32_t least, std::uint32_t most) {
-          return *rc::gen::resize(100, rc::gen::inRange(least, most + 1));
-        };
-        const std::uint32_t width = pick(1, 20);
-        const isa::Program program = coloured(
-            *test::arbitrary_program({shape.width, shape.height, shape.memory_bits - width}, pick(0, 60)), width);
-        const auto skips = arbitrary_skips(program);
-        Machine machine = machine_with(arbitrary_links().worse, pick(0, 50), *rc::gen::element(0U, 2U, 8U));
-        machine.alu_bits = pick(1, 4);
-        const auto port = *rc::gen::element(ScanOutPort::own, ScanOutPort::shared);
-        machines::own<pixel_planes::Figures>(machine).scan_out_pixels = pick(1, 9);
-        const auto one = machines::time_frame(program, with_buffers(machine, 1, port), skips);
-        const auto two = machines::time_frame(program, with_buffers(machine, 2, port), skips);
-        const std::uint64_t copy = 1 + (width + machine.alu_bits - 1) / machine.alu_bits;
-        const std::uint64_t pixels = machines::own<pixel_planes::Figures>(machine).scan_out_pixels;
-        RC_ASSERT(two.clocks == one.clocks + copy);
-        RC_ASSERT(two.interval_clocks > two.clocks);
-        RC_ASSERT(two.interval_clocks >= shape.height * ((shape.width + pixels - 1) / pixels));
-        RC_ASSERT(two.interval_clocks >= std::uint64_t{shape.height} * width);
-        RC_ASSERT(two.interval_clocks <= one.interval_clocks + copy);
-        faster += two.interval_clocks < one.interval_clocks ? 1 : 0;
-        slower += two.interval_clocks > one.interval_clocks ? 1 : 0;
-      }));
+  CHECK(rc::check("two buffers delay a sequence by at most one copy; no part's work exceeds the clocks", [&] {
+    const auto pick = [](std::uint32_t least, std::uint32_t most) {
+      return *rc::gen::resize(100, rc::gen::inRange(least, most + 1));
+    };
+    const std::uint32_t width = pick(1, 20);
+    const isa::Program program =
+        coloured(*test::arbitrary_program({shape.width, shape.height, shape.memory_bits - width}, pick(0, 60)), width);
+    const auto skips = arbitrary_skips(program);
+    Machine machine = machine_with(arbitrary_links().worse, pick(0, 50), *rc::gen::element(0U, 2U, 8U));
+    machine.alu_bits = pick(1, 4);
+    const auto port = *rc::gen::element(ScanOutPort::own, ScanOutPort::shared);
+    machines::own<pixel_planes::Figures>(machine).scan_out_pixels = pick(1, 9);
+    const auto one = machines::time_frame(program, with_buffers(machine, 1, port), skips);
+    const auto two = machines::time_frame(program, with_buffers(machine, 2, port), skips);
+    const std::uint64_t copy = 1 + (width + machine.alu_bits - 1) / machine.alu_bits;
+    const std::uint64_t pixels = machines::own<pixel_planes::Figures>(machine).scan_out_pixels;
+    RC_ASSERT(two.clocks == one.clocks + copy);
+    RC_ASSERT(two.interval_clocks > two.clocks);
+    RC_ASSERT(two.interval_clocks >= shape.height * ((shape.width + pixels - 1) / pixels));
+    RC_ASSERT(two.interval_clocks >= std::uint64_t{shape.height} * width);
+    RC_ASSERT(two.interval_clocks <= one.interval_clocks + copy);
+    faster += two.interval_clocks < one.interval_clocks ? 1 : 0;
+    slower += two.interval_clocks > one.interval_clocks ? 1 : 0;
+  }));
   CHECK((!testing::draws_usual_cases() || faster > slower));
 }
 
-TEST_CASE("a Program that draws where the picture before stands is refused") {
+TEST_CASE("rejects a Program that overwrites the memory of the previous picture") {
   Machine machine = with_buffers(machine_with({}), 2, ScanOutPort::own);
   machine.name = "mine";
   const auto check = [&](const Instruction& instruction, std::uint32_t colour_bits) {
-    machine.kind->check(coloured(program_of({{.opcode = Opcode::enable_all}, instruction}), colour_bits), machine);
+    machine.kind->check(coloured(make_program({{.opcode = Opcode::enable_all}, instruction}), colour_bits), machine);
   };
   CHECK_NOTHROW(check({.opcode = Opcode::set_constant, .fields = {{{20, 12}}}}, 8));
   CHECK_THROWS_WITH_AS(

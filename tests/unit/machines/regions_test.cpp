@@ -40,7 +40,7 @@ machines::Machine whole_of(machines::Size picture) {
 
 }  // namespace
 
-TEST_CASE("a divider of two levels has its squares group after group") {
+TEST_CASE("a two-level divider gets its squares group by group") {
   machines::Machine machine = squares_of(10, 10, {30, 25}, SquareOrder::serpentine);
   auto& figures = machines::own<pixel_square::Figures>(machine);
   figures.divider = pixel_square::DividerKind::corners;
@@ -56,7 +56,7 @@ TEST_CASE("a divider of two levels has its squares group after group") {
   CHECK(machines::regions(machine) == groups);
 }
 
-TEST_CASE("the regions of any machine cover every pixel of its picture once") {
+TEST_CASE("the regions of every machine cover each pixel of the picture once") {
   CHECK(rc::check([] {
     const auto side = [] { return *rc::gen::inRange<std::uint32_t>(1, 40); };
     const machines::Size picture{side(), side()};
@@ -67,13 +67,13 @@ TEST_CASE("the regions of any machine cover every pixel of its picture once") {
   }));
 }
 
-TEST_CASE("interlaced lines come even ones first") {
+TEST_CASE("interlaced lines start with the even field") {
   std::vector<std::uint32_t> rows;
   for (const isa::Region& region : machines::regions(lines_of({8, 5}, true))) rows.push_back(region.y);
   CHECK(rows == std::vector<std::uint32_t>{0, 2, 4, 1, 3});
 }
 
-TEST_CASE("serpentine order goes from each square to one beside it") {
+TEST_CASE("serpentine order goes from each square to an adjacent one") {
   const std::vector<isa::Region> all = machines::regions(squares_of(4, 4, {19, 13}, SquareOrder::serpentine));
   for (std::size_t i = 1; i < all.size(); ++i) {
     const auto apart = [](std::uint32_t a, std::uint32_t b) {
@@ -83,7 +83,7 @@ TEST_CASE("serpentine order goes from each square to one beside it") {
   }
 }
 
-TEST_CASE("Morton order finishes a quarter of the picture before it goes on to the next") {
+TEST_CASE("Morton order finishes each quarter of the picture before the next") {
   std::vector<isa::Region> places;
   for (const isa::Region& region : machines::regions(squares_of(2, 2, {8, 8}, SquareOrder::morton))) {
     places.push_back({region.x / 4, region.y / 4, 0, 0});

@@ -3,7 +3,7 @@
 #include "tests/support/test.h"
 #include "tests/unit/machines/square_timing.h"
 
-// The account of a pixel-square machine's clocks, part by part, and the busiest part.
+// Tests of the clock account of pixel-square machines: clocks per part, and the busiest part.
 
 using namespace csgsim;
 using namespace csgsim::testing::squares;
@@ -14,17 +14,17 @@ using pixel_square::SquareActivity;
 
 namespace {
 
-/// Of each activity another number of clocks: `first`, and one more for each of the activities behind it.
+/// Clocks that differ per activity: `first` for the first one and one more for each that follows.
 Clocks counting_from(std::uint64_t first) {
   Clocks clocks;
   for (std::uint64_t& one : clocks.clocks) one = first++;
   return clocks;
 }
 
-/// In `clocks` of its clocks it works, and in `rest` it has nothing to do.
+/// Clocks of a part that works for `clocks` and is idle for `rest`.
 Clocks working(std::uint64_t clocks, std::uint64_t rest = 0) { return {clocks, 0, 0, 0, 0, rest}; }
 
-/// Part by part, activity by activity, with the clocks.
+/// One line per part and per activity with its clocks.
 std::vector<std::string> parts_of(const machines::Account& account) {
   std::vector<std::string> lines;
   for (const PartAccount& part : account.parts) {
@@ -50,14 +50,14 @@ std::vector<std::string> loads_of(const SquareAccount& counted) {
 
 }  // namespace
 
-TEST_CASE("clocks that are not accounted for are spent at rest") {
+TEST_CASE("unaccounted clocks count as waiting or as idle after the end") {
   CHECK(pixel_square::complete_clocks(working(3, 4), SquareActivity::waiting_for_host, 20) ==
         Clocks{3, 13, 0, 0, 0, 4});
   CHECK(pixel_square::complete_clocks(working(3, 4), SquareActivity::done, 20) == Clocks{3, 0, 0, 0, 0, 17});
   CHECK(pixel_square::complete_clocks(working(3), SquareActivity::waiting_for_ring, 3) == working(3));
 }
 
-TEST_CASE("the account of a machine whose host divides lists the host, the renderers and the frame buffer") {
+TEST_CASE("a host-divided machine's account lists host and renderers and frame buffer") {
   SquareAccount counted;
   counted.squares_drawn = 5;
   counted.squares_skipped = 6;
@@ -83,7 +83,7 @@ TEST_CASE("the account of a machine whose host divides lists the host, the rende
   CHECK(account.shares[0] == machines::Share{"renderer_utilisation", 20 + 30, 8 * 20 + 28 + 8 * 30 + 28});
 }
 
-TEST_CASE("the account of a machine that divides lists its dividers and its senders") {
+TEST_CASE("the account lists dividers and senders if the machine divides") {
   SquareAccount counted;
   counted.dividers = {working(7)};
   counted.sender = working(8);
@@ -101,7 +101,7 @@ TEST_CASE("the account of a machine that divides lists its dividers and its send
   CHECK(pixel_square::account(counted).shares[0] == machines::Share{"renderer_utilisation", 0, 0});
 }
 
-TEST_CASE("the account of a machine with a ring lists its processors and the ring instead of the host") {
+TEST_CASE("the account lists processors and the ring instead of the host on a ring") {
   SquareAccount counted;
   counted.processors = {counting_from(10), counting_from(20)};
   counted.ring = {.clocks = counting_from(30), .words = 50, .full_clocks = 60};
@@ -119,7 +119,7 @@ TEST_CASE("the account of a machine with a ring lists its processors and the rin
   CHECK(parts[4].starts_with("frame buffer: "));
 }
 
-TEST_CASE("of the parts that are alike the one that works most may bound a frame, the first of those") {
+TEST_CASE("the first of the busiest equal parts may bound a frame") {
   SquareAccount counted;
   counted.host = working(5, 90);
   counted.renderers = {working(10), working(30), working(20), working(30)};
@@ -141,7 +141,7 @@ TEST_CASE("of the parts that are alike the one that works most may bound a frame
                                                       "frame buffer takes colours or shows them 13"});
 }
 
-TEST_CASE("with a ring, processors send and the ring carries while it is full") {
+TEST_CASE("with a ring the processors send and the ring transfers while it is full") {
   SquareAccount counted;
   counted.processors = {working(4), working(6)};
   counted.ring = {.clocks = working(50), .words = 20, .full_clocks = 9};
@@ -153,11 +153,11 @@ TEST_CASE("with a ring, processors send and the ring carries while it is full") 
                                                       "frame buffer takes colours or shows them 3"});
 }
 
-TEST_CASE("the kind tells the clocks and the account that its parts come to") {
-  const isa::Program program = program_of(3, {square(2, {}), square(2, {enable, set({0, 3})})});
+TEST_CASE("the kind reports the clocks and the account of its timing model") {
+  const isa::Program program = make_program(3, {square(2, {}), square(2, {enable, set({0, 3})})});
   for (const Figures& figures : {Figures{.renderers = 2, .buffers = 2, .port_bits = 32, .port_fifo_depth = 8},
                                  on_a_ring({.port_fifo_depth = 8, .processors = 2, .ring_bits = 32})}) {
-    const Machine machine = machine_of(2, figures);
+    const Machine machine = make_machine(2, figures);
     const Timing timing = time(program, machine);
     CHECK(machine.kind->time(program, machine, {}) ==
           machines::FrameTiming{.clocks = timing.clocks, .account = pixel_square::account(timing.account)});

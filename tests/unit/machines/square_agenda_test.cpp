@@ -6,7 +6,7 @@
 #include "hw/pixel_square/timing_store.h"
 #include "tests/support/test.h"
 
-// What the clocks of a machine of squares are worked out with.
+// Tests of the event agenda, FIFOs and stores that the pixel-square timing is computed with.
 
 using namespace csgsim;
 using pixel_square::Agenda;
@@ -24,11 +24,11 @@ namespace {
 
 constexpr std::size_t many = 200;  // more than three words of 64
 
-using Asked = std::vector<std::size_t>;
+using Visited = std::vector<std::size_t>;
 
-/// Those asked from `first` on, at most `most`.
-Asked asked(const IndexSet& numbers, std::size_t first, std::size_t most = many) {
-  Asked all;
+/// Returns the numbers visited from `first` on, at most `most`.
+Visited visited(const IndexSet& numbers, std::size_t first, std::size_t most = many) {
+  Visited all;
   numbers.for_each_from(first, [&](std::size_t number) {
     all.push_back(number);
     return all.size() < most;
@@ -36,8 +36,8 @@ Asked asked(const IndexSet& numbers, std::size_t first, std::size_t most = many)
   return all;
 }
 
-Asked once_around(const std::set<std::size_t>& numbers, std::size_t first, std::size_t most = many) {
-  Asked all(numbers.lower_bound(first), numbers.end());
+Visited expected_round(const std::set<std::size_t>& numbers, std::size_t first, std::size_t most = many) {
+  Visited all(numbers.lower_bound(first), numbers.end());
   all.insert(all.end(), numbers.begin(), numbers.lower_bound(first));
   all.resize(std::min(all.size(), most));
   return all;
@@ -47,7 +47,7 @@ std::size_t any_number() { return *rc::gen::resize(rc::kNominalSize, rc::gen::in
 
 }  // namespace
 
-TEST_CASE("numbers are asked once around from any of them on, as long as there is an answer") {
+TEST_CASE("visits numbers once around from any start until the visitor stops") {
   CHECK(rc::check([] {
     IndexSet numbers(many);
     std::set<std::size_t> expected;
@@ -65,9 +65,9 @@ TEST_CASE("numbers are asked once around from any of them on, as long as there i
     RC_ASSERT(numbers.empty() == expected.empty());
     for (int i = 0; i < 5; ++i) {
       const std::size_t first = any_number();
-      RC_ASSERT(asked(numbers, first) == once_around(expected, first));
+      RC_ASSERT(visited(numbers, first) == expected_round(expected, first));
       const auto most = *rc::gen::inRange<std::size_t>(1, 9);
-      RC_ASSERT(asked(numbers, first, most) == once_around(expected, first, most));
+      RC_ASSERT(visited(numbers, first, most) == expected_round(expected, first, most));
     }
     for (const std::size_t number : expected) RC_ASSERT(numbers.take() == std::optional(number));
     RC_ASSERT(numbers.take() == std::nullopt);
@@ -75,27 +75,27 @@ TEST_CASE("numbers are asked once around from any of them on, as long as there i
   }));
 }
 
-TEST_CASE("numbers at the ends of words of 64 are asked in order, and none of no numbers") {
+TEST_CASE("visits numbers at the ends of 64-bit words in order") {
   const std::set<std::size_t> edges{0, 1, 62, 63, 64, 65, 127, 128, 191, 192};
   IndexSet numbers(193);
   for (const std::size_t number : edges) numbers.add(number);
-  for (const std::size_t first : edges) CHECK(asked(numbers, first) == once_around(edges, first));
-  CHECK(asked(numbers, 2, 3) == Asked{62, 63, 64});
-  CHECK(asked(numbers, 128, 3) == Asked{128, 191, 192});
-  CHECK(asked(numbers, 192, 3) == Asked{192, 0, 1});
-  CHECK(asked(IndexSet(0), 0).empty());
+  for (const std::size_t first : edges) CHECK(visited(numbers, first) == expected_round(edges, first));
+  CHECK(visited(numbers, 2, 3) == Visited{62, 63, 64});
+  CHECK(visited(numbers, 128, 3) == Visited{128, 191, 192});
+  CHECK(visited(numbers, 192, 3) == Visited{192, 0, 1});
+  CHECK(visited(IndexSet(0), 0).empty());
   CHECK(IndexSet(0).empty());
-  CHECK(asked(IndexSet(64), 5).empty());
+  CHECK(visited(IndexSet(64), 5).empty());
 }
 
-TEST_CASE("after the last in turn comes the first") {
+TEST_CASE("the last number in turn is followed by the first") {
   CHECK(pixel_square::next_in_turn(0, 1) == 0);
   CHECK(pixel_square::next_in_turn(0, 2) == 1);
   CHECK(pixel_square::next_in_turn(1, 2) == 0);
   CHECK(pixel_square::next_in_turn(5, 9) == 6);
 }
 
-TEST_CASE("every part of a machine has a different number: pixels before decoders, processors in order") {
+TEST_CASE("every part has a distinct number with pixels before decoders") {
   const PartNumbers parts{.renderers = 3, .dividers = 2, .processors = 4};
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < 3; ++i) all.push_back(parts.pixels(i));
@@ -108,7 +108,7 @@ TEST_CASE("every part of a machine has a different number: pixels before decoder
   CHECK(PartNumbers{}.count() == 6);  // one renderer of three parts, the sender, the frame buffer, the ring
 }
 
-TEST_CASE("parts act at the edges that they were last put down for, at one edge in the order of their numbers") {
+TEST_CASE("parts act at their latest scheduled edge in order of their numbers") {
   CHECK(rc::check([] {
     Agenda agenda(many);
     std::map<std::size_t, Time> due;
@@ -127,7 +127,7 @@ TEST_CASE("parts act at the edges that they were last put down for, at one edge 
       const std::size_t sleeper = any_number();
       const Time when = any_time();
       agenda.wake(sleeper, when);
-      due.emplace(sleeper, when);  // unless it does not sleep
+      due.emplace(sleeper, when);  // a part that is already scheduled stays
       std::pair<Time, std::size_t> expected{~Time{0}, 0};
       for (const auto& [part, time] : due) expected = std::min(expected, {time, part});
       RC_ASSERT(agenda.next() == expected);
@@ -137,14 +137,14 @@ TEST_CASE("parts act at the edges that they were last put down for, at one edge 
   }));
 }
 
-TEST_CASE("a word is there at the edge after the one at which it was written, and a place after it was read") {
+TEST_CASE("a word is readable an edge after its write and frees its place likewise") {
   Agenda agenda(2);
   Fifo<int> fifo(2, 0, 1, agenda);
   CHECK_FALSE(fifo.has_word(0));
   CHECK_FALSE(fifo.has_word_next());
   CHECK(fifo.has_room(1));
   fifo.write(1, 7);
-  CHECK(agenda.next() == std::pair<Time, std::size_t>{2, 1});  // the reader looks
+  CHECK(agenda.next() == std::pair<Time, std::size_t>{2, 1});  // wakes the reader
   CHECK_FALSE(fifo.has_word(1));
   CHECK(fifo.has_word_next());
   CHECK(fifo.has_word(2));
@@ -158,13 +158,13 @@ TEST_CASE("a word is there at the edge after the one at which it was written, an
   CHECK_FALSE(fifo.has_room(3));
   CHECK(fifo.has_room_next());
   CHECK(fifo.has_room(4));
-  CHECK(agenda.next() == std::pair<Time, std::size_t>{4, 0});  // the writer looks
+  CHECK(agenda.next() == std::pair<Time, std::size_t>{4, 0});  // wakes the writer
   CHECK(fifo.has_word(3));
   CHECK(fifo.read(4) == 8);
   CHECK_FALSE(fifo.has_word_next());
 }
 
-TEST_CASE("words come out in the order in which they went in, however many there are") {
+TEST_CASE("a FIFO returns any number of words in order") {
   Agenda agenda(2);
   Fifo<int> fifo(100, 0, 1, agenda);
   IndexSet with_words(70);
@@ -173,17 +173,17 @@ TEST_CASE("words come out in the order in which they went in, however many there
   int written = 0;
   for (const int more : {5, 30, 8, 60, 1}) {
     for (int i = 0; i < more; ++i) fifo.write(1, written++);
-    CHECK(asked(with_words, 0) == Asked{65});
+    CHECK(visited(with_words, 0) == Visited{65});
     for (int i = 0; i < more - 1; ++i) CHECK(fifo.read(2) == read++);
   }
   while (read < written) {
-    CHECK(asked(with_words, 0) == Asked{65});
+    CHECK(visited(with_words, 0) == Visited{65});
     CHECK(fifo.read(2) == read++);
   }
   CHECK(with_words.empty());
 }
 
-TEST_CASE("a square can be begun when its last word is there, or when the store is full") {
+TEST_CASE("a square can start when its last word is stored or when the store is full") {
   Agenda agenda(2);
   const TimedStored part;
   const TimedStored last{.whole = std::nullopt, .is_last = true};
@@ -204,7 +204,7 @@ TEST_CASE("a square can be begun when its last word is there, or when the store 
   CHECK(store.may_begin(8));
   store.read(8);
   CHECK_FALSE(store.may_begin(9));
-  // Two ends: the first is there before the second.
+  // Two end marks: the first is stored before the second.
   StoreTiming both(9, 0, 1, agenda);
   both.write(1, last);
   both.write(4, last);
@@ -214,7 +214,7 @@ TEST_CASE("a square can be begun when its last word is there, or when the store 
   CHECK(both.may_begin(5));
 }
 
-TEST_CASE("each word that leaves is reported with the rows of the square in it, and the picture's row") {
+TEST_CASE("reports each departing word with its rows in the square and in the picture") {
   CHECK(rc::check([] {
     const isa::Region region{3, *rc::gen::inRange<std::uint32_t>(0, 50), *rc::gen::inRange<std::uint32_t>(1, 9),
                              *rc::gen::inRange<std::uint32_t>(1, 9)};
@@ -250,20 +250,20 @@ TEST_CASE("each word that leaves is reported with the rows of the square in it, 
   }));
 }
 
-TEST_CASE("a square's place leaves in words of 64 bits together") {
+TEST_CASE("a square's header takes 64 bits in whole port words") {
   for (const auto& [port_bits, words] :
        std::vector<std::pair<std::uint64_t, std::uint64_t>>{{1, 64}, {8, 8}, {63, 2}, {64, 1}, {65, 1}, {1000, 1}})
     CHECK(pixel_square::header_words(port_bits) == words);
 }
 
-TEST_CASE("a row goes over when it is latched and the next word of colours needs it, and then the next is latched") {
-  // It begins to leave at 10: the first row is latched at 11 to 14 and goes over at 15, the second is latched at 15 to
-  // 18.
+TEST_CASE("a latched row transfers when a word needs it and the next row is latched") {
+  // The square starts to leave at 10: the first row is latched at 11 to 14 and transfers at 15; the second is latched
+  // at 15 to 18.
   RowLatch latch(4, 10);
   CHECK(latch.transfer_edge(0) == 15);
   CHECK(latch.transfer_edge(0) == 15);
   CHECK(latch.transfer_edge(1) == 19);
-  // A third one, which nobody wants before 41, is latched at 19 to 22 and goes over at 41; the fourth at 45.
+  // The third row, not needed before 41, is latched at 19 to 22 and transfers at 41; the fourth at 45.
   latch.record_word(40);
   CHECK(latch.transfer_edge(2) == 41);
   CHECK(latch.transfer_edge(3) == 45);
@@ -272,7 +272,7 @@ TEST_CASE("a row goes over when it is latched and the next word of colours needs
   CHECK(quick.transfer_edge(1) == 3);
 }
 
-TEST_CASE("the clocks of a part are reported from the first of the frame to the last") {
+TEST_CASE("reports the clocks of a part from the first clock of the frame to the last") {
   pixel_square::PartClocks clocks;
   clocks.wait(SquareActivity::waiting_for_host, 4);  // clocks 1 to 3
   clocks.work(2);                                    // 4 and 5

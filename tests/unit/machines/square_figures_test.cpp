@@ -7,8 +7,8 @@
 #include "tests/support/test.h"
 #include "tests/unit/machines/square_timing.h"
 
-// Figures of machines of squares, by hand: what tests of a divider take, what is refused, one operand after the other
-// and at its limit, and the memory of a machine.
+// Tests of pixel-square figures by hand calculation: clocks of a divider's tests, rejected operands at their limits,
+// and the memory of a machine.
 
 using namespace csgsim;
 using namespace csgsim::testing::squares;
@@ -17,8 +17,9 @@ using testing::error_of;
 
 namespace {
 
-/// Through a port of 16 bits a primitive of the model is read in 5 clocks, a half-space and its plane in one each.
-Figures hand_figures() {
+/// Figures with a port of 16 bits: reading a primitive of the model takes 5 clocks, a half-space and its plane one
+/// each.
+Figures hand_calculated_figures() {
   Figures figures = dividing();
   figures.levels = 2;
   figures.list_entries = 100;
@@ -32,7 +33,7 @@ Figures hand_figures() {
 }
 
 isa::Program with_model(std::vector<isa::Segment> segments = {square(2, {})}) {
-  isa::Program program = program_of(3, std::move(segments));
+  isa::Program program = make_program(3, std::move(segments));
   program.display_model = model_bytes();
   return program;
 }
@@ -41,7 +42,7 @@ constexpr isa::DivisionStep step{.boxes = 3, .lists = 2, .halfspaces = 5, .cells
 
 std::uint64_t tests_with(const Figures& figures, bool from_list = false) {
   const isa::Program program = with_model();
-  const Machine machine = machine_of(2, figures);
+  const Machine machine = make_machine(2, figures);
   return DivisionClocks(program, machine).test_clocks(step, from_list);
 }
 
@@ -49,28 +50,29 @@ std::uint64_t group_with(const Figures& figures) {
   const isa::DivisionCounts first{
       .steps = {}, .group_boxes = 3, .group_lists = 2, .group_halfspaces = 5, .group_cells = 7, .group_entries = 11};
   const isa::Program program = with_model();
-  const Machine machine = machine_of(2, figures);
+  const Machine machine = make_machine(2, figures);
   return DivisionClocks(program, machine).group_clocks(first);
 }
 
 }  // namespace
 
-TEST_CASE("a divider's tests of a surface take what each of them takes, and what it spills") {
-  const Figures figures = hand_figures();
-  // Boxes are read in 5 and held in 2. Each half-space is read in 2 while the one before is tested in 3, and the first
-  // of a list is waited for.
+TEST_CASE("a divider's surface tests take the sum of their steps and spills") {
+  const Figures figures = hand_calculated_figures();
+  // A box is read in 5 clocks and held in 2. Each half-space is read in 2 while its predecessor is tested in 3; the
+  // read of the first in a list is not hidden.
   constexpr std::uint64_t boxes = 3 * (5 + 2);
   constexpr std::uint64_t lists = 5 * 3 + 2 * 2;
   constexpr std::uint64_t cells = 7 * 5;
   constexpr std::uint64_t nodes = 4 * 7;
   CHECK(tests_with(figures) == boxes + lists + cells + nodes);
-  // A number of the list is read in a clock more, and now reading takes as long as testing.
+  // Reading an entry of the list takes a clock more, so that reading takes as long as testing.
   CHECK(tests_with(figures, true) == 3 * (5 + 1 + 2) + 5 * 3 + 2 * 3 + cells + nodes);
   Figures small = figures;
   small.halfspaces = 5;
   small.nodes = 4;
   CHECK(tests_with(small) == tests_with(figures));
-  // One more: an entry of 251 bits and 15 places among 4, 281 bits, is written in 18 clocks, and read for each cell.
+  // One more half-space: an entry of 251 bits and 15 places among 4, 281 bits, is written in 18 clocks and read for
+  // each cell.
   small.halfspaces = 4;
   CHECK(tests_with(small) == tests_with(figures) + 18 + 7 * 18);
   small.halfspaces = 5;
@@ -82,8 +84,8 @@ TEST_CASE("a divider's tests of a surface take what each of them takes, and what
   CHECK(tests_with(quick) == boxes + 5 * 2 + 2 * 1 + cells + nodes);
 }
 
-TEST_CASE("a divider's tests of a group read half-spaces again for its cells, and list what is left, if it fits") {
-  Figures figures = hand_figures();
+TEST_CASE("a group's tests reread half-spaces per cell and list the rest if it fits") {
+  Figures figures = hand_calculated_figures();
   constexpr std::uint64_t tests = 3 * (5 + 2) + (5 * 3 + 2 * 2) + 7 * (5 + 3);
   CHECK(group_with(figures) == tests + 11);
   figures.list_entries = 4;
@@ -93,9 +95,9 @@ TEST_CASE("a divider's tests of a group read half-spaces again for its cells, an
   CHECK(group_with(figures) == 3 * (5 + 2) + (5 * 2 + 2 * 1) + 7 * (5 + 2) + 11);
 }
 
-TEST_CASE("a divider looks at the tree first, works linear instructions out, and divides groups whose list fits") {
+TEST_CASE("a divider takes clocks for its tree and for linear instructions") {
   const isa::Program program = with_model();
-  Machine machine = machine_of(2, hand_figures());
+  Machine machine = make_machine(2, hand_calculated_figures());
   const DivisionClocks clocks(program, machine);
   CHECK(clocks.tree_clocks() == 3 * 7);
   CHECK(clocks.instruction_clocks(enable) == 0);
@@ -106,12 +108,12 @@ TEST_CASE("a divider looks at the tree first, works linear instructions out, and
   CHECK_FALSE(DivisionClocks(program, machine).is_listed(0));
 }
 
-TEST_CASE("dividers take groups in turn, or squares where there is one level") {
+TEST_CASE("dividers take groups in turn and with one level single squares") {
   isa::Program program = with_model(std::vector<isa::Segment>(6, square(2, {})));
   const std::array<isa::Region, 6> regions{
       isa::Region{0, 0, 2, 2}, {2, 0, 2, 2}, {4, 0, 2, 2}, {6, 0, 2, 2}, {0, 4, 2, 2}, {0, 6, 2, 2}};
   for (std::size_t i = 0; i < regions.size(); ++i) program.segments[i].region = regions[i];
-  Machine machine = machine_of(2, hand_figures());
+  Machine machine = make_machine(2, hand_calculated_figures());
   auto& figures = machines::own<Figures>(machine);
   figures.group_side = 2;
   figures.dividers = 2;
@@ -122,7 +124,7 @@ TEST_CASE("dividers take groups in turn, or squares where there is one level") {
   CHECK(pixel_square::dividers_of(program, machine) == std::vector<std::size_t>{0, 1, 2, 0, 1, 2});
 }
 
-TEST_CASE("each number of a divider's tests is taken up to 2^36, and refused one above") {
+TEST_CASE("accepts each count of a divider's tests up to 2^36 and rejects one more") {
   constexpr std::uint64_t most = std::uint64_t{1} << 36U;
   using Counts = isa::DivisionCounts;
   const std::vector<std::function<void(Counts&, std::uint64_t)>> operands{
@@ -138,29 +140,29 @@ TEST_CASE("each number of a divider's tests is taken up to 2^36, and refused one
   };
   for (std::size_t operand = 0; operand < operands.size(); ++operand) {
     CAPTURE(operand);
-    // The last step of the last square has the number.
+    // The last step of the last square has this count.
     isa::Program program = with_model({square(2, {}), square(2, {})});
     isa::DivisionCounts& counts = *program.segments.back().division;
     counts.steps.resize(2);
     operands[operand](counts, most);
-    CHECK_NOTHROW(pixel_square::check_countable(program, machine_of(2, dividing())));
+    CHECK_NOTHROW(pixel_square::check_countable(program, make_machine(2, dividing())));
     operands[operand](counts, most + 1);
     CHECK(error_of([&] {
-            pixel_square::check_countable(program, machine_of(2, dividing()));
+            pixel_square::check_countable(program, make_machine(2, dividing()));
           }).starts_with("the divider would test for more than 1152921504606846976 clocks; use a smaller model"));
   }
 }
 
-TEST_CASE("a frame's tests may take 2^60 clocks, its groups, surfaces and tree together") {
+TEST_CASE("a frame's tests may take 2^60 clocks in total") {
   constexpr std::uint64_t many = std::uint64_t{1} << 36U;
   Figures figures = dividing();
   figures.cell_clocks = 1'000'000;
-  // 2^36 cells of a million clocks: 16 of them are less than 2^60, 17 are more.
+  // 2^36 cells of a million clocks each: 16 of them take less than 2^60 clocks, 17 take more.
   const auto check = [&](std::size_t steps, std::size_t groups) {
     isa::Program program = with_model(std::vector<isa::Segment>(steps + groups, square(2, {})));
     for (std::size_t i = 0; i < steps; ++i) program.segments[i].division->steps = {{.cells = many}};
     for (std::size_t i = steps; i < steps + groups; ++i) program.segments[i].division->group_cells = many;
-    return error_of([&] { pixel_square::check_countable(program, machine_of(2, figures)); });
+    return error_of([&] { pixel_square::check_countable(program, make_machine(2, figures)); });
   };
   CHECK(check(16, 0) == "");
   CHECK_FALSE(check(17, 0).empty());
@@ -169,7 +171,7 @@ TEST_CASE("a frame's tests may take 2^60 clocks, its groups, surfaces and tree t
   CHECK_FALSE(check(9, 8).empty());
 }
 
-TEST_CASE("a model and what surfaces spill have to fit the divider's memory, to the bit") {
+TEST_CASE("a model and its spills must fit the divider's memory to the bit") {
   isa::Program program = with_model();
   const std::uint64_t model_bits = 8 * program.display_model.size();
   const std::uint64_t planes = division::sizes_of(program.display_model).planes;
@@ -179,14 +181,14 @@ TEST_CASE("a model and what surfaces spill have to fit the divider's memory, to 
   figures.nodes = 5;
   const auto refusal = [&](std::uint64_t bits) {
     figures.model_bits = static_cast<std::uint32_t>(bits);
-    return error_of([&] { pixel_square::check_storage(program, machine_of(2, figures)); });
+    return error_of([&] { pixel_square::check_storage(program, make_machine(2, figures)); });
   };
   CHECK(refusal(model_bits) == "");
-  // One bit less, and its planes of 8 bits stay with the host.
+  // If one bit is missing the planes of 8 bits stay with the host.
   CHECK(refusal(model_bits - 1) == "");
   CHECK(refusal(model_bits - 8 * planes) == "");
   CHECK(refusal(model_bits - 8 * planes - 1).starts_with("the display model has "));
-  // A half-space beyond the two has 251 bits and 15 places among two; a node beyond the five 98.
+  // A half-space beyond the two takes 251 bits and 15 places among two; a node beyond the five takes 98.
   const auto spilling = [&](std::uint64_t halfspaces, std::uint64_t nodes, std::uint64_t bits) {
     program.segments[0].division->steps = {{.halfspaces = halfspaces, .nodes = nodes}};
     CHECK(refusal(model_bits + bits) == "");
@@ -198,7 +200,7 @@ TEST_CASE("a model and what surfaces spill have to fit the divider's memory, to 
   spilling(4, 7, 2 * 266 + 2 * 98);
 }
 
-TEST_CASE("a machine's memory is that of its pixels, pictures, squares that wait and dividers") {
+TEST_CASE("a machine's memory includes its pixels and pictures and stores and dividers") {
   Figures figures = dividing();
   figures.renderers = 3;
   figures.backing_bits = 5;
@@ -210,7 +212,7 @@ TEST_CASE("a machine's memory is that of its pixels, pictures, squares that wait
   figures.halfspaces = 4;
   figures.nodes = 6;
   figures.store_words = 7;
-  Machine machine = machine_of(2, figures);
+  Machine machine = make_machine(2, figures);
   isa::FrameHeader header;
   header.shape = {4, 4, 16};
   header.colour = {0, 3};
@@ -227,7 +229,7 @@ TEST_CASE("a machine's memory is that of its pixels, pictures, squares that wait
   CHECK(resources().memory_bits == of_pixels);
 }
 
-TEST_CASE("squares wait in a second buffer or in memory behind the renderer, as many as fit") {
+TEST_CASE("squares wait in a second buffer or in the backing store while there is room") {
   CHECK(pixel_square::squares_waiting({.buffers = 1}, 24) == 0);
   CHECK(pixel_square::squares_waiting({.buffers = 2}, 24) == 1);
   CHECK(pixel_square::squares_waiting({.buffers = 1, .backing_bits = 48}, 24) == 2);
@@ -236,18 +238,18 @@ TEST_CASE("squares wait in a second buffer or in memory behind the renderer, as 
   CHECK(pixel_square::squares_waiting({.buffers = 2, .backing_bits = 5}, 0) == 5);
 }
 
-TEST_CASE("questions take a clock for each level of a renderer's OR") {
+TEST_CASE("questions take one clock per level of a renderer's OR") {
   Figures figures = dividing();
   figures.divider = pixel_square::DividerKind::host;
   figures.has_global_or = true;
-  Machine machine = machine_of(8, figures);
+  Machine machine = make_machine(8, figures);
   const isa::Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
   const auto clocks = [&](std::uint32_t fan_in) {
     machines::own<Figures>(machine).or_fan_in = fan_in;
     return machine.kind->clocks(question, machine);
   };
   const std::uint64_t at_once = clocks(0);
-  CHECK(clocks(64) == at_once + 1);  // of 64 pixels
+  CHECK(clocks(64) == at_once + 1);  // 64 pixels
   CHECK(clocks(63) == at_once + 2);
   CHECK(clocks(8) == at_once + 2);
   CHECK(clocks(7) == at_once + 3);
@@ -255,7 +257,7 @@ TEST_CASE("questions take a clock for each level of a renderer's OR") {
   CHECK(machine.kind->clocks(enable, machine) == 1);
 }
 
-TEST_CASE("each figure of a machine of squares is taken at its least and its most, and refused one beyond") {
+TEST_CASE("accepts each figure of a pixel-square machine at its limits and no further") {
   constexpr std::int64_t million = 1'000'000;
   constexpr auto ranges = std::to_array<testing::FigureRange>({
       {"global_or.present", 0, 1},

@@ -8,7 +8,7 @@
 #include "tests/support/test.h"
 #include "tests/unit/machines/square_timing.h"
 
-// What the kind says of its machines, and which Programs they refuse.
+// Tests of the properties that the kind reports for its machines, and of the Programs they reject.
 
 using namespace csgsim;
 using namespace csgsim::testing::squares;
@@ -16,9 +16,9 @@ using testing::error_of;
 
 namespace {
 
-/// A segment for each square of the machine's picture, in which nothing is seen.
+/// Returns a Program with one empty segment for each square of the machine's picture.
 isa::Program whole_picture(const Machine& machine, std::uint16_t colour_bits = 3) {
-  isa::Program program = program_of(colour_bits, {});
+  isa::Program program = make_program(colour_bits, {});
   program.shape = {machine.picture.width, machine.picture.height, 16};
   for (const isa::Region& region : machines::regions(machine))
     program.segments.push_back({.region = region, .instructions = {}});
@@ -29,7 +29,7 @@ std::string refusal(const isa::Program& program, const Machine& machine) {
   return error_of([&] { machines::check_runs_on(program, machine); });
 }
 
-/// The Program that a divider computes from the slab with a hole, with the 16 x 16 pixels of the model.
+/// Returns the Program that a divider computes from the slab with a hole at the model's 16 x 16 pixels.
 isa::Program divided_program(const Machine& machine) {
   isa::Program program = whole_picture(machine);
   program.display_model = model_bytes();
@@ -40,8 +40,8 @@ isa::Program divided_program(const Machine& machine) {
 
 }  // namespace
 
-TEST_CASE("the host's work is shared by graphics processors where these divide, else by the machine's hosts") {
-  Machine machine = machine_of(2, {.processors = 7});
+TEST_CASE("dividing graphics processors share the host's work and otherwise the hosts do") {
+  Machine machine = make_machine(2, {.processors = 7});
   machine.host.count = 3;
   CHECK(machine.kind->hosts(machine) == 3);
   machines::own<Figures>(machine).divider = pixel_square::DividerKind::corners;
@@ -50,8 +50,8 @@ TEST_CASE("the host's work is shared by graphics processors where these divide, 
   CHECK(machine.kind->hosts(machine) == 7);
 }
 
-TEST_CASE("only a machine with dividers divides the model, in groups where they have two levels") {
-  Machine machine = machine_of(2, {.levels = 2, .group_side = 5, .list_entries = 9});
+TEST_CASE("only a machine with dividers divides the model and two levels make groups") {
+  Machine machine = make_machine(2, {.levels = 2, .group_side = 5, .list_entries = 9});
   const auto division = [&] { return machine.kind->division(machine); };
   CHECK_FALSE(division());
   machines::own<Figures>(machine).divider = pixel_square::DividerKind::processors;
@@ -66,8 +66,8 @@ TEST_CASE("only a machine with dividers divides the model, in groups where they 
   CHECK(division()->list_entries == 9);
 }
 
-TEST_CASE("a picture is halved in width and height by turns, and a segment has four subsegments a side") {
-  Machine machine = machine_of(8, {});
+TEST_CASE("halves a picture in width and height alternately") {
+  Machine machine = make_machine(8, {});
   machine.picture = {200, 100};
   const auto size = [&](std::uint32_t levels, machines::Parts parts) {
     const Machine cut = machine.kind->subdivided(machine, levels, parts).value();
@@ -87,11 +87,11 @@ TEST_CASE("a picture is halved in width and height by turns, and a segment has f
   CHECK(size(2, subsegments) == machines::Size{25, 13});
 }
 
-TEST_CASE("pixels carry an instruction out when it has come through the trees, and a question in one clock") {
+TEST_CASE("pixels execute an instruction after the trees' latency and a question at once") {
   // The trees of 4 x 2 pixels have three levels.
-  Machine machine = machine_of(4, {.has_global_or = true});
+  Machine machine = make_machine(4, {.has_global_or = true});
   machine.array.height = 2;
-  isa::Program program = program_of(3, {square(2, {enable}), square(2, {})});
+  isa::Program program = make_program(3, {square(2, {enable}), square(2, {})});
   program.segments[1].instructions = {
       enable, {.opcode = Opcode::skip_if_none, .constant = 1}, enable, {.opcode = Opcode::skip_if_none, .constant = 1}};
   machines::Timeline timeline;
@@ -100,25 +100,25 @@ TEST_CASE("pixels carry an instruction out when it has come through the trees, a
         std::vector<machines::ClockSpan>{{6, 10}, {11, 12}, {0, 0}, {0, 0}});
 }
 
-TEST_CASE("a timeline tells when a square is cleared, and when its instructions are issued") {
-  // Over a link as wide as a command, words come to the decoder at edges 2, 3, 4: the square is cleared for five clocks
-  // from edge 3 on, clock 1; the instructions follow, of one clock and of three.
-  Machine machine = machine_of(2, {.buffers = 2, .port_bits = 32, .port_fifo_depth = 8});
+TEST_CASE("a timeline reports when a square is cleared and its instructions are issued") {
+  // Over a link as wide as a command, words reach the decoder at edges 2, 3, 4. The square is cleared for five clocks
+  // from edge 3, clock 1, on; the instructions follow, of one clock and of three.
+  Machine machine = make_machine(2, {.buffers = 2, .port_bits = 32, .port_fifo_depth = 8});
   machine.clear_clocks = 5;
-  const isa::Program program = program_of(3, {square(2, {}), square(2, {enable, set({0, 3})})});
-  const isa::Program alone = program_of(3, {program.segments[1]});
-  const machines::Timeline told = machine.kind->timeline(alone, machine, {}).value();
-  CHECK(told.cleared == std::vector<machines::ClockSpan>{{1, 6}});
-  CHECK(told.issued == std::vector<std::vector<machines::ClockSpan>>{{{6, 7}, {7, 10}}});
-  // Behind two words of the header of a square that is cleared by the frame buffer.
+  const isa::Program program = make_program(3, {square(2, {}), square(2, {enable, set({0, 3})})});
+  const isa::Program alone = make_program(3, {program.segments[1]});
+  const machines::Timeline timeline = machine.kind->timeline(alone, machine, {}).value();
+  CHECK(timeline.cleared == std::vector<machines::ClockSpan>{{1, 6}});
+  CHECK(timeline.issued == std::vector<std::vector<machines::ClockSpan>>{{{6, 7}, {7, 10}}});
+  // The words follow two words of the header of a square that the frame buffer clears.
   const machines::Timeline later = machine.kind->timeline(program, machine, {}).value();
   CHECK(later.cleared == std::vector<machines::ClockSpan>{{0, 0}, {3, 8}});
   CHECK(later.issued == std::vector<std::vector<machines::ClockSpan>>{{}, {{8, 9}, {9, 12}}});
 }
 
-TEST_CASE("only questions take the clocks of a renderer's OR, and only of one with gates") {
-  Machine machine = machine_of(4, {.has_global_or = true, .or_fan_in = 4});
-  machine.array = {4, 2, 16};  // eight lines: two gates, and one of these two
+TEST_CASE("only questions take the clocks of a renderer's OR and only if it has gates") {
+  Machine machine = make_machine(4, {.has_global_or = true, .or_fan_in = 4});
+  machine.array = {4, 2, 16};  // eight lines: two gates, and one gate for their outputs
   const isa::Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
   const std::uint64_t gated = machine.kind->clocks(question, machine);
   CHECK(machine.kind->clocks(set({0, 3}), machine) == 3);
@@ -132,8 +132,8 @@ TEST_CASE("only questions take the clocks of a renderer's OR, and only of one wi
   CHECK(machine.kind->clocks(question, machine) == at_once);
 }
 
-TEST_CASE("an answer for the host is refused in whichever square and at whichever place it is asked for") {
-  const Machine machine = machine_of(2, {.has_global_or = true});
+TEST_CASE("rejects an answer for the host in any square at any place") {
+  const Machine machine = make_machine(2, {.has_global_or = true});
   for (std::size_t segment = 0; segment < 4; ++segment) {
     for (std::size_t place = 0; place < 2; ++place) {
       isa::Program program = whole_picture(machine);
@@ -147,9 +147,9 @@ TEST_CASE("an answer for the host is refused in whichever square and at whicheve
   }
 }
 
-TEST_CASE("a colour has to fit the backing store, where there is one") {
+TEST_CASE("rejects a colour wider than the backing store") {
   const auto refused = [](std::uint32_t backing, std::uint16_t colour_bits) {
-    const Machine machine = machine_of(2, {.backing_bits = backing});
+    const Machine machine = make_machine(2, {.backing_bits = backing});
     return refusal(whole_picture(machine, colour_bits), machine);
   };
   CHECK(refused(0, 16) == "");
@@ -158,30 +158,29 @@ TEST_CASE("a colour has to fit the backing store, where there is one") {
   CHECK(refused(4, 5).starts_with("a pixel has 5 bits of colour, but the backing memory of squares holds 4"));
 }
 
-TEST_CASE(
-    "a machine refuses a picture whose screen leaves it no clock, and a model that is not there or does not fit") {
-  Machine machine = machine_of(2, {.refresh_rate = 10, .refresh_bits = 48, .refresh_clocks = 2});
+TEST_CASE("rejects a screen that leaves no clock and a missing or oversized model") {
+  Machine machine = make_machine(2, {.refresh_rate = 10, .refresh_bits = 48, .refresh_clocks = 2});
   machine.clock_hz = 21;
-  // 48 bits of colour in a turn of two clocks, ten times a second.
+  // A screen turn fetches 48 colour bits in two clocks, ten times a second.
   CHECK(refusal(whole_picture(machine), machine) == "");
   machine.clock_hz = 20;
   CHECK(refusal(whole_picture(machine), machine).starts_with("the screen takes 10 turns a second of 2 clocks each"));
 
-  const Machine dividing_machine = machine_of(2, dividing());
+  const Machine dividing_machine = make_machine(2, dividing());
   isa::Program program = whole_picture(dividing_machine);
   CHECK(refusal(program, dividing_machine) ==
         "the Program has no display model for squares to divide; compile the model for this machine");
-  CHECK(refusal(program, machine_of(2, {})) == "");
+  CHECK(refusal(program, make_machine(2, {})) == "");
   program.display_model = model_bytes();
   CHECK(refusal(program, dividing_machine) == "");
   Figures small = dividing();
   small.model_bits = 1;
-  CHECK(refusal(program, machine_of(2, small)).starts_with("the display model has "));
+  CHECK(refusal(program, make_machine(2, small)).starts_with("the display model has "));
   program.segments[3].division->steps = {{.cells = ~std::uint64_t{0}}};
   CHECK(refusal(program, dividing_machine).starts_with("the divider would test for more than"));
 }
 
-TEST_CASE("planes are read over the link only if there are some, of some bits, and the model does not fit with them") {
+TEST_CASE("reads planes over the link only if they exist and do not fit with the model") {
   const auto far = [](std::uint64_t bytes, std::uint64_t planes, std::uint64_t plane_bits) {
     return pixel_square::has_far_planes(bytes, planes, plane_bits, {.model_bits = 80});
   };
@@ -192,32 +191,32 @@ TEST_CASE("planes are read over the link only if there are some, of some bits, a
   CHECK(far(11, 100, 100));
 }
 
-TEST_CASE("however many half-spaces or nodes a surface has beyond those at hand, they do not fit") {
-  isa::Program program = program_of(3, {square(2, {})});
+TEST_CASE("rejects any excess of half-spaces or nodes without overflow") {
+  isa::Program program = make_program(3, {square(2, {})});
   program.display_model = model_bytes();
   program.segments[0].region = {4, 2, 2, 2};
   Figures figures = dividing();
   figures.halfspaces = 2;
   figures.nodes = 3;
   figures.model_bits = 4'000'000'000;
-  // Products of these with 266 or 98 bits are multiples of 2^64.
+  // Multiplied by 266 or 98 bits these counts are multiples of 2^64.
   constexpr std::uint64_t many = std::uint64_t{1} << 63U;
   for (const isa::DivisionStep& surface :
        {isa::DivisionStep{.halfspaces = many + 2}, isa::DivisionStep{.nodes = many + 3}}) {
     program.segments[0].division->steps = {surface};
-    CHECK(error_of([&] { pixel_square::check_storage(program, machine_of(2, figures)); })
+    CHECK(error_of([&] { pixel_square::check_storage(program, make_machine(2, figures)); })
               .starts_with("the square at 4,2 has " + std::to_string(surface.halfspaces) + " half-spaces and " +
                            std::to_string(surface.nodes) + " nodes of the tree"));
   }
 }
 
-TEST_CASE("a Program for a machine with dividers is what they compute from its model, in one level and in two") {
+TEST_CASE("a Program for dividers equals their computation in one level and in two") {
   Figures figures = dividing();
   figures.group_side = 2;
   figures.list_entries = 100;
   for (const std::uint32_t levels : {1U, 2U}) {
     figures.levels = levels;
-    Machine machine = machine_of(4, figures);
+    Machine machine = make_machine(4, figures);
     machine.picture = {16, 16};
     isa::Program program = divided_program(machine);
     const auto refused = [&] { return error_of([&] { pixel_square::check_division(program, machine); }); };
@@ -231,16 +230,16 @@ TEST_CASE("a Program for a machine with dividers is what they compute from its m
   }
 }
 
-TEST_CASE("a group's first square counts what the group takes, if it has boxes to hold or leaves entries") {
+TEST_CASE("a group's first square includes the group's work if it has boxes or entries") {
   Figures figures = dividing();
   figures.levels = 2;
   figures.list_entries = 100;
   figures.box_clocks = 6;
   const auto clocks = [&](const isa::DivisionCounts& counts) {
-    isa::Program program = program_of(3, {square(2, {})});
+    isa::Program program = make_program(3, {square(2, {})});
     program.display_model = model_bytes();
     *program.segments[0].division = counts;
-    return time(program, machine_of(2, figures)).clocks;
+    return time(program, make_machine(2, figures)).clocks;
   };
   const std::uint64_t none = clocks({});
   // A box is read in one clock and held in six; an entry is listed in one.
@@ -249,11 +248,11 @@ TEST_CASE("a group's first square counts what the group takes, if it has boxes t
   CHECK(clocks({.steps = {}, .group_boxes = 5, .group_entries = 9}) == none + 5 * 7 + 9);
 }
 
-TEST_CASE("an ideal figure of a machine of squares is the one that its page tells") {
+TEST_CASE("an ideal figure of a pixel-square machine is the documented one") {
   const auto own = [](const std::string& key) {
     return machines::own<Figures>(kinds::load("pixel-square+" + key + "=ideal"));
   };
-  // One gate; at once; nothing latched; every plane; no screen; as many words as there are sources.
+  // Ideal: one gate, immediate latching, every plane moved, no screen, one channel per source.
   CHECK(own("global_or.fan_in").or_fan_in == 0);
   CHECK(own("renderers.move_bits").move_bits == pixel_square::all_planes);
   CHECK(own("renderers.latch_bits").latch_bits == pixel_square::no_latch);
@@ -268,14 +267,14 @@ TEST_CASE("an ideal figure of a machine of squares is the one that its page tell
   CHECK(own("divider.linear_clocks").linear_clocks == 0);
 }
 
-TEST_CASE("squares come in groups only where the machine's own dividers have two levels") {
+TEST_CASE("squares come in groups only if the machine's own dividers have two levels") {
   Figures figures = dividing();
   figures.group_side = 2;
   using Places = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
   const auto places = [&](pixel_square::DividerKind divider, std::uint32_t levels) {
     figures.divider = divider;
     figures.levels = levels;
-    Machine machine = machine_of(1, figures);
+    Machine machine = make_machine(1, figures);
     machine.picture = {4, 2};
     Places all;
     for (const isa::Region& region : machines::regions(machine)) all.emplace_back(region.x, region.y);
@@ -289,8 +288,8 @@ TEST_CASE("squares come in groups only where the machine's own dividers have two
   CHECK(places(processors, 2) == rows);
 }
 
-TEST_CASE("squares in Morton order come along a Z, and those beyond the picture's edges are left out") {
-  Machine machine = machine_of(1, {.order = pixel_square::SquareOrder::morton});
+TEST_CASE("Morton order visits squares along a Z and skips those outside the picture") {
+  Machine machine = make_machine(1, {.order = pixel_square::SquareOrder::morton});
   machine.picture = {3, 5};
   std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
   for (const isa::Region& region : machines::regions(machine)) all.emplace_back(region.x, region.y);
@@ -311,9 +310,9 @@ TEST_CASE("squares in Morton order come along a Z, and those beyond the picture'
                                                                     {2, 4}});
 }
 
-TEST_CASE("rows are latched only where squares leave from the pixels' memory") {
-  const isa::Program program = program_of(4, {square(2, {enable})});
-  const auto clocks = [&](const Figures& figures) { return time(program, machine_of(2, figures)).clocks; };
+TEST_CASE("rows are latched only if squares leave from the pixels' memory") {
+  const isa::Program program = make_program(4, {square(2, {enable})});
+  const auto clocks = [&](const Figures& figures) { return time(program, make_machine(2, figures)).clocks; };
   Figures one{.buffers = 1, .port_bits = 64, .port_fifo_depth = 8};
   Figures two = one;
   two.buffers = 2;
@@ -322,8 +321,8 @@ TEST_CASE("rows are latched only where squares leave from the pixels' memory") {
   const std::uint64_t at_once = clocks(one);
   CHECK(clocks(two) == at_once);
   for (Figures* const figures : {&one, &two, &backing}) figures->latch_bits = 1;
-  // The header is a word, and all 16 bits of colours are the next: it needs both rows of four planes. The first goes
-  // over in the fifth clock after the square was drawn, the second four later, in place of the second clock.
+  // The header is one word and all 16 bits of colour are the next: it needs both rows of four planes. The first row
+  // transfers in the fifth clock after the square is drawn, the second four clocks later, in place of the second clock.
   CHECK(clocks(one) == at_once + 9 - 2);
   CHECK(clocks(two) == at_once);
   Figures unlatched = backing;

@@ -4,12 +4,12 @@
 using namespace csgsim;
 using namespace csgsim::testing::squares;
 
-TEST_CASE("on a ring a header is carried in the last of its clocks, and stored a clock later") {
-  // Eight words of header are sent at 1 to 8. They are carried at 3, 6, ... 24, and taken at 4, 7, ... 25; 12 bits are
-  // cleared at 26 and 27.
-  const isa::Program program = program_of(3, {square(2, {})});
+TEST_CASE("on a ring a header travels in the last of its clocks and is stored a clock later") {
+  // Eight words of header are sent at 1 to 8, carried at 3, 6, ... 24, and taken at 4, 7, ... 25; 12 bits are cleared
+  // at 26 and 27.
+  const isa::Program program = make_program(3, {square(2, {})});
   const Figures figures = on_a_ring({.port_fifo_depth = 8, .ring_bits = 8, .ring_word_clocks = 3});
-  const Timing timing = time(program, machine_of(2, figures));
+  const Timing timing = time(program, make_machine(2, figures));
   CHECK(timing.clocks == 27);
   CHECK(timing.account.squares_skipped == 1);
   CHECK(timing.account.processors == std::vector<Clocks>{{8, 0, 0, 0, 0, 3, 0, 16}});
@@ -20,36 +20,36 @@ TEST_CASE("on a ring a header is carried in the last of its clocks, and stored a
   CHECK(timing.account.frame_buffer == Clocks{10, 0, 0, 17});
 }
 
-TEST_CASE("on a ring a square's commands and its colours each take a clock more than over links") {
-  // Words leave the processor at 1 to 4, are carried at 2 to 5, and the decoder takes them at 3 to 6; all the rest is a
-  // clock later than over a link. Words of the square leave at 12, 13, 14, are carried a clock later, and stored
-  // another one later.
-  const isa::Program program = program_of(3, {square(2, {enable, set({0, 3})})});
-  Machine machine = machine_of(2, on_a_ring({.buffers = 2, .port_fifo_depth = 8, .ring_bits = 32}));
+TEST_CASE("on a ring a square's commands and colours each take a clock more than on links") {
+  // Words leave the processor at 1 to 4 and are carried at 2 to 5; the decoder takes them at 3 to 6, and everything
+  // else is a clock later than over a link. Words of the square leave at 12, 13, 14, are carried a clock later, and are
+  // stored another clock later.
+  const isa::Program program = make_program(3, {square(2, {enable, set({0, 3})})});
+  Machine machine = make_machine(2, on_a_ring({.buffers = 2, .port_fifo_depth = 8, .ring_bits = 32}));
   machine.link.width = 1;
   const Timing wide_words = time(program, machine);
   machines::own<Figures>(machine).ring_bits = 256;
   machines::own<Figures>(machine).port_bits = 1;
   const Timing timing = time(program, machine);
-  // A header and the colours in two words: they leave at 12 and 13.
+  // A header and two words of colours: they leave at 12 and 13.
   CHECK(timing.clocks == 15);
   CHECK(timing.account.renderers == std::vector<Clocks>{{8, 0, 3, 0, 0, 4}});
   CHECK(timing.account.processors == std::vector<Clocks>{{4, 0, 0, 0, 0, 10, 0, 1}});
-  // In words of 32 bits the region takes three, and so the header one more and the start two.
+  // The region in words of 32 bits takes three, so the header takes one more and the start two more.
   CHECK(wide_words.clocks == timing.clocks + 2 + 1);
 }
 
-TEST_CASE("two processors feed two renderers at once, and one renderer by turns") {
-  // A square takes three words. Over the ring both come at once; to one renderer the second begins when the last word
-  // of the first has been carried, at 4, so that its words are carried at 6, 7, 8.
-  const isa::Program program = program_of(1, {square(1, {enable}), square(1, {enable})});
+TEST_CASE("two processors feed two renderers at once and one renderer in turn") {
+  // A square takes three words. Over the ring both squares arrive at once; with one renderer the second starts when the
+  // last word of the first has been carried, at 4, so its words are carried at 6, 7, 8.
+  const isa::Program program = make_program(1, {square(1, {enable}), square(1, {enable})});
   const auto account = [&](std::uint32_t renderers) {
-    return time(program, machine_of(1, on_a_ring({.renderers = renderers,
-                                                  .buffers = 2,
-                                                  .port_fifo_depth = 8,
-                                                  .banks = 2,
-                                                  .processors = 2,
-                                                  .ring_bits = 256})))
+    return time(program, make_machine(1, on_a_ring({.renderers = renderers,
+                                                    .buffers = 2,
+                                                    .port_fifo_depth = 8,
+                                                    .banks = 2,
+                                                    .processors = 2,
+                                                    .ring_bits = 256})))
         .account;
   };
   const pixel_square::SquareAccount two = account(2);
@@ -61,14 +61,16 @@ TEST_CASE("two processors feed two renderers at once, and one renderer by turns"
   CHECK(one.processors[1] == Clocks{3, 0, 0, 4, 0, one.processors[1].of(pixel_square::SquareActivity::done), 0, 1});
 }
 
-TEST_CASE("words of two sources for one place wait for each other, and so do more than there are channels") {
-  // Three squares to clear, a word of header and one of background each. Their headers are carried at 2, or one a
-  // clock.
-  const isa::Program program = program_of(1, {square(1, {}), square(1, {}), square(1, {})});
+TEST_CASE("words for one place wait for each other and so do more words than channels") {
+  // Three squares to clear, each with a word of header and one of background. Their headers are carried together at 2,
+  // or one per clock.
+  const isa::Program program = make_program(1, {square(1, {}), square(1, {}), square(1, {})});
   const auto clocks = [&](std::uint32_t channels, std::uint32_t banks) {
     Figures figures = on_a_ring({.port_fifo_depth = 8, .banks = banks, .processors = 3, .ring_bits = 64});
     figures.ring_channels = channels;
-    return time(program, machine_of(1, figures)).account.ring.value().clocks.of(pixel_square::SquareActivity::working);
+    return time(program, make_machine(1, figures))
+        .account.ring.value()
+        .clocks.of(pixel_square::SquareActivity::working);
   };
   CHECK(clocks(pixel_square::all_channels, 3) == 1);
   CHECK(clocks(2, 3) == 2);

@@ -13,7 +13,7 @@
 #include "hw/pixel_square/timing.h"
 #include "tests/unit/division/hand_models.h"
 
-/// Machines of squares and Programs for them, whose clocks are counted by hand.
+/// Pixel-square machines and Programs with hand-counted clocks.
 namespace csgsim::testing::squares {
 
 using isa::Field;
@@ -26,10 +26,10 @@ using Timing = pixel_square::SquareTiming;
 /// Clocks of a part by activity: working, waiting for host, divider, renderer, frame buffer, done.
 using Clocks = pixel_square::SquareClocks;
 
-/// A link whose every command here is a word.
+/// A link that carries every command of these tests in one word.
 inline constexpr machines::Link wide{.width = 256, .word_clocks = 1, .fifo_depth = 1000, .latency = 0};
 
-inline Machine machine_of(std::uint32_t side, Figures figures, machines::Link link = wide) {
+inline Machine make_machine(std::uint32_t side, Figures figures, machines::Link link = wide) {
   Machine machine = machines::blank(pixel_square::kind);
   machine.name = "squares";
   machine.array = {side, side, 16};
@@ -43,7 +43,7 @@ inline const Instruction enable{.opcode = Opcode::enable_all};
 
 inline Instruction set(Field field) { return {.opcode = Opcode::set_constant, .fields = {field}}; }
 
-inline isa::Program program_of(std::uint16_t colour_bits, std::vector<isa::Segment> segments) {
+inline isa::Program make_program(std::uint16_t colour_bits, std::vector<isa::Segment> segments) {
   isa::Program program;
   program.shape = {4, 4, 16};
   program.colour = {0, colour_bits};
@@ -59,8 +59,8 @@ inline Timing time(const isa::Program& program, const Machine& machine) {
   return pixel_square::time_squares(program, machine);
 }
 
-/// A model of two primitives and three nodes. By docs/machines/pixel-square.md its records have 77 bits (a primitive),
-/// 6 (a half-space) and 8 (a plane).
+/// Returns a model of two primitives and three nodes. By docs/machines/pixel-square.md its records have 77 bits (a
+/// primitive), 6 (a half-space) and 8 (a plane).
 inline std::vector<std::uint8_t> model_bytes() {
   std::vector<std::uint8_t> bytes;
   for (const isa::LinkWord& byte : division::to_link(division::encode(slab_with_hole()), 8))
@@ -68,7 +68,7 @@ inline std::vector<std::uint8_t> model_bytes() {
   return bytes;
 }
 
-/// Through a port of 80 bits each record takes a clock.
+/// Figures of a machine with dividers; a port of 80 bits reads each record in one clock.
 inline Figures dividing() {
   return {.port_bits = 64,
           .divider = pixel_square::DividerKind::corners,
@@ -80,7 +80,7 @@ inline Figures dividing() {
           .halfspace_clocks = 4};
 }
 
-/// The same in which processors divide.
+/// Returns the figures with dividing graphics processors.
 inline Figures on_a_ring(Figures figures) {
   figures.divider = pixel_square::DividerKind::processors;
   return figures;

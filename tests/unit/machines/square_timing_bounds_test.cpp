@@ -19,16 +19,16 @@ std::uint32_t pick(std::uint32_t least, std::uint32_t most) {
 }
 
 Machine any_machine() {
-  Machine machine = machine_of(pick(1, 6),
-                               {.renderers = pick(1, 4),
-                                .buffers = pick(1, 2),
-                                .move_bits = *rc::gen::element(0U, 1U, 2U, 5U, 32U),
-                                .port_bits = pick(1, 30),
-                                .port_fifo_depth = *rc::gen::element(1U, 2U, 3U, 7U, 1000U)},
-                               {.width = *rc::gen::element(1U, 6U, 31U, 32U, 256U),
-                                .word_clocks = pick(1, 3),
-                                .fifo_depth = *rc::gen::element(1U, 2U, 3U, 7U, 1000U),
-                                .latency = pick(0, 9)});
+  Machine machine = make_machine(pick(1, 6),
+                                 {.renderers = pick(1, 4),
+                                  .buffers = pick(1, 2),
+                                  .move_bits = *rc::gen::element(0U, 1U, 2U, 5U, 32U),
+                                  .port_bits = pick(1, 30),
+                                  .port_fifo_depth = *rc::gen::element(1U, 2U, 3U, 7U, 1000U)},
+                                 {.width = *rc::gen::element(1U, 6U, 31U, 32U, 256U),
+                                  .word_clocks = pick(1, 3),
+                                  .fifo_depth = *rc::gen::element(1U, 2U, 3U, 7U, 1000U),
+                                  .latency = pick(0, 9)});
   machine.clear_clocks = *rc::gen::element(0U, 1U, 2U, 16U);
   machine.picture = {pick(1, 12), pick(1, 12)};
   return machine;
@@ -36,7 +36,7 @@ Machine any_machine() {
 
 std::uint64_t words_in(std::uint64_t bits, std::uint64_t width) { return (bits + width - 1) / width; }
 
-/// The same with a divider in the machine, which takes any clocks for its tests.
+/// Returns any_machine() with a divider whose tests take random clocks.
 Machine any_dividing_machine() {
   Machine machine = any_machine();
   auto& figures = machines::own<Figures>(machine);
@@ -55,7 +55,7 @@ Machine any_dividing_machine() {
   return machine;
 }
 
-/// A Program for it, with any tests.
+/// Returns a Program for the machine with random tests.
 isa::Program any_divided_program(const Machine& machine) {
   isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
   program.display_model = model_bytes();
@@ -70,7 +70,7 @@ isa::Program any_divided_program(const Machine& machine) {
   return program;
 }
 
-/// What a divider does between the model's last word and its own last one.
+/// Clocks of a divider between the model's last word and its own last one.
 std::uint64_t dividing_clocks(const isa::Program& program, const Machine& machine) {
   const auto& figures = machines::own<Figures>(machine);
   constexpr std::uint64_t nodes = 3;
@@ -88,10 +88,10 @@ std::uint64_t dividing_clocks(const isa::Program& program, const Machine& machin
   return clocks;
 }
 
-/// What the parts of a frame have to do, apart from waiting for each other.
+/// Clocks of each part's work in a frame, without waits for other parts.
 struct Work {
   std::uint64_t host = 0;
-  std::uint64_t renderers = 0;  ///< all together, and what their squares take to leave
+  std::uint64_t renderers = 0;  ///< all together, including the clocks in which their squares leave
   std::uint64_t frame_buffer = 0;
 };
 
@@ -118,14 +118,14 @@ Work work_of(const isa::Program& program, const Machine& machine) {
   return work;
 }
 
-/// No square is cleared.
+/// Ensures that every square has instructions, so that none is cleared.
 void draw_everywhere(isa::Program& program) {
   for (isa::Segment& one : program.segments) {
     if (one.instructions.empty()) one.instructions.push_back(enable);
   }
 }
 
-/// Of the machine with other figures.
+/// Returns the clocks after a change of the machine's figures.
 template <class Change>
 std::uint64_t clocks_with(const Change& change, const isa::Program& program, Machine machine) {
   change(machine, machines::own<Figures>(machine));
@@ -134,21 +134,21 @@ std::uint64_t clocks_with(const Change& change, const isa::Program& program, Mac
 
 }  // namespace
 
-TEST_CASE("a frame takes at least what its busiest part has to do, and at most what all have to do one by one") {
+TEST_CASE("a frame takes at least its busiest part's work and at most the sum of all work") {
   CHECK(rc::check([] {
     const Machine machine = any_machine();
     const isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
     const Work work = work_of(program, machine);
     const std::uint64_t clocks = time(program, machine).clocks;
     RC_ASSERT(clocks > std::max(work.host, work.frame_buffer));
-    // Between two parts a word waits for the next edge; where a FIFO has one place, the next word does as well.
+    // Between two parts a word waits for the next edge; with a FIFO of one place the next word waits as well.
     RC_ASSERT(clocks <= 2 * work.host + work.renderers + 2 * work.frame_buffer + 4 * program.segments.size() + 4);
   }));
 }
 
-// Where squares are cleared between others, the order in which the frame buffer serves its two ports depends on who
-// comes first: a faster part may bring a clear before a square's last words and cost some clocks.
-TEST_CASE("with one renderer, and no square cleared, no faster part and no deeper FIFO takes more clocks") {
+// If squares are cleared, the order in which the frame buffer serves its two ports depends on arrival: a faster part
+// may deliver a clear before a square's last words and cost some clocks.
+TEST_CASE("with one renderer and no clears no faster part or deeper FIFO adds clocks") {
   CHECK(rc::check([] {
     Machine machine = any_machine();
     machines::own<Figures>(machine).renderers = 1;
@@ -166,13 +166,13 @@ TEST_CASE("with one renderer, and no square cleared, no faster part and no deepe
   }));
 }
 
-TEST_CASE("with a divider a frame takes at least what its busiest part has to do, and at most what all have to do") {
+TEST_CASE("with a divider a frame lies between its busiest part's and all parts' work") {
   CHECK(rc::check([] {
     const Machine machine = any_dividing_machine();
     const isa::Program program = any_divided_program(machine);
     const std::uint64_t model = words_in(8 * program.display_model.size(), machine.link.width);
     const std::uint64_t host = machine.link.latency + model * machine.link.word_clocks;
-    // The words of the squares go to the store and leave it, one a clock; where nothing is seen one says so.
+    // The words of the squares enter the store and leave it, one per clock; an empty square takes one word.
     Machine sending = machine;
     sending.link.latency = 0;
     sending.link.word_clocks = 1;
@@ -199,7 +199,7 @@ TEST_CASE("with a divider a frame takes at least what its busiest part has to do
   }));
 }
 
-TEST_CASE("with a divider and one renderer, and no square cleared, no faster test, part or link takes more clocks") {
+TEST_CASE("with a divider and one renderer and no clears no faster test or part adds clocks") {
   CHECK(rc::check([] {
     Machine machine = any_dividing_machine();
     machines::own<Figures>(machine).renderers = 1;
@@ -222,9 +222,9 @@ TEST_CASE("with a divider and one renderer, and no square cleared, no faster tes
   }));
 }
 
-// From two renderers on, one more may change who draws what: a square goes to the one with the fewest squares, not to
-// the one that is free first.
-TEST_CASE("where the divider waits for no room, more renderers take no more clocks than one") {
+// Beyond two renderers, one more may change the assignment: a square goes to the renderer with the fewest
+// squares, not to the first free one.
+TEST_CASE("more renderers take no more clocks than one if the divider never waits for room") {
   CHECK(rc::check([] {
     Machine machine = any_dividing_machine();
     machine.link.fifo_depth = 1000;
@@ -237,7 +237,7 @@ TEST_CASE("where the divider waits for no room, more renderers take no more cloc
   }));
 }
 
-TEST_CASE("all squares are drawn and every clock is accounted for, whatever the depth of the FIFOs") {
+TEST_CASE("all squares are drawn and all clocks are accounted for at any FIFO depth") {
   CHECK(rc::check([] {
     const Machine machine = any_machine();
     const isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
@@ -252,8 +252,7 @@ TEST_CASE("all squares are drawn and every clock is accounted for, whatever the 
   }));
 }
 
-TEST_CASE(
-    "on a ring all squares are drawn and every clock is accounted for, and as many words travel, whatever does it") {
+TEST_CASE("on a ring all squares are drawn and the number of words is that of the links") {
   CHECK(rc::check([] {
     Machine machine = any_machine();
     Figures& figures = machines::own<Figures>(machine);
@@ -271,7 +270,7 @@ TEST_CASE(
     parts.insert(parts.end(), timing.account.processors.begin(), timing.account.processors.end());
     parts.insert(parts.end(), {timing.account.ring.value().clocks, timing.account.frame_buffer});
     for (const SquareClocks& part : parts) RC_ASSERT(part.total() == timing.clocks);
-    // The words that travel are those of commands, headers and colours, each once, whatever carries them.
+    // Commands, headers and colours travel once each, on links or on the ring.
     figures.ring_channels = pixel_square::all_channels;
     figures.ring_word_clocks = 1;
     figures.processors = 1;

@@ -14,15 +14,15 @@ using namespace csgsim::testing::squares;
 using testing::error_of;
 
 TEST_CASE("a Program without squares takes no clock") {
-  const Timing timing = time(program_of(3, {}), machine_of(2, {}));
+  const Timing timing = time(make_program(3, {}), make_machine(2, {}));
   CHECK(timing.clocks == 0);
   CHECK(timing.account.host == Clocks{});
 }
 
-TEST_CASE("a square that nothing touches costs its header and the words of its background") {
+TEST_CASE("an empty square costs its header and the words of its background") {
   // Eight words of header leave at 1 to 8 and are taken at 2 to 9; 12 bits are cleared at 10 and 11.
-  const isa::Program program = program_of(3, {square(2, {})});
-  const Timing timing = time(program, machine_of(2, {.port_bits = 8, .port_fifo_depth = 8}));
+  const isa::Program program = make_program(3, {square(2, {})});
+  const Timing timing = time(program, make_machine(2, {.port_bits = 8, .port_fifo_depth = 8}));
   CHECK(timing.clocks == 11);
   CHECK(timing.account.squares_skipped == 1);
   CHECK(timing.account.host == Clocks{8, 0, 0, 0, 0, 3});
@@ -30,29 +30,29 @@ TEST_CASE("a square that nothing touches costs its header and the words of its b
   CHECK(timing.account.renderers == std::vector<Clocks>{{0, 0, 0, 0, 0, 11}});
 }
 
-TEST_CASE("a cleared square of Pixel-planes 5 keeps a port of 32 bits busy for 12,288 clocks") {
-  isa::Program program = program_of(24, {square(128, {})});
+TEST_CASE("a cleared Pixel-planes 5 square keeps a 32-bit port busy for 12288 clocks") {
+  isa::Program program = make_program(24, {square(128, {})});
   program.shape = {128, 128, 208};
-  const Timing timing = time(program, machine_of(128, {.port_bits = 32, .port_fifo_depth = 2}));
+  const Timing timing = time(program, make_machine(128, {.port_bits = 32, .port_fifo_depth = 2}));
   CHECK(timing.clocks == 1 + 2 + 12'288);
 }
 
-TEST_CASE("a slow host's word leaves in the last of its clocks, after the latency") {
-  // At 4 + 3; it is taken at 8, and one word of background is written at 9.
-  const isa::Program program = program_of(3, {square(2, {})});
-  const Timing timing =
-      time(program, machine_of(2, {.port_bits = 64}, {.width = 256, .word_clocks = 3, .fifo_depth = 1, .latency = 4}));
+TEST_CASE("a slow host's word leaves in the last of its clocks after the latency") {
+  // The word leaves at 4 + 3 and is taken at 8; one word of background is written at 9.
+  const isa::Program program = make_program(3, {square(2, {})});
+  const Timing timing = time(
+      program, make_machine(2, {.port_bits = 64}, {.width = 256, .word_clocks = 3, .fifo_depth = 1, .latency = 4}));
   CHECK(timing.clocks == 9);
   CHECK(timing.account.host == Clocks{3, 4, 0, 0, 0, 2});
 }
 
-TEST_CASE("commands follow back to back, the end takes the trees' latency, header and colours leave word by word") {
+TEST_CASE("commands follow back to back and a square leaves word by word") {
   // Words leave the host at 1, 2, 3, 4 and the decoder takes them at 2, 3, 4, 5. The pixels' controller starts the
-  // square at 3, the instructions at 4 and 5 (three clocks), the end at 8, which arrives at 10. Two words of header and
-  // one of colours leave at 11, 12, 13 and are stored at 12, 13, 14.
-  const isa::Program program = program_of(3, {square(2, {enable, set({0, 3})})});
+  // square at 3, the instructions at 4 and 5 (three clocks) and the end at 8, which arrives at 10. Two words of header
+  // and one of colours leave at 11, 12, 13 and are stored at 12, 13, 14.
+  const isa::Program program = make_program(3, {square(2, {enable, set({0, 3})})});
   for (const std::uint32_t buffers : {1U, 2U}) {
-    const Timing timing = time(program, machine_of(2, {.buffers = buffers, .port_bits = 32, .port_fifo_depth = 8}));
+    const Timing timing = time(program, make_machine(2, {.buffers = buffers, .port_bits = 32, .port_fifo_depth = 8}));
     CHECK(timing.clocks == 14);
     CHECK(timing.account.squares_drawn == 1);
     CHECK(timing.account.host == Clocks{4, 0, 0, 0, 0, 10});
@@ -63,10 +63,10 @@ TEST_CASE("commands follow back to back, the end takes the trees' latency, heade
   }
 }
 
-TEST_CASE("bit planes move to the second buffer a few a clock, and memory is cleared before the first instruction") {
-  // As above, but three planes take two clocks, and the start takes five.
-  const isa::Program program = program_of(3, {square(2, {enable, set({0, 3})})});
-  Machine machine = machine_of(2, {.buffers = 2, .move_bits = 2, .port_bits = 32, .port_fifo_depth = 8});
+TEST_CASE("planes move to the second buffer a few per clock and clearing comes first") {
+  // Same clocks, but three planes take two clocks, and the start takes five.
+  const isa::Program program = make_program(3, {square(2, {enable, set({0, 3})})});
+  Machine machine = make_machine(2, {.buffers = 2, .move_bits = 2, .port_bits = 32, .port_fifo_depth = 8});
   CHECK(time(program, machine).clocks == 16);
   machine.clear_clocks = 5;
   const Timing timing = time(program, machine);
@@ -74,41 +74,41 @@ TEST_CASE("bit planes move to the second buffer a few a clock, and memory is cle
   CHECK(timing.account.renderers == std::vector<Clocks>{{5 + 1 + 3 + 3 + 2, 0, 2, 0, 0, 4}});
 }
 
-TEST_CASE("a command of several words is obeyed when the last has come") {
-  // The region of 70 bits takes three words, which the decoder takes at 2, 3, 4.
-  const isa::Program program = program_of(3, {square(2, {enable, set({0, 3})})});
-  Machine machine = machine_of(2, {.buffers = 2, .port_bits = 32, .port_fifo_depth = 8});
+TEST_CASE("a command of several words executes when its last word has arrived") {
+  // The region of 70 bits takes three words, taken by the decoder at 2, 3, 4.
+  const isa::Program program = make_program(3, {square(2, {enable, set({0, 3})})});
+  Machine machine = make_machine(2, {.buffers = 2, .port_bits = 32, .port_fifo_depth = 8});
   machine.link.width = 32;
   const Timing timing = time(program, machine);
   CHECK(timing.clocks == 16);
   CHECK(timing.account.renderers == std::vector<Clocks>{{8, 0, 4, 0, 0, 4}});
 }
 
-TEST_CASE("a question waits for its answer, and each instruction that it skips takes a clock to be dropped") {
-  // The question is obeyed at 4, and its answer is there at 7. Then the instructions are dropped, the first at 7, and
-  // the end is obeyed in the clock after the last; each word of it takes as long as above.
+TEST_CASE("a question waits for its answer and a dropped instruction takes one clock") {
+  // The question executes at 4 and its answer arrives at 7. Then the instructions are dropped, the first at 7, and the
+  // end executes in the clock after the last; each of its words takes as long as above.
   const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
   const machines::Skip none{.segment = 0, .index = 0};
-  Machine machine = machine_of(2, {.buffers = 2, .port_bits = 32, .port_fifo_depth = 8, .has_global_or = true});
+  Machine machine = make_machine(2, {.buffers = 2, .port_bits = 32, .port_fifo_depth = 8, .has_global_or = true});
   for (std::uint64_t skipped = 1; skipped <= 3; ++skipped) {
     std::vector<Instruction> instructions(1 + skipped, set({0, 3}));
     instructions[0] = question;
     instructions[0].constant = skipped;
-    const isa::Program program = program_of(3, {square(2, std::move(instructions))});
+    const isa::Program program = make_program(3, {square(2, std::move(instructions))});
     CHECK(pixel_square::time_squares(program, machine, {{none}}).clocks == 14 + skipped - 1);
     CHECK(time(program, machine).clocks == 13 + 3 * skipped);
   }
   machines::own<Figures>(machine).or_fan_in = 2;
-  const isa::Program program = program_of(3, {square(2, {question, set({0, 3})})});
+  const isa::Program program = make_program(3, {square(2, {question, set({0, 3})})});
   CHECK(pixel_square::time_squares(program, machine, {{none}}).clocks == 14 + 2);
   CHECK(machines::clocks(question, machine) == 1 + 2 + 2);
 }
 
-TEST_CASE("one place between host and renderer, and renderer and frame buffer, takes a word every other clock") {
-  // Words leave the host at 1, 3, 5, 7 and are taken at 2, 4, 6, 8; the end is obeyed at 10 and arrives at 12; words
-  // of the square leave at 13, 15, 17.
-  const isa::Program program = program_of(3, {square(2, {enable, set({0, 3})})});
-  Machine machine = machine_of(2, {.buffers = 2, .port_bits = 32});
+TEST_CASE("a FIFO of one place passes a word every other clock on both links") {
+  // Words leave the host at 1, 3, 5, 7 and are taken at 2, 4, 6, 8; the end executes at 10 and arrives at 12; words of
+  // the square leave at 13, 15, 17.
+  const isa::Program program = make_program(3, {square(2, {enable, set({0, 3})})});
+  Machine machine = make_machine(2, {.buffers = 2, .port_bits = 32});
   machine.link.fifo_depth = 1;
   const Timing timing = time(program, machine);
   CHECK(timing.clocks == 18);
@@ -117,23 +117,24 @@ TEST_CASE("one place between host and renderer, and renderer and frame buffer, t
   CHECK(timing.account.frame_buffer == Clocks{3, 0, 0, 15, 0, 0});
 }
 
-TEST_CASE("a finished square waits until the one before it has left the output buffer") {
-  // The first is drawn at 5 and leaves at 6 to 73, the second is drawn at 8, moves at 74 and leaves at 75 to 142.
-  const isa::Program program = program_of(4, {square(1, {enable}), square(1, {enable})});
-  const Timing timing = time(program, machine_of(1, {.buffers = 2, .port_bits = 1, .port_fifo_depth = 8}));
+TEST_CASE("a finished square waits until its predecessor has left the output buffer") {
+  // The first square is drawn at 5 and leaves at 6 to 73; the second is drawn at 8, moves at 74 and leaves at 75 to
+  // 142.
+  const isa::Program program = make_program(4, {square(1, {enable}), square(1, {enable})});
+  const Timing timing = time(program, make_machine(1, {.buffers = 2, .port_bits = 1, .port_fifo_depth = 8}));
   CHECK(timing.clocks == 143);
   CHECK(timing.account.renderers == std::vector<Clocks>{{6, 0, 2, 0, 66, 69}});
   CHECK(timing.account.frame_buffer == Clocks{136, 0, 0, 7, 0, 0});
 }
 
-TEST_CASE("a backing store holds as many finished squares as its bits make, and words of one follow those of another") {
-  // The first is drawn at 5. A square is 68 words; with a second buffer the next comes there a clock after the last
-  // word of the one before, and leaves from the clock after that on.
-  const isa::Program program = program_of(4, {square(1, {enable}), square(1, {enable}), square(1, {enable})});
+TEST_CASE("a backing store holds squares up to its bits and sends them back to back") {
+  // The first square is drawn at 5. A square has 68 words; with a second buffer the next one moves there a clock after
+  // its predecessor's last word and leaves from the following clock on.
+  const isa::Program program = make_program(4, {square(1, {enable}), square(1, {enable}), square(1, {enable})});
   const auto time_with = [&](Figures figures) {
     figures.port_bits = 1;
     figures.port_fifo_depth = 8;
-    return time(program, machine_of(1, figures));
+    return time(program, make_machine(1, figures));
   };
   CHECK(time_with({.buffers = 2}).clocks == 5 + 3 * 68 + 1 + 2);
   CHECK(time_with({.backing_bits = 8}).clocks == 5 + 3 * 68 + 1);
@@ -146,8 +147,8 @@ TEST_CASE("a backing store holds as many finished squares as its bits make, and 
   };
   CHECK(waited(12) == 0);
   CHECK(waited(8) == 73 - 11 + 1);
-  const Machine machine = machine_of(1, {.backing_bits = 3});
-  isa::Program whole = program_of(4, {});
+  const Machine machine = make_machine(1, {.backing_bits = 3});
+  isa::Program whole = make_program(4, {});
   for (const isa::Region& region : machines::regions(machine))
     whole.segments.push_back({.region = region, .instructions = {}});
   CHECK(
@@ -156,38 +157,38 @@ TEST_CASE("a backing store holds as many finished squares as its bits make, and 
       "to use a second buffer");
 }
 
-TEST_CASE("with one buffer the next square begins when the last word of the one before has left") {
-  // The first is drawn at 5 and leaves at 6 to 73; the second is started at 74, ends at 76 and leaves at 77 to 144.
-  const isa::Program program = program_of(4, {square(1, {enable}), square(1, {enable})});
-  const Timing timing = time(program, machine_of(1, {.buffers = 1, .port_bits = 1, .port_fifo_depth = 8}));
+TEST_CASE("with one buffer the next square starts when its predecessor has left") {
+  // The first square is drawn at 5 and leaves at 6 to 73; the second starts at 74, ends at 76 and leaves at 77 to 144.
+  const isa::Program program = make_program(4, {square(1, {enable}), square(1, {enable})});
+  const Timing timing = time(program, make_machine(1, {.buffers = 1, .port_bits = 1, .port_fifo_depth = 8}));
   CHECK(timing.clocks == 145);
   CHECK(timing.account.renderers == std::vector<Clocks>{{6, 0, 2, 0, 136, 1}});
 }
 
-TEST_CASE("a square goes to the renderer with the fewest squares unfinished, which is known a clock later") {
-  // The first keeps renderer 0 busy until 14; the second leaves at 7, 8, 9 and is finished at 11. Words that clear
-  // leave from 10 on. The last square leaves at 11, when that is not known, or at 12.
+TEST_CASE("a square goes to the renderer with the fewest unfinished squares") {
+  // The first square keeps renderer 0 busy until 14; the second leaves at 7, 8, 9 and is finished at 11. Clearing words
+  // leave from 10 on. The last square leaves at 11, before this is known, or at 12.
   const isa::Segment slow = square(1, {enable, set({0, 3}), set({0, 3}), set({0, 3})});
   const isa::Segment quick = square(1, {enable});
   const isa::Segment nothing = square(1, {});
-  const Machine machine = machine_of(1, {.renderers = 2, .buffers = 2, .port_bits = 64, .port_fifo_depth = 9});
-  CHECK(time(program_of(2, {slow, quick, nothing, quick}), machine).account.renderer_squares ==
+  const Machine machine = make_machine(1, {.renderers = 2, .buffers = 2, .port_bits = 64, .port_fifo_depth = 9});
+  CHECK(time(make_program(2, {slow, quick, nothing, quick}), machine).account.renderer_squares ==
         std::vector<std::uint64_t>{2, 1});
-  CHECK(time(program_of(2, {slow, quick, nothing, nothing, quick}), machine).account.renderer_squares ==
+  CHECK(time(make_program(2, {slow, quick, nothing, nothing, quick}), machine).account.renderer_squares ==
         std::vector<std::uint64_t>{1, 2});
 }
 
-TEST_CASE("renderers take turns at the frame buffer, word by word") {
-  // Drawn at 5 + 2 and 8 + 2. Eighty words from 8 on, 68 from 11 on; every clock from 9 on stores one.
-  const isa::Program program = program_of(4, {square(2, {enable}), square(1, {enable})});
+TEST_CASE("renderers take turns at the frame buffer word by word") {
+  // Squares are drawn at 5 + 2 and 8 + 2. Eighty words from 8 on, 68 from 11 on; every clock from 9 on stores one.
+  const isa::Program program = make_program(4, {square(2, {enable}), square(1, {enable})});
   const Timing timing =
-      time(program, machine_of(2, {.renderers = 2, .buffers = 2, .port_bits = 1, .port_fifo_depth = 32}));
+      time(program, make_machine(2, {.renderers = 2, .buffers = 2, .port_bits = 1, .port_fifo_depth = 32}));
   CHECK(timing.clocks == 8 + 80 + 68);
   CHECK(timing.account.frame_buffer == Clocks{148, 0, 0, 8, 0, 0});
 }
 
-TEST_CASE("a machine that works on parts of the picture refuses questions, and says what to do") {
-  isa::Program program = program_of(2, {square(1, {enable, {.opcode = Opcode::global_or}})});
+TEST_CASE("rejects questions on a machine of picture parts and suggests an alternative") {
+  isa::Program program = make_program(2, {square(1, {enable, {.opcode = Opcode::global_or}})});
   for (const machines::Kind* const kind :
        std::initializer_list<const machines::Kind*>{&scan_line::kind, &pixel_square::kind}) {
     Machine machine = machines::blank(*kind);
@@ -199,10 +200,9 @@ TEST_CASE("a machine that works on parts of the picture refuses questions, and s
   CHECK_NOTHROW(machines::check_runs_on(program, machines::blank(pixel_planes::kind)));
 }
 
-TEST_CASE(
-    "renderers with an OR of their own skip, but have no answer for the host; a divider of the machine asks none") {
-  isa::Program program = program_of(2, {});
-  Machine machine = machine_of(2, {.has_global_or = true});
+TEST_CASE("renderers with an OR skip instructions but send no answers to the host") {
+  isa::Program program = make_program(2, {});
+  Machine machine = make_machine(2, {.has_global_or = true});
   for (const isa::Region& region : machines::regions(machine))
     program.segments.push_back({.region = region, .instructions = {}});
   program.segments[1].instructions = {{.opcode = Opcode::skip_if_none, .constant = 1}, enable};
@@ -217,9 +217,9 @@ TEST_CASE(
   CHECK_FALSE(machines::has_global_or(machine));
 }
 
-TEST_CASE("a Program whose segments are not the machine's squares is refused") {
-  const Machine machine = machine_of(2, {});
-  isa::Program program = program_of(2, {});
+TEST_CASE("rejects a Program whose segments are not the machine's squares") {
+  const Machine machine = make_machine(2, {});
+  isa::Program program = make_program(2, {});
   for (const isa::Region& region : machines::regions(machine)) {
     program.segments.emplace_back().region = region;
   }

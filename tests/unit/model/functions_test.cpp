@@ -9,7 +9,7 @@ using namespace csgsim;
 
 namespace {
 
-/// Binary, so that it becomes a double by one rounding, and of Boost's functions, which have nothing of ours.
+/// Judge: binary numbers, rounded once to a double, with Boost's functions, which share no code with ours.
 using Real = boost::multiprecision::cpp_bin_float_50;
 
 constexpr int cases = 20'000;
@@ -20,7 +20,7 @@ double nearest_hypotenuse(double x, double y) {
 
 }  // namespace
 
-TEST_CASE("a hypotenuse is the double nearest to it, by numbers of 50 digits") {
+TEST_CASE("a hypotenuse is the double nearest to the 50-digit result") {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> number(-10.0, 10.0);
   std::uniform_real_distribution<double> exponent(-60.0, 60.0);
@@ -33,7 +33,7 @@ TEST_CASE("a hypotenuse is the double nearest to it, by numbers of 50 digits") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("a hypotenuse of very large and very small numbers is right too") {
+TEST_CASE("a hypotenuse of very large and very small numbers is exact") {
   for (const auto& [x, y] :
        {std::pair{1e308, 1e307}, {1e200, 3e200}, {1e-160, -1e-161}, {-2e-300, 1e-300}, {1e300, 1e-300}, {0.0, -4.5}})
     CHECK(model::hypotenuse(x, y) == nearest_hypotenuse(x, y));
@@ -44,7 +44,7 @@ TEST_CASE("a hypotenuse of very large and very small numbers is right too") {
   CHECK(std::isnan(model::hypotenuse(1.0, std::nan(""))));
 }
 
-TEST_CASE("the sine of an angle in radians that has been rounded once is the double nearest to it") {
+TEST_CASE("the sine of a rounded angle in radians is the nearest double") {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> angle(0.0, 90.0);
   int wrong = 0;
@@ -58,10 +58,10 @@ TEST_CASE("the sine of an angle in radians that has been rounded once is the dou
   CHECK(wrong == 0);
 }
 
-TEST_CASE("the sine and the cosine of hundredths of a degree are the doubles nearest to them") {
+TEST_CASE("sine and cosine of hundredths of a degree are the nearest doubles") {
   int wrong = 0;
   for (int hundredths = -36000; hundredths <= 36000; hundredths += 11) {
-    if (hundredths % 9000 == 0) continue;  // below
+    if (hundredths % 9000 == 0) continue;  // tested below
     const Real radians = boost::math::constants::pi<Real>() * hundredths / 18000;
     if (model::sin_hundredths(hundredths) != static_cast<double>(Real(sin(radians)))) ++wrong;
     if (model::cos_hundredths(hundredths) != static_cast<double>(Real(cos(radians)))) ++wrong;

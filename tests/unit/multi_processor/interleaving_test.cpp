@@ -11,7 +11,7 @@ using namespace csgsim;
 
 namespace {
 
-machines::Machine machine_of(isa::ArrayShape nodes, machines::Size picture, std::uint32_t levels) {
+machines::Machine make_machine(isa::ArrayShape nodes, machines::Size picture, std::uint32_t levels) {
   machines::Machine machine = machines::blank(multi_processor::kind);
   machine.array = nodes;
   machine.picture = picture;
@@ -21,18 +21,18 @@ machines::Machine machine_of(isa::ArrayShape nodes, machines::Size picture, std:
 
 }  // namespace
 
-TEST_CASE("subsegments cover every pixel of the picture once, whatever the levels and the nodes") {
+TEST_CASE("subsegments cover every pixel once for any levels and nodes") {
   CHECK(rc::check([] {
     const auto side = [](std::uint32_t most) { return *rc::gen::inRange<std::uint32_t>(1, most); };
     const machines::Size picture{side(50), side(50)};
     const machines::Machine machine =
-        machine_of({side(6), side(6), 8}, picture, *rc::gen::inRange<std::uint32_t>(0, 13));
+        make_machine({side(6), side(6), 8}, picture, *rc::gen::inRange<std::uint32_t>(0, 13));
     testing::assert_covered_once(machines::regions(machine), picture);
   }));
 }
 
-TEST_CASE("subsegments come segment by segment, as many as there are nodes") {
-  const machines::Machine machine = machine_of({4, 3, 8}, {256, 256}, 5);
+TEST_CASE("subsegments are listed segment by segment with one per node") {
+  const machines::Machine machine = make_machine({4, 3, 8}, {256, 256}, 5);
   const std::vector<isa::Region> all = machines::regions(machine);
   REQUIRE(multi_processor::picture_segments({256, 256}, 5).size() == 32);
   REQUIRE(all.size() == 32 * 12);
@@ -42,7 +42,7 @@ TEST_CASE("subsegments come segment by segment, as many as there are nodes") {
   CHECK(all[12] == isa::Region{32, 0, 8, 22});
 }
 
-TEST_CASE("a node holds the pixels of its own remainder, and no other node has them") {
+TEST_CASE("a node holds exactly the pixels of its remainder") {
   CHECK(rc::check([] {
     const auto below = [](std::uint32_t most) { return *rc::gen::inRange<std::uint32_t>(0, most); };
     const isa::ArrayShape nodes{1 + below(5), 1 + below(5), 8};

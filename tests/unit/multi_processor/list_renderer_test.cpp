@@ -62,7 +62,7 @@ void check_pixels(const multi_processor::PixelMemory& memory, const NodePixels& 
   }
 }
 
-/// What each pixel was told to go through, against the states that were kept and the clocks worked out.
+/// Compares each pixel's reported moments with the recorded states and the computed clocks.
 void check_moments(const std::vector<std::vector<multi_processor::PixelMoment>>& moments,
                    const std::vector<multi_processor::NodeState>& steps, const std::vector<isa::Instruction>& list,
                    const NodePixels& own, const machines::PixelActivity* met, const machines::Machine& machine) {
@@ -81,9 +81,9 @@ void check_moments(const std::vector<std::vector<multi_processor::PixelMoment>>&
   }
 }
 
-/// Which pixels the list meets, as the reference has it; nothing for nodes that do not branch.
-std::vector<machines::PixelActivity> met_by(const std::vector<isa::Instruction>& list, const isa::Region& region,
-                                            const machines::Machine& machine) {
+/// Returns the pixels that the list enables in the reference; empty for nodes that do not branch.
+std::vector<machines::PixelActivity> enabled_pixels(const std::vector<isa::Instruction>& list,
+                                                    const isa::Region& region, const machines::Machine& machine) {
   isa::Program program;
   program.segments.push_back({region, list});
   engine::MetRecorder recorder(program, machine);
@@ -98,7 +98,7 @@ std::vector<machines::PixelActivity> met_by(const std::vector<isa::Instruction>&
 
 }  // namespace
 
-TEST_CASE("nodes leave the reference's bits after every instruction of any list, in the clocks worked out") {
+TEST_CASE("nodes match the reference after every instruction in the computed clocks") {
   CHECK(rc::check([] {
     const machines::Machine machine = any_machine();
     const isa::Region region{below(9), below(9), 1 + below(10), 1 + below(10)};
@@ -106,7 +106,7 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
     if (list.empty()) return;
     const std::vector<systemc::Keep> keeps(list.size(), systemc::Keep::all);
     const isa::Field colour{0, static_cast<std::uint16_t>(1 + below(8))};
-    const std::vector<machines::PixelActivity> all_met = met_by(list, region, machine);
+    const std::vector<machines::PixelActivity> all_met = enabled_pixels(list, region, machine);
     const machines::PixelActivity* const met = all_met.empty() ? nullptr : all_met.data();
     for (std::uint32_t node = 0; node < machine.array.width * machine.array.height; ++node) {
       const NodePixels own =
@@ -134,7 +134,7 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
   }));
 }
 
-TEST_CASE("nodes add with carries, and cut sums into stripes, as the reference does") {
+TEST_CASE("nodes add with carries and cut sums into stripes like the reference") {
   CHECK(rc::check([] {
     using isa::Opcode;
     machines::Machine machine = any_machine();
@@ -165,7 +165,7 @@ TEST_CASE("nodes add with carries, and cut sums into stripes, as the reference d
   }));
 }
 
-TEST_CASE("a node adds as many words as the target has, and reads those that the source has besides") {
+TEST_CASE("a node adds the target's words and reads the source's as well") {
   machines::Machine machine = machines::blank(multi_processor::kind);
   auto& figures = machines::own<Figures>(machine);
   figures.order = multi_processor::RenderingOrder::segment;
@@ -175,13 +175,13 @@ TEST_CASE("a node adds as many words as the target has, and reads those that the
     return multi_processor::pixel_clocks(
         {.opcode = isa::Opcode::add, .fields = {isa::Field{0, 20}, isa::Field{20, source}}}, machine);
   };
-  // E and the target, 1 + 3 words, and the source's; an operation on E; three additions and writes.
+  // Three groups: reading E, the target (1 + 3 words) and the source; an operation on E; three additions and writes.
   CHECK(clocks(20) == 1'030'300 + 4 + 3);
   CHECK(clocks(9) == 1'030'300 + 4 + 2);
   CHECK(clocks(1) == 1'030'300 + 4 + 1);
 }
 
-TEST_CASE("a stripe takes a node as long as an edge does") {
+TEST_CASE("a stripe takes a node as long as an edge") {
   machines::Machine machine = machines::blank(multi_processor::kind);
   machines::own<Figures>(machine).word_bits = 8;
   const auto clocks = [&](isa::Opcode opcode) {
@@ -190,7 +190,7 @@ TEST_CASE("a stripe takes a node as long as an edge does") {
   CHECK(clocks(isa::Opcode::stripe) == clocks(isa::Opcode::edge_negative));
 }
 
-TEST_CASE("a node pays a shift by places, whole words of which it finds elsewhere") {
+TEST_CASE("a node is charged for a shift by places but not for whole words") {
   machines::Machine machine = machines::blank(multi_processor::kind);
   auto& figures = machines::own<Figures>(machine);
   figures.word_bits = 16;
@@ -204,14 +204,14 @@ TEST_CASE("a node pays a shift by places, whole words of which it finds elsewher
            1'000'000;
   };
   CHECK(clocks(0) == 0);
-  // Three words; what comes into the lower two from above is shifted the other way, and joined.
+  // Three words; the part entering the lower two from above is shifted the other way and joined.
   CHECK(clocks(5) == 3 * 1005 + 2 * 1'001'011);
   CHECK(clocks(16) == 0);
   CHECK(clocks(18) == 2 * 1002 + 1'001'014);
   CHECK(clocks(39) == 1007);
 }
 
-TEST_CASE("a node gets the numbers of an instruction out of its bits: a hand calculation") {
+TEST_CASE("decoding an instruction's numbers from its bits takes the hand-counted clocks") {
   machines::Machine machine = machines::blank(multi_processor::kind);
   auto& figures = machines::own<Figures>(machine);
   figures.word_bits = 16;
@@ -225,7 +225,7 @@ TEST_CASE("a node gets the numbers of an instruction out of its bits: a hand cal
   };
   const std::uint64_t before = clocks();
   figures.field_clocks = 73;
-  // A number from one word into the next takes a second shift, and is joined; all have a mask. Their places in words:
+  // A number that crosses a word boundary takes a second shift and a join; each takes a mask. Offsets in words:
   const std::uint64_t number = shift(6) + (shift(10) + 11);     // 6, of 12 bits
   const std::uint64_t width = shift(2);                         // 18, of 6
   const std::uint64_t sum_width = shift(8);                     // 24, of 6
@@ -236,7 +236,7 @@ TEST_CASE("a node gets the numbers of an instruction out of its bits: a hand cal
   CHECK(clocks() - before == 8 * (73 + 11) + number + width + sum_width + sum_shift + a + b + c);
 }
 
-TEST_CASE("a node branches over what has no effect at a pixel: hand calculations") {
+TEST_CASE("branching over ineffective pixels takes the hand-counted clocks") {
   using isa::Opcode;
   machines::Machine machine = machines::blank(multi_processor::kind);
   machine.array = {1, 1, 16};
@@ -244,7 +244,7 @@ TEST_CASE("a node branches over what has no effect at a pixel: hand calculations
   figures.word_bits = 16;
   figures.operations = {.read = 2, .write = 3, .add = 5, .compare = 7, .logic = 11, .multiply = 0};
   figures.branches = {.over = multi_processor::Branches::pixels, .taken = 100, .passed = 1000};
-  // Four pixels, of which those with x > 0 are enabled, then F = 5 - 2x is held against 2, and kept at x = 1 alone.
+  // Four pixels: those with x > 0 are enabled, then F = 5 - 2x is compared with 2 and kept at x = 1 only.
   const isa::Region region{0, 0, 4, 1};
   const isa::Instruction all{.opcode = Opcode::enable_all};
   const isa::Instruction edge{.opcode = Opcode::edge_not_negative, .linear = {1, 0, -1, 20}};
@@ -253,11 +253,11 @@ TEST_CASE("a node branches over what has no effect at a pixel: hand calculations
   const std::uint64_t look = 2 + 11;
   const auto clocks = [&](std::vector<isa::Instruction> before, const isa::Instruction& last) {
     before.push_back(last);
-    const std::vector<machines::PixelActivity> met = met_by(before, region, machine);
+    const std::vector<machines::PixelActivity> met = enabled_pixels(before, region, machine);
     const isa::Segment segment{region, before};
     return multi_processor::all_pixel_clocks(segment, before.size() - 1, machine, met.data());
   };
-  // What brings pixels back is done at each.
+  // Instructions that enable pixels again execute at each pixel.
   CHECK(clocks({}, all) == machines::PixelClocks{4 * (look + 3), 0});
   CHECK(clocks({all}, edge) ==
         machines::PixelClocks{4 * (look + 1000 + 7 + 3 + 2 * 5), 4 * (look + 1000 + 7 + 3 + 10)});
@@ -267,7 +267,7 @@ TEST_CASE("a node branches over what has no effect at a pixel: hand calculations
   CHECK(clocks({all, edge, set}, keep) ==
         machines::PixelClocks{(look + 100 + 2 * 5) + 2 * unchosen + chosen, 2 * unchosen + chosen});
   CHECK(multi_processor::pixel_clocks(keep, machine) == chosen);
-  // Where F is begun anew at each pixel, it is not at those that are not enabled.
+  // F is recomputed at each enabled pixel only.
   figures.order = multi_processor::RenderingOrder::pixel;
   figures.operations.multiply = 13;
   const std::uint64_t begin = 2 * (2 * 13 + 2 * 5);
@@ -276,14 +276,14 @@ TEST_CASE("a node branches over what has no effect at a pixel: hand calculations
   CHECK(clocks({all, edge, set}, keep).all == 4 * (chosen - 2000 + begin - 10));
 }
 
-TEST_CASE("a native node decodes a list once, and then calls its instructions: hand calculations") {
+TEST_CASE("a native node decodes a list once and then calls its instructions (by hand)") {
   machines::Machine machine = machines::blank(multi_processor::kind);
   auto& figures = machines::own<Figures>(machine);
   figures.word_bits = 16;
   figures.operations = {.read = 2, .write = 3, .add = 0, .compare = 0, .logic = 0, .multiply = 0};
   figures.loop = {.pixel = 0, .row = 0, .instruction = 100};
   figures.chain = {.program = multi_processor::NodeProgram::interpreted, .link = 1000, .call = 10'000};
-  // 6 + 12 + 6 + 6 + 6 + 60 bits are 6 words; in words of their own its numbers are 4 and three of two words.
+  // 6 + 12 + 6 + 6 + 6 + 60 bits are 6 words; in separate words its numbers take 4 words and three pairs.
   const std::vector<isa::Instruction> list{
       {.opcode = isa::Opcode::load_linear, .fields = {isa::Field{0, 8}}, .linear = {1, 2, 3, 20, 4}}};
   const auto clocks = [&](multi_processor::RenderingOrder order) {

@@ -57,7 +57,7 @@ void take_all(RecordReader& reader, const Words& words) {
   for (const isa::LinkWord& word : words) reader.take(word);
 }
 
-/// What a node makes of its subsegment, of the words that come over the bus.
+/// Returns the division of a node's subsegment from the words received over the bus.
 division::Divided divided_by_node(const RecordReader& reader, const isa::Region& part) {
   division::PlainDatapath path(reader.model());
   return division::Divider(reader.model()).divide(part, reader.survivors(), path);
@@ -111,7 +111,7 @@ void flip(Words& words, std::uint64_t bit, unsigned width) {
 
 }  // namespace
 
-TEST_CASE("what a node divides from the bus is the host's list of its subsegment, word for word, and its counts") {
+TEST_CASE("a node's division from the bus equals the host's list and counts") {
   CHECK(rc::check([] {
     const Display display(any_machine());
     RecordReader reader(display.machine.link.width, 16);
@@ -127,7 +127,7 @@ TEST_CASE("what a node divides from the bus is the host's list of its subsegment
   }));
 }
 
-TEST_CASE("a list, with numbers of half-spaces or without, comes as the instructions sent, in the bits worked out") {
+TEST_CASE("lists with or without half-space numbers arrive intact in the computed bits") {
   CHECK(rc::check([] {
     Display display(any_machine());
     machines::own<multi_processor::Figures>(display.machine).lists =
@@ -164,7 +164,7 @@ TEST_CASE("a list, with numbers of half-spaces or without, comes as the instruct
   }));
 }
 
-TEST_CASE("the number of a half-space takes the place of an expression: a hand calculation") {
+TEST_CASE("a half-space number replaces an expression (hand calculation)") {
   const multi_processor::ListForm form{
       .has_numbers = true, .number_bits = 9, .record_bits = 80, .record_numbers = {1, 1, 20, 20, 30}};
   const isa::Instruction keep{
@@ -181,7 +181,7 @@ TEST_CASE("the number of a half-space takes the place of an expression: a hand c
     CHECK(multi_processor::entry_bits(one, form) == multi_processor::written_bits(one, form));
 }
 
-TEST_CASE("records take the words that are worked out for them, on the bus and in memory") {
+TEST_CASE("records take the computed words on the bus and in memory") {
   CHECK(rc::check([] {
     const Display display(any_machine());
     const std::uint32_t width = display.machine.link.width;
@@ -206,7 +206,7 @@ TEST_CASE("records take the words that are worked out for them, on the bus and i
   }));
 }
 
-TEST_CASE("a bit that changes on the bus is refused, or is in what the node has; or it fills up a word") {
+TEST_CASE("a changed bit on the bus is rejected or received or in padding") {
   std::uint64_t refused = 0;
   std::uint64_t another = 0;
   CHECK(rc::check([&] {
@@ -238,7 +238,7 @@ TEST_CASE("a bit that changes on the bus is refused, or is in what the node has;
   CHECK((!testing::draws_usual_cases() || another > 0));
 }
 
-TEST_CASE("a coefficient that changes on the bus changes the list") {
+TEST_CASE("a changed coefficient on the bus changes the list") {
   division::DisplayModel model;
   model.width = 8;
   model.height = 8;

@@ -9,10 +9,10 @@
 using namespace csgsim;
 using namespace csgsim::testing::stages;
 
-TEST_CASE("nodes stand still in turns of the screen, and nothing else does: hand calculations") {
+TEST_CASE("only nodes stop during screen turns (hand calculation)") {
   Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
-  // 32 bits of each node's in two turns; 20 turns a second, of 5 clocks every 50.
+  // A node's 32 bits take two turns; 20 turns a second, of 5 clocks every 50.
   machine.clock_hz = 1000;
   figures(machine).refresh = {.rate = 10, .bits = 16, .clocks = 5};
   const multi_processor::Refresh refresh(isa::frame_header(program), machine);
@@ -25,7 +25,8 @@ TEST_CASE("nodes stand still in turns of the screen, and nothing else does: hand
   const FrameAccount shown = account_of(program, machine);
   figures(machine).refresh.rate = 0;
   const FrameAccount account = account_of(program, machine);
-  // Before are reception, transformation, the first pruning and broadcasts, to clock 817: turns at 850, 900, ... 1250.
+  // Reception, transformation, the first pruning and broadcasts last until clock 817; turns follow at 850, 900, ...
+  // 1250.
   const multi_processor::StageClocks& stages = account.stages;
   CHECK(stages.reception + stages.transformation + stages.first_pruning + stages.broadcasting == 817);
   CHECK(shown.stages.second_pruning == 393 + 8 * 5);
@@ -34,7 +35,7 @@ TEST_CASE("nodes stand still in turns of the screen, and nothing else does: hand
   CHECK(shown.stages.rendering > stages.rendering);
 }
 
-TEST_CASE("what a screen leaves of the clocks is what is left when each turn is gone through") {
+TEST_CASE("the clocks left by the screen equal a turn-by-turn simulation") {
   CHECK(rc::check([] {
     Machine machine = random_machine();
     machine.clock_hz = *rc::gen::inRange<std::uint64_t>(50, 5000);
@@ -48,7 +49,7 @@ TEST_CASE("what a screen leaves of the clocks is what is left when each turn is 
     std::uint64_t left = clocks;
     std::uint64_t now = begin;
     while (left > 0) {
-      // Of the turns that have begun the last.
+      // Start of the last turn that has begun.
       const std::uint64_t turn = now * refresh.turns_per_second() / machine.clock_hz;
       std::uint64_t first = 0;
       while (first * refresh.turns_per_second() < turn * machine.clock_hz) ++first;
@@ -59,7 +60,7 @@ TEST_CASE("what a screen leaves of the clocks is what is left when each turn is 
   }));
 }
 
-TEST_CASE("a screen that takes all clocks of the nodes is refused") {
+TEST_CASE("rejects a screen that takes all clocks of the nodes") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   machine.clock_hz = 1'000'000;

@@ -8,14 +8,15 @@
 using namespace csgsim;
 using namespace csgsim::testing::stages;
 
-TEST_CASE("lists that do not fit the nodes at once are sent and rendered in parts: a hand calculation") {
+TEST_CASE("lists beyond the nodes' memory are sent and rendered in parts (by hand)") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   const FrameAccount whole = account_of(program, machine);
   CHECK(whole.list_passes == 1);
-  // In words of 16 bits: the frame's 16 + 2 * 5 + 3, the segment's 1 + 1 + 3; lists begin with 5 and end with 1,
-  // instructions are 1 and 6. Who sends stops where fewer than 16 words are left of 32 beside the 6 of a list that
-  // waits: before the first list's end, and, as the last waits, before that of the third, of which no instruction came.
+  // Words of 16 bits: the frame takes 16 + 2 * 5 + 3, the segment 1 + 1 + 3; lists begin with 5 and end with 1,
+  // instructions take 1 and 6. The sender stops where fewer than 16 of 32 words are left next to the 6 of a waiting
+  // list: before the end of the first list and, as the last list waits, before the end of the third, which has received
+  // no instruction.
   figures(machine).memory_words = 34 + 32;
   const FrameAccount account = account_of(program, machine);
   CHECK(account.list_passes == 3);
@@ -27,7 +28,7 @@ TEST_CASE("lists that do not fit the nodes at once are sent and rendered in part
   CHECK(clocks_of(program, machine) == 3613 + 2 * 4 + 2 * 10 + 2 * 6);
 }
 
-TEST_CASE("a list that is more than half of what is left of a node's memory is made in parts: a hand calculation") {
+TEST_CASE("a list beyond half of a node's free memory is made in parts (by hand)") {
   Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
   isa::Segment& first = program.segments.front();
@@ -36,7 +37,7 @@ TEST_CASE("a list that is more than half of what is left of a node's memory is m
   const FrameAccount whole = account_of(program, machine);
   figures(machine).memory_words = 34 + 32;
   const FrameAccount account = account_of(program, machine);
-  // 5 + 1 + 6 words of 16, then 6 + 1; meanwhile the other lists wait.
+  // 5 + 1 + 6 words of 16, then 6 + 1; the other lists wait meanwhile.
   const std::uint64_t before = 29 + 3 * 31 + 47 + 2 * 53 + 2 * 59;
   CHECK(whole.stages.second_pruning == before + 59);
   CHECK(account.stages.second_pruning == before + 59);
@@ -45,7 +46,7 @@ TEST_CASE("a list that is more than half of what is left of a node's memory is m
   CHECK(account.stages.rendering == whole.stages.rendering);
 }
 
-TEST_CASE("what is sent and rendered in parts takes longer, the more the smaller the memory is, and is all done") {
+TEST_CASE("sending in parts takes longer with less memory and completes all work") {
   CHECK(rc::check([] {
     Machine machine = random_machine();
     const isa::Program program = any_program(machine);
@@ -67,15 +68,14 @@ TEST_CASE("what is sent and rendered in parts takes longer, the more the smaller
   }));
 }
 
-TEST_CASE(
-    "half-spaces that do not fit the nodes are read over the bus, by one node after another: a hand calculation") {
+TEST_CASE("nodes read half-spaces beyond their memory over the bus in turn (by hand)") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   const FrameAccount whole = account_of(program, machine);
-  // A word less than the records, 34, and two commands of at most 256 bits.
+  // One word less than the records, 34, and two commands of at most 256 bits.
   figures(machine).memory_words = 34 + 32 - 1;
   const FrameAccount account = account_of(program, machine);
-  // Three half-spaces are tested: a request and an answer of a word each, both after the bus's latency.
+  // Three half-spaces are tested: each takes a request and an answer of one word, both after the bus latency.
   const std::uint64_t reads = 3 * 2 * (4 + 10);
   CHECK(account.stages.second_pruning == whole.stages.second_pruning + reads + 3 * 29);
   CHECK(account.stages.broadcasting == whole.stages.broadcasting - 3 * 10);
@@ -88,7 +88,7 @@ TEST_CASE(
   CHECK(clocks_of(program, machine) == 3613 + reads + 3 * 29 - 3 * 10);
 }
 
-TEST_CASE("a segment of which the primitives leave no room for two commands in a node is refused, with what to do") {
+TEST_CASE("rejects a segment whose primitives leave no room for two commands in a node") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   figures(machine).memory_words = 31 + 32;
@@ -100,25 +100,25 @@ TEST_CASE("a segment of which the primitives leave no room for two commands in a
                        InputError);
 }
 
-TEST_CASE("what does not fit the display processor is read from the host, or tested twice: hand calculations") {
+TEST_CASE("what exceeds the display processor is read from the host or tested twice") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   const std::uint64_t once = 2 * 37 + 3 * 41 + 2 * 61;
-  // The model, and 5 words of records.
+  // Room for the model and 5 words of records.
   figures(machine).display_memory_words = 32 + 5;
   CHECK(account_of(program, machine).stages.first_pruning == once);
   --figures(machine).display_memory_words;
   CHECK(account_of(program, machine).stages.first_pruning == 2 * once);
   CHECK(account_of(program, machine).first_halfspace_tests == 6);
   CHECK(clocks_of(program, machine) == 3613 + once);
-  // Its planes, 24 bits of 504, are not there: each takes a word of the host's link, and is transformed.
+  // Its planes, 24 bits of 504, are absent: each takes a word of the host's link and is transformed.
   figures(machine).display_memory_words = 31;
   CHECK(account_of(program, machine).stages.first_pruning == 2 * (once + 3 * (5 + 3 + 43)));
   CHECK(account_of(program, machine).stages.transformation == 0);
   CHECK(account_of(program, machine).model_words == 32);
 }
 
-TEST_CASE("a model that does not fit the display processor without its planes is refused, with what to do") {
+TEST_CASE("rejects a model that exceeds the display processor even without its planes") {
   Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
   figures(machine).display_memory_words = 30;

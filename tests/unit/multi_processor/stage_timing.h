@@ -18,7 +18,7 @@
 #include "hw/multi_processor/timing.h"
 #include "tests/support/random_program.h"
 
-/// Multi-processors and Programs for them, whose clocks are counted by hand.
+/// Multi-processors and Programs with hand-counted clocks.
 namespace csgsim::testing::stages {
 
 using isa::Opcode;
@@ -29,7 +29,7 @@ using multi_processor::NodeActivity;
 using multi_processor::NodeClocks;
 using multi_processor::RenderingOrder;
 
-/// 2 x 2 nodes, a segment of 4 x 4 pixels, and clocks that are told from each other in a sum.
+/// A machine of 2 x 2 nodes and a segment of 4 x 4 pixels; its clock figures are distinguishable in a sum.
 inline Machine machine_4x4() {
   Machine machine = machines::blank(multi_processor::kind);
   machine.name = "four";
@@ -57,8 +57,9 @@ inline Machine machine_4x4() {
 
 inline Figures& figures(Machine& machine) { return machines::own<Figures>(machine); }
 
-/// Two primitives of five half-spaces on three planes: 264 bits of header, 3 planes of 8, 2 primitives of 77, 5
-/// half-spaces of 3 bits, of which 3 have a colour of 3 bits, and nodes of 1, 1 and 4 bits: 59 bytes.
+/// Returns a model of two primitives with five half-spaces on three planes: 264 bits of header, 3 planes of 8, 2
+/// primitives of 77, 5 half-spaces of 3 bits, 3 of them with a colour of 3 bits, and nodes of 1, 1 and 4 bits: 59
+/// bytes.
 inline std::vector<std::uint8_t> model_bytes() {
   division::DisplayModel model;
   model.width = 4;
@@ -78,8 +79,8 @@ inline std::vector<std::uint8_t> model_bytes() {
   return bytes;
 }
 
-/// Of which one primitive is left for the segment, with three half-spaces; two instructions come of it in the first
-/// subsegment.
+/// Returns a Program with one primitive of three half-spaces left in the segment; its first subsegment has two
+/// instructions.
 inline isa::Program program_for(const Machine& machine) {
   isa::Program program;
   program.shape = {machine.picture.width, machine.picture.height, 16};
@@ -129,7 +130,7 @@ inline Machine random_machine() {
   return machine;
 }
 
-/// Instructions and counts are what they may be, not what anything is divided into.
+/// Returns a Program with arbitrary instructions and counts, which need not result from any division.
 inline isa::Program any_program(const Machine& machine) {
   const auto below = [](std::uint32_t most) { return *rc::gen::inRange<std::uint32_t>(0, most); };
   isa::Program program = *test::arbitrary_program_in_parts(machine, 8);

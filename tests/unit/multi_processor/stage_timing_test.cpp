@@ -10,7 +10,7 @@
 using namespace csgsim;
 using namespace csgsim::testing::stages;
 
-TEST_CASE("each stage of a frame takes what a hand calculation says") {
+TEST_CASE("each stage of a frame takes the hand-counted clocks") {
   const Machine machine = machine_4x4();
   const FrameAccount account = account_of(program_for(machine), machine);
   CHECK(program_for(machine).display_model.size() == 59);
@@ -19,7 +19,7 @@ TEST_CASE("each stage of a frame takes what a hand calculation says") {
   CHECK(account.stages.transformation == 3 * 43);
   CHECK(account.stages.first_pruning == 2 * 37 + 3 * 41 + 2 * 61);
   // A header of 256 bits, two primitives of 75 and three nodes of 4; then 70 bits begin the segment and 6 end it, with
-  // 2 bits that say how many are left, 3 for the primitive, 12 for each half-space.
+  // 2 bits for the number of remaining primitives, 3 for the primitive, 12 for each half-space.
   CHECK(account.broadcast_words == 8 + 2 * 3 + 3 + 3 + 1 + 1 + 1 + 3);
   CHECK(account.stages.broadcasting == 4 + 17 * 10 + 4 + 9 * 10);
   CHECK(account.stages.second_pruning == 29 + 3 * 31 + 47 + 2 * 53 + 2 * 59);
@@ -31,7 +31,7 @@ TEST_CASE("each stage of a frame takes what a hand calculation says") {
   const std::uint64_t clear = 2 * 3 + 17 + 19;
   const std::uint64_t enable = (23 + 2) + (2 + 11 + 3) + 17 + 19;
   const std::uint64_t begin = 4 * 2 * 13 + 2 * 2 * 5;
-  // Two words by 4 places, and what comes into the lower one.
+  // Two words shifted by 4 places, and the bits entering the lower one.
   const std::uint64_t shift = 2 * (67 + 4 * 71) + (67 + 12 * 71 + 11);
   const std::uint64_t at_pixel = 2 * 5 + shift + 2 + 11 + 3 + 2 * 7 + 3;
   const std::uint64_t load = (23 + 6 * 2) + begin + 2 * 5 + at_pixel + 17 + 19;
@@ -41,7 +41,7 @@ TEST_CASE("each stage of a frame takes what a hand calculation says") {
   CHECK(clocks_of(program_for(machine), machine) == 3613);
 }
 
-TEST_CASE("the order of rendering changes what goes round the pixels: hand calculations") {
+TEST_CASE("the rendering order changes the inner loop over pixels (hand calculation)") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   figures(machine).order = RenderingOrder::scan_line;
@@ -50,15 +50,15 @@ TEST_CASE("the order of rendering changes what goes round the pixels: hand calcu
   CHECK(clocks_of(program, machine) == 3505);
 }
 
-TEST_CASE("a node unpacks what it looks at as it divides: a hand calculation") {
+TEST_CASE("a node unpacks records as it divides (hand calculation)") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   const FrameAccount before = account_of(program, machine);
   figures(machine).field_clocks = 73;
   const FrameAccount account = account_of(program, machine);
   const auto shift = [](std::uint64_t places) { return 67 + 71 * places; };
-  // Four sides of 15 bits from places 0, 15, 30 and 45 on, two depths of 5; each has a mask, and all but the first and
-  // the last end in another word than they begin in.
+  // Four sides of 15 bits at offsets 0, 15, 30 and 45, two depths of 5; each has a mask, and all but the first and the
+  // last cross a word boundary.
   const std::uint64_t box = 6 * (73 + 11) + shift(15) + (shift(1) + 11) + shift(14) + (shift(2) + 11) + shift(13) +
                             (shift(3) + 11) + shift(12) + (shift(4) + 11) + shift(1);
   CHECK(account.nodes[1].of(NodeActivity::pruning) == 29 + box);
@@ -69,44 +69,44 @@ TEST_CASE("a node unpacks what it looks at as it divides: a hand calculation") {
         before.nodes[0].of(NodeActivity::pruning) + box + 3 * halfspace + 2 * node);
 }
 
-TEST_CASE("the node with the pixels that take most is waited for: a hand calculation") {
+TEST_CASE("a frame waits for the node with the slowest pixels (hand calculation)") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   const FrameAccount before = account_of(program, machine);
   figures(machine).branches = {.over = multi_processor::Branches::pixels, .taken = 101, .passed = 103};
-  // Each node has a pixel of the first subsegment. E is 1 at that of the second when F is loaded.
+  // Each node has a pixel of the first subsegment. E is 1 at the second's pixel when F is loaded.
   std::vector<machines::PixelActivity> met(program.segments.size());
   met[0] = {.row_words = 1, .planes = {{}, {0b10, 0}}, .instructions = {{0, 0}, {1, 1}}};
   const FrameAccount account = multi_processor::time_stages(program, machine, met).account;
   CHECK(account.stages.rendering == before.stages.rendering + 103);
   const std::uint64_t shift = 2 * (67 + 4 * 71) + (67 + 12 * 71 + 11);
-  const std::uint64_t over = shift + 3 + 2 * 7 + 3;  // the shift, the fields written, whether F fits
+  const std::uint64_t over = shift + 3 + 2 * 7 + 3;  // the shift, the fields written, the range check of F
   const auto rendering = [&](std::size_t node) { return account.nodes[node].of(NodeActivity::rendering); };
   CHECK(rendering(1) == before.nodes[1].of(NodeActivity::rendering) + 103);
   for (const std::size_t node : {0U, 2U, 3U})
     CHECK(rendering(node) == before.nodes[node].of(NodeActivity::rendering) - over + 101);
-  // Nobody knows: then each pixel may take as long as any.
+  // If no enables are recorded each pixel may take the maximum.
   CHECK(account_of(program, machine).stages.rendering == account.stages.rendering);
 }
 
-TEST_CASE("where numbers of half-spaces travel each node works out their expressions: a hand calculation") {
+TEST_CASE("with half-space numbers each node computes the expressions (hand calculation)") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   const FrameAccount before = account_of(program, machine);
   figures(machine).lists = multi_processor::ListKind::numbers;
   figures(machine).number_clocks = 1000;
   const FrameAccount account = account_of(program, machine);
-  // Of 3 half-spaces; 6 + 18 + 1 + 2 + 6 bits are two words of 32 and three of 16, not three and six.
+  // Three half-spaces; 6 + 18 + 1 + 2 + 6 bits are two words of 32 and three of 16, instead of three and six.
   CHECK(account.shared_words == before.shared_words - 1);
   CHECK(account.stages.second_pruning == before.stages.second_pruning + 1000 - 59);
-  // A record of 12 bits is a word.
+  // A record of 12 bits takes one word.
   CHECK(account.stages.rendering == before.stages.rendering - 3 * 2 + 2 + 59);
   figures(machine).chain = {.program = multi_processor::NodeProgram::native, .link = 100, .call = 10};
-  // Of enable_all nothing is written; of the other 12 + 6 bits of its field, and 12 + 60 of the expression.
+  // enable_all writes nothing; the other instruction writes 12 + 6 bits of its field, and 12 + 60 of the expression.
   CHECK(account_of(program, machine).stages.rendering == account.stages.rendering + 2 * 100 + 10 * 3 + 2 * 10 + 10 * 2);
 }
 
-TEST_CASE("a segment of which nothing is left is neither pruned by the nodes nor shared, only set to the background") {
+TEST_CASE("an empty segment is only set to the background") {
   const Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
   program.segments[0].instructions.clear();
@@ -132,7 +132,7 @@ TEST_CASE("all nodes wait for the one with the most pixels") {
   CHECK(account.stages.rendering == first.of(NodeActivity::rendering));
 }
 
-TEST_CASE("no frame takes less than its shares of the work, nor more than all of it one after the other") {
+TEST_CASE("no frame takes less than its shared work or more than the sum of all work") {
   CHECK(rc::check([] {
     const Machine machine = random_machine();
     const isa::Program program = any_program(machine);
@@ -157,7 +157,7 @@ TEST_CASE("no frame takes less than its shares of the work, nor more than all of
   }));
 }
 
-TEST_CASE("a wider link, of the host or of the bus, never costs clocks") {
+TEST_CASE("a wider host link or bus never adds clocks") {
   CHECK(rc::check([] {
     Machine machine = random_machine();
     const isa::Program program = any_program(machine);
@@ -170,7 +170,7 @@ TEST_CASE("a wider link, of the host or of the bus, never costs clocks") {
   }));
 }
 
-TEST_CASE("dividing ahead saves no more than the first pruning of all segments but the first") {
+TEST_CASE("dividing ahead saves at most the first pruning of all segments but the first") {
   CHECK(rc::check([] {
     Machine machine = random_machine();
     const isa::Program program = any_program(machine);
@@ -183,7 +183,7 @@ TEST_CASE("dividing ahead saves no more than the first pruning of all segments b
   }));
 }
 
-TEST_CASE("a frame that is longer than SystemC's time is refused") {
+TEST_CASE("rejects a frame longer than SystemC's time") {
   Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
   machine.clock_hz = 1;

@@ -10,7 +10,7 @@
 
 namespace csgsim::testing {
 
-/// Pixels of a region whose memory, of 32 bits at most, and enable a test sets by hand.
+/// Pixels of a region; tests set their memory (at most 32 bits) and enable by hand.
 class FakePixels final : public engine::PixelState {
  public:
   explicit FakePixels(isa::Region region)
@@ -23,7 +23,7 @@ class FakePixels final : public engine::PixelState {
     memory = (memory & ~(ones(field) << field.base)) | value << field.base;
   }
   void enable(std::uint32_t x, std::uint32_t y) { enable_[at(x, y)] = true; }
-  /// The pixels at these columns and rows.
+  /// Enables exactly the pixels at these columns and rows.
   void enable_only(const std::vector<std::array<std::uint32_t, 2>>& pixels) {
     enable_.assign(enable_.size(), false);
     for (const auto& [x, y] : pixels) enable(x, y);

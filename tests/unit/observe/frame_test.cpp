@@ -26,7 +26,7 @@ Instruction colours(Field field, std::uint32_t primitive, std::uint32_t of_solid
   return {Opcode::set_constant, {field}, {}, 1, {isa::Purpose::shade, primitive, of_solid}};
 }
 
-/// A picture in two parts, the first of which is more than a word wide.
+/// A picture in two parts; the first is wider than a 64-bit word.
 isa::Program program(bool second_colour = false) {
   isa::Program program;
   program.shape = {width, height, 14};
@@ -49,7 +49,7 @@ std::uint32_t at(const std::vector<std::uint32_t>& picture, std::uint32_t x, std
   return picture[y * width + x];
 }
 
-/// Pixels of the picture that are not `nothing`.
+/// Counts the pixels of the picture that differ from `nothing`.
 std::size_t others_than(const std::vector<std::uint32_t>& picture, std::uint32_t nothing) {
   std::size_t count = 0;
   for (const std::uint32_t value : picture) count += value == nothing ? 0 : 1;
@@ -58,7 +58,7 @@ std::size_t others_than(const std::vector<std::uint32_t>& picture, std::uint32_t
 
 }  // namespace
 
-TEST_CASE("a picture begins with the background, nothing seen, and no owners") {
+TEST_CASE("a picture starts as background without depth or owners") {
   const observe::FrameObserver observer(program());
   const observe::Frame& frame = observer.frame();
   CHECK(frame.width == width);
@@ -68,7 +68,7 @@ TEST_CASE("a picture begins with the background, nothing seen, and no owners") {
   CHECK(frame.owner == std::vector<std::uint32_t>(width * height, observe::no_owner));
 }
 
-TEST_CASE("depth and colour of a segment's pixels come to the segment's place in the picture") {
+TEST_CASE("copies depth and colour of a segment to its place in the picture") {
   observe::FrameObserver observer(program());
   FakePixels pixels({67, 1, 3, 2});
   for (std::uint32_t y = 0; y < 2; ++y) {
@@ -89,7 +89,7 @@ TEST_CASE("depth and colour of a segment's pixels come to the segment's place in
   CHECK(others_than(frame.colour, background) == 5);  // one of the six colours is the background's
 }
 
-TEST_CASE("a segment without instructions shows the background, whatever its pixels hold") {
+TEST_CASE("a segment without instructions shows the background whatever its pixels hold") {
   isa::Program empty = program();
   empty.segments[1].instructions.clear();
   observe::FrameObserver observer(empty);
@@ -98,7 +98,7 @@ TEST_CASE("a segment without instructions shows the background, whatever its pix
   CHECK(others_than(observer.frame().colour, background) == 0);
 }
 
-TEST_CASE("a pixel whose depth is merged is owned by the primitive whose depth it is") {
+TEST_CASE("a pixel with merged depth is owned by the primitive of that depth") {
   observe::FrameObserver observer(program());
   FakePixels pixels({0, 0, 67, 3});
   pixels.enable_only({{0, 0}, {63, 1}, {64, 1}, {66, 2}});
@@ -111,7 +111,7 @@ TEST_CASE("a pixel whose depth is merged is owned by the primitive whose depth i
   CHECK(others_than(owner, observe::no_owner) == 4);
 }
 
-TEST_CASE("owners come to the segment's place in the picture") {
+TEST_CASE("copies owners to the segment's place in the picture") {
   observe::FrameObserver observer(program());
   FakePixels pixels({67, 1, 3, 2});
   pixels.enable(2, 1);
@@ -120,14 +120,14 @@ TEST_CASE("owners come to the segment's place in the picture") {
   CHECK(others_than(observer.frame().owner, observe::no_owner) == 1);
 }
 
-TEST_CASE("other copies, and colours of one primitive alone, change no owner and are not looked at") {
+TEST_CASE("other copies and single-primitive colours change no owner and are not read") {
   const observe::FrameObserver observer(program());
   CHECK(observer.reads_after(merge_of_2));
   CHECK(observer.reads_after(colours(colour, 1, 0)));
   CHECK_FALSE(observer.reads_after({Opcode::copy, {candidate, depth}, {}, 0, {}}));
   CHECK_FALSE(observer.reads_after(colours(colour, 1, isa::no_node)));
   CHECK_FALSE(observer.reads_after(colours(candidate, 1, 0)));
-  CHECK_FALSE(observer.reads_after(colours(candidate_colour, 1, 0)));  // there is no such field
+  CHECK_FALSE(observer.reads_after(colours(candidate_colour, 1, 0)));  // this Program has no such field
   CHECK_FALSE(observer.reads_after({Opcode::field_lt, {depth, candidate}, {}, 0, {}}));
   observe::FrameObserver other(program());
   FakePixels pixels({0, 0, 67, 3});
@@ -136,7 +136,7 @@ TEST_CASE("other copies, and colours of one primitive alone, change no owner and
   CHECK(others_than(other.frame().owner, observe::no_owner) == 0);
 }
 
-TEST_CASE("where several primitives are drawn as one solid, the one whose colour is written is the owner") {
+TEST_CASE("in a merged solid the owner is the primitive whose colour is written") {
   observe::FrameObserver observer(program());
   FakePixels pixels({0, 0, 67, 3});
   pixels.enable_only({{3, 0}, {4, 0}});
@@ -147,7 +147,7 @@ TEST_CASE("where several primitives are drawn as one solid, the one whose colour
   CHECK(at(observer.frame().owner, 4, 0) == 1);
 }
 
-TEST_CASE("where several primitives are drawn as one solid, light that comes channel by channel tells the owner") {
+TEST_CASE("in a merged solid colour written channel by channel sets the owner") {
   observe::FrameObserver observer(program());
   FakePixels pixels({0, 0, 67, 3});
   pixels.enable_only({{3, 0}, {4, 0}});
@@ -158,12 +158,11 @@ TEST_CASE("where several primitives are drawn as one solid, light that comes cha
   carry_out(observer, channel, pixels);
   CHECK(at(observer.frame().owner, 3, 0) == 0);
   CHECK(at(observer.frame().owner, 4, 0) == 1);
-  // What the merge brings from beside Z1 has its owner there.
+  // A merge takes the owner from the field next to Z1.
   CHECK_FALSE(observer.reads_after({Opcode::copy, {colour, candidate_colour}, {}, 0, merge_of_solid.origin}));
 }
 
-TEST_CASE(
-    "what is see-through is taken down when it is first compared with what is behind, and counts as the nearest") {
+TEST_CASE("transparent surfaces are recorded at the first comparison and count as nearest") {
   constexpr Field nearest{14, 4};
   constexpr std::uint8_t glass = 1;
   isa::Program with_panes = program();
@@ -202,7 +201,7 @@ TEST_CASE(
   CHECK(others_than(frame.owner, observe::no_owner) == 2);
 }
 
-TEST_CASE("an owner whose colour is beside Z1 becomes the picture's with the merge") {
+TEST_CASE("an owner whose colour is not in Z1 joins the picture with the merge") {
   observe::FrameObserver observer(program(true));
   FakePixels pixels({0, 0, 67, 3});
   pixels.enable_only({{3, 0}, {4, 0}});

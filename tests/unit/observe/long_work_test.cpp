@@ -14,7 +14,7 @@ using namespace csgsim;
 
 namespace {
 
-/// Seconds of this process, which do not depend on what else the computer does.
+/// CPU seconds of this process, independent of other load.
 double processor_time() {
   timespec now{};
   ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -23,9 +23,9 @@ double processor_time() {
 
 using MakeEngine = std::unique_ptr<engine::Engine> (*)(const machines::Machine&);
 
-/// What was foretold of a real run after a quarter of it, in parts of what it took. As fast as this computer may be,
-/// the run counts as one of four seconds, of which the first is waited for.
-double foretold(const std::string& trace, const std::string& machine_name, MakeEngine make) {
+/// Estimated total after a quarter of a real run, as a fraction of its actual duration. The run is scaled to four
+/// seconds, and the first of these is waited for, however fast this computer is.
+double estimate_ratio(const std::string& trace, const std::string& machine_name, MakeEngine make) {
   const isa::Program program = isa::load_program(std::string(CSGSIM_SOURCE_DIR) + "/traces/" + trace + ".csgt");
   machines::Machine machine = kinds::load(machine_name);
   machines::adopt(machine, program);
@@ -47,21 +47,21 @@ double foretold(const std::string& trace, const std::string& machine_name, MakeE
 
 }  // namespace
 
-TEST_CASE("what a run at the reference level will take is foretold within a factor of two") {
-  const double ratio = foretold("thesis_fig_2_3", "pixel-planes-4", engine::make_reference_engine);
-  MESSAGE("foretold / taken: ", ratio);
+TEST_CASE("estimates a reference-level run within a factor of two") {
+  const double ratio = estimate_ratio("thesis_fig_2_3", "pixel-planes-4", engine::make_reference_engine);
+  MESSAGE("estimate / actual:  ", ratio);
   CHECK(ratio > 0.5);
   CHECK(ratio < 2);
 }
 
-TEST_CASE("what a run at the cycle level will take is foretold within a factor of two") {
-  const double ratio = foretold("terrain_vehicle", "pixel-planes-4", engine::make_cycle_engine);
-  MESSAGE("foretold / taken: ", ratio);
+TEST_CASE("estimates a cycle-level run within a factor of two") {
+  const double ratio = estimate_ratio("terrain_vehicle", "pixel-planes-4", engine::make_cycle_engine);
+  MESSAGE("estimate / actual:  ", ratio);
   CHECK(ratio > 0.5);
   CHECK(ratio < 2);
 }
 
-TEST_CASE("work is warned of once, by its first part, and only if it takes long") {
+TEST_CASE("warns once and only of long work") {
   double now = 0;
   observe::LongWork work(
       "this study", "take less", [&now] { return now; }, 60);

@@ -13,7 +13,7 @@ using namespace csgsim;
 
 namespace {
 
-/// A file that is deleted in the end.
+/// A file that is deleted in the destructor.
 class Scratch {
  public:
   explicit Scratch(const std::string& extension)
@@ -27,7 +27,7 @@ class Scratch {
   fs::path path_;
 };
 
-/// A picture of 3 x 2 pixels, its depth between 10 and 62 in steps of 1, with 6 bits of depth and of colour.
+/// A picture of 3 x 2 pixels with depths from 10 to 62 in steps of 1, 6 bits of depth and 6 of colour.
 isa::Program program() {
   isa::Program program;
   program.shape = {3, 2, 12};
@@ -76,7 +76,7 @@ void write_to(const fs::path& path, const Write& write) {
 
 }  // namespace
 
-TEST_CASE("a picture has each pixel's colour at its place, in eight bits a channel") {
+TEST_CASE("a picture has each pixel's colour at its place in eight bits per channel") {
   const Scratch scratch(".png");
   write_to(scratch.path(), [](OutputFile& file) { observe::write_picture(file, frame(), program()); });
   const auto picture = read<std::uint8_t>(scratch.path(), OIIO::TypeDesc::UINT8);
@@ -100,7 +100,7 @@ TEST_CASE("a grey picture has each pixel's grey at its place") {
   }
 }
 
-TEST_CASE("noise of any size comes back from a PNG as it was") {
+TEST_CASE("noise of any size survives a PNG round trip") {
   for (const std::uint32_t width : {1U, 2U, 7U, 640U, 5000U}) {
     CAPTURE(width);
     std::mt19937 random(width);
@@ -114,27 +114,27 @@ TEST_CASE("noise of any size comes back from a PNG as it was") {
   }
 }
 
-TEST_CASE("a PNG too wide for its readers is refused") {
+TEST_CASE("rejects a PNG too wide for its readers") {
   const Scratch scratch(".png");
   OutputFile file(scratch.path());
   const observe::Picture wide{2'000'000, 1, 1, std::vector<std::uint8_t>(2'000'000)};
   CHECK_THROWS_WITH_AS(observe::write_picture(file, wide), doctest::Contains(": cannot be written: "), InputError);
 }
 
-TEST_CASE("a depth picture has distances in model units, and infinity where nothing is seen") {
+TEST_CASE("a depth picture has distances in model units and infinity for the background") {
   const Scratch scratch(".exr");
   write_to(scratch.path(), [](OutputFile& file) { observe::write_depth(file, frame(), program()); });
   const auto picture = read<float>(scratch.path(), OIIO::TypeDesc::FLOAT);
   CHECK(picture.channels == std::vector<std::string>{"Z"});
   REQUIRE(picture.values.size() == 6);
-  CHECK(picture.values[0] == 9.0F);   // the near cap, a step before the near plane
+  CHECK(picture.values[0] == 9.0F);   // the near cap, one step before the near plane
   CHECK(picture.values[1] == 10.0F);  // the near plane
   CHECK(picture.values[2] == 11.0F);
   CHECK(picture.values[3] == 70.0F);  // the far plane
   CHECK(std::isinf(picture.values[5]));
 }
 
-TEST_CASE("a picture of owners has the number of the primitive, and -1 where nothing is seen") {
+TEST_CASE("an owner picture has primitive numbers and -1 for the background") {
   const Scratch scratch(".exr");
   write_to(scratch.path(), [](OutputFile& file) { observe::write_owner(file, frame()); });
   const auto picture = read<float>(scratch.path(), OIIO::TypeDesc::FLOAT);
@@ -142,8 +142,8 @@ TEST_CASE("a picture of owners has the number of the primitive, and -1 where not
   CHECK(picture.values == std::vector<float>{0, 1, 2, 70'000, -1, 5});
 }
 
-TEST_CASE("primitives have different colours in an owner picture, none of them that of nothing") {
-  // Bits of the index + 1, lowest first, go to the highest bits of red, green and blue.
+TEST_CASE("owner colours are distinct and none is that of the background") {
+  // Bits of index + 1, lowest first, become the highest bits of red, green and blue.
   CHECK(observe::owner_colour(observe::no_owner) == std::array<std::uint8_t, 3>{0, 0, 0});
   CHECK(observe::owner_colour(0) == std::array<std::uint8_t, 3>{128, 0, 0});
   CHECK(observe::owner_colour(1) == std::array<std::uint8_t, 3>{0, 128, 0});
@@ -154,7 +154,7 @@ TEST_CASE("primitives have different colours in an owner picture, none of them t
   CHECK(colours.size() == 100'001);
 }
 
-TEST_CASE("an owner picture for ordinary tools has the colours that its legend tells") {
+TEST_CASE("an owner picture for ordinary tools has the colours of its legend") {
   const Scratch scratch(".png");
   const Scratch beside(".json");
   isa::Program named = program();
@@ -174,9 +174,9 @@ TEST_CASE("an owner picture for ordinary tools has the colours that its legend t
         nlohmann::json{{"index", 1}, {"name", "ball"}, {"colour", "#008000"}, {"pixels", 3}});
 }
 
-TEST_CASE("a name that is of no picture format is refused, with what to take") {
+TEST_CASE("rejects a name without a known picture format and lists alternatives") {
   CHECK_NOTHROW(observe::check_format("a.png"));
-  // Endings that nobody waits for the module to know, too.
+  // Includes formats that only a loaded module may support.
   for (const char* const name : {"a.exr", "a.tif", "a.jpg", "a.ppm", "a.EXR", "a.sgi"}) {
     CAPTURE(name);
     CHECK_NOTHROW(observe::check_format(name));

@@ -19,7 +19,7 @@ namespace {
 const Instruction plain{Opcode::enable_all, {}, {}, 0, {}};
 const Instruction skips_100{Opcode::skip_if_none, {}, {}, 100, {}};
 
-/// 356 instructions of one clock each, the first of them a skip over 100.
+/// 356 instructions of one clock each; the first skips 100.
 isa::Program program() {
   isa::Program program;
   program.shape = {1, 1, 8};
@@ -30,13 +30,13 @@ isa::Program program() {
 
 machines::Machine machine() {
   machines::Machine machine = machines::blank(pixel_planes::kind);
-  machine.array = {1, 1, 8};  // without a level in its trees, so that a question takes one clock
+  machine.array = {1, 1, 8};  // no tree levels, so that a question takes one clock
   return machine;
 }
 
 using Clock = std::chrono::steady_clock;
 
-/// Carries out so many instructions, the first of which finds so many pixels enabled.
+/// Executes `count` instructions; the first finds `enabled` pixels.
 void carry_out(observe::ProgressObserver& observer, std::uint32_t count, const Instruction& first,
                std::uint64_t enabled) {
   const testing::FakePixels pixels({0, 0, 1, 1});
@@ -46,7 +46,7 @@ void carry_out(observe::ProgressObserver& observer, std::uint32_t count, const I
 
 }  // namespace
 
-TEST_CASE("a run of less than a second tells nothing") {
+TEST_CASE("a run of less than a second prints nothing") {
   const testing::Captured standard_error(STDERR_FILENO);
   const Clock::time_point begin = Clock::now();
   {
@@ -56,11 +56,11 @@ TEST_CASE("a run of less than a second tells nothing") {
     std::this_thread::sleep_for(std::chrono::milliseconds(400));
     carry_out(observer, 128, plain, 1);
   }
-  // On a machine that is busy with other things it may have taken a second.
+  // A busy computer may have taken a second.
   if (Clock::now() - begin < std::chrono::seconds(1)) CHECK(standard_error.text().empty());
 }
 
-TEST_CASE("a run of more than a second tells how far it is, once in a while, and takes that away at its end") {
+TEST_CASE("a run of more than a second prints progress and erases it at its end") {
   const testing::Captured standard_error(STDERR_FILENO);
   const isa::Program all = program();
   const machines::Machine on = machine();
@@ -69,18 +69,18 @@ TEST_CASE("a run of more than a second tells how far it is, once in a while, and
   std::this_thread::sleep_for(std::chrono::milliseconds(1050));
   const Clock::time_point begin = Clock::now();
   carry_out(*observer, 89, skips_100, 1);
-  std::string told = standard_error.text();
-  CHECK(told.starts_with("\r\x1b[K 18.0 %  64 of 356 clocks  "));
-  CHECK(told.find(" clocks/s  ") != std::string::npos);
-  CHECK(told.ends_with(" s left"));
+  std::string printed = standard_error.text();
+  CHECK(printed.starts_with("\r\x1b[K 18.0 %  64 of 356 clocks  "));
+  CHECK(printed.find(" clocks/s  ") != std::string::npos);
+  CHECK(printed.ends_with(" s left"));
   carry_out(*observer, 64, plain, 1);
-  if (Clock::now() - begin < std::chrono::milliseconds(250)) CHECK(standard_error.text() == told);
-  told = standard_error.text();
+  if (Clock::now() - begin < std::chrono::milliseconds(250)) CHECK(standard_error.text() == printed);
+  printed = standard_error.text();
   observer.reset();
-  CHECK(standard_error.text() == told + "\r\x1b[K");
+  CHECK(standard_error.text() == printed + "\r\x1b[K");
 }
 
-TEST_CASE("what turns out to be skipped is taken off the clocks that are left") {
+TEST_CASE("skipped instructions reduce the remaining clocks") {
   const testing::Captured standard_error(STDERR_FILENO);
   const isa::Program all = program();
   const machines::Machine on = machine();

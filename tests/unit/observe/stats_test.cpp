@@ -43,7 +43,7 @@ Cost sum(std::span<const Cost> costs) {
 
 }  // namespace
 
-TEST_CASE("an instruction costs its clocks at every pixel of its segment, and at those that were enabled") {
+TEST_CASE("an instruction is charged its clocks at all and at enabled pixels of its segment") {
   observe::StatsObserver observer(program());
   const testing::FakePixels pixels({0, 0, 5, 3});
   observer.after_instruction({0, 0, set_up, 1, 0}, pixels);
@@ -51,7 +51,7 @@ TEST_CASE("an instruction costs its clocks at every pixel of its segment, and at
   observer.after_instruction({0, 2, classifies, 20, 7}, pixels);
   observer.after_instruction({1, 0, merges, 30, 1}, pixels);
   const observe::Stats& stats = observer.stats();
-  // Instructions, clocks, 15 pixels in the first segment and 1 in the second, enabled.
+  // Instructions, clocks, pixels (15 in the first segment and 1 in the second), enabled pixels.
   CHECK(stats.total == Cost{4, 52, 15 + 15 + 20 * 15 + 30, 15 + 20 * 7 + 30});
   CHECK(of(stats, Opcode::enable_all) == Cost{2, 2, 30, 15});
   CHECK(of(stats, Opcode::copy) == Cost{2, 50, 330, 170});
@@ -60,12 +60,12 @@ TEST_CASE("an instruction costs its clocks at every pixel of its segment, and at
   CHECK(of(stats, Purpose::classify) == Cost{1, 20, 300, 140});
   CHECK(of(stats, Purpose::shade) == Cost{});
   REQUIRE(stats.by_primitive.size() == 3);
-  CHECK(stats.by_primitive[0] == Cost{2, 21, 315, 155});  // what it is compared with pays nothing
+  CHECK(stats.by_primitive[0] == Cost{2, 21, 315, 155});  // the primitive compared with is not charged
   CHECK(stats.by_primitive[1] == Cost{1, 30, 30, 30});
   CHECK(stats.by_primitive[2] == Cost{});
 }
 
-TEST_CASE("what an effect calls for at a primitive is the effect's, not the primitive's alone") {
+TEST_CASE("instructions of an effect at a primitive are charged to the effect") {
   isa::Program one = program();
   one.facts->compile.effects = {"flat", "shadows"};
   observe::StatsObserver observer(one);
@@ -80,7 +80,7 @@ TEST_CASE("what an effect calls for at a primitive is the effect's, not the prim
   CHECK(observer.stats().by_effect[1].clocks == 7);
 }
 
-TEST_CASE("opcodes add up to the total, and so do purposes, and primitives with what serves none") {
+TEST_CASE("opcodes and purposes and primitives plus the rest each add up to the total") {
   CHECK(rc::check([] {
     observe::StatsObserver observer(program());
     const testing::FakePixels pixels({0, 0, 5, 3});
@@ -105,7 +105,7 @@ TEST_CASE("opcodes add up to the total, and so do purposes, and primitives with 
   }));
 }
 
-TEST_CASE("the stats say what is used, and give the account of the machine") {
+TEST_CASE("stats list the memory in use and the machine's account") {
   isa::Program one = program();
   one.facts->fields = {{"Z2", {0, 7}, isa::FieldRole::depth}, {"mask", {9, 1}, isa::FieldRole::mask}};
   machines::Machine machine = machines::blank(pixel_planes::kind);

@@ -4,8 +4,8 @@
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
 #include "sim/observe/bound.h"
-#include "sim/observe/primitive_costs.h"
 #include "sim/observe/knobs.h"
+#include "sim/observe/primitive_costs.h"
 #include "tests/support/drawing.h"
 #include "tests/support/test.h"
 
@@ -22,7 +22,7 @@ const std::string all_machines[] = {"pixel-planes-4",
                                     "pixel-planes-4+scan_out.buffers=2+array.memory_bits=128",
                                     "pixel-square+divider.kind=host+renderers.count=3"};
 
-/// Clocks by the primitive and the effect that each instruction names, taken down as it is told.
+/// Accumulates clocks by the primitive and the effect that each instruction names.
 class Ledger : public engine::Observer {
  public:
   explicit Ledger(const isa::Facts& facts) : facts_(facts) {}
@@ -33,14 +33,14 @@ class Ledger : public engine::Observer {
     if (origin.effect != isa::no_effect && origin.effect > 0) {
       effects[facts_.compile.effects[origin.effect]] += step.clocks;
     } else if (origin.primitive == isa::no_primitive) {
-      nobody += step.clocks;
+      unattributed += step.clocks;
     } else {
       primitives[isa::primitive_of(facts_, origin.primitive)] += step.clocks;
     }
   }
 
   std::uint64_t all = 0;
-  std::uint64_t nobody = 0;
+  std::uint64_t unattributed = 0;
   std::map<std::uint32_t, std::uint64_t> primitives;
   std::map<std::string, std::uint64_t> effects;
 
@@ -81,7 +81,7 @@ std::uint64_t activity(const engine::RunResult& result, const char* name) {
 
 }  // namespace
 
-TEST_CASE("primitives, effects and the rest take all clocks of a frame, on every machine") {
+TEST_CASE("primitives and effects and the rest add up to all clocks of a frame") {
   for (const std::string& machine : all_machines) {
     for (const std::string model : {"thesis_fig_2_3", "old_example011", "carburettor"}) {
       CAPTURE(machine);
@@ -96,7 +96,7 @@ TEST_CASE("primitives, effects and the rest take all clocks of a frame, on every
       CHECK(shares.effects.empty());
       CHECK(sum == shares.whole);
       CHECK(shares.whole == drawn.ledger.all + drawn.result.latency_clocks);
-      CHECK(shares.rest == drawn.ledger.nobody + drawn.result.latency_clocks);
+      CHECK(shares.rest == drawn.ledger.unattributed + drawn.result.latency_clocks);
       CHECK(shares.dearest.size() + shares.other_primitives == drawn.ledger.primitives.size());
       if (machine == "pixel-planes-4") {
         CHECK(shares.whole + activity(drawn.result, "clearing") + activity(drawn.result, "starved") +
@@ -107,7 +107,7 @@ TEST_CASE("primitives, effects and the rest take all clocks of a frame, on every
   }
 }
 
-TEST_CASE("the dearest primitives come first, ten at most, with their place in the file") {
+TEST_CASE("lists the ten most expensive primitives with their places in the file") {
   const Drawn drawn = draw("pixel-planes-4", "carburettor");
   const observe::ClockShares shares = observe::clock_shares(drawn.program, drawn.result, drawn.stats);
   REQUIRE(shares.dearest.size() == 10);
@@ -122,7 +122,7 @@ TEST_CASE("the dearest primitives come first, ten at most, with their place in t
   CHECK(observe::source_of("mesh") == "");
 }
 
-TEST_CASE("the half-spaces of the primitives are those that pruning leaves, counted once in however many squares") {
+TEST_CASE("counts the half-spaces left by pruning once across all squares") {
   const Drawn whole = draw("pixel-planes-4", "thesis_fig_2_3");
   std::uint64_t halfspaces = 0;
   const observe::ClockShares shares = observe::clock_shares(whole.program, whole.result, whole.stats);
@@ -138,7 +138,7 @@ TEST_CASE("the half-spaces of the primitives are those that pruning leaves, coun
   }
 }
 
-TEST_CASE("the part that bounds a frame is the one that a bottleneck is made of") {
+TEST_CASE("the part that bounds a frame is the reported bottleneck") {
   const auto bound = [](const std::string& machine, const std::string& model = "carburettor") {
     const Drawn drawn = draw(machine, model);
     const auto found = observe::bound_of(drawn.result, drawn.machine);
@@ -166,7 +166,7 @@ TEST_CASE("the part that bounds a frame is the one that a bottleneck is made of"
             .starts_with("node "));
 }
 
-TEST_CASE("a figure is worth what a run on a machine with it takes") {
+TEST_CASE("a figure's gain equals that of a run on the changed machine") {
   for (const std::string& name : all_machines) {
     CAPTURE(name);
     const Drawn drawn = draw(name, "carburettor");
@@ -188,7 +188,7 @@ TEST_CASE("a figure is worth what a run on a machine with it takes") {
   }
 }
 
-TEST_CASE("a figure that a machine's name changes already is changed in its place") {
+TEST_CASE("a figure already changed in the machine's name is replaced there") {
   const std::string name = "scan-line+link.width=4+cells.ports=2";
   const Drawn drawn = draw(name, "thesis_fig_2_3");
   const std::vector<observe::Knob> knobs = observe::parameter_knobs(drawn.program, drawn.machine, drawn.result, name);

@@ -32,7 +32,7 @@ glm::dvec3 seen_through(const std::string& csg, const std::vector<double>& opaci
 
 }  // namespace
 
-TEST_CASE("glass before glass before a wall shows each by what those before it let through") {
+TEST_CASE("a wall behind two panes shows each weighted by the transmission before it") {
   const std::string model = "union(){" + pane(red, -5, -4) + pane(green, -2, -1) + pane(blue, 5, 6) + "}";
   const std::vector<double> opacity{0.5, 0.25, 1};
   CHECK(is_near(seen_through(model, opacity, 4), {0.5, 0.125, 0.375}));
@@ -41,7 +41,7 @@ TEST_CASE("glass before glass before a wall shows each by what those before it l
   CHECK(is_near(seen_through(model, opacity, 1), {1, 0.5, 0.5}));
 }
 
-TEST_CASE("what is seen through glass does not depend on the order of the model's parts") {
+TEST_CASE("transparency does not depend on the order of the model's parts") {
   const std::string model = "union(){" + pane(blue, 5, 6) + pane(green, -2, -1) + pane(red, -5, -4) + "}";
   CHECK(is_near(seen_through(model, {1, 0.25, 0.5}, 4), {0.5, 0.125, 0.375}));
 }
@@ -52,22 +52,22 @@ TEST_CASE("nothing is seen behind an opaque surface") {
   CHECK(is_near(seen_through(model, {}, 4), red));
 }
 
-TEST_CASE("a cavity in glass shows the wall behind it, of what was taken away") {
+TEST_CASE("a cavity in glass shows the wall behind it in the colour of the removed solid") {
   const std::string model = "difference(){" + pane(red, -5, -1) + coloured(green, box({-2, -4, -2}, {2, -2, 2})) + "}";
   CHECK(is_near(seen_through(model, {0.5, 0.5}, 4), glm::dvec3(0.5, 0.25, 0) + 0.25));
 }
 
-TEST_CASE("coincident faces are one layer, of the first in tree order") {
+TEST_CASE("coincident faces are one layer of the first primitive in tree order") {
   const std::string model = "union(){" + pane(red, -5, -4) + pane(green, -5, -1) + "}";
   CHECK(is_near(seen_through(model, {0.5, 1}, 4), {1, 0.5, 0.5}));
 }
 
-TEST_CASE("of panes that touch each has a front") {
+TEST_CASE("each of two touching panes has a front") {
   const std::string model = "union(){" + pane(red, -5, -4) + pane(green, -4, -1) + "}";
   CHECK(is_near(seen_through(model, {0.5, 1}, 4), {0.5, 0.5, 0}));
 }
 
-TEST_CASE("through a screen door the first surface that is there is seen") {
+TEST_CASE("a screen door shows the first surface present") {
   Stage stage("union(){" + pane(red, -5, -4) + pane(green, -2, -1) + "}", on_white());
   testing::RayEffects effects;
   effects.is_there = [](std::uint32_t x, std::uint32_t y, std::uint32_t primitive) {
@@ -83,7 +83,7 @@ TEST_CASE("through a screen door the first surface that is there is seen") {
   }
 }
 
-TEST_CASE("layers that lie within the gap are in doubt, though the nearest does not") {
+TEST_CASE("layers within the gap are in doubt even if the nearest is not") {
   Stage stage("union(){" + pane(red, -5, -4) + pane(green, 3, 4) + pane(blue, 3.001, 5) + "}", on_white());
   testing::RayEffects effects;
   effects.opacity = {0.5, 1, 1};

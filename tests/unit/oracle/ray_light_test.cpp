@@ -27,13 +27,13 @@ scene::Scene with_material(scene::Scene scene, const scene::Material& material) 
 
 }  // namespace
 
-TEST_CASE("without lights a face to the eye gets 0.3 of ambient light and 0.7 times the cosine of the usual one") {
-  // Its direction is 0.36, -0.56, 0.75: of length sqrt(1.0057), 0.75 along the view.
+TEST_CASE("without lights a face gets 0.3 ambient and 0.7 times the default light's cosine") {
+  // The default light's direction is 0.36, -0.56, 0.75: of length sqrt(1.0057), 0.75 along the view.
   const double part = 0.3 + 0.7 * 0.75 / std::sqrt(1.0057);
   CHECK(is_near(middle_of(wall, {}), part * yellow));
 }
 
-TEST_CASE("the walls that a solid leaves where it is subtracted are green, or of its own colour") {
+TEST_CASE("walls of a subtracted solid are green or in its colour") {
   const std::string cut = box({-1, 4, -1}, {1, 5.5, 1});
   const double part = 0.3 + 0.7 * 0.75 / std::sqrt(1.0057);
   CHECK(is_near(middle_of("difference(){" + wall + cut + "}", {}), part * green));
@@ -41,7 +41,7 @@ TEST_CASE("the walls that a solid leaves where it is subtracted are green, or of
   CHECK(is_near(middle_of("difference(){" + wall + blue + "}", {}), glm::dvec3(0, 0, part)));
 }
 
-TEST_CASE("a light gives the cosine of its angle, in its colour; behind a face it gives nothing") {
+TEST_CASE("a light adds its colour times the cosine but nothing behind a face") {
   scene::Light light = testing::shining({3, 4, 0});
   light.colour = {1, 0.5, 0};
   light.intensity = 0.5;
@@ -50,19 +50,19 @@ TEST_CASE("a light gives the cosine of its angle, in its colour; behind a face i
   CHECK(is_near(middle_of(wall, lit_by(light)), yellow * 0.3));
 }
 
-TEST_CASE("lights add up to no more than white") {
+TEST_CASE("the sum of lights is clamped to white") {
   scene::Scene scene = lit_by(testing::shining({0, 1, 0}));
   scene.lights.push_back(testing::shining({0, 1, 0}));
   CHECK(is_near(middle_of(testing::coloured({1, 0.5, 0.1}, wall), scene), {1, 0.85, 0.17}));
 }
 
-TEST_CASE("a light in the camera's axes is turned with it") {
+TEST_CASE("a light in camera axes turns with the camera") {
   scene::Light light = testing::shining({0, -3, 4});  // downward and away from the eye: 0, 4, -3 of the model
   light.axes = scene::Axes::camera;
   CHECK(is_near(middle_of(wall, lit_by(light)), yellow * (0.3 + 0.7 * 0.8)));
 }
 
-TEST_CASE("a point light shines on a facet as it does on the middle of its corners") {
+TEST_CASE("a point light shades a facet as at the mean of its corners") {
   scene::Light light;
   light.kind = scene::LightKind::point;
   light.position = {3, 1, 0};  // the middle is at 0, 5, 0: 5 away, 4 of them along the normal
@@ -72,14 +72,14 @@ TEST_CASE("a point light shines on a facet as it does on the middle of its corne
   CHECK(is_near(stage.at(8, 6).colour, yellow * (0.3 + 0.7 * 0.8)));
 }
 
-TEST_CASE("a material says what part of ambient light and of lights its surfaces throw back") {
+TEST_CASE("a material scales ambient and diffuse light") {
   const scene::Scene scene = lit_by(testing::shining({0, 1, 0}));
   CHECK(is_near(middle_of(wall, with_material(scene, {.ambient = 0.5, .diffuse = 0.25})), yellow * (0.15 + 0.175)));
 }
 
-TEST_CASE("a highlight is the light's colour by the power of the cosine to halfway between light and eye") {
+TEST_CASE("a highlight is the light's colour times a power of the half-way cosine") {
   scene::Light light = testing::shining({1, 0, 0});
-  light.direction = {std::sqrt(3.0) / 2, 0.5, 0};  // 60 degrees from the normal: halfway to the eye are 30
+  light.direction = {std::sqrt(3.0) / 2, 0.5, 0};  // 60 degrees from the normal; the half-way vector is at 30
   light.colour = {1, 0, 0};
   light.intensity = 0.5;
   const scene::Material shiny{.ambient = 0, .diffuse = 0, .specular = 0.8, .shininess = 6};
@@ -87,11 +87,11 @@ TEST_CASE("a highlight is the light's colour by the power of the cosine to halfw
   CHECK(is_near(middle_of(wall, with_material(lit_by(light), shiny)), {highlight, 0, 0}));
 }
 
-TEST_CASE("in perspective a facet's highlight is that of the middle of its corners") {
+TEST_CASE("in perspective a facet's highlight is computed at the mean of its corners") {
   const scene::Material shiny{.ambient = 0, .diffuse = 0, .specular = 1, .shininess = 2};
   scene::Light light = testing::shining({0, 1, 0});
   light.intensity = 0.5;
-  // From 0, 5, 0 the eye is at an angle whose tangent is 3/4 from the normal; half of it has tangent 1/3.
+  // From 0, 5, 0 the eye is at an angle with tangent 3/4 from the normal; its half has tangent 1/3.
   Stage stage(wall, with_material(lit_by(light), shiny));
   stage.shot.camera = {{60, -75, 0}, {0, 5, 0}, view::Projection::perspective};
   stage.cast();
@@ -100,7 +100,7 @@ TEST_CASE("in perspective a facet's highlight is that of the middle of its corne
   CHECK(is_near(stage.at(2, 1).colour, glm::dvec3(0.5 * 0.9)));
 }
 
-TEST_CASE("the last rule that holds for a primitive says its material and, if it names one, its colour") {
+TEST_CASE("the last matching rule sets a primitive's material and colour if it names one") {
   scene::Scene scene = testing::plain_colours();
   const std::string model = testing::coloured({0, 0.5, 0}, wall);
   scene::MaterialRule all;

@@ -13,7 +13,7 @@ constexpr double gap = 3 * step;
 constexpr int models = 60;
 constexpr int rays = 12;
 
-/// A model that is asked point by point.
+/// A model evaluated point by point.
 struct Points {
   explicit Points(const std::string& csg)
       : tree(read::read_csg_text(csg, "random")), facets(facet::make_geometry(tree)), rules(tree) {}
@@ -30,7 +30,7 @@ struct Points {
     return rules.holds(held);
   }
 
-  /// The first of the steps along a ray, up to a length, that is in the model.
+  /// Random rays, and the first step along a ray, up to a length, inside the model.
   [[nodiscard]] std::optional<double> first_along(const testing::Ray& ray, double length) const {
     for (int i = 1; i < steps && i * step < length; ++i) {
       if (hold(ray.origin + i * step * ray.direction)) return i * step;
@@ -45,7 +45,7 @@ struct Points {
 
 class Rays {
  public:
-  /// From outside random models, which are about the origin, through a place near it.
+  /// Returns a ray from outside a random model around the origin through a point near the origin.
   testing::Ray next() {
     const glm::dvec3 from = 12.0 * glm::normalize(place());
     return {from, glm::normalize(0.4 * place() - from)};
@@ -60,7 +60,7 @@ class Rays {
   std::uniform_real_distribution<double> unit_{0, 1};
 };
 
-/// Calls `check` with points, rays' model, and a ray for each of many.
+/// Calls `check` with points, the ray model and many rays for each model.
 template <class Check>
 void with_random_rays(Check check) {
   Rays random;
@@ -75,7 +75,7 @@ void with_random_rays(Check check) {
 
 }  // namespace
 
-TEST_CASE("the nearest surface is where going step by step first meets the model") {
+TEST_CASE("the nearest surface is where marching first meets the model") {
   int met = 0;
   int missed = 0;
   with_random_rays([&](const Points& points, const testing::RayModel& model, const testing::Ray& ray, double) {
@@ -95,7 +95,7 @@ TEST_CASE("the nearest surface is where going step by step first meets the model
   CHECK(missed > 50);
 }
 
-TEST_CASE("a way to a light is blocked where going step by step meets the model") {
+TEST_CASE("a path to a light is blocked where marching meets the model") {
   int blocked = 0;
   int free = 0;
   with_random_rays([&](const Points& points, const testing::RayModel& model, const testing::Ray& ray, double length) {
@@ -108,7 +108,7 @@ TEST_CASE("a way to a light is blocked where going step by step meets the model"
   CHECK(free > 50);
 }
 
-TEST_CASE("the surfaces that face a ray's other end are where the model is left") {
+TEST_CASE("surfaces facing a ray's far end are where marching leaves the model") {
   int left = 0;
   with_random_rays([&](const Points& points, const testing::RayModel& model, const testing::Ray& ray, double) {
     const testing::Ray back{ray.origin + 24.0 * ray.direction, -ray.direction};

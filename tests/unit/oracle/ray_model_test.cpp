@@ -29,7 +29,7 @@ const std::string upright_edge =
     "[0,0,0,1]]){" +
     box({0, 0, -2}, {2.8284271247461903, 2.8284271247461903, 2}) + "}";
 
-/// Whether all that is seen along +y from there is, is in front of that gap.
+/// Whether all surfaces along +y from a point are certain at a given gap.
 bool all_clear(const std::string& csg, const glm::dvec3& from, double gap) {
   const testing::Stage stage(csg);
   const auto found = testing::RayModel(stage.tree, stage.facets).surfaces({from, {0, 1, 0}}, {-infinity}, gap).points;
@@ -41,29 +41,29 @@ std::string slab(double from, double to) { return box({-2, from, -2}, {2, to, 2}
 
 }  // namespace
 
-TEST_CASE("the surfaces of a union are the fronts of its solids, those inside other solids too") {
+TEST_CASE("surfaces of a union are the fronts of its solids including those inside others") {
   CHECK(along_y("union(){" + slab(1, 4) + slab(2, 3) + "}") == Found{{0, 1.0}, {1, 2.0}});
 }
 
-TEST_CASE("the surfaces of an intersection are the fronts that all of its solids hold") {
+TEST_CASE("surfaces of an intersection are the fronts inside all of its solids") {
   CHECK(along_y("intersection(){" + slab(1, 4) + slab(2, 6) + "}") == Found{{1, 2.0}});
   CHECK(along_y("intersection(){" + slab(1, 2) + slab(3, 4) + "}") == Found{});
 }
 
-TEST_CASE("a cavity's far wall is the back of what was taken away") {
+TEST_CASE("a cavity's far wall is the back of the removed solid") {
   CHECK(along_y("difference(){" + slab(1, 9) + slab(3, 5) + "}") == Found{{0, 1.0}, {1, 5.0}});
 }
 
-TEST_CASE("what is taken away from what is taken away shows its front") {
+TEST_CASE("a solid subtracted from a subtracted one shows its front") {
   CHECK(along_y("difference(){" + slab(1, 9) + "difference(){" + slab(0, 7) + slab(2, 4) + "}}") ==
         Found{{2, 2.0}, {1, 7.0}});
 }
 
-TEST_CASE("a solid without itself is empty") {
+TEST_CASE("a solid minus itself is empty") {
   CHECK(along_y("difference(){" + slab(1, 2) + slab(1, 2) + "}") == Found{});
 }
 
-TEST_CASE("solids that touch do not intersect, and the second begins where the first ends") {
+TEST_CASE("touching solids do not intersect and the second starts where the first ends") {
   CHECK(along_y("intersection(){" + slab(1, 2) + slab(2, 3) + "}") == Found{});
   CHECK(along_y("union(){" + slab(1, 2) + slab(2, 3) + "}") == Found{{0, 1.0}, {1, 2.0}});
 }
@@ -73,12 +73,12 @@ TEST_CASE("a cut that ends at a face leaves no membrane there") {
   CHECK(along_y("difference(){" + slab(1, 4) + slab(1, 2) + "}") == Found{{1, 2.0}});
 }
 
-TEST_CASE("of coincident fronts the first in tree order is the surface") {
+TEST_CASE("among coincident fronts the first in tree order is the surface") {
   CHECK(along_y("union(){" + slab(1, 4) + slab(1, 2) + "}") == Found{{0, 1.0}});
   CHECK(along_y("difference(){union(){" + slab(3, 9) + slab(1, 9) + "}" + slab(0, 3) + "}") == Found{{0, 3.0}});
 }
 
-TEST_CASE("a surface is in doubt where another plane is nearer than the gap, and so is what is behind it") {
+TEST_CASE("a surface within the gap of another plane is in doubt and so is all behind it") {
   const testing::Stage stage("union(){" + slab(1, 2) + slab(1.001, 3) + slab(5, 6) + "}");
   const testing::RayModel model(stage.tree, stage.facets);
   const testing::Ray ray{{0, 0, 0}, {0, 1, 0}};
@@ -86,14 +86,14 @@ TEST_CASE("a surface is in doubt where another plane is nearer than the gap, and
   for (const testing::SurfacePoint& point : model.surfaces(ray, {-infinity}, 1e-2).points) CHECK_FALSE(point.is_clear);
 }
 
-TEST_CASE("a facet is in doubt where the next one of its solid is nearer than the gap") {
-  // Beside the edge at x = 0.001 the facets are at 1.001 and 0.999.
+TEST_CASE("a facet is in doubt within the gap of the next facet of its solid") {
+  // Beside the edge, at x = 0.001, the facets are at 1.001 and 0.999.
   CHECK(all_clear(upright_edge, {0.001, 0, 0}, 1e-3));
   CHECK_FALSE(all_clear(upright_edge, {0.001, 0, 0}, 3e-3));
 }
 
-TEST_CASE("what is seen past an edge that is hit or missed by less than the gap is in doubt") {
-  // The way through the solid is 0.002 at x = 1.999, and what lacks of one at x = 2.001.
+TEST_CASE("what is seen past an edge within the gap is in doubt") {
+  // The path through the solid is 0.002 long at x = 1.999, and misses it by 0.002 at x = 2.001.
   const std::string both = "union(){" + upright_edge + box({-9, 5, -9}, {9, 6, 9}) + "}";
   for (const double x : {1.999, 2.001}) {
     CHECK(all_clear(both, {x, 0, 0}, 1e-3));
@@ -101,7 +101,7 @@ TEST_CASE("what is seen past an edge that is hit or missed by less than the gap 
   }
 }
 
-TEST_CASE("that nothing is seen is in doubt where an edge is missed by less than the gap") {
+TEST_CASE("the background is in doubt within the gap of an edge") {
   const testing::Stage stage(upright_edge);
   const testing::RayModel model(stage.tree, stage.facets);
   const testing::Ray ray{{2.001, 0, 0}, {0, 1, 0}};
@@ -110,7 +110,7 @@ TEST_CASE("that nothing is seen is in doubt where an edge is missed by less than
   CHECK(model.surfaces(ray, {-infinity}, 1e-3).is_clear);
 }
 
-TEST_CASE("a near plane cuts solids open, and the cut has no facet") {
+TEST_CASE("a near plane cuts solids open and the cut has no facet") {
   const testing::Stage stage(slab(1, 4));
   const testing::RayModel model(stage.tree, stage.facets);
   const auto found = model.surfaces({{0, 0, 0}, {0, 1, 0}}, {2}, 1e-4).points;
@@ -120,7 +120,7 @@ TEST_CASE("a near plane cuts solids open, and the cut has no facet") {
   CHECK_FALSE(found[0].is_clear);
 }
 
-TEST_CASE("the way to a light is blocked by what the model holds of it, and by no more than that way") {
+TEST_CASE("a path to a light is blocked only by solids within its length") {
   const testing::Stage stage("difference(){" + slab(1, 4) + slab(2, 3) + "}");
   const testing::RayModel model(stage.tree, stage.facets);
   const auto blocked = [&](double from, double to) {
@@ -136,7 +136,7 @@ TEST_CASE("the way to a light is blocked by what the model holds of it, and by n
   CHECK_FALSE(blocked(5, infinity));
 }
 
-TEST_CASE("a light's way that begins on a face is not blocked by the solid that it leaves") {
+TEST_CASE("a light path that starts on a face is not blocked by the solid it leaves") {
   const testing::Stage stage("union(){" + slab(1, 2) + box({-1, 0, 1}, {1, 2, 3}) + "}");
   const testing::RayModel model(stage.tree, stage.facets);
   const auto found = model.surfaces({{0, 0, 0}, {0, 1, 0}}, {-infinity}, 1e-6).points;
@@ -145,7 +145,7 @@ TEST_CASE("a light's way that begins on a face is not blocked by the solid that 
   CHECK(model.occlusion({{0, 1, 0}, {0, 1, 0}, found[0].plane}, infinity, 1e-6).is_blocked);
 }
 
-TEST_CASE("a light's way through less than the gap of a solid is in doubt") {
+TEST_CASE("a light path through less than the gap of a solid is in doubt") {
   const testing::Stage stage(slab(1, 1.001));
   const testing::RayModel model(stage.tree, stage.facets);
   const testing::Ray ray{{0, 0, 0}, {0, 1, 0}};
@@ -154,13 +154,13 @@ TEST_CASE("a light's way through less than the gap of a solid is in doubt") {
   CHECK(model.occlusion(ray, infinity, 1e-2).is_blocked);
 }
 
-TEST_CASE("solids of less than the gap each do not add up to one that surely hides a light") {
+TEST_CASE("solids thinner than the gap do not add up to a certain shadow") {
   const testing::Stage stage("union(){" + slab(1, 1.006) + slab(3, 3.006) + "}");
   const testing::RayModel model(stage.tree, stage.facets);
   CHECK_FALSE(model.occlusion({{0, 0, 0}, {0, 1, 0}}, infinity, 1e-2).is_clear);
 }
 
-TEST_CASE("a light's way past an edge that is missed by less than the gap is in doubt") {
+TEST_CASE("a light path within the gap of an edge is in doubt") {
   const testing::Stage stage(upright_edge);
   const testing::RayModel model(stage.tree, stage.facets);
   const testing::Ray ray{{2.001, 0, 0}, {0, 1, 0}};

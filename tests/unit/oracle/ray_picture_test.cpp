@@ -14,7 +14,7 @@ const std::string right = coloured({0, 1, 0}, box({-2, 0, -2}, {8, 5, 2}));
 
 }  // namespace
 
-TEST_CASE("the order of a union's parts changes nothing but who owns what they share") {
+TEST_CASE("the order of a union's parts changes only the owner of shared surfaces") {
   Stage one("union(){" + left + right + "}", testing::plain_colours());
   Stage other("union(){" + right + left + "}", testing::plain_colours());
   one.cast();
@@ -31,7 +31,7 @@ TEST_CASE("the order of a union's parts changes nothing but who owns what they s
   CHECK(is_near(other.at(0, 0).colour, {0, 1, 0}));
 }
 
-TEST_CASE("a solid without itself leaves the background, and no doubt") {
+TEST_CASE("a solid minus itself leaves the background without doubt") {
   Stage stage("difference(){" + left + left + "}");
   stage.cast();
   for (const std::int32_t x : {-5, 0, 5}) {
@@ -41,7 +41,7 @@ TEST_CASE("a solid without itself leaves the background, and no doubt") {
   }
 }
 
-TEST_CASE("a pixel is in doubt where an edge passes it nearer than what is asked for") {
+TEST_CASE("a pixel within the requested distance of an edge is in doubt") {
   Stage stage(box({-4.6, 0, -4.6}, {4.05, 1, 4.6}), testing::plain_colours());
   stage.cast({}, {0.01, 1e-4});
   CHECK(stage.at(4, 0).is_certain);
@@ -51,7 +51,7 @@ TEST_CASE("a pixel is in doubt where an edge passes it nearer than what is asked
   CHECK(stage.at(5, 0).is_certain);
 }
 
-TEST_CASE("the background is in doubt where a solid may be before it") {
+TEST_CASE("the background is in doubt where a solid may be in front of it") {
   const std::string sheet = "intersection(){" + box({-5, 0, -5}, {5, 1, 5}) + box({-5, 1.001, -5}, {5, 2, 5}) + "}";
   Stage stage(sheet);
   stage.cast({}, {0.01, 1e-4});
@@ -62,11 +62,11 @@ TEST_CASE("the background is in doubt where a solid may be before it") {
   CHECK_FALSE(stage.at(0, 0).is_certain);
 }
 
-TEST_CASE("samples are rounded to 8 bits before their mean is taken") {
+TEST_CASE("samples are rounded to 8 bits before averaging") {
   Stage stage(coloured({0.21, 1, 0}, box({-8, 0, -8}, {0.1, 1, 8})), testing::plain_colours());
   stage.shot.samples = {{-0.25, -0.25}, {0.25, -0.25}, {-0.25, 0.25}, {-0.25, 0.4}};
   stage.cast();
-  // Three of four see it; 0.21 is 53.55 of 255.
+  // Three of four samples hit it; 0.21 is 53.55 of 255.
   CHECK(is_near(stage.at(0, 0).colour, {0.75 * 54 / 255, 0.75, 0}));
   CHECK(is_near(stage.at(-2, 0).colour, {54.0 / 255, 1, 0}));
   CHECK(is_near(stage.at(2, 0).colour, {0, 0, 0}));
@@ -79,7 +79,7 @@ TEST_CASE("samples are rounded to 8 bits before their mean is taken") {
   CHECK(is_near(stage.at(0, 0).colour, {0.21, 1, 0}));
 }
 
-TEST_CASE("samples are to the right of and below the pixel's centre") {
+TEST_CASE("sample offsets point right and down from the pixel's centre") {
   Stage stage(coloured({0, 1, 0}, box({0.1, 0, -8}, {8, 1, -0.1})), testing::plain_colours());
   stage.shot.samples = {{0.25, 0.25}};
   stage.cast();
@@ -89,7 +89,7 @@ TEST_CASE("samples are to the right of and below the pixel's centre") {
   CHECK(is_near(stage.at(0, 0).colour, {0, 0, 0}));
 }
 
-TEST_CASE("in perspective what is nearer than the near plane is not seen, and what it cuts open is in doubt") {
+TEST_CASE("in perspective the near plane hides nearer surfaces and cut ones are in doubt") {
   Stage stage("union(){" + left + coloured({0, 1, 0}, box({-8, 20, -2}, {8, 25, 2})) + "}", testing::plain_colours());
   stage.shot.camera = {{0, -30, 0}, {0, 0, 0}, view::Projection::perspective};
   stage.cast();
@@ -106,7 +106,7 @@ TEST_CASE("in perspective what is nearer than the near plane is not seen, and wh
   CHECK_FALSE(stage.at(0, 0).is_certain);
 }
 
-TEST_CASE("colours fade between two distances, and the background does not") {
+TEST_CASE("colours fade between two distances and the background does not") {
   Stage stage("union(){" + coloured({1, 0, 0}, box({-8, 2, -8}, {-4, 3, 8})) +
                   coloured({1, 0, 0}, box({-3, 6, -8}, {3, 7, 8})) + coloured({1, 0, 0}, box({4, 11, -8}, {8, 12, 8})) +
                   "}",
@@ -122,7 +122,7 @@ TEST_CASE("colours fade between two distances, and the background does not") {
   CHECK(is_near(stage.at(0, 10).colour, {0, 0, 0}));
 }
 
-TEST_CASE("opaque layers, lights without shadows and mirrors that show nothing change no pixel") {
+TEST_CASE("opaque layers and shadowless lights and reflectionless mirrors change no pixel") {
   Stage stage(testing::random_model(11, 9));
   Stage other(testing::random_model(11, 9));
   stage.cast();

@@ -12,15 +12,15 @@ namespace {
 constexpr std::uint32_t width = 64;
 constexpr std::uint32_t height = 48;
 
-/// What a machine's picture has of the oracle's.
+/// Comparison of a machine's picture with the oracle's.
 struct Tally {
   int pixels = 0;
-  int covered = 0;  ///< in truth
+  int covered = 0;  ///< by the oracle
   int doubtful = 0;
-  int wrong = 0;  ///< owner or colour, of those that are not doubtful
+  int wrong = 0;  ///< owner or colour, of the certain pixels
 };
 
-/// Whether 8 bits are what a channel rounds to, halves either way.
+/// Whether the 8-bit level is the rounded channel; halves may round either way.
 bool is_rounded(std::uint8_t level, double channel) { return std::abs(level - 255.0 * channel) <= 0.5 + 1e-6; }
 
 void compare(const testing::Compiled& compiled, const observe::Frame& frame,
@@ -83,7 +83,7 @@ scene::Light lamp(const glm::dvec3& position, scene::Axes axes) {
   return light;
 }
 
-/// Two lamps and a directional light, things that shine in other ways by the line of the file.
+/// Two point lights and a directional light, and materials that differ by line of the file.
 scene::Scene many_lights() {
   scene::Scene scene;
   scene.ambient = {{0.8, 0.9, 1}, 0.25};
@@ -104,15 +104,15 @@ scene::Scene many_lights() {
 
 }  // namespace
 
-TEST_CASE("what the machine draws of random models is what rays see, orthographic") {
+TEST_CASE("the machine draws random models as the ray oracle does (orthographic)") {
   check(draw_both(1, view::Projection::orthographic, {}));
 }
-TEST_CASE("what the machine draws of random models is what rays see, perspective") {
+TEST_CASE("the machine draws random models as the ray oracle does (perspective)") {
   check(draw_both(101, view::Projection::perspective, {}));
 }
-TEST_CASE("random models in the light of several lamps look as rays see them, orthographic") {
+TEST_CASE("random models in several point lights match the ray oracle (orthographic)") {
   check(draw_both(201, view::Projection::orthographic, many_lights()));
 }
-TEST_CASE("random models in the light of several lamps look as rays see them, perspective") {
+TEST_CASE("random models in several point lights match the ray oracle (perspective)") {
   check(draw_both(301, view::Projection::perspective, many_lights()));
 }

@@ -26,7 +26,7 @@ bool is_lit(const Stage& stage, std::int32_t x, std::int32_t z) {
   return !is_dark;
 }
 
-/// Shines to the right and away from the eye: from the wall at y = 5 the light is where x falls as y does.
+/// A light that shines to the right and away from the eye: from the wall at y = 5 the path to it has x falling with y.
 const scene::Light slanted = testing::shining({1, 1, 0});
 
 scene::Light lamp(const glm::dvec3& position) {
@@ -38,10 +38,10 @@ scene::Light lamp(const glm::dvec3& position) {
 
 }  // namespace
 
-TEST_CASE("a box before a wall throws its slanted shadow on it, and on itself none") {
+TEST_CASE("a box casts its slanted shadow on the wall and none on itself") {
   Stage stage("union(){" + wall + box({-1.5, 0, -1.5}, {1.5, 1, 1.5}) + "}", lit_by(slanted));
   stage.cast(shadows());
-  // The box is met 4 to 5 to the left: x from 2.5 to 6.5.
+  // The box lies 4 to 5 to the left along the path: x from 2.5 to 6.5.
   for (const std::int32_t z : {-1, 0, 1}) {
     CHECK(is_lit(stage, 2, z));
     for (const std::int32_t x : {3, 4, 5, 6}) CHECK_FALSE(is_lit(stage, x, z));
@@ -53,7 +53,7 @@ TEST_CASE("a box before a wall throws its slanted shadow on it, and on itself no
   CHECK(stage.at(0, 0).colour.x > 0.976 * 0.5);
 }
 
-TEST_CASE("without shadows, and from lights that throw none, the wall is lit behind the box too") {
+TEST_CASE("the wall is lit behind the box without shadows and by shadowless lights") {
   Stage stage("union(){" + wall + box({-1.5, 0, -1.5}, {1.5, 1, 1.5}) + "}", lit_by(slanted));
   stage.cast();
   CHECK(is_lit(stage, 4, 0));
@@ -66,12 +66,12 @@ TEST_CASE("without shadows, and from lights that throw none, the wall is lit beh
   CHECK_FALSE(is_lit(stage, 4, 0));
 }
 
-TEST_CASE("light passes through a hole as far as the hole's walls let it") {
+TEST_CASE("light passes through a hole as far as the hole's walls allow") {
   const std::string plate = box({-3.5, 0, -3.5}, {3.5, 1, 3.5});
   const std::string hole = box({-1.5, -1, -1.5}, {1.5, 2, 1.5});
   Stage stage("union(){" + wall + "difference(){" + plate + hole + "}}", lit_by(slanted));
   stage.cast(shadows());
-  // The plate is met from 0.5 to 8.5; through the hole the way is free from 3.5 (its far end) to 5.5 (its near end).
+  // The plate shades 0.5 to 8.5; through the hole the path is free from 3.5 (its far end) to 5.5 (its near end).
   for (const std::int32_t z : {-1, 0, 1}) {
     CHECK(is_lit(stage, 0, z));  // seen through the hole
     CHECK_FALSE(is_lit(stage, 1, z));
@@ -85,14 +85,14 @@ TEST_CASE("light passes through a hole as far as the hole's walls let it") {
   }
 }
 
-TEST_CASE("what is taken away throws no shadow, however large") {
+TEST_CASE("a subtracted solid casts no shadow whatever its size") {
   const std::string cut = box({-9, -4, -9}, {9, 3, 9});
   Stage stage("difference(){" + wall + cut + "}", lit_by(slanted));
   stage.cast(shadows());
   for (const std::int32_t x : {-8, 0, 8}) CHECK(is_lit(stage, x, 0));
 }
 
-TEST_CASE("a ball's shadow is the ellipse of the lines that pass it nearer than its radius") {
+TEST_CASE("a ball's shadow is the ellipse of lines closer than its radius") {
   Stage stage("union(){" + wall + "sphere($fn=96,$fa=12,$fs=2,r=3);}", lit_by(slanted));
   stage.cast(shadows());
   int dark = 0;
@@ -108,7 +108,7 @@ TEST_CASE("a ball's shadow is the ellipse of the lines that pass it nearer than 
   CHECK(dark > 20);
 }
 
-TEST_CASE("a lamp's shadow grows with the distance, and its edge is in doubt") {
+TEST_CASE("a point light's shadow grows with distance and its edge is in doubt") {
   Stage stage("union(){" + wall + box({-1.5, 0, -1.5}, {1.5, 1, 1.5}) + "}", lit_by(lamp({0, -5, 0})));
   stage.cast(shadows());
   for (const std::int32_t x : {-2, 2}) CHECK_FALSE(is_lit(stage, x, 0));
@@ -117,7 +117,7 @@ TEST_CASE("a lamp's shadow grows with the distance, and its edge is in doubt") {
   CHECK_FALSE(stage.at(-1, 3).is_certain);
 }
 
-TEST_CASE("the shadow of a sheet thinner than the gap is in doubt, and so is glass that it falls on") {
+TEST_CASE("the shadow of a sheet thinner than the gap is in doubt") {
   const std::string sheet = box({-1.5, 0, -1.5}, {1.5, 0.001, 1.5});
   const std::string behind = box({-11.5, 9, -11.5}, {11.5, 10, 11.5});
   Stage stage("union(){" + wall + sheet + behind + "}", lit_by(slanted));
@@ -133,28 +133,28 @@ TEST_CASE("the shadow of a sheet thinner than the gap is in doubt, and so is gla
   CHECK_FALSE(stage.at(5, 0).is_certain);
 }
 
-TEST_CASE("where light grazes a wall, a shadow's edge is in doubt as far as the gap moves it along the view") {
-  // A post on the wall, 0.5 high; light comes along the wall 1 up in 20: the shadow is 10 long, from x = 0 to 10.
+TEST_CASE("at grazing light a shadow's edge is in doubt as far as the gap shifts it") {
+  // A post on the wall, 0.5 high; the light's slope along the wall is 1 in 20: the shadow is 10 long, from x = 0 to 10.
   Stage stage("union(){" + wall + box({-1, 4.5, -3}, {0, 5, 3}) + "}", lit_by(testing::shining({20, 1, 0})));
   const auto is_dark = [&](std::int32_t x) { return std::abs(stage.at(x, 0).colour.x - 0.15) < 1e-9; };
-  stage.cast(shadows(), {0.01, 0.02});  // moves its end by 0.4 pixels
+  stage.cast(shadows(), {0.01, 0.02});  // moves the shadow's end by 0.4 pixels
   CHECK(is_dark(9));
   CHECK(stage.at(9, 0).is_certain);
   CHECK_FALSE(is_dark(11));
   CHECK(stage.at(11, 0).is_certain);
-  stage.cast(shadows(), {0.01, 0.06});  // by 1.2 pixels
+  stage.cast(shadows(), {0.01, 0.06});  // moves it by 1.2 pixels
   CHECK(stage.at(8, 0).is_certain);
   CHECK_FALSE(stage.at(9, 0).is_certain);
   CHECK_FALSE(stage.at(11, 0).is_certain);
 }
 
-TEST_CASE("nothing beyond a lamp throws its shadow") {
+TEST_CASE("objects beyond a point light cast no shadow") {
   Stage stage("union(){" + wall + box({4, -4, -9}, {5, -3, 9}) + "}", lit_by(lamp({8, 0, 0})));
   stage.cast(shadows());
   for (const std::int32_t x : {-8, 0, 3, 8}) CHECK(is_lit(stage, x, 0));
 }
 
-TEST_CASE("a solid's own far sides are turned away from the light, not in shadow of it") {
+TEST_CASE("a solid's far sides face away from the light and are not in shadow") {
   const std::string ball = testing::coloured({0.5, 0.5, 0.5}, "sphere($fn=16,$fa=12,$fs=2,r=8);");
   Stage stage(ball, lit_by(slanted));
   Stage plain(ball, lit_by(slanted));

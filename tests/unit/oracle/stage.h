@@ -12,11 +12,11 @@
 
 namespace csgsim::testing {
 
-/// Pixels either side of the middle of a stage's picture.
+/// Pixels on either side of the middle of a stage's picture.
 inline constexpr std::int32_t stage_half = 12;
 
-/// A model seen along +y, orthographically, from the distance at which a pixel is one model unit: the pixel (x, z) of
-/// the stage is that through the model's (x, any y, z).
+/// A model seen along +y, orthographically, from the distance at which a pixel is one model unit: the stage's pixel (x,
+/// z) is the ray through the model's (x, any y, z).
 class Stage {
  public:
   explicit Stage(const std::string& csg, scene::Scene scene = {});
@@ -24,7 +24,7 @@ class Stage {
   void cast(const RayEffects& effects = {}, const RayDoubt& doubt = {});
   [[nodiscard]] const RayColour& at(std::int32_t x, std::int32_t z) const;
 
-  /// The y at which a pixel's surface is.
+  /// Returns the y of a pixel's surface.
   [[nodiscard]] double y_at(std::int32_t x, std::int32_t z) const { return at(x, z).depth - distance_; }
 
   scene::Scene scene;
@@ -42,16 +42,16 @@ std::string box(const glm::dvec3& low, const glm::dvec3& high);
 
 std::string coloured(const glm::dvec3& colour, const std::string& csg);
 
-/// Ambient light alone: every surface has its own colour. Black behind all.
+/// A scene with ambient light only: every surface has its own colour on a black background.
 scene::Scene plain_colours();
 
-/// A light of intensity 0.7 that shines in that direction, beside the usual ambient light of 0.3.
+/// A light of intensity 0.7 in the given direction, in addition to the default ambient light of 0.3.
 scene::Light shining(const glm::dvec3& direction);
 
-/// The light and the usual ambient light.
+/// A scene with the light and the default ambient light.
 scene::Scene lit_by(const scene::Light& light);
 
-/// Whether colours are equal but for rounding of doubles.
+/// Whether two colours are equal up to rounding of doubles.
 bool is_near(const glm::dvec3& a, const glm::dvec3& b);
 
 }  // namespace csgsim::testing

@@ -16,7 +16,7 @@
 
 namespace csgsim::testing {
 
-/// A machine of 2 x 2 pixels of 8 bits a square and a picture of 4 x 2, with a link of 32 bits.
+/// A machine of 2 x 2 pixels of 8 bits per square and a picture of 4 x 2, with a link of 32 bits.
 inline machines::Machine square_machine(const pixel_square::Figures& figures, const machines::Link& link = {
                                                                                   .width = 32,
                                                                                   .word_clocks = 1,
@@ -33,12 +33,12 @@ inline machines::Machine square_machine(const pixel_square::Figures& figures, co
   return machine;
 }
 
-/// Edges of a clock, one at a time: what is written between two of them is there at the next.
+/// Clocked test bench that advances edge by edge; a value written between two edges is visible at the next.
 class Bench {
  public:
   explicit Bench(const machines::Machine& machine) : clock("clock", systemc::period_of(machine)) {}
 
-  /// So many edges go by, and all that belongs to them happens.
+  /// Advances by `count` edges, including all their delta cycles.
   void edges(std::uint64_t count) {
     if (!begun_) sc_core::sc_start(clock.period() / 2);
     begun_ = true;
@@ -61,7 +61,7 @@ class SquareListener final : public systemc::RunListener {
   std::vector<std::uint32_t> squares;
 };
 
-/// All that is in a FIFO.
+/// Removes and returns all words of a FIFO.
 template <class Word>
 std::vector<Word> drained(sc_core::sc_fifo<Word>& fifo) {
   std::vector<Word> words;
@@ -69,7 +69,7 @@ std::vector<Word> drained(sc_core::sc_fifo<Word>& fifo) {
   return words;
 }
 
-/// The bits of words of so many bits each, in the order in which they travel.
+/// Returns the bits of words of port_bits bits each, in the order in which they travel.
 inline std::vector<bool> bits_of(const std::vector<pixel_square::PortWord>& words, std::uint32_t port_bits) {
   std::vector<bool> bits;
   for (const pixel_square::PortWord& word : words)
@@ -77,13 +77,13 @@ inline std::vector<bool> bits_of(const std::vector<pixel_square::PortWord>& word
   return bits;
 }
 
-/// Adds a number of so many bits, the least significant first.
+/// Appends a number of `count` bits, least significant first.
 inline void add_bits(std::vector<bool>& bits, std::uint64_t value, unsigned count) {
   for (unsigned i = 0; i < count; ++i) bits.push_back((value >> i & 1U) != 0);
 }
 
-/// A square as it travels in words of that many bits: x, y, width and height of 16 bits each, then, from a new word on,
-/// the colours of so many bits each; zeros fill the last word.
+/// Returns a square as it travels in words of port_bits bits: x, y, width and height of 16 bits each, then, starting a
+/// new word, the colours of colour_bits bits each; zeros fill the last word.
 inline std::vector<bool> travelling(const isa::Region& region, const std::vector<std::uint32_t>& colours,
                                     unsigned colour_bits, std::uint32_t port_bits) {
   std::vector<bool> bits;
@@ -97,7 +97,7 @@ inline std::vector<bool> travelling(const isa::Region& region, const std::vector
   return bits;
 }
 
-/// Words of so many bits.
+/// Splits bits into words of port_bits bits.
 inline std::vector<pixel_square::PortWord> in_words(const std::vector<bool>& bits, std::uint32_t port_bits) {
   std::vector<pixel_square::PortWord> words;
   for (std::size_t i = 0; i < bits.size(); ++i) {

@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+// SystemC elaborates once per process, so ctest runs each case here in a separate process.
 
 #include "hw/pixel_square/corner_divider.h"
 
@@ -22,7 +22,8 @@ constexpr std::uint32_t link_width = 32;
 constexpr std::uint32_t port_bits = 16;
 constexpr std::uint64_t header_words = 4;
 
-/// Of 16 bits: 5 hold a primitive of the models here (77 bits), 1 a half-space (5 or 6), 1 a plane (8).
+/// Record width of 16 bits: a primitive of these models (77 bits) takes 5 records, a half-space (5 or 6) one, a plane
+/// (8) one.
 constexpr std::uint32_t record_bits = 16;
 
 pixel_square::Figures figures(std::uint32_t levels, std::uint32_t group_side, std::uint32_t list_entries) {
@@ -43,14 +44,14 @@ pixel_square::Figures figures(std::uint32_t levels, std::uint32_t group_side, st
           .linear_clocks = 4};
 }
 
-/// A box is read in 5 clocks and held in 2; a half-space is read, with its plane, in 2, while the one before it is
-/// tested in 3. What a list says is read in a clock more.
+/// A box is read in 5 clocks and held in 2; a half-space and its plane are read in 2 while the previous one is tested
+/// in 3. Reading an entry of the list takes a clock more.
 std::uint64_t clocks_of(const division::Counts& counts, bool from_list = false) {
   return (from_list ? 8 : 7) * counts.boxes + 3 * counts.halfspaces + (from_list ? 3 : 2) * counts.lists +
          5 * counts.cells + 7 * counts.nodes;
 }
 
-/// For a group half-spaces are read and tested again, in 3 clocks, to be held against leaders; what is left is listed.
+/// Half-spaces of a group are read and tested again, in 3 clocks, to compare them with leaders; the rest is listed.
 std::uint64_t clocks_of_group(const division::Counts& counts, std::uint64_t listed) {
   return 7 * counts.boxes + 3 * counts.halfspaces + 2 * counts.lists + (5 + 3) * counts.cells + listed;
 }
@@ -60,7 +61,7 @@ std::uint64_t tree_clocks(const division::DisplayModel& model) { return 7 * mode
 /// Four squares of 8 x 8; the FIFO of the model has room for all of it.
 struct Board {
   explicit Board(std::uint32_t levels, std::uint32_t group_side = 2, std::uint32_t list_entries = 100)
-      : Board(machine_of(levels, group_side, list_entries)) {}
+      : Board(make_machine(levels, group_side, list_entries)) {}
 
   explicit Board(const machines::Machine& described)
       : machine(described),
@@ -78,7 +79,7 @@ struct Board {
     retirement.begin(listener);
   }
 
-  /// A thread that ended in the middle of a square would not give back what is on its stack.
+  /// Lets the divider finish: a thread that ended inside a square would leak the objects on its stack.
   ~Board() {
     for (int waits = 0; waits < 100 && divider.status().state != "done"; ++waits) bench.edges(1000);
   }
@@ -86,14 +87,14 @@ struct Board {
   Board(const Board&) = delete;
   Board& operator=(const Board&) = delete;
 
-  static machines::Machine machine_of(std::uint32_t levels, std::uint32_t group_side, std::uint32_t list_entries) {
+  static machines::Machine make_machine(std::uint32_t levels, std::uint32_t group_side, std::uint32_t list_entries) {
     machines::Machine machine = testing::square_machine(figures(levels, group_side, list_entries));
     machine.array = {8, 8, 16};
     machine.picture = {16, 16};
     return machine;
   }
 
-  /// Puts the model into the FIFO, and returns how many words it is.
+  /// Writes the model to the FIFO and returns its number of words.
   std::uint64_t begin(const division::DisplayModel& display) {
     const division::Bits bits = division::encode(display);
     const std::vector<isa::LinkWord> words = division::to_link(bits, link_width);
@@ -127,7 +128,7 @@ struct Board {
   pixel_square::StoreSender sender;
 };
 
-/// What hw/division makes of a square, as commands.
+/// Returns the commands that hw/division computes for a square.
 std::vector<isa::Command> expected_commands(const isa::Region& square, const division::Divided& divided) {
   std::vector<isa::Command> all{isa::SegmentStart{square}};
   for (const isa::Instruction& one : divided.instructions) all.push_back(isa::as_received(one));
@@ -141,7 +142,7 @@ std::uint64_t words_of(const std::vector<isa::Command>& commands) {
   return words;
 }
 
-/// That it takes to write them.
+/// Clocks that writing the commands takes.
 std::uint64_t writing_clocks(const std::vector<isa::Command>& commands) {
   std::uint64_t clocks = words_of(commands);
   for (const isa::Command& command : commands) {
@@ -155,7 +156,7 @@ std::uint64_t writing_clocks(const std::vector<isa::Command>& commands) {
 
 }  // namespace
 
-TEST_CASE("the divider takes the model, tests and writes square after square, and what is whole leaves meanwhile") {
+TEST_CASE("the divider tests and writes squares in turn while complete ones leave") {
   const division::DisplayModel slab = testing::slab_with_hole();  // in the left half of the picture
   testing::ModelDivider judge(slab);
   const isa::Region left{0, 0, 8, 8};
@@ -180,7 +181,7 @@ TEST_CASE("the divider takes the model, tests and writes square after square, an
   CHECK(board.links[0].num_available() == 1);
   board.bench.edges(words_of(expected) - 1);
   CHECK(static_cast<std::uint64_t>(board.links[0].num_available()) == words_of(expected));
-  // That nothing is seen in the second is a word, of which its header is made a clock later.
+  // The empty second square is one word; its header is made a clock later.
   const std::uint64_t second = clocks_of(empty.counts()) + 1;
   REQUIRE(second < words_of(expected));
   CHECK(board.clears.num_available() == 0);
@@ -196,7 +197,7 @@ TEST_CASE("the divider takes the model, tests and writes square after square, an
   CHECK(board.sender.account(all).of(SquareActivity::waiting_for_divider) == all - sent);
 }
 
-TEST_CASE("with two levels a group is tested before its first square, and the squares from what it leaves") {
+TEST_CASE("with two levels a group is tested first and its squares from the group's list") {
   const division::DisplayModel slab = testing::one_slab();
   testing::ModelDivider judge(slab);
   const division::Candidates list = judge.survivors({0, 0, 16, 16});
@@ -217,14 +218,14 @@ TEST_CASE("with two levels a group is tested before its first square, and the sq
   CHECK(board.commands() == expected);
 }
 
-TEST_CASE("where the store is full a square leaves before all of it is there, and the divider waits for room") {
+TEST_CASE("with a full store an incomplete square leaves while the divider waits") {
   const division::DisplayModel slab = testing::one_slab();
   testing::ModelDivider judge(slab);
   const isa::Region left{0, 0, 8, 8};
   const std::vector<isa::Command> expected = expected_commands(left, judge.divide(left));
   constexpr std::uint32_t room = 6;
   REQUIRE(words_of(expected) > 2 * room);
-  machines::Machine machine = Board::machine_of(1, 2, 100);
+  machines::Machine machine = Board::make_machine(1, 2, 100);
   machines::own<pixel_square::Figures>(machine).store_words = room;
 
   Board board(machine);
@@ -244,7 +245,7 @@ TEST_CASE("where the store is full a square leaves before all of it is there, an
 
 namespace {
 
-/// A slab in the left half of the picture, and another in the right.
+/// A slab in the left half of the picture and another in the right half.
 division::DisplayModel two_slabs() {
   division::DisplayModel model = testing::one_slab();
   division::Primitive right = model.primitives.front();
@@ -254,8 +255,8 @@ division::DisplayModel two_slabs() {
   return model;
 }
 
-/// With groups of one square. It leaves after its tests: from the group's list where that has room, which is without
-/// the slab on the right; from the whole model where it is an entry short.
+/// Groups of one square. The square leaves after its tests: from the group's list if that has room, which excludes the
+/// slab on the right; from the whole model if the list is an entry short.
 void check_list_with(std::uint64_t entries_short) {
   const division::DisplayModel slab = two_slabs();
   testing::ModelDivider judge(slab);
@@ -278,6 +279,6 @@ void check_list_with(std::uint64_t entries_short) {
 
 }  // namespace
 
-TEST_CASE("a group's list that just has room is used") { check_list_with(0); }
+TEST_CASE("uses a group's list that just fits") { check_list_with(0); }
 
-TEST_CASE("a group's list that is an entry too long is not used") { check_list_with(1); }
+TEST_CASE("does not use a group's list that is one entry too long") { check_list_with(1); }

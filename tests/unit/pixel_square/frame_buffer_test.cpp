@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+// SystemC elaborates once per process, so ctest runs each case here in a separate process.
 
 #include "hw/pixel_square/frame_buffer.h"
 
@@ -17,23 +17,23 @@ constexpr std::uint32_t port_bits = 8;
 constexpr unsigned colour_bits = 3;
 constexpr std::uint64_t header_words = 8;
 
-/// A frame buffer of that many renderers, whose FIFOs hold whatever a test writes.
+/// A frame buffer with FIFOs deep enough for all words of a test.
 struct Board {
   explicit Board(std::uint32_t renderers)
       : Board(pixel_square::Figures{.renderers = renderers, .port_bits = port_bits}) {}
 
   explicit Board(const pixel_square::Figures& figures, std::uint64_t clock_hz = 10'000'000)
-      : bench(machine_of(figures, clock_hz)),
+      : bench(make_machine(figures, clock_hz)),
         colours("colours", figures.renderers,
                 [](const char* name, std::size_t) { return new sc_core::sc_fifo<PortWord>(name, 100); }),
-        buffer("buffer", machine_of(figures, clock_hz)) {
+        buffer("buffer", make_machine(figures, clock_hz)) {
     buffer.clock(bench.clock);
     buffer.colours(colours);
     buffer.clears[0](clears);
     buffer.frames(frames);
   }
 
-  static machines::Machine machine_of(const pixel_square::Figures& figures, std::uint64_t clock_hz) {
+  static machines::Machine make_machine(const pixel_square::Figures& figures, std::uint64_t clock_hz) {
     machines::Machine machine = testing::square_machine(figures);
     machine.clock_hz = clock_hz;
     return machine;
@@ -54,7 +54,7 @@ struct Board {
       CHECK(clears.nb_write(word));
   }
 
-  /// Frames that are done after that many more edges.
+  /// Returns the number of frames completed after `edges` more edges.
   std::uint64_t frames_after(std::uint64_t edges) {
     bench.edges(edges);
     return frames.read();
@@ -73,8 +73,8 @@ struct Board {
 
 }  // namespace
 
-TEST_CASE("a square stands in its place in the picture when as many clocks have gone by as it has words") {
-  // Eight words of header, and two for the 12 bits of four colours; a word is there from the edge after it is written.
+TEST_CASE("a square takes one clock per word to reach the picture") {
+  // Eight words of header, and two for the 12 bits of four colours; a word is readable from the edge after its write.
   Board board(1);
   board.begin(1);
   board.send(0, {2, 0, 2, 2}, {1, 2, 3, 4});
@@ -87,8 +87,8 @@ TEST_CASE("a square stands in its place in the picture when as many clocks have 
   CHECK(account.of(SquareActivity::waiting_for_renderer) == 5);
 }
 
-TEST_CASE("renderers take turns, word by word, and a renderer without a word is passed over") {
-  // Ten words of each: the turns of the first three ports go round, so that 20 clocks take ten words of two of them.
+TEST_CASE("renderers take turns word by word and idle ones are skipped") {
+  // Ten words each: the first three ports take turns, so that 20 clocks take ten words of each of two ports.
   Board board(3);
   board.begin(2);
   board.send(0, {0, 0, 2, 2}, {1, 2, 3, 4});
@@ -104,10 +104,10 @@ TEST_CASE("renderers take turns, word by word, and a renderer without a word is 
   CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 5, 6, 3, 4, 7, 0});
 }
 
-TEST_CASE("a square that is cleared gets its background in as many clocks as its colours would be words, in turns") {
-  // The square's ten words go by turns with the other's eight words of header and two of background. The renderer's
-  // port comes first: its ninth word is the 17th, with two colours and two zeros of the third. The 18th is the first
-  // word of background, with as much.
+TEST_CASE("a cleared square is charged the words of its colours in alternating turns") {
+  // The square's ten words alternate with the other's eight words of header and two of background. The renderer's port
+  // is first: its ninth word is the 17th, with two colours and two zeros of the third. The 18th is the first word of
+  // background, with the same number.
   Board board(1);
   board.begin(2, 4);
   board.send(0, {2, 0, 2, 2}, {1, 2, 4, 3});
@@ -121,9 +121,7 @@ TEST_CASE("a square that is cleared gets its background in as many clocks as its
   CHECK(board.picture() == std::vector<std::uint32_t>{4, 4, 1, 2, 4, 4, 4, 3});
 }
 
-TEST_CASE(
-    "a frame begins at the first port, keeps the picture before, and no word wakes the frame buffer too soon or too "
-    "late") {
+TEST_CASE("a frame starts at the first port and keeps the previous picture") {
   Board board(2);
   board.begin(1, 5);
   board.bench.edges(7);
@@ -139,7 +137,7 @@ TEST_CASE(
   CHECK(board.buffer.account(12).of(SquareActivity::working) == header_words + 1);
 }
 
-TEST_CASE("ports take turns from the first again in every frame, whichever was served last") {
+TEST_CASE("in each frame ports take turns from the first whichever was served last") {
   Board board(2);
   board.begin(1);
   board.send(0, {0, 0, 1, 1}, {7});
@@ -153,8 +151,8 @@ TEST_CASE("ports take turns from the first again in every frame, whichever was s
   CHECK(board.colours[1].num_available() == words);
 }
 
-TEST_CASE("two banks take the words of two squares in one clock, where they lie in rows of different banks") {
-  // Each square is eight words of header and two of colours, of one row.
+TEST_CASE("two banks take words of two squares per clock in rows of different banks") {
+  // Each square has eight words of header and two of colours, in one row.
   Board board(pixel_square::Figures{.renderers = 2, .port_bits = port_bits, .banks = 2});
   board.begin(2);
   board.send(0, {0, 0, 4, 1}, {1, 2, 3, 4});
@@ -165,7 +163,7 @@ TEST_CASE("two banks take the words of two squares in one clock, where they lie 
   CHECK(board.buffer.account(10).of(SquareActivity::working) == header_words + 2);
 }
 
-TEST_CASE("of words for one bank the first in turn is taken, and the other in the next clock") {
+TEST_CASE("of two words for one bank the first in turn is taken a clock before the other") {
   Board board(pixel_square::Figures{.renderers = 2, .port_bits = port_bits, .banks = 2});
   board.begin(2);
   board.send(0, {0, 0, 2, 1}, {1, 2});
@@ -176,9 +174,9 @@ TEST_CASE("of words for one bank the first in turn is taken, and the other in th
   CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 3, 4, 0, 0, 0, 0});
 }
 
-TEST_CASE("the screen's turns hold up words, and are clocks of their own") {
-  // A picture is 24 bits, two turns of 12, 20 turns a second, one in five of 100 clocks a second: at 5 and 6, 10
-  // and 11. The ten words are stored at 1 to 4, 7 to 9 and 12 to 14.
+TEST_CASE("the screen's turns delay words and are accounted for separately") {
+  // A picture has 24 bits, two turns of 12: 20 turns a second, one in five of 100 clocks a second, at 5 and 6, 10 and
+  // 11. The ten words are stored at 1 to 4, 7 to 9 and 12 to 14.
   const pixel_square::Figures figures{
       .port_bits = port_bits, .refresh_rate = 10, .refresh_bits = 12, .refresh_clocks = 2};
   Board board(figures, 100);
@@ -195,9 +193,9 @@ TEST_CASE("the screen's turns hold up words, and are clocks of their own") {
   CHECK(board.buffer.account(20).of(SquareActivity::waiting_for_renderer) == 3);
 }
 
-TEST_CASE("while the screen reads one bank the other takes words") {
-  // The screen reads row 0 at 5 and 6, row 1 at 10 and 11. The header's eight words are taken at 1 to 8, by whichever
-  // bank is free. Of the three words of colours two begin in row 0, and are taken at 9 and 10; that of row 1 is at 12.
+TEST_CASE("one bank takes words while the screen reads the other") {
+  // The screen reads row 0 at 5 and 6, row 1 at 10 and 11. The header's eight words are taken at 1 to 8 by the free
+  // bank. Two of the three words of colours start in row 0 and are taken at 9 and 10; the one of row 1 at 12.
   const pixel_square::Figures figures{
       .port_bits = port_bits, .banks = 2, .refresh_rate = 10, .refresh_bits = 12, .refresh_clocks = 2};
   Board board(figures, 100);
@@ -210,10 +208,9 @@ TEST_CASE("while the screen reads one bank the other takes words") {
   CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 3, 0, 4, 5, 6, 0});
 }
 
-TEST_CASE(
-    "waves show the turns of the screen, the row that it reads, and of a square's words those behind its header") {
-  // As in the case of the screen's turns above: the ten words are stored at 1 to 4, 7 to 9 and 12 to 14, of which the
-  // eighth, at 12, is the last of the header. The screen reads row 0 at 5 and 6, row 1 at 10 and 11.
+TEST_CASE("waves show screen turns and the row being read and a square's words") {
+  // Same clocks as in the screen-turn test above: the ten words are stored at 1 to 4, 7 to 9 and 12 to 14; the eighth,
+  // at 12, ends the header. The screen reads row 0 at 5 and 6, row 1 at 10 and 11.
   const pixel_square::Figures figures{
       .port_bits = port_bits, .refresh_rate = 10, .refresh_bits = 12, .refresh_clocks = 2};
   Board board(figures, 100);
@@ -247,8 +244,8 @@ TEST_CASE(
   CHECK(squares == "- - - - - - - - - - - 2,0 2,0 2,0 - ");
 }
 
-TEST_CASE("a frame of colours begins with its screen's turns, though the frame buffer has slept") {
-  // A picture without colours takes no turns. Then one of 24 bits takes them in one of five clocks, as above.
+TEST_CASE("a frame with colours starts with its screen turns after an idle frame buffer") {
+  // A picture without colours takes no turns. A picture of 24 bits then takes them in one of five clocks, as above.
   const pixel_square::Figures figures{
       .port_bits = port_bits, .refresh_rate = 10, .refresh_bits = 12, .refresh_clocks = 2};
   Board board(figures, 100);

@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+// SystemC elaborates once per process, so ctest runs each case here in a separate process.
 
 #include "hw/pixel_square/graphics_processors.h"
 
@@ -13,13 +13,13 @@ using testing::Bench;
 
 namespace {
 
-/// Every command is one word of it, and so is a header.
+/// Word width at which every command and every header takes one word.
 constexpr std::uint32_t wide = 256;
 constexpr int square_words = 3;
 
 struct Board {
   Board(std::uint32_t processors, std::uint32_t renderers, std::uint32_t latency = 0, std::uint32_t ring_bits = wide)
-      : machine(machine_of(processors, renderers, latency, ring_bits)),
+      : machine(make_machine(processors, renderers, latency, ring_bits)),
         bench(machine),
         words("words", processors,
               [](const char* name, std::size_t) { return new sc_core::sc_fifo<RingWord>(name, depth); }),
@@ -34,8 +34,8 @@ struct Board {
     retirement.begin(listener);
   }
 
-  static machines::Machine machine_of(std::uint32_t processors, std::uint32_t renderers, std::uint32_t latency,
-                                      std::uint32_t ring_bits) {
+  static machines::Machine make_machine(std::uint32_t processors, std::uint32_t renderers, std::uint32_t latency,
+                                        std::uint32_t ring_bits) {
     return testing::square_machine({.renderers = renderers,
                                     .port_fifo_depth = static_cast<std::uint32_t>(depth),
                                     .divider = pixel_square::DividerKind::processors,
@@ -64,7 +64,7 @@ std::vector<isa::Segment> squares(const std::vector<bool>& drawn) {
   return all;
 }
 
-/// The square whose commands these are.
+/// Returns the region of the square whose commands these words hold.
 isa::Region region_in(const std::vector<RingWord>& words) {
   isa::WireDecoder decoder(wide);
   return std::get<isa::SegmentStart>(decoder.take(words.at(0).command).value()).region;
@@ -72,7 +72,7 @@ isa::Region region_in(const std::vector<RingWord>& words) {
 
 }  // namespace
 
-TEST_CASE("processors take squares in turn, the first the first, and send a word a clock after the latency") {
+TEST_CASE("processors take squares in turn and send a word per clock after the latency") {
   const std::vector<isa::Segment> frame = squares({true, true, true});
   Board board(2, 2, 4);
   board.parts.begin(frame);
@@ -86,7 +86,7 @@ TEST_CASE("processors take squares in turn, the first the first, and send a word
   CHECK(board.targets[0].read() == 0);
   CHECK(board.targets[1].read() == 1);
   board.bench.edges(5);
-  CHECK(board.words[0].num_available() == square_words);  // which have not gone
+  CHECK(board.words[0].num_available() == square_words);  // not sent yet
   CHECK(region_in(testing::drained(board.words[1])) == frame[1].region);
   board.bench.edges(square_words);
   CHECK(region_in(testing::drained(board.words[1])) == frame[2].region);
@@ -98,7 +98,7 @@ TEST_CASE("processors take squares in turn, the first the first, and send a word
   CHECK(account.of(SquareActivity::done) == 5);
 }
 
-TEST_CASE("a renderer that one processor keeps no other gets, until all words of the square have gone") {
+TEST_CASE("a renderer reserved by one processor is free after all words of its square") {
   const std::vector<isa::Segment> frame = squares({true, true, true});
   Board board(3, 1);
   board.parts.begin(frame);
@@ -111,7 +111,7 @@ TEST_CASE("a renderer that one processor keeps no other gets, until all words of
   static_cast<void>(board.words[1].read());
   board.bench.edges(1);
   CHECK(board.words[2].num_available() == 0);
-  static_cast<void>(board.words[1].read());  // for one clock none of its words waits, but one is to come
+  static_cast<void>(board.words[1].read());  // for one clock none of its words waits, but one more follows
   board.bench.edges(1);
   CHECK(board.words[1].num_available() == 1);
   CHECK(board.words[2].num_available() == 0);
@@ -121,7 +121,7 @@ TEST_CASE("a renderer that one processor keeps no other gets, until all words of
   CHECK(board.parts.account(2, 11).of(SquareActivity::waiting_for_renderer) == 10);
 }
 
-TEST_CASE("of renderers that nobody keeps a square goes to the one with the fewest to finish, the first of these") {
+TEST_CASE("among free renderers a square goes to the first one with the fewest squares") {
   Board board(1, 3);
   const std::vector<isa::Segment> frame = squares({true, true, true, true, true});
   board.parts.begin(frame);
@@ -135,7 +135,7 @@ TEST_CASE("of renderers that nobody keeps a square goes to the one with the fewe
   CHECK(targets == std::vector<std::uint64_t>{0, 1, 2, 1, 0});
 }
 
-TEST_CASE("of a square in which nothing is seen a header goes to the frame buffer") {
+TEST_CASE("an empty square sends a header to the frame buffer") {
   const std::vector<isa::Segment> frame = squares({false, true});
   Board board(1, 2, 0, 16);
   board.parts.begin(frame);

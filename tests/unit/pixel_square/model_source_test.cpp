@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+// SystemC elaborates once per process, so ctest runs each case here in a separate process.
 
 #include "hw/pixel_square/model_source.h"
 
@@ -25,8 +25,8 @@ struct Board {
 
 }  // namespace
 
-TEST_CASE("the bytes of a model leave lowest bit first, a word in the last of its clocks, after the latency") {
-  // Three words of 12 bits hold three bytes; they leave at 5 + 2, 5 + 4, and there are no more.
+TEST_CASE("a model's bytes leave lowest bit first after the latency") {
+  // Three bytes fit two words of 12 bits, which leave at 5 + 2 and 5 + 4; no more follow.
   constexpr std::array<std::uint8_t, 3> model{0x21, 0x43, 0x65};
   Board board({.width = 12, .word_clocks = 2, .fifo_depth = 9, .latency = 5}, 9);
   board.source.begin(model);
@@ -46,13 +46,13 @@ TEST_CASE("the bytes of a model leave lowest bit first, a word in the last of it
   CHECK(account.of(SquareActivity::done) == 11);
 }
 
-TEST_CASE("a word waits for room, and a second frame begins with its own latency") {
+TEST_CASE("a word waits for room and a second frame starts with its own latency") {
   constexpr std::array<std::uint8_t, 3> model{1, 2, 3};
   Board board({.width = 8, .word_clocks = 1, .fifo_depth = 1, .latency = 1}, 1);
   board.source.begin(model);
   board.bench.edges(4);
   CHECK(board.fifo.read().number(0, 8) == 1);
-  board.bench.edges(1);  // sees the place that the reader freed after the edge before
+  board.bench.edges(1);  // sees the place that the reader freed after the previous edge
   CHECK(board.fifo.read().number(0, 8) == 2);
   board.bench.edges(1);
   CHECK(board.fifo.read().number(0, 8) == 3);

@@ -7,7 +7,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("numbers that are put one behind the other come out of slices of any width as they went in") {
+TEST_CASE("consecutive numbers survive slicing at any width") {
   CHECK(rc::check([] {
     std::vector<bool> expected;
     std::vector<std::uint64_t> bits(64);
@@ -32,7 +32,7 @@ TEST_CASE("numbers that are put one behind the other come out of slices of any w
   }));
 }
 
-TEST_CASE("a header says its region again, x lowest, then y, width and height") {
+TEST_CASE("a header holds x and y and width and height from the lowest bits up") {
   CHECK(pixel_square::header_of({0x1234, 0x5678, 0x9abc, 0xdef0}) == 0xdef0'9abc'5678'1234);
   CHECK(rc::check([] {
     const auto number = [] { return *rc::gen::inRange(0U, 65536U); };

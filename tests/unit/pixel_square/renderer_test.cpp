@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+// SystemC elaborates once per process, so ctest runs each case here in a separate process.
 
 #include "hw/pixel_square/renderer.h"
 
@@ -15,14 +15,14 @@ using testing::Bench;
 
 namespace {
 
-// Every command is one word of the link, and is there before the first edge. The receiver takes SegmentStart at edge 1;
-// from 2 on five clocks clear the memory; at 7 enable_all is issued, at 8 to 13 the six bits of the linear expression;
-// SegmentEnd at 14. A tree of 4 x 2 leaves has three levels, so that it has arrived at 17.
+// Every command takes one word of the link and is available before the first edge. The receiver takes SegmentStart at
+// edge 1; from 2 on five clocks clear the memory; enable_all is issued at 7, the six bits of the linear expression at 8
+// to 13, SegmentEnd at 14. A tree of 4 x 2 leaves has three levels, so the end arrives at 17.
 constexpr std::uint32_t link_width = 256;
 constexpr std::uint32_t clear_clocks = 5;
 constexpr std::uint64_t drawn_at = 17;
 
-// In words of 8 bits the header is eight, and six colours of 4 bits are three.
+// The header in words of 8 bits takes eight, and six colours of 4 bits take three.
 constexpr std::uint32_t port_bits = 8;
 constexpr std::uint64_t square_words = 8 + 3;
 
@@ -32,7 +32,7 @@ constexpr Instruction enable_all{.opcode = Opcode::enable_all};
 constexpr Instruction ramp{
     .opcode = Opcode::load_linear, .fields = {colour}, .linear = {.a = 2, .b = 5, .c = 3, .width = 6}};
 
-/// Notes what it is told.
+/// Records the reported instructions.
 class Listener final : public systemc::RunListener {
  public:
   void after_instruction(const systemc::Retired& retired, const systemc::PixelView& /*pixels*/) override {
@@ -46,13 +46,13 @@ class Listener final : public systemc::RunListener {
   std::vector<std::uint32_t> squares;
 };
 
-/// A renderer with pixels of 4 x 2, whose link holds whatever a test sends.
+/// A renderer with 4 x 2 pixels and a link deep enough for all commands of a test.
 struct Board {
   Board(std::uint32_t buffers, std::uint32_t move_bits, int port_depth)
       : Board({.buffers = buffers, .move_bits = move_bits, .port_bits = port_bits}, port_depth) {}
 
   Board(const pixel_square::Figures& figures, int port_depth)
-      : machine(machine_of(figures)), bench(machine), colours("colours", port_depth), renderer("renderer", machine) {
+      : machine(make_machine(figures)), bench(machine), colours("colours", port_depth), renderer("renderer", machine) {
     renderer.clock(bench.clock);
     renderer.link(link);
     renderer.colours(colours);
@@ -63,7 +63,7 @@ struct Board {
     renderer.begin(colour, names);
   }
 
-  static machines::Machine machine_of(const pixel_square::Figures& figures) {
+  static machines::Machine make_machine(const pixel_square::Figures& figures) {
     machines::Machine machine = testing::square_machine(figures);
     machine.array = {4, 2, 8};
     machine.clear_clocks = clear_clocks;
@@ -91,7 +91,7 @@ struct Board {
   Renderer renderer;
 };
 
-/// The colours of the square after these, as the reference has them.
+/// Returns the square's colours after the instructions, as computed by the reference.
 std::vector<std::uint32_t> reference_colours(const std::vector<Instruction>& instructions) {
   reference::ReferenceArray judge(isa::Region{0, 0, square.width, square.height}, 8);
   for (const Instruction& one : instructions) judge.execute(one);
@@ -100,7 +100,7 @@ std::vector<std::uint32_t> reference_colours(const std::vector<Instruction>& ins
   return values;
 }
 
-/// Nothing is seen before that edge, and the square is finished with it.
+/// Checks that the square is finished at this edge and not earlier.
 void check_finished_at(Board& board, std::uint64_t edge) {
   board.bench.edges(edge - 1);
   CHECK(board.finished.read() == 0);
@@ -110,8 +110,8 @@ void check_finished_at(Board& board, std::uint64_t edge) {
 
 }  // namespace
 
-TEST_CASE("finished squares wait in the backing store, and the next is drawn meanwhile, until that is full") {
-  // Two squares of 4 bits a pixel fit. One word of the first finds room.
+TEST_CASE("drawing continues while finished squares wait until the backing store is full") {
+  // Two squares of 4 bits per pixel fit. The port has room for one word of the first.
   Board board({.backing_bits = 8, .port_bits = port_bits}, 1);
   for (int i = 0; i < 3; ++i) board.send({enable_all, ramp});
   board.bench.edges(100);
@@ -127,7 +127,7 @@ TEST_CASE("finished squares wait in the backing store, and the next is drawn mea
         testing::travelling(square, reference_colours({enable_all, ramp}), colour.width, port_bits));
 }
 
-TEST_CASE("a square moves to the backing store a few bits a clock, those of all pixels of the renderer") {
+TEST_CASE("a square moves to the backing store a few bits of all pixels per clock") {
   // Eight pixels of 4 bits.
   Board board({.backing_bits = 4, .backing_width = 5, .port_bits = port_bits}, 100);
   board.send({enable_all, ramp});
@@ -140,9 +140,9 @@ TEST_CASE("a square moves to the backing store a few bits a clock, those of all 
   CHECK(board.colours.num_available() == 1);
 }
 
-TEST_CASE("where no pixel is enabled the instructions that a question names are dropped, a word a clock") {
-  // The question is issued at 7, and its answer is there when its step has come through three levels of the tree,
-  // at 11. Then the one that waits is dropped, the next at 12, and SegmentEnd is taken at 13.
+TEST_CASE("with no pixel enabled the skipped instructions are dropped a word per clock") {
+  // The question is issued at 7, and its answer arrives when its step has passed three levels of the tree, at 11. Then
+  // the waiting instruction is dropped, the next at 12, and SegmentEnd is taken at 13.
   const Instruction question{.opcode = Opcode::skip_if_none, .constant = 2};
   Board board(2, 0, 100);
   board.send({question, ramp, enable_all});
@@ -154,7 +154,7 @@ TEST_CASE("where no pixel is enabled the instructions that a question names are 
   CHECK(board.renderer.account(20).of(SquareActivity::working) == clear_clocks + 4 + 4);
 }
 
-TEST_CASE("a pixel that is enabled answers, so that all instructions are carried out") {
+TEST_CASE("an enabled pixel answers the question and all instructions execute") {
   const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
   Board board(2, 0, 100);
   board.send({enable_all, question, ramp});
@@ -164,8 +164,8 @@ TEST_CASE("a pixel that is enabled answers, so that all instructions are carried
   CHECK(board.renderer.skipped() == 0);
 }
 
-TEST_CASE("each level of the OR costs a question a clock") {
-  // Eight pixels meet in gates of three lines, three gates in one.
+TEST_CASE("each level of the OR delays a question by one clock") {
+  // Eight pixels are combined by gates of three inputs, and those three gates by one.
   const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
   Board board({.buffers = 2, .port_bits = port_bits, .has_global_or = true, .or_fan_in = 3}, 100);
   board.send({question, ramp});
@@ -173,7 +173,7 @@ TEST_CASE("each level of the OR costs a question a clock") {
   CHECK(board.listener.instructions.at(0).clocks == 4 + 2);
 }
 
-TEST_CASE("a square is drawn in its clocks, moves to the second buffer in none, and leaves from the next edge on") {
+TEST_CASE("a square moves to the second buffer at once and leaves from the next edge on") {
   Board board(2, pixel_square::all_planes, 100);
   board.send({enable_all, ramp});
   check_finished_at(board, drawn_at);
@@ -197,7 +197,7 @@ TEST_CASE("a square is drawn in its clocks, moves to the second buffer in none, 
   CHECK(board.listener.instructions[1].enabled_pixels == 6);
 }
 
-TEST_CASE("four bits of colour move to the second buffer in two clocks, three bit planes in each") {
+TEST_CASE("four bits of colour move in two clocks at three bit planes per clock") {
   Board board(2, 3, 100);
   board.send({enable_all, ramp});
   check_finished_at(board, drawn_at + 2);
@@ -215,10 +215,10 @@ TEST_CASE("without a second buffer a square is finished when its last word has l
   CHECK(board.renderer.account(28).of(SquareActivity::waiting_for_frame_buffer) == square_words);
 }
 
-TEST_CASE("without a second buffer rows are latched, and the latch is filled again while a row leaves") {
-  // A row of three colours is 12 bits. Its four bit planes are latched at 18 to 21, and it goes over at 22; the second
-  // row is latched at 22 to 25. Meanwhile the eight words of the header leave, at 18 to 25. At 26 the first word of
-  // colours leaves; the second needs the second row, which goes over at 27.
+TEST_CASE("without a second buffer the latch refills while a row leaves") {
+  // A row of three colours has 12 bits. Its four bit planes are latched at 18 to 21, and it transfers at 22; the second
+  // row is latched at 22 to 25. The eight words of the header leave meanwhile, at 18 to 25. The first word of colours
+  // leaves at 26; the second needs the second row, which transfers at 27.
   Board board({.buffers = 1, .latch_bits = 1, .port_bits = port_bits}, 100);
   board.send({enable_all, ramp});
   board.bench.edges(drawn_at + 8);
@@ -232,9 +232,9 @@ TEST_CASE("without a second buffer rows are latched, and the latch is filled aga
         testing::travelling(square, reference_colours({enable_all, ramp}), colour.width, port_bits));
 }
 
-TEST_CASE("a row that takes long to be latched holds up its words, but not the header") {
-  // With a port of 64 bits the header is a word, at 18, and all colours are one more: it needs both rows, the first
-  // latched at 18 to 21 and over at 22, the second at 22 to 25 and over at 26.
+TEST_CASE("a slow row latch delays the row's words and not the header") {
+  // A port of 64 bits: the header is one word, at 18, and all colours are one more: it needs both rows, the first
+  // latched at 18 to 21 and transferred at 22, the second at 22 to 25 and transferred at 26.
   Board board({.buffers = 1, .latch_bits = 1, .port_bits = 64}, 100);
   board.send({enable_all, ramp});
   board.bench.edges(drawn_at + 8);
@@ -245,22 +245,21 @@ TEST_CASE("a row that takes long to be latched holds up its words, but not the h
   CHECK(board.renderer.account(30).of(SquareActivity::waiting_for_frame_buffer) == 9);
 }
 
-TEST_CASE(
-    "the next square is drawn while one leaves, and waits until the edge after that at which its last word left") {
+TEST_CASE("the next square is drawn while one leaves and waits for its last word") {
   Board board(2, pixel_square::all_planes, 1);
   const Instruction two{.opcode = Opcode::set_constant, .fields = {colour}, .constant = 2};
   board.send({enable_all, ramp});
   board.send({enable_all, two});
   board.bench.edges(drawn_at + 100);
   CHECK(board.finished.read() == 1);
-  CHECK(board.renderer.pixels().memory_bit(colour.base + 1U, 2, 1));  // of the second square
+  CHECK(board.renderer.pixels().memory_bit(colour.base + 1U, 2, 1));  // belongs to the second square
   std::vector<PortWord> words;
   while (words.size() + 1 < square_words) {
     CHECK(board.finished.read() == 1);
     words.push_back(board.colours.read());
     board.bench.edges(1);
   }
-  board.bench.edges(1);  // the last word stands in the FIFO since the edge before
+  board.bench.edges(1);  // the last word has been in the FIFO since the previous edge
   CHECK(board.finished.read() == 2);
   words.push_back(board.colours.read());
   CHECK(testing::bits_of(words, port_bits) ==
@@ -277,8 +276,8 @@ TEST_CASE(
 
 namespace {
 
-/// With a port of 64 bits the square is two words, which leave at the edges after the one at which it is finished: none
-/// waits for a row.
+/// A port of 64 bits: the square has two words; they leave at the edges after the one at which it is finished,
+/// without waiting for a row.
 void check_unlatched(pixel_square::Figures figures) {
   figures.port_bits = 64;
   figures.latch_bits = 1;
@@ -291,8 +290,8 @@ void check_unlatched(pixel_square::Figures figures) {
 
 }  // namespace
 
-TEST_CASE("nothing is latched where a square leaves from a second buffer") { check_unlatched({.buffers = 2}); }
+TEST_CASE("nothing is latched if a square leaves from a second buffer") { check_unlatched({.buffers = 2}); }
 
-TEST_CASE("nothing is latched where a square leaves from the backing store") {
+TEST_CASE("nothing is latched if a square leaves from the backing store") {
   check_unlatched({.buffers = 1, .backing_bits = 8});
 }

@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+// SystemC elaborates once per process, so ctest runs each case here in a separate process.
 
 #include "hw/pixel_square/ring.h"
 
@@ -16,7 +16,7 @@ auto deep(int depth) {
   return [depth](const char* name, std::size_t /*index*/) { return new sc_core::sc_fifo<Word>(name, depth); };
 }
 
-/// A ring whose sources hold whatever a test writes, and whose targets have room for so many words.
+/// A ring whose sources hold any number of words and whose targets have room for `room` words.
 struct Board {
   explicit Board(pixel_square::Figures figures, int room = 100)
       : machine(testing::square_machine(with_ring(figures))),
@@ -63,7 +63,7 @@ struct Board {
 
 }  // namespace
 
-TEST_CASE("the ring brings a word of each source where it belongs, in the last of a word's clocks") {
+TEST_CASE("the ring delivers a word per source in the last of the word's clocks") {
   Board board({.renderers = 2, .banks = 2, .processors = 2, .ring_word_clocks = 3});
   board.ring.begin();
   board.offer(0, 1, 2);
@@ -88,7 +88,7 @@ TEST_CASE("the ring brings a word of each source where it belongs, in the last o
   CHECK(account.full_clocks == 6);  // the frame buffer took one through each bank
 }
 
-TEST_CASE("a renderer takes one word at a time, and the frame buffer as many as it has banks, the sources in turn") {
+TEST_CASE("a renderer takes one word per clock and the frame buffer one per bank") {
   Board board({.renderers = 3, .banks = 2, .processors = 2});
   board.ring.begin();
   board.offer(0, 0, 3);
@@ -101,13 +101,13 @@ TEST_CASE("a renderer takes one word at a time, and the frame buffer as many as 
     board.bench.edges(1);
     for (std::size_t i = 0; i < expected.size(); ++i) CHECK(left(i) == expected[i]);
   };
-  check({2, 3, 2, 2, 3});  // the second processor finds the renderer taken, the third renderer the banks
-  check({1, 3, 1, 2, 2});  // from the third renderer on: it, the first processor, the first renderer
-  check({0, 3, 1, 1, 1});  // from the second renderer on: it, the third, the first processor
-  check({0, 2, 0, 0, 1});  // from the second processor on: it, the first two renderers
+  check({2, 3, 2, 2, 3});  // the renderer of processor 1 and the banks of renderer 2 are taken
+  check({1, 3, 1, 2, 2});  // order from renderer 2 on: renderer 2, processor 0, renderer 0
+  check({0, 3, 1, 1, 1});  // order from renderer 1 on: renderer 1, renderer 2, processor 0
+  check({0, 2, 0, 0, 1});  // order from processor 1 on: processor 1, renderers 0 and 1
 }
 
-TEST_CASE("as many sources as there are channels are served, then those after them") {
+TEST_CASE("serves one source per channel and continues with their successors") {
   Board board({.renderers = 3, .banks = 9, .processors = 1, .ring_channels = 2});
   board.ring.begin();
   for (std::size_t i = 0; i < 3; ++i) board.offer_colours(i, 2);
@@ -122,7 +122,7 @@ TEST_CASE("as many sources as there are channels are served, then those after th
   CHECK(board.ring.account(9).full_clocks == 3);
 }
 
-TEST_CASE("a source whose target has no room is passed over") {
+TEST_CASE("skips a source whose target has no room") {
   Board board({.renderers = 2, .banks = 2, .processors = 2, .ring_channels = 1}, 1);
   board.ring.begin();
   board.offer(0, 0, 2);

@@ -11,13 +11,13 @@ using namespace pixel_square;
 
 namespace {
 
-machines::Machine machine_of(const Figures& figures, std::uint64_t clock_hz) {
+machines::Machine make_machine(const Figures& figures, std::uint64_t clock_hz) {
   machines::Machine machine = testing::square_machine(figures);
   machine.clock_hz = clock_hz;
   return machine;
 }
 
-isa::Program program_of(std::uint32_t width, std::uint32_t height, std::uint16_t colour_bits) {
+isa::Program make_program(std::uint32_t width, std::uint32_t height, std::uint16_t colour_bits) {
   isa::Program program;
   program.shape = {width, height, 64};
   program.colour = {0, colour_bits};
@@ -26,8 +26,8 @@ isa::Program program_of(std::uint32_t width, std::uint32_t height, std::uint16_t
 
 }  // namespace
 
-TEST_CASE("a screen's turns come evenly, and read the picture row by row, again and again") {
-  // Two rows of 12 bits, in turns of 9 bits: three a picture, 30 a second, one in each 3 1/3 of 100 clocks. They begin
+TEST_CASE("a screen's turns are evenly spaced and read the picture row by row repeatedly") {
+  // Two rows of 12 bits in turns of 9 bits: three per picture, 30 a second, one in each 3 1/3 of 100 clocks. They start
   // with bits 0, 9 and 18.
   const Figures figures{.refresh_rate = 10, .refresh_bits = 9, .refresh_clocks = 2};
   Screen screen(figures, 100);
@@ -40,7 +40,7 @@ TEST_CASE("a screen's turns come evenly, and read the picture row by row, again 
   CHECK(rows == "---00-00-11--00-00-1");
 }
 
-TEST_CASE("with two pictures, without a rate and without colours a screen takes no turn") {
+TEST_CASE("a screen takes no turns with two pictures or without a rate or colours") {
   const Figures shown{.refresh_rate = 60, .refresh_bits = 8};
   Figures two = shown;
   two.pictures = 2;
@@ -55,7 +55,7 @@ TEST_CASE("with two pictures, without a rate and without colours a screen takes 
   }
 }
 
-TEST_CASE("turns worked out are those that are stepped, at every edge") {
+TEST_CASE("computed turns equal stepped ones at every edge") {
   CHECK(rc::check([] {
     Figures figures;
     figures.refresh_rate = *rc::gen::inRange(1U, 100U);
@@ -69,8 +69,8 @@ TEST_CASE("turns worked out are those that are stepped, at every edge") {
     const std::uint64_t clock_hz = turns * figures.refresh_clocks + *rc::gen::inRange<std::uint64_t>(1, 5000);
     Screen screen(figures, clock_hz);
     screen.begin(picture, colour_bits);
-    const isa::Program program = program_of(picture.width, picture.height, colour_bits);
-    pixel_square::ScreenTiming timing(program, machine_of(figures, clock_hz));
+    const isa::Program program = make_program(picture.width, picture.height, colour_bits);
+    pixel_square::ScreenTiming timing(program, make_machine(figures, clock_hz));
     pixel_square::ScreenTiming seldom_asked = timing;
     const auto seldom = *rc::gen::inRange<std::uint64_t>(2, 200);
     std::uint64_t clocks = 0;
@@ -86,12 +86,12 @@ TEST_CASE("turns worked out are those that are stepped, at every edge") {
   }));
 }
 
-TEST_CASE("a screen that would leave no clock to draw in is refused, and one that leaves one is not") {
+TEST_CASE("rejects a screen that leaves no clock for drawing and accepts one that does") {
   // 24 bits in turns of 8: three turns of 10 clocks each, 60 times a second.
   const Figures figures{.refresh_rate = 60, .refresh_bits = 8, .refresh_clocks = 10};
-  const isa::FrameHeader header = isa::frame_header(program_of(4, 2, 3));
-  CHECK_NOTHROW(check_screen(header, machine_of(figures, 1801)));
-  CHECK(testing::error_of([&] { check_screen(header, machine_of(figures, 1800)); }) ==
+  const isa::FrameHeader header = isa::frame_header(make_program(4, 2, 3));
+  CHECK_NOTHROW(check_screen(header, make_machine(figures, 1801)));
+  CHECK(testing::error_of([&] { check_screen(header, make_machine(figures, 1800)); }) ==
         "the screen takes 180 turns a second of 10 clocks each, but the frame buffer has 1800 clocks a second, which "
         "leaves none for drawing; increase refresh.bits, or set frame_buffer.pictures to 2");
 }

@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+// SystemC elaborates once per process, so ctest runs each case here in a separate process.
 
 #include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
@@ -12,7 +12,7 @@ using testing::Bench;
 
 namespace {
 
-/// Every command is one word of it.
+/// Word width at which every command takes one word.
 constexpr std::uint32_t wide = 256;
 constexpr std::uint32_t port_bits = 16;
 constexpr std::uint64_t header_words = 4;
@@ -54,7 +54,7 @@ isa::Segment square(std::uint32_t x, bool drawn) {
 
 }  // namespace
 
-TEST_CASE("a word leaves in the last of its clocks, after the latency, and where nothing is seen it is a header") {
+TEST_CASE("a word leaves in the last of its clocks and an empty square is a header") {
   const std::vector<isa::Segment> squares{square(0, true), square(2, false)};
   Board board({.width = wide, .word_clocks = 3, .fifo_depth = 9, .latency = 4}, 1);
   board.sender.begin(squares);
@@ -91,18 +91,18 @@ TEST_CASE("a word leaves in the last of its clocks, after the latency, and where
   CHECK(account.of(SquareActivity::done) == 30 - 4 - 21);
 }
 
-TEST_CASE("a square goes to the renderer with the fewest squares that it has not finished, the first of these") {
+TEST_CASE("a square goes to the first renderer with the fewest unfinished squares") {
   std::vector<isa::Segment> squares;
   for (std::uint32_t i = 0; i < 6; ++i) squares.push_back(square(2 * i, true));
   Board board({.width = wide, .word_clocks = 1, .fifo_depth = 99, .latency = 0}, 3);
   board.sender.begin(squares);
   const auto words = [&](std::size_t renderer) { return board.links[renderer].num_available(); };
-  board.bench.edges(3 * square_words);  // one each
+  board.bench.edges(3 * square_words);  // one square each
   CHECK((words(0) == 3 && words(1) == 3 && words(2) == 3));
   board.finished[2].write(1);
   board.bench.edges(square_words);
   CHECK(words(2) == 6);
-  board.bench.edges(square_words);  // all have one to finish again
+  board.bench.edges(square_words);  // all renderers have one unfinished square again
   CHECK(words(0) == 6);
   board.finished[0].write(2);
   board.bench.edges(square_words);
@@ -110,7 +110,7 @@ TEST_CASE("a square goes to the renderer with the fewest squares that it has not
   CHECK(words(1) == 3);
 }
 
-TEST_CASE("a word waits for a place, which is filled at the edge after that at which it became free") {
+TEST_CASE("a word waits for a place and takes it an edge after it becomes free") {
   const std::vector<isa::Segment> squares{square(0, true)};
   Board board({.width = wide, .word_clocks = 1, .fifo_depth = 1, .latency = 0}, 1);
   board.sender.begin(squares);

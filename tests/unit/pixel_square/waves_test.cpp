@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here needs a separate process, which ctest gives it.
+// SystemC elaborates once per process, so ctest runs each case here in a separate process.
 
 #include "hw/division/encoding.h"
 #include "hw/isa/opcodes.h"
@@ -12,14 +12,14 @@
 #include "tests/unit/division/hand_models.h"
 #include "tests/unit/pixel_square/bench.h"
 
-// What waves show of the whole machine, clock by clock: of each clock what the edge has left with which it began.
+// Tests of the waves of the whole machine: each clock shows the state after the edge that starts it.
 
 using namespace csgsim;
 using namespace isa;
 
 namespace {
 
-/// Looks at the taps of a machine in the middle of each clock, as waves do.
+/// Samples the taps of a machine in the middle of each clock, as waves do.
 class Sampler final : public sc_core::sc_module {
  public:
   Sampler(sc_core::sc_module_name name, const machines::Machine& machine)
@@ -30,7 +30,7 @@ class Sampler final : public sc_core::sc_module {
 
   void begin(std::vector<wave::Tap> taps) { taps_ = std::move(taps); }
 
-  /// The values of each tap, clock by clock; `-` where it shows nothing.
+  /// The values of each tap, clock by clock; `-` while a tap is undefined.
   std::map<std::string, std::vector<std::string>> seen;
 
  private:
@@ -64,11 +64,11 @@ struct Board {
   }
 
   std::uint64_t run() {
-    systemc::RunListener nobody;
-    return hardware->run(program, nobody).clocks;
+    systemc::RunListener no_listener;
+    return hardware->run(program, no_listener).clocks;
   }
 
-  /// What a tap shows, each with the number of clocks: `2 idle, 6 drawing`. Those of the first clocks only.
+  /// Returns a tap's values in the first clocks as runs with their lengths: `2 idle, 6 drawing`.
   [[nodiscard]] std::string shown(const std::string& name, std::size_t clocks = ~std::size_t{0}) const {
     const std::vector<std::string>& seen = sampler.seen.at(name);
     const std::size_t end = std::min(clocks, seen.size());
@@ -82,7 +82,7 @@ struct Board {
     return text;
   }
 
-  /// The same without the numbers.
+  /// Returns the successive values without their lengths.
   [[nodiscard]] std::string changes(const std::string& name) const {
     std::vector<std::string> all = sampler.seen.at(name);
     all.erase(std::unique(all.begin(), all.end()), all.end());
@@ -97,7 +97,7 @@ struct Board {
     return *found;
   }
 
-  /// Names of the machine's parts, but for what is inside renderers and pixels.
+  /// Names of the machine's taps except those inside renderers and pixels.
   [[nodiscard]] std::vector<std::string> outer_names() const {
     std::vector<std::string> names;
     for (const wave::Tap& one : taps)
@@ -116,7 +116,7 @@ struct Board {
 constexpr Instruction ramp{
     .opcode = Opcode::load_linear, .fields = {isa::Field{0, 3}}, .linear = {.a = 1, .b = 2, .c = 0, .width = 4}};
 
-/// A picture of 4 x 2: the left square is drawn, nothing is seen in the right one.
+/// A picture of 4 x 2: the left square is drawn, the right one is empty.
 isa::Program half_drawn() {
   isa::Program program;
   program.shape = {4, 2, 8};
@@ -127,7 +127,7 @@ isa::Program half_drawn() {
   return program;
 }
 
-/// Every command is one word of it.
+/// A link that carries every command in one word.
 constexpr machines::Link wide{.width = 256, .word_clocks = 1, .fifo_depth = 8, .latency = 2};
 
 constexpr pixel_square::Figures two_renderers{.renderers = 2, .buffers = 2, .port_bits = 32, .port_fifo_depth = 8};
@@ -152,7 +152,7 @@ machines::Machine dividing_machine(std::uint32_t dividers) {
   return machine;
 }
 
-/// The slab in the left half of the picture, as a divider makes it; in the right half nothing is seen.
+/// The slab in the left half of the picture, as a divider computes it; the right half is empty.
 isa::Program slab_program(const machines::Machine& machine) {
   testing::ModelDivider divider(testing::one_slab());
   isa::Program program;
@@ -174,7 +174,7 @@ void check_number(const Board& board, const std::string& name, unsigned width) {
 
 }  // namespace
 
-TEST_CASE("a wave of a machine whose host divides shows what it sends, and through which parts that comes") {
+TEST_CASE("waves of a host-divided machine show the host's words and the parts they pass") {
   machines::Machine machine = testing::square_machine(two_renderers, wide);
   machine.clear_clocks = 3;
   Board board(machine, half_drawn(), {{1, 1}, {2, 0}});
@@ -182,34 +182,34 @@ TEST_CASE("a wave of a machine whose host divides shows what it sends, and throu
                                                         "frame_buffer.state", "frame_buffer.port",
                                                         "frame_buffer.square", "frame_buffer.squares",
                                                         "frame_buffer.refreshed_row"});
-  // Clocks 0 and 1 are the link's latency. Four words of commands leave with the edges that begin clocks 2 to 5, two of
-  // header with the next two; each is taken one later. The third word of background is stored with clock 9.
+  // Clocks 0 and 1 are the link's latency. Four words of commands leave with the edges that start clocks 2 to 5, two of
+  // header with the next two; each is taken a clock later. The third word of background is stored with clock 9.
   constexpr std::uint64_t clocks = 19;
   CHECK(board.run() == clocks);
   CHECK(board.shown("host.state") == "2 waiting_for_host, 6 sending, 10 done");
   CHECK(board.shown("host.square") == "6 0,0, 2 2,0, 10 -");
   CHECK(board.shown("host.renderer") == "2 -, 4 0, 12 -");
   CHECK(board.shown("clears.fill") == "6 0, 2 1, 10 0");
-  // The memory is cleared by what is put on the wires with clocks 3, 4 and 5, and with the last of these instructions
-  // can come. The first is put with clock 6, the other with 7 to 10, and the end with 11: it is there two levels
-  // later, at the edge that begins clock 14. The receiver holds a command until it is obeyed.
+  // Control words of clocks 3, 4 and 5 clear the memory, and the receiver can take instructions with the last of these.
+  // The first instruction is issued with clock 6, the other with 7 to 10, and the end with 11; the end arrives two
+  // levels later, at the edge that starts clock 14. The receiver holds a command until it executes.
   CHECK(board.shown("renderer_0.link_fill") == "2 0, 3 1, 2 2, 1 1, 10 0");
   CHECK(board.shown("renderer_0.state") == "3 idle, 2 clearing, 6 drawing, 3 draining, 4 idle");
   CHECK(board.shown("renderer_0.square") == "3 -, 11 0,0, 4 -");
   CHECK(board.shown("renderer_0.controller.instruction") == "6 -, 1 0, 4 1, 7 -");
   CHECK(board.shown("renderer_0.pixels.instruction") == "8 -, 1 0, 4 1, 5 -");
-  // Two words of header and one of colours leave from the next clock on; the last is stored with the frame's end.
+  // Two words of header and one of colours leave from the next clock on; the last is stored when the frame ends.
   CHECK(board.shown("renderer_0.port_fill") == "15 0, 3 1");
   for (const std::string name : {".link_fill", ".port_fill"}) CHECK(board.shown("renderer_1" + name) == "18 0");
   CHECK(board.shown("renderer_1.state") == "18 idle");
   CHECK(board.shown("renderer_1.square") == "18 -");
-  // The third port is that of the clears. With the first word of a header the square is not known.
+  // The third port carries the clears. The square is unknown at the first word of a header.
   CHECK(board.shown("frame_buffer.state") == "7 -, 3 working, 6 -, 2 working");
   CHECK(board.shown("frame_buffer.port") == "7 -, 3 2, 6 -, 2 0");
   CHECK(board.shown("frame_buffer.square") == "8 -, 2 2,0, 7 -, 1 0,0");
   CHECK(board.shown("frame_buffer.squares") == "9 0, 9 1");
   CHECK(board.shown("frame_buffer.refreshed_row") == "18 -");
-  // A pixel is shown from the clock on in which its memory has been cleared: three, and two levels later.
+  // A pixel is shown from the clock in which its memory has been cleared: three clocks and two levels later.
   CHECK(board.shown("pixel_1_1.renderer") == "8 -, 10 0");
   CHECK(board.shown("pixel_1_1.instruction") == "8 -, 1 0, 4 1, 5 -");
   CHECK(board.shown("pixel_1_1.enable") == "8 -, 1 0, 9 1");
@@ -224,7 +224,7 @@ TEST_CASE("a wave of a machine whose host divides shows what it sends, and throu
                                  "frame_buffer.refreshed_row"})
     check_number(board, name, 32);
 
-  // A second frame is the first again, over its picture.
+  // A second frame repeats the first over its picture.
   const auto first = board.sampler.seen;
   board.sampler.seen.clear();
   CHECK(board.run() == clocks);
@@ -236,7 +236,7 @@ TEST_CASE("a wave of a machine whose host divides shows what it sends, and throu
     again.erase(again.begin());  // the clock between the frames
     CHECK(again == one.second);
   }
-  // In the clock before it nothing of the first is left.
+  // The clock before it shows no values of the first frame remain.
   CHECK(board.shown("host.state") == "1 -, 2 waiting_for_host, 6 sending, 10 done");
   CHECK(board.shown("frame_buffer.state") == "8 -, 3 working, 6 -, 2 working");
   CHECK(board.shown("frame_buffer.squares") == "10 0, 9 1");
@@ -245,15 +245,15 @@ TEST_CASE("a wave of a machine whose host divides shows what it sends, and throu
   CHECK(board.shown("pixel_1_1.renderer") == "9 -, 10 0");
 }
 
-TEST_CASE("a pixel's wave is that of the renderer which draws its square") {
+TEST_CASE("a pixel's wave is that of the renderer that draws its square") {
   isa::Program program = half_drawn();
   for (isa::Segment& segment : program.segments) segment.instructions = {{.opcode = Opcode::enable_all}};
   machines::Link link = wide;
   link.latency = 0;
   Board board(testing::square_machine(two_renderers, link), program, {{0, 0}, {3, 1}});
   board.run();
-  // Words of the first square leave with clocks 0, 1, 2: its instruction is put with clock 2, and is at the pixels two
-  // levels later. All of the second square is three clocks later, in the other renderer.
+  // Words of the first square leave with clocks 0, 1, 2: its instruction is issued with clock 2 and reaches the pixels
+  // two levels later. The second square follows three clocks later, in the other renderer.
   CHECK(board.shown("host.renderer", 7) == "3 0, 3 1, 1 -");
   CHECK(board.shown("renderer_0.controller.instruction", 9) == "2 -, 1 0, 6 -");
   CHECK(board.shown("renderer_1.controller.instruction", 9) == "5 -, 1 1, 3 -");
@@ -269,7 +269,7 @@ TEST_CASE("a pixel's wave is that of the renderer which draws its square") {
   CHECK(board.shown("renderer_1.square", 7) == "4 -, 3 2,0");
 }
 
-TEST_CASE("a wave of a machine with a ring shows its processors, what waits for the ring, and when that carries") {
+TEST_CASE("waves of a machine with a ring show processors and waiting words and transfers") {
   pixel_square::Figures figures = two_renderers;
   figures.divider = pixel_square::DividerKind::processors;
   figures.processors = 2;
@@ -283,9 +283,9 @@ TEST_CASE("a wave of a machine with a ring shows its processors, what waits for 
                                  "frame_buffer.state", "frame_buffer.port", "frame_buffer.square",
                                  "frame_buffer.squares", "frame_buffer.refreshed_row"});
   board.run();
-  // SegmentStart is three words, the linear instruction, of 6 + 18 + 12 + 12 bits, two, each of the others one: the
-  // first processor sends seven with the edges that begin clocks 2 to 8, the second a header of two. The ring carries
-  // with clocks 3, 5, ..., 15; a processor whose last word is carried is free in the clock after that.
+  // SegmentStart has three words, the linear instruction of 6 + 18 + 12 + 12 bits has two, each other command one: the
+  // first processor sends seven with the edges that start clocks 2 to 8, the second a header of two. The ring carries
+  // words with clocks 3, 5, ..., 15; a processor is free in the clock after its last word is carried.
   CHECK(board.shown("processor_0.state", 17) == "2 waiting_for_host, 7 sending, 7 waiting_for_ring, 1 done");
   CHECK(board.shown("processor_0.square", 17) == "2 -, 14 0,0, 1 -");
   CHECK(board.shown("processor_0.renderer", 17) == "2 -, 14 0, 1 -");
@@ -295,9 +295,9 @@ TEST_CASE("a wave of a machine with a ring shows its processors, what waits for 
   CHECK(board.shown("processor_1.renderer", 17) == "17 -");
   CHECK(board.shown("processor_1.ring_fill", 17) == "2 0, 3 1, 12 0");
   CHECK(board.shown("ring.words", 17) == "3 0, 2 2, 2 4, 2 5, 2 6, 2 7, 2 8, 2 9");
-  // With the last word of a carry's two clocks another is carried; behind the seventh comes a pause.
+  // During the last of a transfer's two clocks the next word is carried; a pause follows the seventh.
   CHECK(board.shown("ring.state", 18) == "3 -, 14 working, 1 -");
-  // Behind two renderers' ports those of the processors.
+  // The processors' ports follow those of the two renderers.
   CHECK(board.shown("frame_buffer.port", 10) == "4 -, 1 3, 1 -, 2 3, 2 -");
   CHECK(board.shown("frame_buffer.square", 10) == "6 -, 2 2,0, 2 -");
   CHECK(board.shown("frame_buffer.squares", 10) == "7 0, 3 1");
@@ -306,7 +306,7 @@ TEST_CASE("a wave of a machine with a ring shows its processors, what waits for 
     check_number(board, name, 32);
 }
 
-TEST_CASE("a wave of a machine that divides shows the model's progress, the divider's store and its sender") {
+TEST_CASE("waves of a dividing machine show model progress and the store and the sender") {
   const machines::Machine machine = dividing_machine(1);
   Board board(machine, slab_program(machine), {{15, 15}});
   CHECK(board.outer_names() ==
@@ -317,8 +317,8 @@ TEST_CASE("a wave of a machine that divides shows the model's progress, the divi
   board.run();
   REQUIRE(board.program.display_model.size() > 32);
   REQUIRE(board.program.display_model.size() <= 64);
-  // Two words of 256 bits, the last of which is taken with the edge that begins clock 4. The tree has a node, which
-  // takes nine clocks to look at.
+  // Two words of 256 bits; the last is taken with the edge that starts clock 4. The tree has one node, which takes nine
+  // clocks to test.
   CHECK(board.shown("host.state", 9) == "2 waiting_for_host, 2 sending, 5 done");
   CHECK(board.shown("host.words", 9) == "2 0, 1 1, 6 2");
   CHECK(board.shown("model.fill", 9) == "2 0, 2 1, 5 0");
@@ -330,8 +330,8 @@ TEST_CASE("a wave of a machine that divides shows the model's progress, the divi
   CHECK(board.changes("sender.square") == "0,0 8,0 -");
   CHECK(board.changes("sender.renderer") == "- 0 -");
   CHECK(board.changes("clears.fill") == "0 1 0");
-  // SegmentStart, the instructions and SegmentEnd of the first square fill the store word by word, and leave it so.
-  // That nothing is seen in the second is a word that comes while another leaves.
+  // SegmentStart, the instructions and SegmentEnd of the first square fill the store word by word and leave it
+  // likewise. The empty second square is one word, which arrives while another leaves.
   const std::size_t words = board.program.segments[0].instructions.size() + 2;
   std::string fill;
   for (std::size_t i = 0; i < words; ++i) fill += std::to_string(i) + " ";
@@ -343,7 +343,7 @@ TEST_CASE("a wave of a machine that divides shows the model's progress, the divi
   check_number(board, "sender.renderer", 8);
 }
 
-TEST_CASE("a wave shows each of several dividers by its number") {
+TEST_CASE("waves show each of several dividers by its number") {
   const machines::Machine machine = dividing_machine(2);
   Board board(machine, slab_program(machine), {});
   board.run();
@@ -352,7 +352,7 @@ TEST_CASE("a wave shows each of several dividers by its number") {
   CHECK(board.changes("divider_1.store_fill") == "0 1 0");
 }
 
-TEST_CASE("a machine that divides refuses a Program that differs from what it computes, and a warning is thrown") {
+TEST_CASE("a dividing machine rejects a Program that differs from its own computation") {
   const machines::Machine machine = dividing_machine(1);
   Board board(machine, slab_program(machine), {});
   board.program.segments[0].instructions.pop_back();

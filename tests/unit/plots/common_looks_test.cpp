@@ -8,21 +8,21 @@ using namespace csgsim;
 
 namespace {
 
-plots::Plot chart_of(const std::string& plot, const plots::Names& names) {
+plots::Plot make_chart(const std::string& plot, const plots::Names& names) {
   plots::Chart chart{"title", {"across"}, {{"up"}}, {}, "table.csv"};
   double height = 100;
   for (const std::string& name : names) chart.series.push_back({name, 0, plots::Trace::line, {{0, --height}}});
   return {plot, std::move(chart)};
 }
 
-/// How a series is drawn in a plot.
+/// Returns the look of a series in a plot.
 plots::palette::Look look_in(const plots::Plot& plot, const std::string& name) {
   const auto& chart = std::get<plots::Chart>(plot.content);
   const plots::SeriesLooks looks = plots::series_looks(chart);
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     if (chart.series[i].name == name) return looks.looks[i];
   }
-  FAIL("no such series");
+  FAIL("the plot has no such series");
   return {};
 }
 
@@ -34,8 +34,8 @@ plots::Names numbered(const std::string& stem, int count) {
 
 }  // namespace
 
-TEST_CASE("a series keeps its colour and its mark from plot to plot, whatever else is in them") {
-  std::vector<plots::Plot> plots{chart_of("one", {"a", "b", "c"}), chart_of("other", {"c", "d", "a"})};
+TEST_CASE("a series keeps its colour and its mark across plots") {
+  std::vector<plots::Plot> plots{make_chart("one", {"a", "b", "c"}), make_chart("other", {"c", "d", "a"})};
   plots::give_common_looks(plots);
   std::set<std::string_view> colours;
   for (const char* name : {"a", "c"}) {
@@ -49,8 +49,8 @@ TEST_CASE("a series keeps its colour and its mark from plot to plot, whatever el
   CHECK(colours.size() == 4);
 }
 
-TEST_CASE("plots with more names than colours in all share colours, but none twice in one plot") {
-  std::vector<plots::Plot> plots{chart_of("one", numbered("a", 5)), chart_of("other", numbered("b", 7))};
+TEST_CASE("plots with more names than colours reuse colours but never within one plot") {
+  std::vector<plots::Plot> plots{make_chart("one", numbered("a", 5)), make_chart("other", numbered("b", 7))};
   plots::give_common_looks(plots);
   for (const plots::Plot& plot : plots) {
     std::set<std::string_view> colours;
@@ -61,16 +61,16 @@ TEST_CASE("plots with more names than colours in all share colours, but none twi
   }
 }
 
-TEST_CASE("series without a name have a look that no name in other plots has, as long as there is one") {
-  std::vector<plots::Plot> plots{chart_of("one", {""}), chart_of("other", {"a", "b"})};
+TEST_CASE("an unnamed series gets a look unused by names in other plots if possible") {
+  std::vector<plots::Plot> plots{make_chart("one", {""}), make_chart("other", {"a", "b"})};
   plots::give_common_looks(plots);
   CHECK(look_in(plots[1], "a").colour == plots::palette::looks[0].colour);
   CHECK(look_in(plots[0], "").colour == plots::palette::looks[2].colour);
 }
 
-TEST_CASE("the key of a plot whose coloured series were chosen by another one does not say that the rest is smaller") {
+TEST_CASE("a key with colours chosen by another plot does not call the other series smaller") {
   plots::Names names = numbered("a", 9);
-  std::vector<plots::Plot> plots{chart_of("one", names), chart_of("other", {names.rbegin(), names.rend()})};
+  std::vector<plots::Plot> plots{make_chart("one", names), make_chart("other", {names.rbegin(), names.rend()})};
   plots::give_common_looks(plots);
   const auto last_of_key = [](const plots::Plot& plot) {
     return plots::series_looks(std::get<plots::Chart>(plot.content)).key.back().text;
@@ -81,8 +81,8 @@ TEST_CASE("the key of a plot whose coloured series were chosen by another one do
 }
 
 TEST_CASE("charts that already share looks are unified with the other charts of their study") {
-  std::vector<plots::Plot> first{chart_of("one", {"octree", "exact"}), chart_of("two", {"exact", "run"})};
-  std::vector<plots::Plot> second{chart_of("three", {"run", "octree"}), chart_of("four", {"exact"})};
+  std::vector<plots::Plot> first{make_chart("one", {"octree", "exact"}), make_chart("two", {"exact", "run"})};
+  std::vector<plots::Plot> second{make_chart("three", {"run", "octree"}), make_chart("four", {"exact"})};
   plots::give_common_looks(first);
   plots::give_common_looks(second);
   first.insert(first.end(), second.begin(), second.end());
@@ -101,7 +101,7 @@ TEST_CASE("charts that already share looks are unified with the other charts of 
   }
 }
 
-TEST_CASE("names for which no look is left have no place") {
+TEST_CASE("names without a remaining look get no place") {
   const std::array<plots::Names, 1> plots{plots::Names{"a", "b", "c"}};
   CHECK(plots::common_looks(plots, 2, 2) == plots::Looks{{"a", 0}, {"b", 1}});
 }

@@ -6,7 +6,7 @@ using namespace csgsim;
 
 namespace {
 
-/// With ends of whole numbers from 0 to 8.
+/// A segment whose ends have integer coordinates from 0 to 8.
 plots::Segment random_segment(std::mt19937& random) {
   const auto place = [&] {
     const auto x = static_cast<double>(random() % 9);
@@ -16,7 +16,7 @@ plots::Segment random_segment(std::mt19937& random) {
   return {from, place()};
 }
 
-/// Holds what is found of random pairs of segments against what is expected; tells how often that is true.
+/// Compares found and expected results for random pairs of segments; returns how often they are true.
 template <class Found, class Expected>
 int count_true(int pairs, const Found& found, const Expected& expected) {
   std::mt19937 random(1987);
@@ -41,7 +41,7 @@ plots::Box box_about(const plots::Segment& diagonal) {
 plots::Pixel operator-(const plots::Pixel& a, const plots::Pixel& b) { return {a.x - b.x, a.y - b.y}; }
 double determinant(const plots::Pixel& a, const plots::Pixel& b) { return a.x * b.y - b.x * a.y; }
 
-/// Where the lines meet, by Cramer's rule, is between the ends of both.
+/// Whether the lines' intersection, by Cramer's rule, lies between the ends of both.
 bool cross_between_ends(const plots::Segment& one, const plots::Segment& other) {
   const plots::Pixel along = one.to - one.from;
   const plots::Pixel beside = other.to - other.from;
@@ -52,8 +52,8 @@ bool cross_between_ends(const plots::Segment& one, const plots::Segment& other) 
   return on_one > 0 && on_one < 1 && on_other > 0 && on_other < 1;
 }
 
-/// One of 1,001 points of the segment is inside. Ends of what is inside, of such whole numbers, are a 56th apart or
-/// more.
+/// Whether one of 1,001 points of the segment is inside. The ends of the inside part are at least a 56th apart for such
+/// integers.
 bool has_a_point_inside(const plots::Segment& segment, const plots::Box& box) {
   for (int i = 0; i <= 1000; ++i) {
     const double x = 1000 * segment.from.x + i * (segment.to.x - segment.from.x);
@@ -65,11 +65,11 @@ bool has_a_point_inside(const plots::Segment& segment, const plots::Box& box) {
 
 }  // namespace
 
-TEST_CASE("segments cross where each has the other's ends on both of its sides") {
+TEST_CASE("segments cross if each has the other's ends on both sides") {
   CHECK(count_true(20'000, plots::cross, cross_between_ends) > 1000);
 }
 
-TEST_CASE("a segment meets a box where one of its points is inside, not on the edge") {
+TEST_CASE("a segment meets a box if one of its points is inside and not on the edge") {
   const auto meets = [](const plots::Segment& segment, const plots::Segment& diagonal) {
     return plots::meets(segment, box_about(diagonal));
   };

@@ -29,8 +29,8 @@ Picture decoded(const std::string& file) {
   return picture;
 }
 
-/// Around all that is not white between those columns and rows.
-plots::Box ink_of(const Picture& picture, const plots::Box& within) {
+/// Returns the bounding box of everything non-white within these columns and rows.
+plots::Box ink_box(const Picture& picture, const plots::Box& within) {
   plots::Box ink{1e9, 1e9, 0, 0};
   for (auto y = static_cast<unsigned>(within.top); y < static_cast<unsigned>(within.bottom); ++y) {
     for (auto x = static_cast<unsigned>(within.left); x < static_cast<unsigned>(within.right); ++x) {
@@ -42,14 +42,14 @@ plots::Box ink_of(const Picture& picture, const plots::Box& within) {
   return ink;
 }
 
-plots::Box ink_of(const Picture& picture) {
-  return ink_of(picture, {0, 0, static_cast<double>(picture.width), static_cast<double>(picture.height)});
+plots::Box ink_box(const Picture& picture) {
+  return ink_box(picture, {0, 0, static_cast<double>(picture.width), static_cast<double>(picture.height)});
 }
 
 plots::Drawing of_texts(std::vector<plots::Text> texts) {
   plots::Drawing drawing{600, 600, {}, {}, {}, {}};
   drawing.texts = std::move(texts);
-  drawing.lines.push_back({{{0, 0}, {0, 0}}, "#ffffff"});  // gnuplot wants something to plot
+  drawing.lines.push_back({{{0, 0}, {0, 0}}, "#ffffff"});  // gnuplot requires something to plot
   return drawing;
 }
 
@@ -57,7 +57,7 @@ plots::Drawing of_text(const plots::Text& text) { return of_texts({text}); }
 
 const std::filesystem::path png = "plot.png";
 
-/// A folder with a program `gnuplot` of ours, first where programs are looked for.
+/// A folder with a fake `gnuplot`, first on the PATH.
 class FakeGnuplot {
  public:
   explicit FakeGnuplot(const std::string& script) : path_(std::getenv("PATH")) {
@@ -86,7 +86,7 @@ std::string error_with(const std::string& gnuplot) {
 
 }  // namespace
 
-TEST_CASE("gnuplot has nothing to say of any plot, and draws it twice with the same bytes") {
+TEST_CASE("gnuplot prints nothing for any plot and draws the same bytes twice") {
   for (const plots::Plot& plot : samples::sample_plots()) {
     CAPTURE(plot.name);
     const plots::Drawing drawing = plots::lay_out(plot);
@@ -98,7 +98,7 @@ TEST_CASE("gnuplot has nothing to say of any plot, and draws it twice with the s
 
 namespace {
 
-/// Texts of wide and narrow letters and beyond ASCII, at each anchor, and each letter of ASCII by itself.
+/// Texts of wide and narrow letters and beyond ASCII, at each anchor, and each ASCII letter alone.
 std::vector<plots::Text> all_letters() {
   std::vector<plots::Text> all;
   for (const char* text :
@@ -114,9 +114,9 @@ std::vector<plots::Text> all_letters() {
 
 }  // namespace
 
-TEST_CASE("a text's ink is within the box that was kept for it") {
+TEST_CASE("a text's ink is within the box reserved for it") {
   const std::vector<plots::Text> letters = all_letters();
-  // Side by side in bands: what leaves its own is seen in the next.
+  // Texts side by side in bands: ink outside its band shows in the next.
   constexpr double band = 40;
   constexpr std::size_t bands = 15;
   for (const bool upright : {false, true}) {
@@ -132,8 +132,8 @@ TEST_CASE("a text's ink is within the box that was kept for it") {
       for (const plots::Text& text : texts) {
         CAPTURE(text.text);
         const plots::Box ink =
-            ink_of(picture, upright ? plots::Box{text.at.x - band / 2, 0, text.at.x + band / 2, 600}
-                                    : plots::Box{0, text.at.y - band / 2, 600, text.at.y + band / 2});
+            ink_box(picture, upright ? plots::Box{text.at.x - band / 2, 0, text.at.x + band / 2, 600}
+                                     : plots::Box{0, text.at.y - band / 2, 600, text.at.y + band / 2});
         plots::Box box = plots::bounding_box(text);
         // An edge may fall within a pixel.
         box = {box.left - 1, box.top - 1, box.right + 1, box.bottom + 1};
@@ -144,15 +144,15 @@ TEST_CASE("a text's ink is within the box that was kept for it") {
   }
 }
 
-TEST_CASE("marks and lines are drawn where they are") {
+TEST_CASE("marks and lines are drawn at their places") {
   plots::Drawing drawing{400, 300, {}, {}, {}, {}};
   drawing.marks.push_back({{100, 200}, plots::palette::Mark::square, "#000000", 9});
-  plots::Box ink = ink_of(decoded(plots::draw_png(png, drawing).picture));
+  plots::Box ink = ink_box(decoded(plots::draw_png(png, drawing).picture));
   CHECK(plots::is_within(ink, plots::around({100, 200}, 6.5)));
   CHECK(plots::is_within(plots::around({100, 200}, 3), ink));
   drawing.marks.clear();
   drawing.lines.push_back({{{50, 60}, {350, 60}}, "#000000"});
-  ink = ink_of(decoded(plots::draw_png(png, drawing).picture));
+  ink = ink_box(decoded(plots::draw_png(png, drawing).picture));
   CHECK(plots::is_within(ink, {48, 58, 352, 62}));
   CHECK(ink.right - ink.left > 298);
 }
@@ -172,9 +172,9 @@ TEST_CASE("texts reach gnuplot as strings that end nothing and run nothing") {
   CHECK(text.find_first_of("\"'`$\n%", 1) == text.size() - 1);
 }
 
-TEST_CASE("what gnuplot says of its script becomes one line of ours, without the script") {
+TEST_CASE("gnuplot's error becomes one line without its script") {
   const std::string error = error_with(
-      "echo >&2; echo 'set terminal pngcairo size 600,600' >&2; echo '   ^' >&2;"
+      "echo >&2; echo 'set terminal pngcairo size 600,600' >&2; echo ' ^' >&2;"
       "echo 'line 2: unknown or ambiguous terminal name; type just set terminal for a list' >&2; echo >&2; exit 1");
   CHECK(error.find("plot.png: gnuplot drew no picture; gnuplot reports: unknown or ambiguous terminal name") == 0);
   CHECK(error.find("set terminal pngcairo") == std::string::npos);
@@ -182,15 +182,13 @@ TEST_CASE("what gnuplot says of its script becomes one line of ours, without the
   CHECK(error.find("--no-plots") != std::string::npos);
 }
 
-TEST_CASE("gnuplot that fails without a word, breaks off, or is ended is told") {
+TEST_CASE("reports a gnuplot that fails silently or stops early or is killed") {
   CHECK(error_with("exit 3").find("exited with status 3") != std::string::npos);
   CHECK(error_with("printf '\\211PNG half'").find("the picture is incomplete") != std::string::npos);
   CHECK(error_with("kill -9 $$").find("it was killed by a signal: Killed") != std::string::npos);
 }
 
-TEST_CASE(
-    "a character that no font has is a question mark in a PNG, and itself in an SVG, whose viewer has fonts of its "
-    "own") {
+TEST_CASE("a character without a font is a question mark in a PNG and itself in an SVG") {
   constexpr const char* unassigned = "\u0378";
   CHECK(plots::with_glyphs(std::string("a") + unassigned + "b\u0416\u2026\u00b7\u207b") ==
         "a?b\u0416\u2026\u00b7\u207b");

@@ -14,7 +14,7 @@ struct Case {
   plots::Surroundings surroundings{area, {}, {}};
 };
 
-/// Points in heaps, each with its mark and a label, joined by a line in part of the cases.
+/// Points in clusters, each with its mark and a label; in some cases a line joins them.
 Case random_case(std::mt19937& random) {
   const auto uniform = [&](double low, double high) {
     return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
@@ -35,7 +35,7 @@ plots::LabelRequest request(double x, double y) { return {{x, y}, 40}; }
 
 }  // namespace
 
-TEST_CASE("labels keep clear of each other, of marks, lines and leaders, and stay in their area") {
+TEST_CASE("labels overlap neither each other nor marks or lines and stay in their area") {
   std::mt19937 random(1);
   int leaders = 0;
   int numbers = 0;
@@ -63,7 +63,7 @@ TEST_CASE("labels keep clear of each other, of marks, lines and leaders, and sta
   CHECK(numbers > 100);
 }
 
-TEST_CASE("the same labels have the same places") {
+TEST_CASE("label placement is deterministic") {
   std::mt19937 random(2);
   for (int round = 0; round < 20; ++round) {
     const Case one = random_case(random);
@@ -74,7 +74,7 @@ TEST_CASE("the same labels have the same places") {
   }
 }
 
-TEST_CASE("a label alone stands to the right above its point, without a leader") {
+TEST_CASE("a single label is placed to the upper right of its point without a leader") {
   const std::vector<plots::LabelRequest> requests{request(400, 200)};
   const auto placed = plots::place_labels(requests, {area, {plots::around({400, 200}, 4)}, {}});
   REQUIRE(placed.size() == 1);
@@ -91,7 +91,7 @@ TEST_CASE("a label in a corner turns inwards") {
   CHECK(placed[0].box.right < 695);
 }
 
-TEST_CASE("where a text has no room its number stands, numbered from 1") {
+TEST_CASE("a number starting from 1 replaces a text without room") {
   const plots::Box narrow{0, 0, 60, 60};
   const std::vector<plots::LabelRequest> requests{{{30, 30}, 100}, {{30, 50}, 100}};
   const auto placed = plots::place_labels(requests, {narrow, {}, {}});
@@ -101,7 +101,7 @@ TEST_CASE("where a text has no room its number stands, numbered from 1") {
   CHECK(placed[0].box.right - placed[0].box.left == doctest::Approx(plots::text_width("1")));
 }
 
-TEST_CASE("labels that find no room at all are left out") {
+TEST_CASE("labels without any room are omitted") {
   const std::vector<plots::LabelRequest> requests(200, request(20, 20));
   CHECK(plots::place_labels(requests, {{0, 0, 50, 50}, {}, {}}).size() < 20);
 }

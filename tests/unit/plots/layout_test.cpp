@@ -35,7 +35,7 @@ void check(const plots::Drawing& drawing) {
   check_marks_and_lines(drawing);
 }
 
-/// Texts of a drawing that hold the words.
+/// Returns the texts of a drawing that contain the words.
 std::vector<std::string> with(const plots::Drawing& drawing, const std::string& words) {
   std::vector<std::string> found;
   for (const plots::Text& text : drawing.texts) {
@@ -44,7 +44,7 @@ std::vector<std::string> with(const plots::Drawing& drawing, const std::string& 
   return found;
 }
 
-plots::Chart chart_of(std::size_t series) {
+plots::Chart make_chart(std::size_t series) {
   plots::Chart chart{"title", {"across"}, {{"up"}}, {}, "table.csv"};
   for (std::size_t i = 0; i < series; ++i) {
     // The third series of every four is the largest.
@@ -56,14 +56,14 @@ plots::Chart chart_of(std::size_t series) {
 
 }  // namespace
 
-TEST_CASE("no two texts of a plot overlap, and nothing leaves the picture") {
+TEST_CASE("no two texts of a plot overlap and nothing leaves the picture") {
   for (const plots::Plot& plot : samples::sample_plots()) {
     CAPTURE(plot.name);
     check(plots::lay_out(plot));
   }
 }
 
-TEST_CASE("no two texts overlap in plots drawn by lot") {
+TEST_CASE("no two texts overlap in random plots") {
   const auto seeds = testing::cases<unsigned>(300, 30);
   for (unsigned seed = 0; seed < seeds; ++seed) {
     CAPTURE(seed);
@@ -73,25 +73,25 @@ TEST_CASE("no two texts overlap in plots drawn by lot") {
   }
 }
 
-TEST_CASE("the key names the series with the largest values, and how many others there are in which table") {
-  const plots::Drawing drawing = plots::lay_out(chart_of(20));
+TEST_CASE("the key names the largest series and counts the others with their table") {
+  const plots::Drawing drawing = plots::lay_out(make_chart(20));
   CHECK(with(drawing, "series ").size() == plots::palette::max_series);
   for (const char* name :
        {"series 2", "series 6", "series 10", "series 14", "series 18", "series 19", "series 17", "series 16"})
     CHECK(with(drawing, name).size() == 1);
   CHECK(with(drawing, "12 more") == std::vector<std::string>{"12 more, with smaller values (see table.csv)"});
-  CHECK(with(plots::lay_out(chart_of(8)), "more").empty());
+  CHECK(with(plots::lay_out(make_chart(8)), "more").empty());
 }
 
-TEST_CASE("series in the key have different colours, and the others are grey") {
-  const plots::Drawing drawing = plots::lay_out(chart_of(20));
+TEST_CASE("series in the key have distinct colours and the others are grey") {
+  const plots::Drawing drawing = plots::lay_out(make_chart(20));
   std::multiset<std::string_view> colours;
   for (const plots::Mark& mark : drawing.marks) colours.insert(mark.colour);
   for (const plots::palette::Look& look : plots::palette::looks) CHECK(colours.count(look.colour) == 3);
   CHECK(colours.count(plots::palette::background.colour) == 2 * 12 + 1);
 }
 
-TEST_CASE("the title of an upright axis stands in two lines where one is too long, with all its words") {
+TEST_CASE("a long title of an upright axis takes two lines with all its words") {
   const plots::Drawing drawing = plots::lay_out(
       plots::Chart{"title", {"across"}, {{"depth error, 99.9th percentile"}, {"up"}, {"also"}}, {{"s", 0}}, "t"});
   const std::vector<std::string> first = with(drawing, "depth");
@@ -104,14 +104,14 @@ TEST_CASE("the title of an upright axis stands in two lines where one is too lon
   check(drawing);
 }
 
-TEST_CASE("what stands above names is seen from 0 on") {
+TEST_CASE("values above names start from 0") {
   plots::Chart chart{"title", {"machine", plots::Scale::linear, {{0, "a"}, {1, "b"}}, true}, {{"ms"}}, {}, "t"};
   chart.series.push_back({"", 0, plots::Trace::marks, {{0, 21.5}, {1, 22.8}}});
   CHECK(with(plots::lay_out(chart), "0").front() == "0");
   CHECK(with(plots::lay_out(chart), "21").empty());
 }
 
-TEST_CASE("points stand in a panel as their values do, upwards and to the right, and ticks with them") {
+TEST_CASE("points are placed by their values to the right and upwards with matching ticks") {
   const plots::Drawing drawing = plots::lay_out(
       plots::Chart{"title", {"x"}, {{"y"}}, {{"", 0, plots::Trace::marks, {{0, 0}, {1, 3}, {4, 4}}}}, "t"});
   REQUIRE(drawing.marks.size() == 3);
@@ -123,7 +123,7 @@ TEST_CASE("points stand in a panel as their values do, upwards and to the right,
   CHECK(first.y < -200);
   CHECK(second.x == doctest::Approx(3 * first.x));
   CHECK(first.y == doctest::Approx(3 * second.y));
-  // The texts of 4, across and up, stand below the point at 4,4 and left of it.
+  // The texts of 4, across and up, are below the point at 4,4 and left of it.
   std::vector<plots::Pixel> fours;
   for (const plots::Text& text : drawing.texts) {
     if (text.text == "4" || text.text == "4.0") fours.push_back(text.at);
@@ -133,7 +133,7 @@ TEST_CASE("points stand in a panel as their values do, upwards and to the right,
   CHECK(std::ranges::any_of(fours, [&](const plots::Pixel& at) { return at.y == drawing.marks[2].at.y; }));
 }
 
-TEST_CASE("points are joined by lines, by steps that hold until the next and then to the edge, by a level, or not") {
+TEST_CASE("joins points by lines or steps or a level or not at all") {
   const auto joined = [](plots::Trace trace, bool is_backward = false) {
     plots::Chart chart{"title", {"x"}, {{"y"}}, {{"", 0, trace, {{0, 0}, {5, 10}, {10, 20}}}}, "t"};
     if (is_backward) std::ranges::reverse(chart.series.front().points);
@@ -148,7 +148,7 @@ TEST_CASE("points are joined by lines, by steps that hold until the next and the
   REQUIRE(steps.size() == 6);
   CHECK(steps[1] == plots::Pixel{line[1].x, line[0].y});
   CHECK(steps[2] == line[1]);
-  // To the right where x grows, to the left where it falls.
+  // Steps go right where x increases and left where it decreases.
   CHECK(steps.back() == plots::Pixel{plots::plot_width - 30, line[2].y});
   CHECK(joined(plots::Trace::steps, true).back().x < line[0].x);
   CHECK(joined(plots::Trace::marks).empty());
@@ -171,7 +171,7 @@ TEST_CASE("labels of points at one place are one text") {
   CHECK(with(drawing, "m = 7").size() == 1);
 }
 
-TEST_CASE("every label is in the plot, or by its number in the key, or counted there") {
+TEST_CASE("every label is in the plot or in the key by number or counted there") {
   plots::Chart chart{"title", {"across"}, {{"up"}}, {{"s", 0, plots::Trace::marks, {}}}, "table.csv"};
   for (std::size_t i = 0; i < 200; ++i)
     chart.series[0].points.push_back(
@@ -181,12 +181,11 @@ TEST_CASE("every label is in the plot, or by its number in the key, or counted t
   const std::vector<std::string> more = with(drawing, "more labels in table.csv");
   REQUIRE(more.size() == 1);
   CHECK(with(drawing, ": point ").size() > 3);
-  // Points that fall on one place share a label, which names all that fit.
+  // Points at one place share a label, which lists all names that fit.
   CHECK(with(drawing, "point ").size() + std::stoul(more[0]) <= 200);
 }
 
-TEST_CASE(
-    "names on an axis stand upright where they do not fit side by side, and are left out where that is not enough") {
+TEST_CASE("axis names stand upright where they do not fit and are omitted if need be") {
   const auto axis = [](std::size_t count) {
     plots::Chart chart{
         "title", {"machine", plots::Scale::linear, {}, true}, {{"ms"}}, {{"", 0, plots::Trace::marks, {}}}, "t"};
@@ -207,7 +206,7 @@ TEST_CASE(
   CHECK(upright(axis(300)) > 20);
 }
 
-TEST_CASE("bars beyond the most that are shown are counted") {
+TEST_CASE("counts bars beyond the displayed maximum") {
   plots::Bars bars{"title", {"bit"}, {}, {}, "table.csv"};
   for (std::size_t i = 0; i < plots::max_bars + 7; ++i)
     bars.bars.push_back({"bar " + std::to_string(i), 8, {{"Z1", 0, 4}}});
@@ -216,7 +215,7 @@ TEST_CASE("bars beyond the most that are shown are counted") {
   CHECK(with(drawing, "7 more bars in table.csv").size() == 1);
 }
 
-TEST_CASE("names that are shortened still differ, and are no wider than they may be") {
+TEST_CASE("shortened names still differ and fit the maximum width") {
   const std::string middle(80, 'x');
   const std::vector<std::string> names{"begin" + middle + "1" + middle + "end", "begin" + middle + "2" + middle + "end",
                                        "short", "begin" + middle + "1" + middle + "end"};

@@ -12,7 +12,7 @@ using Matrix = std::array<Triple, 3>;
 
 constexpr Matrix all_cones{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-/// What who lacks a cone sees, in linear RGB: Machado, Oliveira and Fernandes, "A physiologically-based model for
+/// Linear RGB as seen without one type of cone: Machado, Oliveira and Fernandes, "A physiologically-based model for
 /// simulation of color vision deficiency" (2009), severity 1.
 constexpr Matrix no_green_cone{
     {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
@@ -51,7 +51,7 @@ Triple lab(const Triple& rgb) {
 
 double difference(const Triple& a, const Triple& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-/// The nearest two colours as somebody sees them: CIE76, where 2.3 is just noticeable.
+/// Smallest difference of two colours for this kind of vision: CIE76, where 2.3 is just noticeable.
 double least_difference(const std::vector<std::string_view>& colours, const Matrix& sight) {
   double least = 1e9;
   for (std::size_t i = 0; i < colours.size(); ++i) {
@@ -88,8 +88,7 @@ std::vector<std::string_view> fills_and_white() {
 
 }  // namespace
 
-TEST_CASE(
-    "the simulation of missing cones is that of its authors: pure red and green come near, blue and yellow do not") {
+TEST_CASE("the cone simulation brings red and green together but not blue and yellow") {
   const auto between = [](std::string_view a, std::string_view b, const Matrix& sight) {
     return least_difference({a, b}, sight);
   };
@@ -101,15 +100,14 @@ TEST_CASE(
         doctest::Approx(between("#ffffff", "#808080", all_cones)).epsilon(0.01));
 }
 
-TEST_CASE(
-    "lines are told apart by everybody by their colours, and in grey by their lightness, on paper and in the dark") {
+TEST_CASE("lines are distinct by colour to every viewer and by lightness in grey") {
   for (const std::vector<std::string_view>& colours : {line_colours(), dark_page_colours()}) {
     for (const Matrix& sight : {all_cones, no_green_cone, no_red_cone}) CHECK(least_difference(colours, sight) > 18);
     CHECK(least_lightness_difference(colours) > 6);
   }
 }
 
-TEST_CASE("lines are told apart without colours at all: each has a dash and a mark of its own") {
+TEST_CASE("lines are distinct without colours: each has its own dash and mark") {
   std::set<std::string_view> dashes;
   std::set<palette::Mark> marks;
   for (const palette::Look& look : palette::looks) {
@@ -118,18 +116,18 @@ TEST_CASE("lines are told apart without colours at all: each has a dash and a ma
   }
 }
 
-TEST_CASE("lines stand out from the paper") {
+TEST_CASE("lines contrast with the paper") {
   for (const std::string_view colour : line_colours()) CHECK(palette::contrast(colour, "#ffffff") > 2.25);
   for (const std::string_view colour : dark_page_colours()) CHECK(palette::contrast(colour, "#15181c") > 3);
 }
 
-TEST_CASE("parts of bars are told apart by everybody, in grey, and from what is free") {
+TEST_CASE("parts of bars are distinct to every viewer and in grey") {
   for (const Matrix& sight : {all_cones, no_green_cone, no_red_cone})
     CHECK(least_difference(fills_and_white(), sight) > 15);
   CHECK(least_lightness_difference(fills_and_white()) > 7);
 }
 
-TEST_CASE("texts on parts of bars can be read") {
+TEST_CASE("texts on parts of bars are readable") {
   for (const std::string_view colour : palette::fills) CHECK(palette::contrast(colour, palette::text_on(colour)) > 4.5);
 }
 

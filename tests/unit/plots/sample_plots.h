@@ -8,10 +8,10 @@
 
 namespace csgsim::testing::plots_ {
 
-/// Plots of all sorts: one point, equal points, hundreds, huge ranges, hostile names; by their names.
+/// Plots of all sorts: one point, equal points, hundreds, huge ranges, hostile names; named accordingly.
 std::vector<plots::Plot> sample_plots();
 
-/// A chart drawn by lot: panels, series, values, labels and names.
+/// A random chart: panels, series, values, labels and names.
 plots::Chart random_chart(std::mt19937& random);
 
 plots::Bars random_bars(std::mt19937& random);

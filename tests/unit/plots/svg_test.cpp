@@ -14,7 +14,7 @@ namespace samples = csgsim::testing::plots_;
 
 namespace {
 
-/// To a hundredth of a pixel.
+/// Approximate to a hundredth of a pixel.
 doctest::Approx about(double value) { return doctest::Approx(value).epsilon(1e-5).scale(1000); }
 
 pugi::xml_document parsed(const std::string& svg) {
@@ -25,8 +25,8 @@ pugi::xml_document parsed(const std::string& svg) {
   return document;
 }
 
-/// Elements in it.
-std::vector<pugi::xml_node> children_of(const pugi::xml_node& node) {
+/// Returns the child elements of a node.
+std::vector<pugi::xml_node> child_elements(const pugi::xml_node& node) {
   std::vector<pugi::xml_node> elements;
   for (const pugi::xml_node& child : node.children()) {
     if (child.type() == pugi::node_element) elements.push_back(child);
@@ -34,15 +34,15 @@ std::vector<pugi::xml_node> children_of(const pugi::xml_node& node) {
   return elements;
 }
 
-/// What stands in the SVG for fills, lines, marks and texts, in this order.
+/// Returns the SVG's groups for fills, lines, marks and texts, in this order.
 std::vector<pugi::xml_node> groups_of(const pugi::xml_document& document) {
-  std::vector<pugi::xml_node> all = children_of(document.child("svg"));
+  std::vector<pugi::xml_node> all = child_elements(document.child("svg"));
   REQUIRE(all.size() == 5);
   CHECK(all.front().name() == std::string("rect"));
   return {all.begin() + 1, all.end()};
 }
 
-/// The shape in a group that tells of it, or the shape itself; its tip has to be that one.
+/// Returns the shape, which is in a group with a title if it has a tip; checks that tip.
 pugi::xml_node shape_of(const pugi::xml_node& node, const std::string& tip) {
   if (tip.empty()) return node;
   CHECK(node.attribute("class").value() == std::string("pt"));
@@ -79,7 +79,8 @@ void check_line(const pugi::xml_node& path, const plots::Line& line) {
   CHECK(path.attribute("stroke-dasharray").empty() == line.dash.empty());
 }
 
-/// Round ones around their middle, others with their corners around it, none much farther than half the size.
+/// Checks a mark: circles are around its middle, other forms have corners around it, none much farther than half the
+/// size.
 void check_mark(const pugi::xml_node& shape, const plots::Mark& mark) {
   if (shape.name() == std::string("circle")) {
     CHECK(shape.attribute("cx").as_double() == about(mark.at.x));
@@ -100,7 +101,7 @@ void check_mark(const pugi::xml_node& shape, const plots::Mark& mark) {
 void check_text(const pugi::xml_node& node, const plots::Text& text) {
   CHECK(node.child_value() == text.text);
   CHECK(node.attribute("x").as_double() == about(text.at.x));
-  // The baseline: capitals are halfway up there.
+  // The baseline: capitals are centred half their height above it.
   CHECK(node.attribute("y").as_double() == about(text.at.y + 0.325 * plots::font_size));
   const char* const anchor = text.anchor == plots::Anchor::left     ? "start"
                              : text.anchor == plots::Anchor::centre ? "middle"
@@ -114,7 +115,7 @@ void check_all(const plots::Drawing& drawing) {
   const pugi::xml_document document = parsed(plots::svg_file(drawing));
   const std::vector<pugi::xml_node> groups = groups_of(document);
   const auto check = [](const pugi::xml_node& group, const auto& items, auto check_one) {
-    const std::vector<pugi::xml_node> nodes = children_of(group);
+    const std::vector<pugi::xml_node> nodes = child_elements(group);
     REQUIRE(nodes.size() == items.size());
     for (std::size_t i = 0; i < items.size(); ++i) {
       if constexpr (requires { items[i].tip; })
@@ -131,7 +132,7 @@ void check_all(const plots::Drawing& drawing) {
 
 }  // namespace
 
-TEST_CASE("every fill, line, mark and text of a drawing is in its SVG, in its place, colour and order") {
+TEST_CASE("an SVG has every element of a drawing in its place and colour and order") {
   for (const plots::Plot& plot : samples::sample_plots()) {
     CAPTURE(plot.name);
     check_all(plots::lay_out(plot));
@@ -144,7 +145,7 @@ TEST_CASE("every fill, line, mark and text of a drawing is in its SVG, in its pl
   }
 }
 
-TEST_CASE("the same drawing gives the same bytes, as a file and as an element") {
+TEST_CASE("the same drawing gives the same bytes as a file and as an element") {
   for (const plots::Plot& plot : samples::sample_plots()) {
     const plots::Drawing drawing = plots::lay_out(plot);
     const std::string file = plots::svg_file(drawing);
@@ -154,7 +155,7 @@ TEST_CASE("the same drawing gives the same bytes, as a file and as an element") 
   }
 }
 
-TEST_CASE("an SVG file is as large as its drawing, on white, in the font that was reckoned with") {
+TEST_CASE("an SVG file has its drawing's size on white in the font of the layout") {
   const pugi::xml_document document = parsed(plots::svg_file({321, 234, {}, {}, {}, {}}));
   const pugi::xml_node svg = document.child("svg");
   CHECK(svg.attribute("viewBox").value() == std::string("0 0 321 234"));
@@ -164,7 +165,7 @@ TEST_CASE("an SVG file is as large as its drawing, on white, in the font that wa
   CHECK(svg.last_child().attribute("font-size").as_double() == plots::font_size);
 }
 
-TEST_CASE("texts and tips of any bytes are text: no markup, nothing that XML refuses") {
+TEST_CASE("texts and tips of any bytes are escaped and valid XML") {
   const std::string hostile = "</text><script>alert(1)</script>\"'&amp;]]>\x01\n\xff\xfe\ufffe\uffff\u202e<!-- \\";
   plots::Drawing drawing{100, 100, {}, {}, {}, {}};
   drawing.texts.push_back({hostile, {50, 50}});
@@ -180,7 +181,7 @@ TEST_CASE("texts and tips of any bytes are text: no markup, nothing that XML ref
   CHECK(groups[2].first_child().child_value("title") == shown);
 }
 
-TEST_CASE("marks of all forms differ, and a dash is in half pixels") {
+TEST_CASE("marks of all forms differ and a dash is in half pixels") {
   std::set<std::string> forms;
   plots::Drawing drawing{100, 100, {}, {}, {}, {}};
   for (const plots::palette::Look& look : plots::palette::looks) {

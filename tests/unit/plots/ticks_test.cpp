@@ -16,7 +16,7 @@ Words texts(const std::vector<plots::Tick>& ticks) {
   return words;
 }
 
-void check_told_apart(const std::vector<plots::Tick>& ticks, double low, double high) {
+void check_distinct(const std::vector<plots::Tick>& ticks, double low, double high) {
   CAPTURE(low);
   CAPTURE(high);
   std::set<std::string> known;
@@ -29,7 +29,7 @@ void check_told_apart(const std::vector<plots::Tick>& ticks, double low, double 
 
 }  // namespace
 
-TEST_CASE("linear ticks are round numbers, with as many decimals as tell them apart") {
+TEST_CASE("linear ticks are round numbers with enough decimals to be distinct") {
   CHECK(texts(plots::linear_ticks(0, 10, 6)) == Words{"0", "2", "4", "6", "8", "10"});
   CHECK(texts(plots::linear_ticks(275'000, 445'000, 5)) == Words{"300,000", "350,000", "400,000"});
   CHECK(texts(plots::linear_ticks(280'964.8, 280'966.1, 4)) == Words{"280,965.0", "280,965.5", "280,966.0"});
@@ -39,7 +39,7 @@ TEST_CASE("linear ticks are round numbers, with as many decimals as tell them ap
   CHECK(texts(plots::linear_ticks(-0.3, 0.3, 4)) == Words{"-0.2", "0", "0.2"});
 }
 
-TEST_CASE("logarithmic ticks are decades, and parts of them where there are few") {
+TEST_CASE("logarithmic ticks are decades and fractions of them if these are few") {
   CHECK(texts(plots::logarithmic_ticks(0.5, 20'000, 6)) == Words{"1", "10", "100", "1,000", "10,000"});
   CHECK(texts(plots::logarithmic_ticks(3, 130, 6)) == Words{"5", "10", "20", "50", "100"});
   CHECK(texts(plots::logarithmic_ticks(3.05, 3.95, 6)) == Words{"3.2", "3.4", "3.6", "3.8"});
@@ -47,7 +47,7 @@ TEST_CASE("logarithmic ticks are decades, and parts of them where there are few"
         Words{"10\u207b\u2079", "10\u207b\u2075", "10\u207b\u00b9", "10\u00b3"});
 }
 
-TEST_CASE("no two ticks have the same text, whatever the range") {
+TEST_CASE("no two ticks have the same text for any range") {
   std::mt19937 random(3);
   const auto uniform = [&](double low, double high) {
     return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
@@ -59,11 +59,11 @@ TEST_CASE("no two ticks have the same text, whatever the range") {
     const double high = low + std::abs(middle) * std::pow(10, uniform(-13, 3));
     if (!(low < high)) continue;
     const std::vector<plots::Tick> linear = plots::linear_ticks(low, high, most);
-    check_told_apart(linear, low, high);
+    check_distinct(linear, low, high);
     CHECK(linear.size() <= most + 1);
     if (low <= 0) continue;
     const std::vector<plots::Tick> logarithmic = plots::logarithmic_ticks(low, high, most);
-    check_told_apart(logarithmic, low, high);
+    check_distinct(logarithmic, low, high);
     CHECK(logarithmic.size() <= most + 1);
   }
 }
@@ -81,7 +81,7 @@ TEST_CASE("a tick's text is its value") {
   }
 }
 
-TEST_CASE("an axis has room for all its values, and 0 has a place below a logarithmic one") {
+TEST_CASE("an axis covers all its values and a logarithmic axis has a place for 0") {
   const std::vector<double> values{0, 3, 40, 5'000};
   const plots::Extent extent = plots::make_extent(values, plots::Scale::by_range, plots::Begin::near_zero);
   CHECK(extent.is_logarithmic);
@@ -94,7 +94,7 @@ TEST_CASE("an axis has room for all its values, and 0 has a place below a logari
   CHECK(before < 1);
 }
 
-TEST_CASE("an axis is linear where its values are of one size, where one is negative, and where all are 0") {
+TEST_CASE("an axis is linear for values of one magnitude or a negative value or only zeros") {
   using Values = std::vector<double>;
   CHECK(!plots::make_extent(Values{100, 1'900}, plots::Scale::by_range, plots::Begin::near_zero).is_logarithmic);
   CHECK(plots::make_extent(Values{100, 2'100}, plots::Scale::by_range, plots::Begin::near_zero).is_logarithmic);
@@ -103,7 +103,7 @@ TEST_CASE("an axis is linear where its values are of one size, where one is nega
   CHECK(!plots::make_extent(Values{0, 0}, plots::Scale::logarithmic, plots::Begin::near_zero).is_logarithmic);
 }
 
-TEST_CASE("an axis that begins at 0 does so however near its values are to each other") {
+TEST_CASE("an axis that starts at 0 does so however close its values are") {
   using Values = std::vector<double>;
   for (const Values& values : {Values{21.5, 22.8}, Values{7, 7}, Values{0, 3}, Values{0}}) {
     const plots::Extent extent = plots::make_extent(values, plots::Scale::by_range, plots::Begin::at_zero);
@@ -115,7 +115,7 @@ TEST_CASE("an axis that begins at 0 does so however near its values are to each 
   CHECK(plots::make_extent(Values{-3, 5}, plots::Scale::by_range, plots::Begin::at_zero).low < -3);
 }
 
-TEST_CASE("a number that rounds to 1,000 or more is told in groups, and a smaller one to four digits") {
+TEST_CASE("groups digits of numbers that round to 1000 or more and prints others with four") {
   CHECK(plots::number_text(999.4) == "999.4");
   for (const double value : {999.5, 999.7, 1000.3}) CHECK(plots::number_text(value) == "1,000");
   CHECK(plots::number_text(-999.5) == "-1,000");
@@ -131,7 +131,7 @@ TEST_CASE("whole numbers have whole ticks") {
   CHECK(texts(plots::logarithmic_ticks(0.4, 150, 6, true)) == Words{"1", "10", "100"});
 }
 
-TEST_CASE("every value stands on its axis, and texts of ticks differ") {
+TEST_CASE("every value is on its axis and tick texts differ") {
   std::mt19937 random(3);
   for (int round = 0; round < 2000; ++round) {
     std::vector<double> values(1 + random() % 6);
@@ -151,7 +151,7 @@ TEST_CASE("every value stands on its axis, and texts of ticks differ") {
   }
 }
 
-TEST_CASE("equal values, none, and the largest numbers have an axis with at least two ticks") {
+TEST_CASE("extreme or equal or missing values get an axis with two or more ticks") {
   using Values = std::vector<double>;
   for (const Values& values :
        {Values{}, Values{0}, Values{7, 7}, Values{-3}, Values{1e-300}, Values{1.7e308, -1.7e308}, Values{1e300}}) {

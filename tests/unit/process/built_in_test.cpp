@@ -5,8 +5,8 @@
 #include "tests/support/figure_ranges.h"
 #include "tests/support/test.h"
 
-// The built-in processes by their sources, and the clock, silicon and energy of Pixel-planes 4 in each, worked out by
-// hand.
+// Tests of the built-in processes against their sources, and the clock, silicon and energy of Pixel-planes 4 in each by
+// hand calculation.
 
 using namespace csgsim;
 using process::Process;
@@ -18,11 +18,11 @@ struct Expected {
   std::string name;
   std::uint64_t gate, fan_in, static_power, register_delay, register_energy, adder, access, read, read_bits, cell,
       transistor, wire_delay, wire_energy;
-  double pixel_gates;  ///< of the clock's path through a pixel of Pixel-planes 4
+  double pixel_gates;  ///< gates on the clock's path through a pixel of Pixel-planes 4
 };
 
-// A pixel has 72 bits, so 7 bits of address: two levels of gates with four inputs, one with eight, and a driver; four
-// gates select, two are the carry.
+// A pixel has 72 bits, so 7 bits of address: two levels of gates with four inputs or one with eight, and a driver; four
+// gates select, two form the carry.
 const std::vector<Expected> all{
     {"nmos-3um", 4000, 8, 50'000'000, 16'000, 8'000'000, 6'400'000, 52'000, 320'000'000, 65'536, 550'000'000,
      1'700'000'000, 200, 6'000'000, 1 + 1 + 4 + 2},
@@ -33,7 +33,7 @@ const std::vector<Expected> all{
 constexpr double logic = 434;  ///< transistors of a pixel and its node
 constexpr double pixels = 512 * 512;
 
-/// mm2 of a pixel with 72 bits of three transistors.
+/// Area in mm2 of a pixel with 72 bits of three transistors.
 double pixel_area(const Expected& one) {
   return (logic * static_cast<double>(one.transistor) + 72 * 3 * static_cast<double>(one.cell)) * 1e-12;
 }
@@ -45,7 +45,7 @@ double shared_transistors(const machines::Machine& machine) {
 
 }  // namespace
 
-TEST_CASE("the processes that come with csgsim have the figures of their sources") {
+TEST_CASE("the built-in processes have the figures of their sources") {
   REQUIRE(process::process_names().size() == all.size());
   for (const Expected& one : all) {
     CAPTURE(one.name);
@@ -66,9 +66,9 @@ TEST_CASE("the processes that come with csgsim have the figures of their sources
   }
 }
 
-TEST_CASE("published figures of the processes follow from what their sources say") {
+TEST_CASE("published figures of the processes follow from their sources' statements") {
   const Process old = process::load_process("cmos-45nm");
-  CHECK(old.gate_delay == std::llround(std::floor(360 * 0.045)));  // ps a um of gate length
+  CHECK(old.gate_delay == std::llround(std::floor(360 * 0.045)));  // ps per um of gate length
   CHECK(old.adder_energy == 100'000 / 32);                         // 0.1 pJ, 32 bits
   CHECK(old.memory_energy == 10'000'000 / 64);                     // 10 pJ, 64 bits
   CHECK(old.memory_bits == 8 * 1024 * 8);                          // 8 KB
@@ -81,7 +81,7 @@ TEST_CASE("published figures of the processes follow from what their sources say
   CHECK(today.memory_transistor_area == 4500);  // 0.027 um2 / 6
 }
 
-TEST_CASE("each process makes the clock, silicon and energy of Pixel-planes 4 that its figures add up to") {
+TEST_CASE("each process yields the hand-calculated clock and silicon and energy") {
   const machines::Machine machine = kinds::load("pixel-planes-4");
   for (const Expected& one : all) {
     CAPTURE(one.name);
@@ -98,7 +98,7 @@ TEST_CASE("each process makes the clock, silicon and energy of Pixel-planes 4 th
     const machines::Resources resources{static_cast<std::uint64_t>(pixels), static_cast<std::uint64_t>(pixels) * 72};
     CHECK(*process::machine_mm2(machine, resources, read) ==
           doctest::Approx(pixels * area + shared * static_cast<double>(one.transistor) * 1e-12));
-    // Two ports of a bit, from a memory of 72 bits in place of 65,536; two adders, seven flip-flops, two wires.
+    // Two ports of a bit, from a memory of 72 bits instead of 65,536; two adders, seven flip-flops, two wires.
     const double attojoules = 2 * static_cast<double>(one.read) * std::sqrt(72 / 65'536.0) +
                               2 * static_cast<double>(one.adder) + 7 * static_cast<double>(one.register_energy) +
                               2 * std::sqrt(area) * static_cast<double>(one.wire_energy);
@@ -112,7 +112,7 @@ TEST_CASE("each process makes the clock, silicon and energy of Pixel-planes 4 th
   CHECK(process::clock_of(machine, process::load_process("cmos-7nm"))->hz == 5'747'126'437);
 }
 
-TEST_CASE("each figure of a process is taken at its least and its most, and refused one beyond") {
+TEST_CASE("accepts each figure of a process at its limits and no further") {
   constexpr std::int64_t million = 1'000'000;
   constexpr auto ranges = std::to_array<testing::FigureRange>({
       {"gate.delay", 1, million},
@@ -130,10 +130,10 @@ TEST_CASE("each figure of a process is taken at its least and its most, and refu
       {"wire.energy", 0, million * million},
   });
   testing::check_figure_ranges("cmos-45nm", ranges,
-                               [](const std::string& said) { return process::load_process(said); });
+                               [](const std::string& text) { return process::load_process(text); });
 }
 
-TEST_CASE("a process so fast or slow that no description takes its clock stays within what one takes") {
+TEST_CASE("the clocks of extreme processes stay within the range of a machine description") {
   const machines::Machine machine = kinds::load("pixel-planes-4");
   const std::string fast = "+gate.delay=1+register.delay=1+memory.access=1+wire.delay=0";
   CHECK(process::clock_of(machine, process::load_process("cmos-7nm" + fast))->hz == 10'000'000'000);  // 11 ps
@@ -141,9 +141,9 @@ TEST_CASE("a process so fast or slow that no description takes its clock stays w
   CHECK(process::clock_of(machine, process::load_process("cmos-7nm" + slow))->hz == 50'000);  // 20 us
 }
 
-TEST_CASE("a clock of less than one a second is one a second") {
-  // The largest transistors and the slowest wires: 434 and 4096 times three of a mm2, a pitch of 113 mm, of which 8192
-  // are 0.93 s; with two reads a bit five transistors, 143 mm and 1.17 s.
+TEST_CASE("a clock rate below one hertz becomes one hertz") {
+  // The largest transistors and the slowest wires: 434 and 4096 times three of a mm2 give a pitch of 113 mm; 8192 of
+  // these take 0.93 s. With two reads a bit has five transistors: 143 mm and 1.17 s.
   const std::string slowest =
       "cmos-7nm+transistor.area=1000000000000+memory.transistor_area=1000000000000+wire.delay=1000000";
   const std::string largest = "pixel-planes-4+array.width=16384+array.height=16384+array.memory_bits=4096";

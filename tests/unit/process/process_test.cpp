@@ -14,7 +14,7 @@ using process::Process;
 
 namespace {
 
-/// Figures with which sums can be done by hand.
+/// Round figures for calculation by hand.
 const std::string round_figures = R"(
 name = "round"
 description = "of round figures"
@@ -87,7 +87,7 @@ source = "a test"
 
 Process round_process() { return process::read_process(round_figures, "round.toml"); }
 
-/// Pixel-planes 4 of 64 x 64 pixels with 64 bits each.
+/// Pixel-planes 4 with 64 x 64 pixels of 64 bits.
 machines::Machine small_machine(const std::string& changes = "") {
   machines::Machine machine = kinds::load("pixel-planes-4" + changes);
   machines::set_picture_size(machine, {64, 64});
@@ -102,7 +102,7 @@ double path(const machines::Machine& machine, const Process& process, std::strin
 
 }  // namespace
 
-TEST_CASE("each figure of each process that comes with csgsim says where it comes from") {
+TEST_CASE("each figure of each built-in process has a source") {
   for (const std::string_view name : process::process_names()) {
     const Process one = process::load_process(std::string(name));
     CHECK(one.name == name);
@@ -111,7 +111,7 @@ TEST_CASE("each figure of each process that comes with csgsim says where it come
   }
 }
 
-TEST_CASE("a process is told by name or file, with figures changed, and what is wrong is told with its place") {
+TEST_CASE("loads a process by name or file with changed figures and reports errors in place") {
   CHECK(process::load_process("nmos-3um+gate.delay=5000").gate_delay == 5000);
   CHECK(process::load_process("nmos-3um+gate.delay=5000").name == "nmos-3um+gate.delay=5000");
   CHECK_THROWS_AS(process::load_process("nmos-3um+gate.delay=0"), machines::ChangeError);
@@ -122,33 +122,34 @@ TEST_CASE("a process is told by name or file, with figures changed, and what is 
   CHECK_THROWS_WITH_AS(process::read_process(text, "round.toml"), doctest::Contains("round.toml:9:7"), InputError);
 }
 
-TEST_CASE("Pixel-planes 4 as it is described comes to its published 10 MHz in the process of its time") {
+TEST_CASE("Pixel-planes 4 reaches its published 10 MHz in its contemporary process") {
   const auto clock = process::clock_of(kinds::load("pixel-planes-4"), process::load_process("nmos-3um"));
   REQUIRE(clock.has_value());
   CHECK(clock->hz == 10'000'000);
   CHECK(clock->path.name == "pixel");
 }
 
-TEST_CASE("the paths of a clock are as their gates add up by hand") {
+TEST_CASE("clock paths equal the hand-counted sums of their gates") {
   const Process one = round_process();
-  // Register 100, access 1000; 6 address bits, two levels of gates with four inputs and a driver; 4 to select, 2 to
-  // carry a bit.
+  // Register 100, access 1000; 6 address bits, two levels of gates with four inputs and a driver; 4 gates to select, 2
+  // to carry a bit.
   CHECK(path(small_machine(), one, "pixel") == doctest::Approx(100 + 1000 + 10 * (3 + 4 + 2)));
   // Four bits: two levels of the rotator, two gates each.
   CHECK(path(small_machine("+alu.bits=4"), one, "pixel") == doctest::Approx(100 + 1000 + 10 * (3 + 4 + 4 + 8)));
   CHECK(path(small_machine(), one, "trees") == doctest::Approx(100 + 30));
-  // Eight bits: the carry goes through seven more, two gates each.
+  // Eight bits: the carry passes seven more, two gates each.
   CHECK(path(small_machine("+alu.bits=8+evaluator.bits=8"), one, "trees") == doctest::Approx(100 + 10 * (3 + 7 * 2)));
   // Two adders, and a wire half as long as the longest. Of the 63 nodes of a column those of levels 1, 3 and 5 have
-  // registers, 42: the others' third of two flip-flops of 16 transistors is left out of 434, so 1038 um2 a pixel.
+  // registers, 42 of them: the remaining third of the nodes saves two flip-flops of 16 transistors from the 434, so
+  // 1038 um2 per pixel.
   CHECK(path(small_machine("+evaluator.register_levels=2"), one, "trees") ==
         doctest::Approx(100 + 10 * 6 + 300 * 16 * std::sqrt(1038e-6)));
-  // All six levels: six adders, wires of a half, a quarter and so on; registers behind 32 nodes, 16 transistors less.
+  // All six levels: six adders, wires of a half, a quarter and so on; registers after 32 nodes, 16 transistors less.
   CHECK(path(small_machine("+evaluator.register_levels=16"), one, "trees") ==
         doctest::Approx(100 + 10 * 18 + 300 * 31 * std::sqrt(1028e-6)));
-  // 434 transistors of 2 um2 and 64 bits of three of 1 um2: 1060 um2 a pixel; half of 64 of them.
+  // 434 transistors of 2 um2 and 64 bits of three of 1 um2: 1060 um2 per pixel; half of 64 of them.
   CHECK(path(small_machine(), one, "wire") == doctest::Approx(100 + 300 * 32 * std::sqrt(1060e-6)));
-  // 64 lines a gate: three levels of four.
+  // 64 lines per gate: three levels of four.
   CHECK(path(small_machine(), one, "global OR") == doctest::Approx(100 + 30));
   CHECK(path(small_machine("+global_or.fan_in=4"), one, "global OR") == doctest::Approx(100 + 10));
   CHECK(process::clock_paths(small_machine("+global_or.present=0"), one).size() == 3);
@@ -156,7 +157,7 @@ TEST_CASE("the paths of a clock are as their gates add up by hand") {
   CHECK(clock->hz == static_cast<std::uint64_t>(std::llround(1e12 / 1190)));
 }
 
-TEST_CASE("the longest wire is half of the longer side of the array, and the global OR combines all pixels") {
+TEST_CASE("the longest wire is half the longer side and the global OR takes all pixels") {
   const Process one = round_process();
   machines::Machine machine = small_machine();
   for (const bool is_high : {false, true}) {
@@ -164,17 +165,17 @@ TEST_CASE("the longest wire is half of the longer side of the array, and the glo
     machine.array.height = is_high ? 64 : 16;
     CHECK(path(machine, one, "wire") == doctest::Approx(100 + 300 * 32 * std::sqrt(1060e-6)));
   }
-  // Lines of all 16 pixels where the gates take 64: two levels of four.
+  // Lines from all 16 pixels where the gates take 64: two levels of four.
   machine.array.width = 4;
   machine.array.height = 4;
   CHECK(path(machine, one, "global OR") == doctest::Approx(100 + 20));
 }
 
-TEST_CASE("a buffer's bits are read at one port, however many a pixel's memory has") {
+TEST_CASE("a buffer's bits have one read port whatever a pixel's memory has") {
   const Process one = round_process();
   const double shared = (machines::controller_transistors + double{machines::fifo_transistors}) * 2e-6;
   const machines::Machine two_reads = small_machine("+memory.reads=2");
-  // 298 and 90 of logic, and five transistors a bit of the pixels; three a bit of the buffer.
+  // 298 and 90 of logic, and five transistors per bit of the pixels; three per bit of the buffer.
   const double pixels = 4096 * (388 * 2e-6 + 64 * 5e-6);
   CHECK(process::machine_mm2(two_reads, {4096, 4096 * 64 + 1000}, one) ==
         doctest::Approx(pixels + shared + 1000 * 3e-6));
@@ -182,13 +183,13 @@ TEST_CASE("a buffer's bits are read at one port, however many a pixel's memory h
   CHECK(process::machine_mm2(two_reads, {4096, 0}, one) == doctest::Approx(pixels + shared));
 }
 
-TEST_CASE("silicon is that of pixels, buffers, controllers and FIFOs") {
+TEST_CASE("silicon includes pixels and buffers and controllers and FIFOs") {
   const Process one = round_process();
   const machines::Machine machine = small_machine();
   const machines::Resources pixels{4096, 4096 * 64};
   const double shared = (machines::controller_transistors + double{machines::fifo_transistors}) * 2e-6;
   CHECK(process::machine_mm2(machine, pixels, one) == doctest::Approx(4096 * 1060e-6 + shared));
-  // 1070 + 294 of logic where ALU and trees have four bits.
+  // 1070 + 294 of logic if ALU and trees have four bits.
   CHECK(process::machine_mm2(small_machine("+alu.bits=4+evaluator.bits=4"), pixels, one) ==
         doctest::Approx(4096 * (1364 * 2e-6 + 64 * 3e-6) + shared));
   const machines::Resources buffered{4096, 4096 * 64 + 1000};
@@ -203,28 +204,28 @@ TEST_CASE("silicon is that of pixels, buffers, controllers and FIFOs") {
   CHECK(squares("+renderers.count=4") - squares("+renderers.count=1") == doctest::Approx(3 * of_one));
 }
 
-TEST_CASE("a frame's energy is that of its pixel clocks, and what gates draw while it lasts") {
+TEST_CASE("a frame's energy is that of its pixel clocks plus static power") {
   const Process one = round_process();
   const machines::Resources pixels{4096, 4096 * 64};
-  // Two ports of a bit, each 40 aJ times the tenth that the memory's side is; two adder bits; 3 + 1 + 3 registers; two
+  // Two ports of a bit, each 40 aJ scaled by the memory's side, a tenth; two adder bits; 3 + 1 + 3 registers; two
   // streams over the pixel's pitch.
   const double clock = 1e-18 * (2 * 40 * 0.1 + 2 * 5 + 7 * 2 + 2 * 7 * std::sqrt(1060e-6));
-  // Of numbers as small as these Approx compares no ratio.
+  // doctest's Approx does not compare ratios of numbers this small.
   const auto part_of = [&](const std::string& changes, const process::FrameWork& work, double joules) {
     return *process::frame_joules(small_machine(changes), pixels, work, one) / joules;
   };
   CHECK(part_of("", {1000, 0}, 1000 * clock) == doctest::Approx(1));
-  // Two reads: a port more, two transistors more a bit, 298 + 90 of logic, and no operand latch.
+  // Two reads: one more port, two more transistors per bit, 298 + 90 of logic, and no operand latch.
   const double two_reads = 1e-18 * (3 * 40 * 0.1 + 2 * 5 + 6 * 2 + 2 * 7 * std::sqrt(388 * 2e-6 + 64 * 5e-6));
   CHECK(part_of("+memory.reads=2", {1000, 0}, 1000 * two_reads) == doctest::Approx(1));
-  // Four bits: each port and the ALU are as wide, and so is the operand latch.
+  // Four bits: each port, the ALU and the operand latch are four bits wide.
   const double four_bits =
       1e-18 * (2 * 4 * 40 * 0.1 + 5 * 5 + 10 * 2 + 2 * 7 * std::sqrt((1070 + 90) * 2e-6 + 64 * 3e-6));
   CHECK(part_of("+alu.bits=4", {1000, 0}, 1000 * four_bits) == doctest::Approx(1));
-  // Degree 2: three adders, eight flip-flops and four streams a node, and a flag at the pixel.
+  // Degree 2: three adders, eight flip-flops and four streams per node, and a flag at the pixel.
   const double squares = 1e-18 * (2 * 40 * 0.1 + 4 * 5 + 13 * 2 + 4 * 7 * std::sqrt((392 + 258) * 2e-6 + 64 * 3e-6));
   CHECK(part_of("+evaluator.degree=2", {1000, 0}, 1000 * squares) == doctest::Approx(1));
-  // Trees of four bits: as many adders, eight flip-flops of streams and a carry, eight streams; 1070 + 294 of logic. Of
+  // Trees of four bits: four adders, eight flip-flops of streams and a carry, eight streams; 1070 + 294 of logic. For
   // degree 2 sixteen of streams, three carries and the flag, sixteen streams; 1154 + 801.
   const auto wide = [](double adders, double registers, double streams, double logic) {
     const double pitch = std::sqrt(logic * 2e-6 + 64 * 3e-6);
@@ -233,7 +234,7 @@ TEST_CASE("a frame's energy is that of its pixel clocks, and what gates draw whi
   CHECK(part_of("+alu.bits=4+evaluator.bits=4", {1000, 0}, 1000 * wide(4, 9, 8, 1364)) == doctest::Approx(1));
   CHECK(part_of("+alu.bits=4+evaluator.bits=4+evaluator.degree=2", {1000, 0}, 1000 * wide(12, 20, 16, 1955)) ==
         doctest::Approx(1));
-  // With registers behind two thirds of the nodes.
+  // Registers at two thirds of the nodes.
   const double fewer = 1e-18 * (2 * 40 * 0.1 + 2 * 5 + (5 + 4.0 / 3) * 2 + 2 * 7 * std::sqrt(1038e-6));
   CHECK(part_of("+evaluator.register_levels=2", {1000, 0}, 1000 * fewer) == doctest::Approx(1));
   const double gates = (4096 * 434 + machines::controller_transistors + machines::fifo_transistors) / 4.0;
@@ -241,7 +242,7 @@ TEST_CASE("a frame's energy is that of its pixel clocks, and what gates draw whi
   CHECK(part_of("", {0, 2}, gates * 4e-12 * 2) == doctest::Approx(1));
 }
 
-TEST_CASE("pixel clocks are those of what is carried out, at each pixel of its region") {
+TEST_CASE("pixel clocks count executed instructions at each pixel of the region") {
   isa::Program program;
   isa::Instruction any;
   any.opcode = isa::Opcode::enable_all;
@@ -258,7 +259,7 @@ TEST_CASE("pixel clocks are those of what is carried out, at each pixel of its r
   CHECK(process::pixel_clocks(program, machine, {&skip, 1}) == 32 * (answer + 2));
 }
 
-TEST_CASE("pixel clocks are summed over the segments, without what each of their questions skips") {
+TEST_CASE("pixel clocks are summed over segments without skipped instructions") {
   const isa::Instruction any{.opcode = isa::Opcode::enable_all};
   const isa::Instruction question{.opcode = isa::Opcode::skip_if_none, .constant = 2};
   isa::Program program;
@@ -281,7 +282,7 @@ TEST_CASE("pixel clocks are summed over the segments, without what each of their
   CHECK(process::pixel_clocks({}, machine, {}) == 0);
 }
 
-TEST_CASE("what does nothing, in no time, takes no energy") {
+TEST_CASE("no work in no time takes no energy") {
   const process::FrameWork none;
   CHECK(process::frame_joules(small_machine(), {4096, 4096 * 64}, none, round_process()) == 0.0);
   const process::Clock clock;
@@ -289,7 +290,7 @@ TEST_CASE("what does nothing, in no time, takes no energy") {
   CHECK(clock.path.ps == 0);
 }
 
-TEST_CASE("an array of one pixel has no tree to go through, and no wire between its levels") {
+TEST_CASE("an array of one pixel has no tree and no wire between levels") {
   const Process one = round_process();
   machines::Machine machine = small_machine("+evaluator.register_levels=16");
   machine.array.width = 1;
@@ -301,7 +302,7 @@ TEST_CASE("an array of one pixel has no tree to go through, and no wire between 
   CHECK(path(machine, one, "trees") == doctest::Approx(100 + 10 * 3));
   CHECK(path(machine, one, "global OR") == doctest::Approx(100 + 10));
   machine.array.height = 4;
-  const double side = (path(machine, one, "wire") - 100) / 300;  // a half of it, mm
+  const double side = (path(machine, one, "wire") - 100) / 300;  // half of it, in mm
   CHECK(path(machine, one, "trees") == doctest::Approx(100 + 10 * 6 + 300 * side / 2));
 }
 
@@ -317,13 +318,13 @@ TEST_CASE("trees are as deep as the longer side of the array") {
   }
 }
 
-TEST_CASE("a line whose gates take any number of inputs combines all pixels at once") {
+TEST_CASE("an OR line of ideal fan-in combines all pixels in levels of process gates") {
   const Process one = round_process();
   // 4096 pixels: six levels of four.
   CHECK(path(small_machine("+global_or.fan_in=ideal"), one, "global OR") == doctest::Approx(100 + 60));
 }
 
-TEST_CASE("memory with one bit more than a decoder's lines takes one more level") {
+TEST_CASE("a memory one bit larger than a decoder's capacity takes one more level") {
   const Process one = round_process();
   machines::Machine machine = small_machine();
   const auto pixel = [&](std::uint32_t bits) {
@@ -340,7 +341,7 @@ TEST_CASE("memory with one bit more than a decoder's lines takes one more level"
   CHECK(pixel(4096) == doctest::Approx(others + 20));
 }
 
-TEST_CASE("a process lists its figures in the order of its file, each with its unit and value") {
+TEST_CASE("a process lists its figures in file order with unit and value") {
   const Process one = round_process();
   CHECK(one.name == "round");
   CHECK(one.description == "of round figures");
@@ -361,7 +362,7 @@ TEST_CASE("a process lists its figures in the order of its file, each with its u
   CHECK(none.adder_energy + none.register_energy + none.memory_energy + none.wire_energy == 0);
 }
 
-TEST_CASE("what has not been synthesised has no price in any process") {
+TEST_CASE("unsynthesised machines have no cost in any process") {
   const Process one = process::load_process("cmos-45nm");
   for (const std::string machine : {"scan-line", "multi-processor", "pixel-planes-4+alu.bits=3"}) {
     CAPTURE(machine);
@@ -373,7 +374,7 @@ TEST_CASE("what has not been synthesised has no price in any process") {
   }
 }
 
-TEST_CASE("a wider ALU is never faster a clock, nor smaller, in any process") {
+TEST_CASE("a wider ALU never shortens the clock or shrinks the silicon") {
   for (const std::string_view name : process::process_names()) {
     const Process one = process::load_process(std::string(name));
     double slowest = 0;

@@ -22,7 +22,7 @@ std::string repeat(std::string_view part, std::size_t times) {
 
 std::string megabytes(std::string_view part) { return repeat(part, (std::size_t{100} << 20U) / part.size()); }
 
-/// The most memory that this process has held.
+/// Peak memory of this process in MB.
 std::size_t peak_megabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -31,7 +31,7 @@ std::size_t peak_megabytes() {
 
 }  // namespace
 
-TEST_CASE("trees 20,000 deep are read") {
+TEST_CASE("reads trees 20000 deep") {
   const std::size_t depth = 20'000;
   const Tree chain = read(repeat("difference(){", depth) + "cube(1);" + repeat("sphere(r=1);}", depth));
   CHECK(count(chain).differences == depth);
@@ -42,7 +42,7 @@ TEST_CASE("trees 20,000 deep are read") {
   CHECK(read(repeat("group(){", depth) + "cube(1);" + repeat("}", depth)).nodes.size() == 1);
 }
 
-TEST_CASE("trees 20,000 wide are read") {
+TEST_CASE("reads trees 20000 wide") {
   const std::size_t width = 20'000;
   const Tree tree = read("difference(){" + repeat("cube(1);", width) + "}");
   CHECK(count(tree).differences == width - 1);
@@ -50,7 +50,7 @@ TEST_CASE("trees 20,000 wide are read") {
   CHECK(broken_promise(tree) == "");
 }
 
-TEST_CASE("100,000 braces may be open, not one more") {
+TEST_CASE("accepts 100000 open braces and rejects one more") {
   const std::size_t limit = 100'000;
   CHECK(read(repeat("group(){", limit) + "cube(1);" + repeat("}", limit)).nodes.size() == 1);
   CHECK(error_of(repeat("group(){", limit + 1)) ==
@@ -59,9 +59,9 @@ TEST_CASE("100,000 braces may be open, not one more") {
         fmt::format("m.csg:1:{}: braces nested more than 100000 deep", 9 * limit + 9));
 }
 
-constexpr bool sanitized = CSGSIM_ADDRESS_SANITIZER == 1;  // then it takes minutes
+constexpr bool sanitized = CSGSIM_ADDRESS_SANITIZER == 1;  // under this sanitizer it takes minutes
 
-TEST_CASE("100 MB of one thing end in one clear line, quickly and in little memory" * doctest::skip(sanitized)) {
+TEST_CASE("rejects 100 MB of repeated text in one line quickly and in little memory" * doctest::skip(sanitized)) {
   struct Case {
     std::string_view before;
     std::string_view part;

@@ -8,7 +8,7 @@ using csgsim::read_test::read;
 
 namespace {
 
-/// Of what a text makes, also as it is extruded, which solids are not: `nothing`, `flat` or `solid`.
+/// Returns whether a text yields `nothing`, `flat` or `solid`; extruding it tells flat shapes from solids.
 std::string kind(const std::string& text) {
   const bool is_seen = outline(read(text)) != "nothing";
   const bool is_flat = outline(read("linear_extrude(height = 1) { " + text + " }")) != "nothing";
@@ -18,9 +18,9 @@ std::string kind(const std::string& text) {
 
 }  // namespace
 
-// What each comes to is OpenSCAD 2021.01's answer; the corpus has many of them as mixed_dimensions.
+// The expected kinds are those of OpenSCAD 2021.01; the corpus has many of these models as mixed_dimensions.
 
-TEST_CASE("the first operand that has dimensions says whether flat shapes count or solids") {
+TEST_CASE("the first operand with dimensions decides whether flat shapes or solids count") {
   CHECK(kind("union() { cube(4); square(4); }") == "solid");
   CHECK(kind("union() { square(4); cube(4); }") == "flat");
   CHECK(kind("hull() { square(4); cube(4); }") == "flat");
@@ -29,7 +29,7 @@ TEST_CASE("the first operand that has dimensions says whether flat shapes count 
   CHECK(kind("union() { group() { } square(4); cube(4); }") == "flat");
 }
 
-TEST_CASE("an operand of the other dimensions is empty") {
+TEST_CASE("an operand of other dimensions is empty") {
   CHECK(kind("intersection() { cube(6); square(4); }") == "nothing");
   CHECK(kind("intersection() { square(4); cube(6); }") == "nothing");
   CHECK(kind("intersection() { cube(6); cube(5); square(4); }") == "nothing");
@@ -39,7 +39,7 @@ TEST_CASE("an operand of the other dimensions is empty") {
   CHECK(kind("minkowski() { square(3); cube(3); }") == "nothing");
 }
 
-TEST_CASE("shapes of no size have dimensions, and say what counts beside them") {
+TEST_CASE("empty shapes have dimensions and decide what counts with them") {
   CHECK(kind("union() { square(0); cube(4); }") == "nothing");
   CHECK(kind("union() { circle(r = 0); cube(4); }") == "nothing");
   CHECK(kind("union() { cube(0); square(4); }") == "nothing");
@@ -50,7 +50,7 @@ TEST_CASE("shapes of no size have dimensions, and say what counts beside them") 
   CHECK(kind("difference() { circle(r = 0); cube(4); }") == "nothing");
 }
 
-TEST_CASE("a union of empty shapes is nothing where it is of one flat shape or of several solids") {
+TEST_CASE("a union of one empty flat shape or several empty solids has no dimensions") {
   CHECK(kind("union() { union() { square(0); } cube(4); }") == "solid");
   CHECK(kind("union() { union() { square(0); square(0); } cube(4); }") == "nothing");
   CHECK(kind("union() { union() { cube(0); } square(4); }") == "nothing");
@@ -59,7 +59,7 @@ TEST_CASE("a union of empty shapes is nothing where it is of one flat shape or o
   CHECK(kind("union() { offset(r = 1) { square(0); } cube(4); }") == "solid");
 }
 
-TEST_CASE("a Boolean of solids with an operand of no dimensions is nothing") {
+TEST_CASE("a Boolean of solids with a dimensionless operand has no dimensions") {
   CHECK(kind("union() { intersection() { cube(4); square(4); } square(5); }") == "flat");
   CHECK(kind("union() { intersection() { square(4); cube(4); } cube(5); }") == "nothing");
   CHECK(kind("union() { intersection() { cube(3); cube(0); } square(4); }") == "flat");
@@ -67,7 +67,7 @@ TEST_CASE("a Boolean of solids with an operand of no dimensions is nothing") {
   CHECK(kind("union() { difference() { group() { } cube(3); } square(4); }") == "flat");
 }
 
-TEST_CASE("what is made of nothing is nothing") {
+TEST_CASE("shapes made from empty ones are empty") {
   CHECK(kind("union() { linear_extrude(height = 3) { square(0); } square(4); }") == "flat");
   CHECK(kind("union() { linear_extrude(height = 3) { square(0); square(0); } square(4); }") == "nothing");
   CHECK(kind("union() { rotate_extrude(angle = 0) { square(3); } square(4); }") == "flat");
@@ -76,7 +76,7 @@ TEST_CASE("what is made of nothing is nothing") {
   CHECK(kind("union() { hull() { square(0); } cube(4); }") == "nothing");
 }
 
-TEST_CASE("beside a file that is extruded children do not count") {
+TEST_CASE("an extrusion of a file ignores its children") {
   const std::string name = CSGSIM_SOURCE_DIR "/tests/corpus/extrude_dxf_file.csg";
   for (const char* node : {"linear_extrude(file = \"data/shapes.dxf\", layer = \"plate\", height = 3",
                            "rotate_extrude(file = \"data/shapes.dxf\", layer = \"plate\""}) {
@@ -89,7 +89,7 @@ TEST_CASE("beside a file that is extruded children do not count") {
   }
 }
 
-TEST_CASE("a polygon with a point that is no two finite numbers is empty, and flat") {
+TEST_CASE("a polygon with a point that is not two finite numbers is empty and flat") {
   for (const char* point : {"undef", "3", "\"a\"", "[5]", "[5, 2, 3]", "[1, undef]", "[1, inf]", "[nan, 1]", "[]"}) {
     CAPTURE(point);
     const std::string polygon =
@@ -99,7 +99,7 @@ TEST_CASE("a polygon with a point that is no two finite numbers is empty, and fl
   }
 }
 
-TEST_CASE("an empty operand of a flat Minkowski sum empties it, unless it is alone") {
+TEST_CASE("an empty operand empties a flat Minkowski sum unless it is the only one") {
   CHECK(kind("minkowski() { circle(r = 0); square(4); }") == "nothing");
   CHECK(kind("minkowski() { square(4); circle(r = 0); }") == "nothing");
   CHECK(kind("minkowski() { group() { } square(4); }") == "nothing");

@@ -17,7 +17,7 @@ std::optional<glm::dvec3> colour_of(const std::string& text) { return read(text)
 
 }  // namespace
 
-TEST_CASE("a matrix is by rows in the file and by columns in the tree") {
+TEST_CASE("a matrix is row-major in the file and column-major in the tree") {
   const glm::dmat4 matrix = transform_of(placed("[[1, 2, 3, 4], [0, 5, 6, 7], [0, 0, 8, 9], [0, 0, 0, 1]]"));
   CHECK(matrix[3] == glm::dvec4(4, 7, 9, 1));
   CHECK(matrix[1] == glm::dvec4(2, 5, 0, 0));
@@ -38,16 +38,16 @@ TEST_CASE("a matrix is divided by its last entry") {
   CHECK(transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,-2]]"))[0] == glm::dvec4(-0.5, 0, 0, 0));
 }
 
-TEST_CASE("the last row and the last column may be left out") {
+TEST_CASE("the last row and the last column are optional") {
   CHECK(transform_of(placed("[[1,0,0,4],[0,1,0,5],[0,0,1,6]]"))[3] == glm::dvec4(4, 5, 6, 1));
   CHECK(transform_of(placed("[[2,0,0],[0,1,0],[0,0,1]]"))[0] == glm::dvec4(2, 0, 0, 0));
 }
 
-TEST_CASE("a mirrored solid stays and keeps its mirror") {
+TEST_CASE("a mirrored solid keeps its mirroring matrix") {
   CHECK(glm::determinant(transform_of(placed("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"))) == -1);
 }
 
-TEST_CASE("the projection of a matrix is left out, as OpenSCAD leaves it out, after all is divided by w") {
+TEST_CASE("ignores a matrix's projection after dividing by w like OpenSCAD") {
   CHECK(transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0.5,1]]")) ==
         transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]")));
   CHECK(transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0.5,0,2]]"))[3] == glm::dvec4(2, 0, 0, 1));
@@ -66,13 +66,13 @@ TEST_CASE("singular matrices flatten solids to nothing") {
         "nothing");
 }
 
-TEST_CASE("a solid squeezed or shrunk on purpose stays") {
+TEST_CASE("keeps a solid squeezed or shrunk deliberately") {
   CHECK(outline(read(placed("[[1e-9,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"))) == "cube");
   CHECK(outline(read(placed("[[1e-9,0,0,0],[0,1e9,0,0],[0,0,1,0],[0,0,0,1]]"))) == "cube");
   CHECK(outline(read(placed("[[1e-200,0,0,0],[0,1e-200,0,0],[0,0,1e-200,0],[0,0,0,1]]"))) == "cube");
 }
 
-TEST_CASE("matrices that are not finite empty their solids") {
+TEST_CASE("non-finite matrices empty their solids") {
   CHECK(outline(read(placed("[[inf,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"))) == "nothing");
   CHECK(outline(read(placed("[[1,0,0,nan],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"))) == "nothing");
   CHECK(outline(read(placed("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,0]]"))) == "nothing");
@@ -80,7 +80,7 @@ TEST_CASE("matrices that are not finite empty their solids") {
                      placed("[[1e200,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]") + "}")) == "nothing");
 }
 
-TEST_CASE("a matrix of another shape is an error") {
+TEST_CASE("rejects a matrix of another shape") {
   CHECK(error_of("multmatrix() { cube(1); }") ==
         "m.csg:1:1: multmatrix() lacks its m; add a 4x4 matrix by rows: [[1, 0, 0, x], [0, 1, 0, y], ...]");
   CHECK(error_of(placed("[[1,0,0,0]]")) == "m.csg:1:12: the matrix of multmatrix() must be a vector of 4 rows");
@@ -96,7 +96,7 @@ TEST_CASE("the outermost colour wins") {
   CHECK_FALSE(colour_of("cube(1);"));
 }
 
-TEST_CASE("a colour holds for its subtree only") {
+TEST_CASE("a colour applies to its subtree only") {
   const Tree tree = read("color([1, 0, 0]) { cube(1); cube(2); } cube(3);");
   CHECK(tree.primitives[1].colour == glm::dvec3(1, 0, 0));
   CHECK_FALSE(tree.primitives[2].colour);
@@ -107,12 +107,12 @@ TEST_CASE("a negative component means that no colour is given") {
   CHECK_FALSE(colour_of("color([-1, -1, -1, 1]) { cube(1); }"));
 }
 
-TEST_CASE("an alpha without a colour lets the usual colour through, as OpenSCAD shows color(alpha = 0.5)") {
+TEST_CASE("an alpha without a colour keeps the default colour") {
   const auto opacity_of = [](const std::string& text) { return read(text).primitives.at(0).opacity; };
   CHECK_FALSE(colour_of("color([-1, -1, -1, 0.5]) { cube(1); }"));
   CHECK(opacity_of("color([-1, -1, -1, 0.5]) { cube(1); }") == 0.5);
   CHECK(opacity_of("color([1, 0, 0, -1]) { cube(1); }") == 1);
-  // Of colours within one another the outermost that is whole, or else the innermost.
+  // The outermost complete one of nested colours counts, or else the innermost.
   const std::string within = "color([-1, -1, -1, 0.5]) { color([1, 0, 0, 1]) { cube(1); } }";
   CHECK(colour_of(within) == glm::dvec3(1, 0, 0));
   CHECK(opacity_of(within) == 1);
@@ -120,12 +120,12 @@ TEST_CASE("an alpha without a colour lets the usual colour through, as OpenSCAD 
   CHECK(opacity_of("color([1, 0, 0, 0.4]) { color([-1, -1, -1, 0.5]) { cube(1); } }") == 0.4);
 }
 
-TEST_CASE("a colour above 1 is 1, and alpha changes nothing") {
+TEST_CASE("clamps colours to 1 and ignores alpha") {
   CHECK(colour_of("color([2, 0.5, inf, 0.1]) { cube(1); }") == glm::dvec3(1, 0.5, 1));
   CHECK(colour_of("color(alpha = 0.5, c = [0, 1, 0]) { cube(1); }") == glm::dvec3(0, 1, 0));
 }
 
-TEST_CASE("a colour of another form is an error") {
+TEST_CASE("rejects a colour of another form") {
   CHECK(error_of("color() { cube(1); }") == "m.csg:1:1: color() lacks its c; add [red, green, blue], each from 0 to 1");
   CHECK(error_of("color([1, 0]) { cube(1); }") ==
         "m.csg:1:7: the colour of color() must be a vector of 3 or 4 numbers");

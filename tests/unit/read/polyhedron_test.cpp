@@ -22,7 +22,7 @@ Polyhedron solid(const std::string& text) {
   return std::get<Polyhedron>(tree.primitives[0].shape);
 }
 
-/// Of all pieces together.
+/// Volume of all pieces together.
 double volume(const csgsim::model::Tree& tree) {
   double sum = 0;
   for (const csgsim::model::Primitive& primitive : tree.primitives) {
@@ -36,7 +36,7 @@ double volume(const csgsim::model::Tree& tree) {
   return sum;
 }
 
-/// Whether every point is on or below every face, whose corners run counter-clockwise seen from outside.
+/// Whether every point is on or below every face, with corners counter-clockwise as seen from outside.
 bool faces_outwards(const Polyhedron& polyhedron) {
   return std::ranges::all_of(polyhedron.faces, [&](const auto& face) {
     const glm::dvec3& a = polyhedron.points[face[0]];
@@ -48,7 +48,7 @@ bool faces_outwards(const Polyhedron& polyhedron) {
 
 }  // namespace
 
-TEST_CASE("a polyhedron is read with its faces turned outwards, whichever way they all ran") {
+TEST_CASE("turns a polyhedron's faces outwards whatever their common orientation") {
   for (const std::string_view faces : {inward_box_faces, outward_box_faces}) {
     const Polyhedron box = solid(polyhedron(box_points, faces));
     CHECK(box.points.size() == 8);
@@ -57,24 +57,24 @@ TEST_CASE("a polyhedron is read with its faces turned outwards, whichever way th
   }
 }
 
-TEST_CASE("a mirror leaves a polyhedron's faces outwards in its own space") {
+TEST_CASE("a mirrored polyhedron's faces point outwards in its own space") {
   CHECK(faces_outwards(solid("multmatrix([[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) {" +
                              polyhedron(box_points, inward_box_faces) + "}")));
 }
 
-TEST_CASE("faces may be called triangles or have no name") {
+TEST_CASE("faces may be named triangles or be unnamed") {
   CHECK(solid("polyhedron(triangles = [[0,1,2],[0,3,1],[0,2,3],[1,3,2]], points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]);")
             .faces.size() == 4);
   CHECK(solid("polyhedron([[0,0,0],[1,0,0],[0,1,0],[0,0,1]], [[0,1,2],[0,3,1],[0,2,3],[1,3,2]], 2);").faces.size() ==
         4);
 }
 
-TEST_CASE("points that no face uses are left out, wherever they are") {
+TEST_CASE("drops points that no face uses") {
   CHECK(solid(polyhedron("[[9,9,9],[0,0,0],[1,0,0],[0,1,0],[0,0,1]]", "[[1,2,3],[1,4,2],[1,3,4],[2,4,3]]"))
             .points.size() == 4);
 }
 
-TEST_CASE("equal points are one, and faces that collapse by that are left out") {
+TEST_CASE("merges equal points and drops faces that collapse") {
   const Polyhedron soup = solid(
       polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,0],[0,0,1],[1,0,0],[-0,0,0],[0,1,0],[0,0,1],[1,0,0],[0,0,1],[0,1,0]]",
                  "[[0,1,2],[3,4,5],[6,7,8],[9,10,11],[0,3,6],[0,1,5,9]]"));
@@ -83,7 +83,7 @@ TEST_CASE("equal points are one, and faces that collapse by that are left out") 
   CHECK(faces_outwards(soup));
 }
 
-TEST_CASE("a polyhedron without faces, without volume or with a point that is not finite is empty") {
+TEST_CASE("a polyhedron without faces or volume or with a non-finite point is empty") {
   CHECK(outline(read(polyhedron("[]", "[]"))) == "nothing");
   CHECK(outline(read(polyhedron(tetrahedron_points, "[]"))) == "nothing");
   CHECK(outline(read(polyhedron(tetrahedron_points, "undef"))) == "nothing");
@@ -97,7 +97,7 @@ TEST_CASE("a polyhedron without faces, without volume or with a point that is no
         "nothing");
 }
 
-TEST_CASE("a polyhedron with a point that is no three finite numbers is left out, and the rest is drawn") {
+TEST_CASE("drops a polyhedron with a malformed point and draws the rest") {
   for (const char* point :
        {"undef", "3", "\"a\"", "[0,5]", "[5,2,3,1]", "[1,undef,2]", "[0,0,inf]", "[nan,1,1]", "[]"}) {
     CAPTURE(point);
@@ -108,39 +108,39 @@ TEST_CASE("a polyhedron with a point that is no three finite numbers is left out
   }
 }
 
-TEST_CASE("a thin, a tiny and a huge polyhedron stay") {
+TEST_CASE("keeps a thin and a tiny and a huge polyhedron") {
   const std::string_view faces = "[[0,1,2],[0,3,1],[0,2,3],[1,3,2]]";
   CHECK(outline(read(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1e-7]]", faces))) == "polyhedron");
   CHECK(outline(read(polyhedron("[[0,0,0],[1e-300,0,0],[0,1e-300,0],[0,0,1e-300]]", faces))) == "polyhedron");
   CHECK(outline(read(polyhedron("[[-1e308,0,0],[1e308,0,0],[0,1e308,0],[0,0,1e308]]", faces))) == "polyhedron");
 }
 
-TEST_CASE("an open polyhedron is an error at the face beside the hole") {
+TEST_CASE("rejects an open polyhedron at the face next to the hole") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[0,3,1],[0,2,3]]")) ==
         "m.csg:1:65: the mesh is open: no face joins faces[0] from points[1] to points[2]; add one");
 }
 
-TEST_CASE("a polyhedron of one triangle is open as one of two is") {
+TEST_CASE("rejects polyhedra of one or two triangles as open") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2]]")) ==
         "m.csg:1:65: the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[2,1,3]]")) ==
         "m.csg:1:65: the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
 }
 
-TEST_CASE("a polyhedron that is dented and beyond 1e12 is an error") {
-  // A wedge is cut out of a prism over a W.
+TEST_CASE("rejects a concave polyhedron beyond 1e12") {
+  // A prism with a W-shaped base: a wedge is cut out of it.
   const std::string far = polyhedron("[[0,0,0],[1e300,1,0],[0,2,0],[1,1,0],[0,0,1],[1e300,1,1],[0,2,1],[1,1,1]]",
                                      "[[3,2,1,0],[4,5,6,7],[0,1,5,4],[1,2,6,5],[2,3,7,6],[3,0,4,7]]");
   CHECK(error_of(far).find("points[1] has a coordinate beyond 1e+12; scale the solid down") != std::string::npos);
 }
 
-TEST_CASE("a face that runs the wrong way is turned") {
+TEST_CASE("turns a face of the wrong orientation") {
   CHECK(volume(read(polyhedron(tetrahedron_points, "[[0,1,2],[0,1,3],[0,2,3],[1,3,2]]"))) == doctest::Approx(1.0 / 6));
 }
 
 namespace {
 
-/// How many convex pieces the one polyhedron of a model has.
+/// Number of convex pieces of the model's only polyhedron.
 std::size_t pieces(const std::string& text) {
   const csgsim::model::Tree tree = read(text);
   const csgsim::model::Counts counts = csgsim::model::count(tree);
@@ -156,14 +156,14 @@ std::size_t pieces(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a bent face is two, which meet in an edge that bulges or in one that does not") {
-  // The corner that is raised is on the edge that a quadrangle is cut along, or it is not.
+TEST_CASE("splits a bent face at a convex or a concave edge") {
+  // The raised corner is on the diagonal along which a quadrangle is cut, or it is not.
   CHECK(pieces(polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1.25],[0,1,1]]", outward_box_faces)) <=
         2);
 }
 
-TEST_CASE("a bent polyhedron with a dent of less than a tenth of a degree is its hull where it meets others") {
-  // Two corners of the top are lowered by 0.0005; seen so, OpenSCAD cuts the top along the edge that is a valley.
+TEST_CASE("a bend below a tenth of a degree is drawn as a hull where it meets other solids") {
+  // Two corners of the top are lowered by 0.0005; in this orientation OpenSCAD cuts the top along the valley edge.
   const std::string bent =
       polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,0.9995],[1,1,1],[0,1,0.9995]]", outward_box_faces);
   const std::string turned = "multmatrix([[0,-1,0,0],[1,0,0,0],[0,0,1,0],[0,0,0,1]]) {" + bent + "}";
@@ -175,8 +175,8 @@ TEST_CASE("a bent polyhedron with a dent of less than a tenth of a degree is its
   }
 }
 
-TEST_CASE("a bent square's diagonal is chosen after the transforms above it, up to where others are met") {
-  // As OpenSCAD 2021.01 exports it: the valley of the top runs along a diagonal, and so two pieces, or it does not.
+TEST_CASE("a bent square's diagonal is chosen after its transforms up to the next Boolean") {
+  // As OpenSCAD 2021.01 exports it: the valley of the top runs along a diagonal, giving two pieces, or it does not.
   const std::string bent =
       polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,0.9],[1,1,1],[0,1,0.9]]", outward_box_faces);
   const auto turned = [](const std::string& what) {
@@ -189,8 +189,8 @@ TEST_CASE("a bent square's diagonal is chosen after the transforms above it, up 
   CHECK(read(turned("group() {" + bent + "cube(1);}")).primitives.size() == as_is + 1);
 }
 
-TEST_CASE("a polyhedron of which faces cross is what they wind around, in pieces that do not overlap") {
-  // Two boxes that overlap in a quarter of each, of one polyhedron.
+TEST_CASE("a polyhedron with crossing faces is the solid they wind around") {
+  // One polyhedron of two boxes that overlap in a quarter of each.
   const std::string_view points =
       "[[0,0,0],[2,0,0],[2,2,0],[0,2,0],[0,0,2],[2,0,2],[2,2,2],[0,2,2],"
       "[1,1,-1],[3,1,-1],[3,3,-1],[1,3,-1],[1,1,3],[3,1,3],[3,3,3],[1,3,3]]";
@@ -200,9 +200,9 @@ TEST_CASE("a polyhedron of which faces cross is what they wind around, in pieces
   CHECK(volume(read(polyhedron(points, faces))) == doctest::Approx(8 + 16 - 2));
 }
 
-TEST_CASE("a polyhedron of which faces cross along their edges alone is what they wind around") {
-  // A box with a void, of which a corner, (8, 8, 1), is drawn to an edge of the box: the void is inside out there, and
-  // the faces wind around 24.5 twice (counted at 10^6 points: 24.4).
+TEST_CASE("a polyhedron with faces crossing along edges is the solid they wind around") {
+  // A box with a void; one corner of the void, (8, 8, 1), is moved to an edge of the box: the void is inside out there,
+  // and the faces wind around 24.5 twice (24.4 by counting 10^6 points).
   const std::string_view points =
       "[[0,9,0],[9,9,0],[9,0,0],[0,0,0],[0,0,9],[9,0,9],[9,9,9],[0,9,9],"
       "[1,1,1],[8,1,1],[0,0,8],[1,8,1],[1,8,8],[8,8,8],[8,1,8],[1,1,8]]";
@@ -212,14 +212,14 @@ TEST_CASE("a polyhedron of which faces cross along their edges alone is what the
   CHECK(volume(read(polyhedron(points, faces))) == doctest::Approx(4178.0 / 6 - 24.5));
 }
 
-TEST_CASE("a face like a bow, of which both halves together have no area, is one of those that are wound around") {
-  // Counted at 2 * 10^6 points: 0.501.
+TEST_CASE("a bow-tie face of zero net area contributes to the winding") {
+  // 0.501 by counting 2 * 10^6 points.
   const std::string_view points = "[[0,1,2],[1,1,0],[1,0,0],[0,0,0],[0,0,1],[1,0,1],[1,1,1],[0,1,1]]";
   const std::string_view faces = "[[2,1,0],[3,2,0],[7,6,5,4],[4,5,2,3],[5,6,1,2],[6,7,0,1],[7,4,3,0]]";
   CHECK(volume(read(polyhedron(points, faces))) == doctest::Approx(0.5));
 }
 
-TEST_CASE("a polyhedron with a dent is made of convex pieces, one primitive") {
+TEST_CASE("a concave polyhedron is one primitive of several convex pieces") {
   CHECK(pieces(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1],[0.1,0.1,0.1]]",
                           "[[0,2,1],[0,1,3],[0,3,2],[1,2,4],[2,3,4],[3,1,4]]")) > 1);
 }
@@ -229,18 +229,18 @@ TEST_CASE("two solids in one polyhedron are two pieces of it") {
                           "[[0,1,2],[0,3,1],[0,2,3],[1,3,2],[4,5,6],[4,7,5],[4,6,7],[5,7,6]]")) == 2);
 }
 
-TEST_CASE("a flat polyhedron that is open is an error, of one triangle as of two") {
+TEST_CASE("rejects a flat polyhedron of one or two triangles as open") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2]]")).find("the mesh is open") != std::string::npos);
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[1,3,2]]")).find("the mesh is open") != std::string::npos);
 }
 
-TEST_CASE("a face without area closes what its neighbours leave between them") {
+TEST_CASE("a face without area closes the gap between its neighbours") {
   CHECK(pieces(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1],[0.5,0,0]]",
                           "[[0,4,1,2],[0,3,1],[0,1,4],[0,2,3],[1,3,2]]")) == 1);
 }
 
-TEST_CASE("coordinates of 6 digits are near enough") {
-  // A box turned about (1, 2, 3), as OpenSCAD prints its corners.
+TEST_CASE("coordinates of 6 digits are accurate enough") {
+  // A box rotated about (1, 2, 3), as OpenSCAD prints its corners.
   CHECK(outline(read(polyhedron("[[0,0,0],[0.728028,0.543834,-0.0389452],[0.202868,1.27183,0.484494],"
                                 "[-0.525161,0.727999,0.523439],[0.314285,-0.273332,0.744126],"
                                 "[1.04231,0.270502,0.705181],[0.517153,0.998502,1.22862],"
@@ -250,7 +250,7 @@ TEST_CASE("coordinates of 6 digits are near enough") {
 
 namespace {
 
-/// OpenSCAD 2021.01 makes a tetrahedron of volume 1/6 of it, too. `warning` is the one warning.
+/// Checks that the faces give a tetrahedron of volume 1/6, as in OpenSCAD 2021.01, with exactly this warning.
 void check_drawn(const std::string& faces, const std::string& warning) {
   CAPTURE(faces);
   const auto [tree, warnings] = read_warned(polyhedron(tetrahedron_points, faces));
@@ -261,7 +261,7 @@ void check_drawn(const std::string& faces, const std::string& warning) {
 
 }  // namespace
 
-TEST_CASE("an index of no point is left out with a warning, as in OpenSCAD") {
+TEST_CASE("skips an index without a point with a warning like OpenSCAD") {
   const std::string rest = ",[0,3,1],[0,2,3],[1,3,2]]";
   const auto no_point = [](int column, const char* index) {
     return fmt::format("{}: warning: points[{}] does not exist; there are points[0] to points[3]; the index is dropped",
@@ -274,7 +274,7 @@ TEST_CASE("an index of no point is left out with a warning, as in OpenSCAD") {
   check_drawn("[[1,0,9],[0,1,2]" + rest, no_point(70, "9"));
 }
 
-TEST_CASE("an index with a fraction is cut off and one that is no number is 0, with a warning, as in OpenSCAD") {
+TEST_CASE("truncates fractional indices and takes non-numbers as 0 like OpenSCAD") {
   const std::string rest = ",[0,3,1],[0,2,3],[1,3,2]]";
   check_drawn("[[0,1,2.9]" + rest, "70: warning: the index of a point is 2.9, not a whole number; it counts as 2");
   check_drawn("[[-0.5,1,2]" + rest, "66: warning: the index of a point is -0.5, not a whole number; it counts as 0");
@@ -282,7 +282,7 @@ TEST_CASE("an index with a fraction is cut off and one that is no number is 0, w
     check_drawn("[[" + index + ",1,2]" + rest, "66: warning: the index of a point is not a number; it counts as 0");
 }
 
-TEST_CASE("a face that is no face is left out with a warning, as in OpenSCAD") {
+TEST_CASE("drops a malformed face with a warning like OpenSCAD") {
   const std::string rest = ",[0,1,2],[0,3,1],[0,2,3],[1,3,2]]";
   for (const std::string face : {"[0,1]", "[2]", "[]"})
     check_drawn("[" + face + rest, "65: warning: a face has fewer than 3 corners; it is dropped");
@@ -290,12 +290,12 @@ TEST_CASE("a face that is no face is left out with a warning, as in OpenSCAD") {
     check_drawn("[" + face + rest, "65: warning: this is not a vector of point indices; it is dropped");
 }
 
-TEST_CASE("faces behind a bad one keep their numbers in messages") {
+TEST_CASE("faces after a malformed one keep their numbers in messages") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,9],[0,1,2],[0,3,1],[0,2,3]]")) ==
         "m.csg:1:71: the mesh is open: no face joins faces[1] from points[1] to points[2]; add one");
 }
 
-TEST_CASE("faces that are all bad are nothing, with a warning") {
+TEST_CASE("a polyhedron without valid faces is empty and warns") {
   for (const auto& one : {std::pair("[]", "[[0,1,2]]"), std::pair("[[0,0,0]]", "[[1,2,3]]"),
                           std::pair("[[0,0,0],[1,0,0],[0,1,0]]", "[0,1,2]")}) {
     CAPTURE(one.second);
@@ -305,7 +305,7 @@ TEST_CASE("faces that are all bad are nothing, with a warning") {
   }
 }
 
-TEST_CASE("arguments of a polyhedron of the wrong kind are errors") {
+TEST_CASE("rejects arguments of a polyhedron of the wrong type") {
   CHECK(error_of(polyhedron(tetrahedron_points, "true")) ==
         "m.csg:1:64: faces of polyhedron() must be a vector of faces");
   CHECK(error_of(polyhedron("3", "[]")) == "m.csg:1:21: points of polyhedron() must be a vector of [x, y, z]");

@@ -61,7 +61,7 @@ model::FacetControl raised(model::FacetControl facets) {
   return {facets.fn, std::max(facets.fa, 0.01), std::max(facets.fs, 0.01)};
 }
 
-/// x' = scale.x · y + shift.x and so on round: a turned, stretched, mirrored or flattened space.
+/// x' = scale.x * y + shift.x, and cyclically for y and z: a rotated, stretched, mirrored or flattened space.
 glm::dmat4 matrix_of(const RandomNode& node) {
   glm::dmat4 matrix(0);
   matrix[1][0] = node.scale.x;
@@ -78,7 +78,7 @@ std::vector<glm::dvec3> octahedron_points(const glm::dvec3& axes) {
   return {{axes.x, 0, 0}, {-axes.x, 0, 0}, {0, axes.y, 0}, {0, -axes.y, 0}, {0, 0, axes.z}, {0, 0, -axes.z}};
 }
 
-/// The octahedron without an empty axis, as a reader may number its points: in the order of the faces.
+/// The octahedron unless an axis is zero, with points numbered as a reader may do: in the order of the faces.
 model::Polyhedron octahedron(const glm::dvec3& axes) {
   const std::vector<glm::dvec3> points = octahedron_points(axes);
   const bool inside_out = axes.x * axes.y * axes.z < 0;
@@ -257,7 +257,7 @@ RandomModel random_model() {
   return model;
 }
 
-model::Tree meaning_of(const RandomModel& model) {
+model::Tree expected_tree(const RandomModel& model) {
   model::Tree tree;
   if (const std::optional<Part> part = combine(Operator::unite, model, {})) tree.root = flatten(*part, tree);
   return tree;

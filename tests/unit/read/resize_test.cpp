@@ -12,7 +12,7 @@ struct Extent {
   glm::dvec3 high{-1e300};
 };
 
-/// Of what resize() makes of its children.
+/// Extent of the solids that resize() returns for its children.
 Extent resized(std::string_view arguments, std::string_view children) {
   Extent extent;
   for (const auto& primitive :
@@ -37,14 +37,14 @@ constexpr std::string_view combined = "difference() { cube([2,3,4]); cube(1); }"
 
 }  // namespace
 
-// As OpenSCAD 2021.01 exports them.
-TEST_CASE("a negative new size of a solid by itself counts as none") {
+// Expected extents are OpenSCAD 2021.01's exports.
+TEST_CASE("a negative new size of a single solid counts as none") {
   check_extent(resized("newsize = [-5,0,0]", one), {0, 0, 0}, {2, 3, 4});
   check_extent(resized("newsize = [-5,0,0], auto = true", one), {0, 0, 0}, {2, 3, 4});
   check_extent(resized("newsize = [-5,0,6], auto = true", one), {0, 0, 0}, {3, 4.5, 6});
 }
 
-TEST_CASE("a negative new size mirrors what a Boolean has made") {
+TEST_CASE("a negative new size mirrors the result of a Boolean") {
   check_extent(resized("newsize = [-5,0,0]", combined), {-5, 0, 0}, {0, 3, 4});
   check_extent(resized("newsize = [-5,0,6], auto = true", combined), {-5, 0, 0}, {0, 4.5, 6});
 }

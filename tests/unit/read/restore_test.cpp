@@ -14,7 +14,7 @@ namespace {
 
 using Exact = glm::mat<3, 3, long double>;
 
-/// A turn about an axis, by more digits than doubles have.
+/// A rotation about an axis in more digits than doubles have.
 Exact turn_about(int axis, int hundredths) {
   const long double radians = hundredths * std::numbers::pi_v<long double> / 18000;
   const int next = (axis + 1) % 3;
@@ -36,7 +36,7 @@ Exact scaling(double x, double y, double z) {
   return scale;
 }
 
-/// As a stream writes it, and a file is read.
+/// Returns the number after printing it to a stream and reading it back.
 double in_digits(long double number) {
   const double entry = std::abs(number) < 1e-17L ? 0.0 : static_cast<double>(number);
   return std::strtod(fmt::format("{:g}", entry).c_str(), nullptr);
@@ -50,8 +50,8 @@ glm::dmat4 written(const Exact& matrix) {
   return all;
 }
 
-/// The farthest that an entry is off; of a matrix that is not restored, infinite.
-double most_off(const Exact& matrix) {
+/// Largest error of an entry; infinite for a matrix that is not restored.
+double max_error(const Exact& matrix) {
   const std::optional<glm::dmat4> found = reader::restored(written(matrix));
   if (!found) return std::numeric_limits<double>::infinity();
   long double most = 0;
@@ -76,40 +76,40 @@ constexpr const char* null_difference =
 
 }  // namespace
 
-TEST_CASE("Euler angles of hundredths of a degree come back from six digits to within 1e-15") {
-  CHECK(rc::check([] { RC_ASSERT(most_off(turned(hundredths(), hundredths(), hundredths())) <= 1e-15); }));
+TEST_CASE("restores Euler angles of hundredths of a degree from six digits to 1e-15") {
+  CHECK(rc::check([] { RC_ASSERT(max_error(turned(hundredths(), hundredths(), hundredths())) <= 1e-15); }));
 }
 
-// The products of sines in doubles lose more than 1e-15 here when each angle is rounded first.
-TEST_CASE("Euler angles come back to within 1e-15 where the rounding of the angles would lose more") {
+// Here the products of sines in doubles lose more than 1e-15 if each angle is rounded first.
+TEST_CASE("restores Euler angles to 1e-15 where rounding the angles would lose more") {
   constexpr int angles[][3] = {{-28516, -10315, -27566}, {7809, -23263, -28909}, {-10184, -29496, -9116},
                                {31959, -4716, 26472},    {8284, -25166, -28009}, {7759, 10792, 16528},
                                {7384, -26886, 16678},    {-9654, 9458, -30942},  {-27334, -25581, -18734}};
-  for (const auto& [x, y, z] : angles) CHECK(most_off(turned(x, y, z)) <= 1e-15);
+  for (const auto& [x, y, z] : angles) CHECK(max_error(turned(x, y, z)) <= 1e-15);
 }
 
-TEST_CASE("rotations about two axes that a right angle makes one come back") {
+TEST_CASE("restores rotations about two axes that a right angle makes parallel") {
   CHECK(rc::check([] {
     const int right = *rc::gen::element(9000, -9000, 27000);
-    RC_ASSERT(most_off(turned(hundredths(), right, hundredths())) <= 1e-15);
-    RC_ASSERT(most_off(turned(hundredths(), right + *rc::gen::element(1, -1), hundredths())) <= 1e-15);
+    RC_ASSERT(max_error(turned(hundredths(), right, hundredths())) <= 1e-15);
+    RC_ASSERT(max_error(turned(hundredths(), right + *rc::gen::element(1, -1), hundredths())) <= 1e-15);
   }));
 }
 
-TEST_CASE("scaled and mirrored rotations come back, whichever is first") {
+TEST_CASE("restores scaled and mirrored rotations in either order") {
   CHECK(rc::check([] {
     const auto factor = [] { return *rc::gen::inRange(1, 1000) / 100.0 * *rc::gen::element(1, -1); };
     const Exact scale = scaling(factor(), factor(), factor());
     const Exact turn = turned(hundredths(), hundredths(), hundredths());
-    RC_ASSERT(most_off(turn * scale) <= 1e-14);
-    RC_ASSERT(most_off(scale * turn) <= 1e-14);
+    RC_ASSERT(max_error(turn * scale) <= 1e-14);
+    RC_ASSERT(max_error(scale * turn) <= 1e-14);
   }));
 }
 
-TEST_CASE("whatever is restored has the six digits that are written, and no entry moves by more than half the last") {
+TEST_CASE("a restored matrix has the six written digits within half a unit of the last") {
   CHECK(rc::check([] {
     const auto turn = [] { return *rc::gen::inRange(-3'600'000, 3'600'001); };
-    // In hundredths of hundredths: few are recognised.
+    // Angles in hundredths of hundredths of a degree: few are recognised.
     const auto about = [](int axis, int fine) {
       Exact whole = turn_about(axis, fine / 100);
       const long double rest = fine % 100 * std::numbers::pi_v<long double> / 1'800'000;
@@ -132,7 +132,7 @@ TEST_CASE("whatever is restored has the six digits that are written, and no entr
   }));
 }
 
-TEST_CASE("a matrix that no recognised angles give stays as written") {
+TEST_CASE("a matrix of no recognised angles stays as written") {
   CHECK_FALSE(reader::restored(written(turn_about(2, 3333) * turn_about(0, 1234) * turn_about(2, 1111))));
   for (const double angle : {360.0 / 7.0, 33.333, 0.004}) {
     const double radians = angle * std::numbers::pi / 180.0;
@@ -151,7 +151,7 @@ TEST_CASE("a matrix that no recognised angles give stays as written") {
   CHECK_FALSE(reader::restored(glm::dmat4(0)));
 }
 
-TEST_CASE("a right angle that an old release wrote with the rounding of its cosine is a right angle") {
+TEST_CASE("treats an old release's rounded cosine of a right angle as zero") {
   glm::dmat4 turn = written(turn_about(2, 9000));
   turn[0][0] = turn[1][1] = 6.12323e-17;
   const std::optional<glm::dmat4> found = reader::restored(turn);
@@ -159,13 +159,13 @@ TEST_CASE("a right angle that an old release wrote with the rounding of its cosi
   CHECK((*found)[0] == glm::dvec4(0, 1, 0, 0));
 }
 
-TEST_CASE("a translation beside a rotation stays as written") {
+TEST_CASE("a translation next to a rotation stays as written") {
   glm::dmat4 matrix = written(turned(3000, 0, 1234));
   matrix[3] = {0.333333, 2, 3, 1};
   CHECK(reader::restored(matrix).value()[3] == matrix[3]);
 }
 
-TEST_CASE("planes of solids that are turned alike by different rotations are the same planes once they are restored") {
+TEST_CASE("restored solids with equal orientation by different rotations share planes") {
   const auto planes = [](const reader::Options& options) {
     return csgsim::facet::make_geometry(reader::read_csg_text(null_difference, "m.csg", options))
         .planes.planes()

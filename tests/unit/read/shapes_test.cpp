@@ -18,14 +18,14 @@ std::size_t pieces(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("an extrusion is one primitive, of one piece if its area is convex") {
+TEST_CASE("an extrusion is one primitive and one piece if its area is convex") {
   CHECK(pieces("linear_extrude(height = 2) { square([1, 1]); }") == 1);
   CHECK(pieces("linear_extrude(height = 2) { polygon([[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]]); }") > 1);
   CHECK(pieces("linear_extrude(height = 2) { union() { square([1, 1]); multmatrix([[1, 0, 0, 5], [0, 1, 0, 0], "
                "[0, 0, 1, 0], [0, 0, 0, 1]]) { circle(r = 1); } } }") == 2);
 }
 
-TEST_CASE("a convex prism with round holes is one primitive, drawn as a difference; others are pieces") {
+TEST_CASE("only a convex prism with round holes is a difference instead of pieces") {
   const auto plate = [](const std::string& hole) {
     return read(
         "linear_extrude(height = 2) { difference() { square([20, 20]); multmatrix([[1, 0, 0, 10], "
@@ -43,14 +43,14 @@ TEST_CASE("a convex prism with round holes is one primitive, drawn as a differen
   CHECK(pieces.nodes[pieces.root].op == csgsim::model::Operator::unite);
 }
 
-TEST_CASE("areas are combined before they are extruded") {
+TEST_CASE("combines areas before extruding them") {
   CHECK(pieces("linear_extrude(height = 2) { intersection() { square([2, 2]); circle(r = 1, $fn = 8); } }") == 1);
   CHECK(outline(read("linear_extrude(height = 2) { difference() { square([1, 1]); square([2, 2]); } }")) == "nothing");
   CHECK(outline(read("linear_extrude(height = 2) { difference() { group(); square([2, 2]); } }")) == "nothing");
   CHECK(outline(read("linear_extrude(height = 2) { intersection() { square([1, 1]); group(); } }")) == "nothing");
 }
 
-TEST_CASE("transforms outside and inside of an extrusion both count") {
+TEST_CASE("applies transforms outside and inside an extrusion") {
   const Tree tree = read(
       "multmatrix([[1, 0, 0, 10], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { linear_extrude(height = 2) { "
       "multmatrix([[3, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { square([1, 1]); } } }");
@@ -66,7 +66,7 @@ TEST_CASE("transforms outside and inside of an extrusion both count") {
   CHECK(high == 4);
 }
 
-TEST_CASE("a hull, a sum and an extrusion take the colour around them, not those within") {
+TEST_CASE("hulls and sums and extrusions take the outer colour") {
   const Tree tree = read("color([1, 0, 0, 1]) { hull() { color([0, 1, 0, 1]) { cube(1); } sphere(r = 1); } }");
   REQUIRE(tree.primitives.size() == 1);
   REQUIRE(tree.primitives[0].colour);
@@ -74,7 +74,7 @@ TEST_CASE("a hull, a sum and an extrusion take the colour around them, not those
   CHECK(tree.primitives[0].node == "hull");
 }
 
-TEST_CASE("what is there, but not in the model's folder, is not read") {
+TEST_CASE("rejects an existing file outside the model's folder") {
   // The model's folder is the current one.
   for (const char* file : {"/etc/passwd", "..", "a/../../", "/"}) {
     const std::string error = error_of("import(file = \"" + std::string(file) + "\");");
@@ -84,7 +84,7 @@ TEST_CASE("what is there, but not in the model's folder, is not read") {
   }
 }
 
-TEST_CASE("a file that is nowhere is warned of and the rest is drawn, whatever its name") {
+TEST_CASE("warns of a nonexistent file and draws the rest") {
   for (const char* file :
        {"no/x.stl", "/no/such/folder/x.stl", "../no-such-x.stl", "a/../../no-such-x.off", "/etc/passwd/x.stl"}) {
     CAPTURE(file);
@@ -98,8 +98,8 @@ TEST_CASE("a file that is nowhere is warned of and the rest is drawn, whatever i
   CHECK(warnings.size() == 1);
 }
 
-TEST_CASE("indices of a polygon's paths are OpenSCAD's, with a warning") {
-  // Pieces of what OpenSCAD 2021.01 draws of each: a triangle of area 50.
+TEST_CASE("interprets indices of a polygon's paths like OpenSCAD with a warning") {
+  // Paths that OpenSCAD 2021.01 draws as a triangle of area 50.
   for (const char* paths : {"[[0,1,2,9]]", "[[0,1,2,-1]]", "[[0,1,2.9]]", "[[1,2,undef]]", "[[0,1,2],[7]]",
                             "[[0,1,2],7]", "[[0,1,2],undef]"}) {
     CAPTURE(paths);
@@ -111,7 +111,7 @@ TEST_CASE("indices of a polygon's paths are OpenSCAD's, with a warning") {
   }
 }
 
-TEST_CASE("a file of another folder is read if a folder is named that holds both") {
+TEST_CASE("reads a file of another folder if a given folder contains both") {
   namespace fs = std::filesystem;
   const fs::path outer = fs::temp_directory_path() / fmt::format("csgsim-read-{}-imports", ::getpid());
   fs::create_directories(outer / "models");
@@ -131,31 +131,31 @@ TEST_CASE("a file of another folder is read if a folder is named that holds both
   fs::remove_all(outer);
 }
 
-TEST_CASE("a flat shape alone is a plate about z = 0, and beside a solid it is left out") {
+TEST_CASE("a flat shape alone is a plate about z = 0 but next to a solid it is dropped") {
   CHECK(outline(read("square([2, 3]);")) == "polyhedron");
   CHECK(outline(read("cube(1); square([2, 3]);")) == "cube");
   CHECK(outline(read("difference() { cube(1); square([2, 3]); }")) == "cube");
 }
 
-TEST_CASE("solids are left out where flat shapes are taken, and flat shapes where solids are") {
+TEST_CASE("drops solids where flat shapes are expected and vice versa") {
   CHECK(pieces("linear_extrude(height = 2) { cube(1); square([1, 1]); }") == 1);
   CHECK(read("linear_extrude(height = 2) { cube(1); }").primitives.empty());
   CHECK(read("projection() { square([1, 1]); }").primitives.empty());
   CHECK(pieces("linear_extrude(height = 1) { projection() { square([5, 1]); cube([2, 3, 4]); } }") == 1);
 }
 
-TEST_CASE("what names no file is empty") {
+TEST_CASE("an empty file name yields an empty shape") {
   CHECK(read("import(file = \"\");").primitives.empty());
   CHECK(read("surface(file = \"\", center = false, invert = false);").primitives.empty());
   CHECK(error_of("import();").find("add file") != std::string::npos);
 }
 
-TEST_CASE("text is aligned by default as where nothing is said") {
-  const std::string said = "text(text = \"a\", halign = \"default\", valign = \"default\");";
-  CHECK(csgsim::read_test::dump(read(said)) == csgsim::read_test::dump(read("text(text = \"a\");")));
+TEST_CASE("text with explicit default alignment equals text without alignment") {
+  const std::string explicit_default = "text(text = \"a\", halign = \"default\", valign = \"default\");";
+  CHECK(csgsim::read_test::dump(read(explicit_default)) == csgsim::read_test::dump(read("text(text = \"a\");")));
 }
 
-TEST_CASE("strings hold what OpenSCAD wrote") {
+TEST_CASE("string values equal what OpenSCAD wrote") {
   const std::string file = "../a\\\\b.stl";
   CHECK(read_warned("import(file = \"" + file + "\");").warnings.at(0).find("a\\") != std::string::npos);
 }

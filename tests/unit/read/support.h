@@ -8,10 +8,10 @@
 
 namespace csgsim::read_test {
 
-/// Reads a text by the name of `m.csg`.
+/// Reads a text under the file name `m.csg`.
 model::Tree read(std::string_view text);
 
-/// A tree, and the warnings that reading it makes.
+/// A tree and the warnings from reading it.
 struct Warned {
   model::Tree tree;
   std::vector<std::string> warnings;
@@ -19,13 +19,13 @@ struct Warned {
 
 Warned read_warned(std::string_view text);
 
-/// The message of the InputError that a text makes; a text that reads well fails the test.
+/// Returns the message of the InputError for a text; fails the test if the text is valid.
 std::string error_of(std::string_view text);
 
 /// The tree in a line, as `difference(cube, union(sphere, cube))`; `nothing` if it is empty. For shallow trees.
 std::string outline(const model::Tree& tree);
 
-/// Everything that a tree holds but the places in the file, for comparison.
+/// All contents of a tree except places in the file, for comparison.
 std::string dump(const model::Tree& tree);
 
 }  // namespace csgsim::read_test

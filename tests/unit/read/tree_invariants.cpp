@@ -57,14 +57,14 @@ std::string broken_promise(const model::Tree& tree) {
     }
   }
   if (next_primitive != tree.primitives.size()) return "a primitive has no leaf";
-  if (tree.nodes.empty() != (tree.root == model::no_index)) return "the root does not fit";
+  if (tree.nodes.empty() != (tree.root == model::no_index)) return "an empty tree has a root or a tree has none";
   if (!tree.nodes.empty() && tree.root != tree.nodes.size() - 1) return "the root is not last";
   if (std::ranges::count(has_parent, false) > 1) return "a node is outside the tree";
   for (const model::Primitive& primitive : tree.primitives) {
     if (!is_placement(primitive.transform)) return "a transform is not affine and finite";
     if (primitive.colour && !in_unit_range(*primitive.colour)) return "a colour is out of range";
     if (!std::visit(HasSize{}, primitive.shape)) return "a solid is empty";
-    if (primitive.location.line == 0 || primitive.location.column == 0) return "a place counts from 0";
+    if (primitive.location.line == 0 || primitive.location.column == 0) return "a place does not count from 1";
   }
   return "";
 }

@@ -6,7 +6,7 @@
 
 namespace csgsim::read_test {
 
-/// What a tree breaks of the promises of tree.h and read.h; empty if nothing. Shared with the fuzzers.
+/// Returns the first invariant of tree.h and read.h that a tree violates; empty if none. Shared with the fuzzers.
 std::string broken_promise(const model::Tree& tree);
 
 }  // namespace csgsim::read_test

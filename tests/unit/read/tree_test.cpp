@@ -8,7 +8,7 @@ using namespace csgsim::model;
 using namespace csgsim::read_test;
 using csgsim::read_test::read;
 
-TEST_CASE("groups, unions, renders and the file itself are unions") {
+TEST_CASE("groups and renders and the file itself are unions") {
   for (const char* node : {"group()", "union()", "render(convexity = 1)"}) {
     CHECK(outline(read(std::string("difference() { cube(9); ") + node + " { cube(1); sphere(r = 1); } }")) ==
           "difference(cube, union(cube, sphere))");
@@ -16,7 +16,7 @@ TEST_CASE("groups, unions, renders and the file itself are unions") {
   CHECK(outline(read("cube(1); sphere(r = 1); cube(2);")) == "union(cube, sphere, cube)");
 }
 
-TEST_CASE("structure stays as written but for operators of one child or none") {
+TEST_CASE("keeps the written structure except operators of one child or none") {
   CHECK(outline(read("union() { union() { cube(1); cube(1); } sphere(r = 1); }")) ==
         "union(union(cube, cube), sphere)");
   CHECK(outline(read("group() { intersection() { group() { sphere(r = 1); } } } group(); group() {}")) == "sphere");
@@ -36,7 +36,7 @@ TEST_CASE("an empty operand of an intersection empties it") {
         "sphere");
 }
 
-TEST_CASE("an empty first operand of a difference empties it, another one vanishes") {
+TEST_CASE("an empty first operand empties a difference while any other vanishes") {
   CHECK(outline(read("difference() { cube(0); cube(1); }")) == "nothing");
   CHECK(outline(read("difference() { group() {} cube(1); } sphere(r = 1);")) == "sphere");
   CHECK(outline(read("difference() { cube(1); cube(0); }")) == "cube");
@@ -47,7 +47,7 @@ TEST_CASE("an empty operand of a union vanishes") {
   CHECK(outline(read("union() { cube(0); cube(1); sphere(r = -1); sphere(r = 1); }")) == "union(cube, sphere)");
 }
 
-TEST_CASE("what an emptied operator held leaves nothing behind") {
+TEST_CASE("an emptied operator leaves no nodes or primitives") {
   const Tree tree = read("cube(1); intersection() { union() { cube(1); cube(2); } cube(0); } sphere(r = 1);");
   CHECK(tree.primitives.size() == 2);
   CHECK(tree.nodes.size() == 3);
@@ -62,13 +62,13 @@ TEST_CASE("a model of empty solids is an empty tree") {
   CHECK(tree.file == "m.csg");
 }
 
-TEST_CASE("a file without statements is an error") {
+TEST_CASE("rejects a file without statements") {
   const char* message = "m.csg: no model found; export one from OpenSCAD";
   for (const char* text : {"", " \n", "// nothing\n", "/* nothing */;", "\xEF\xBB\xBF"})
     CHECK(error_of(text) == message);
 }
 
-TEST_CASE("% and * leave a subtree out, whatever it is") {
+TEST_CASE("% and the disable modifier drop any subtree") {
   CHECK(outline(read("%cube(1); *cube(2); sphere(r = 1);")) == "sphere");
   CHECK(outline(read("%group() { hull() { cube(1); } } * frob(x = 1) { cube(size = true); } sphere(r = 1);")) ==
         "sphere");
@@ -78,12 +78,12 @@ TEST_CASE("% and * leave a subtree out, whatever it is") {
   CHECK(error_of("%cube(1;") == "m.csg:1:8: expected `,` or `)` in cube(...), found `;`");
 }
 
-TEST_CASE("# changes nothing") {
+TEST_CASE("# has no effect") {
   CHECK(outline(read("difference() { #cube(1); # sphere(r = 1); }")) == "difference(cube, sphere)");
   CHECK(outline(read("#%cube(1); sphere(r = 1);")) == "sphere");
 }
 
-TEST_CASE("! makes its subtree the whole model, without what is around it") {
+TEST_CASE("! makes its subtree the whole model and drops its surroundings") {
   const Tree tree = read(
       "hull(); color([1, 0, 0]) { multmatrix([[2,0,0,1],[0,2,0,1],[0,0,2,1],[0,0,0,1]]) {"
       "cube(1); !union() { sphere(r = 1); %cube(1); cube(2); } } } frob();");
@@ -93,7 +93,7 @@ TEST_CASE("! makes its subtree the whole model, without what is around it") {
   CHECK(broken_promise(tree) == "");
 }
 
-TEST_CASE("of several ! the first one counts, except under *, and % does not hide it") {
+TEST_CASE("the first ! counts even under % but not under a disable modifier") {
   CHECK(outline(read("!group() { cube(1); !sphere(r = 1); } !sphere(r = 1);")) == "union(cube, sphere)");
   CHECK(outline(read("*group() { !cube(1); } sphere(r = 1);")) == "sphere");
   CHECK(outline(read("*!cube(1); sphere(r = 1);")) == "sphere");
@@ -102,22 +102,22 @@ TEST_CASE("of several ! the first one counts, except under *, and % does not hid
   CHECK(outline(read("/* ! */ cube(1);")) == "cube");
 }
 
-TEST_CASE("errors under ! are errors") {
+TEST_CASE("reports errors under !") {
   CHECK(error_of("!group() { cub(1); }") == "m.csg:1:12: unknown node cub(); did you mean cube()?");
   CHECK(error_of("!cube(1); sphere(") ==
         "m.csg:1:18: expected `name = value`, a value or `)` in sphere(...), found the end of the file");
 }
 
-TEST_CASE("nodes without half-spaces are errors that say what to do") {
+TEST_CASE("rejects nodes without half-spaces and suggests a replacement") {
   for (const char* node : {"fill", "glide", "roof", "subdiv", "import_stl"}) {
-    CHECK(error_of("group() {\n  " + std::string(node) + "(file = \"x\", timestamp = 0);\n}") ==
+    CHECK(error_of("group() {\n " + std::string(node) + "(file = \"x\", timestamp = 0);\n}") ==
           "m.csg:2:3: " + std::string(node) +
               "() cannot be turned into half-spaces; replace it by cube, sphere, cylinder, polyhedron or a boolean of "
               "them");
   }
 }
 
-TEST_CASE("unknown nodes name the nearest known one") {
+TEST_CASE("rejects unknown nodes and suggests the nearest one") {
   CHECK(error_of("Sphere(r = 1);") == "m.csg:1:1: unknown node Sphere(); did you mean sphere()?");
   CHECK(error_of("diffrence() {}") == "m.csg:1:1: unknown node diffrence(); did you mean difference()?");
   CHECK(error_of("xyzzy();") ==
@@ -127,7 +127,7 @@ TEST_CASE("unknown nodes name the nearest known one") {
   CHECK(error_of(std::string(100000, 'a') + "();").size() < 350);
 }
 
-TEST_CASE("solids have no children") {
+TEST_CASE("rejects children of solids") {
   CHECK(outline(read("cube(1) {} sphere(r = 1) { %cube(1); }")) == "union(cube, sphere)");
   CHECK(error_of("cube(1) {\n sphere(r = 1); }") ==
         "m.csg:2:2: cube() cannot have children; put sphere() next to it, in a union() or difference()");

@@ -6,20 +6,20 @@ using namespace csgsim;
 
 namespace {
 
-/// Some seconds of work.
-constexpr std::uint64_t much = 1'000'000'000;
+/// Work limit equivalent to some seconds.
+constexpr std::uint64_t ample_work = 1'000'000'000;
 
-model::Tree read_within(const std::string& text, std::uint64_t limit = much) {
+model::Tree read_within(const std::string& text, std::uint64_t limit = ample_work) {
   read::Options options;
   options.work = Work(limit);
   return read::read_csg_text(text, "m.csg", options);
 }
 
-std::string refusal(const std::string& text, std::uint64_t limit = much) {
+std::string refusal(const std::string& text, std::uint64_t limit = ample_work) {
   return testing::error_of([&] { (void)read_within(text, limit); });
 }
 
-/// A polygon whose sides run across all of it, most of them crossing most others.
+/// A polygon with sides across its whole extent that mostly cross each other.
 std::string crossing_polygon(int corners) {
   std::string points;
   for (int i = 0; i < corners; ++i) {
@@ -37,12 +37,12 @@ std::string twisted(const std::string& arguments, const std::string& square) {
 
 }  // namespace
 
-TEST_CASE("a thin area twisted to a point is cut in an end of steps") {
+TEST_CASE("cuts a thin area twisted to a point in a bounded number of steps") {
   const model::Tree tree = read_within(twisted("slices = 30, scale = [0, 0]", "[12, 1e-7]"));
   CHECK(tree.primitives.size() < 1000);
 }
 
-TEST_CASE("slices of which no solid can have so many are refused before they are cut") {
+TEST_CASE("rejects slices beyond the piece limit before cutting them") {
   const std::string expected =
       "m.csg:1:1: linear_extrude(): linear_extrude() needs more than 100000 convex pieces; use fewer slices, "
       "or "
@@ -58,15 +58,14 @@ TEST_CASE("slices of which no solid can have so many are refused before they are
           1'000'000) == expected);
 }
 
-TEST_CASE("shapes whose sides cross more often than work is allowed are refused before they are combined") {
-  CHECK(
-      refusal("square(size = [1, 1], center = false);\n" + crossing_polygon(3000), 100'000'000) ==
-      "m.csg:2:1: polygon(): combining 2-D shapes takes more work than the limit of 100 million steps; use fewer or "\n
-      "coarser parts in the model, or raise --limit");
+TEST_CASE("rejects shapes with too many crossing sides before combining them") {
+  CHECK(refusal("square(size = [1, 1], center = false);\n" + crossing_polygon(3000), 100'000'000) ==
+        "m.csg:2:1: polygon(): combining 2-D shapes takes more work than the limit of 100 million steps; use fewer or "
+        "coarser parts in the model, or raise --limit");
   CHECK(read_within(crossing_polygon(100)).primitives.size() > 100);
 }
 
-TEST_CASE("what 2-D Booleans, hulls, sums and meshes take is told with the place of their node") {
+TEST_CASE("reports the work limit of 2-D and 3-D operations at their node") {
   const std::string areas = "circle($fn = 100, $fa = 12, $fs = 2, r = 2); square(size = [3, 3], center = true);";
   const std::string solids = "sphere($fn = 30, $fa = 12, $fs = 2, r = 2); cube(size = [3, 3, 3], center = true);";
   CHECK(refusal("union() {\n  difference() {" + areas + "}\n}", 10'000).find("m.csg:2:3: ") == 0);
@@ -78,17 +77,17 @@ TEST_CASE("what 2-D Booleans, hulls, sums and meshes take is told with the place
   CHECK(refusal(twisted("slices = 5, scale = [1, 1]", "[12, 5]"), 5'000).find("m.csg:1:1: linear_extrude(): ") == 0);
 }
 
-TEST_CASE("statements count, and the one that is too many is named") {
+TEST_CASE("statements count and the one beyond the limit is named") {
   const std::string cubes = "cube(1);\ncube(1);\ncube(1);";
   CHECK(refusal(cubes, 6'000) == "");
   CHECK(refusal(cubes, 5'999).find("m.csg:3:1: reading statements takes more work than the limit") == 0);
 }
 
-TEST_CASE("steps are counted alike each time") {
+TEST_CASE("counts the same number of steps each time") {
   const std::string text = twisted("slices = 20, scale = [0.3, 0.4]", "[12, 5]") + crossing_polygon(50);
   const auto steps = [&] {
     read::Options options;
-    options.work = Work(much);
+    options.work = Work(ample_work);
     (void)read::read_csg_text(text, "m.csg", options);
     return options.work.done();
   };
@@ -99,7 +98,7 @@ TEST_CASE("steps are counted alike each time") {
   CHECK(refusal(text, first - 1) != "");
 }
 
-TEST_CASE("a solid beyond the numbers that it could be drawn with is refused with its place") {
+TEST_CASE("rejects a solid with coordinates beyond the drawable range with its place") {
   const auto faceted = [](const std::string& text) {
     return testing::error_of([&] { (void)facet::make_geometry(read::read_csg_text(text, "m.csg")); });
   };
@@ -120,7 +119,7 @@ TEST_CASE("a solid beyond the numbers that it could be drawn with is refused wit
   CHECK(faceted("cube(size = [1, 1e13, 1], center = true);") == "m.csg:1:1:" + far);
 }
 
-TEST_CASE("a mesh of which checking alone takes too much is refused before that") {
+TEST_CASE("rejects a mesh whose check alone exceeds the limit beforehand") {
   const std::string tetrahedron =
       "polyhedron(points = [[0,0,0],[9,0,0],[0,9,0],[2,2,9],[2,2,3]], faces = "
       "[[0,2,1],[0,1,4],[1,3,4],[1,2,3],[0,4,2],[2,4,3]], convexity = 2);";

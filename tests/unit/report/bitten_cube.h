@@ -6,7 +6,7 @@
 
 namespace csgsim::testing {
 
-/// A cube less a sphere, in 40 x 30 pixels, for a machine by its name, or as Setup has it.
+/// A cube minus a sphere in 40 x 30 pixels, for a named machine or the default of Setup.
 inline Compiled bitten_cube(const std::string& machine = {}) {
   Setup setup;
   setup.camera.eye = {20, -30, 25};

@@ -19,7 +19,7 @@ using namespace csgsim;
 
 namespace {
 
-/// The states of pixels at each step.
+/// Returns the pixels' states after each step.
 std::vector<std::vector<std::uint32_t>> replayed(const report::Drawing& drawing) {
   std::vector<std::vector<std::uint32_t>> all;
   std::vector<std::uint32_t> states(std::size_t{drawing.width} * drawing.height, 0);
@@ -44,7 +44,7 @@ std::vector<std::uint32_t> colours(const std::vector<std::uint32_t>& states) {
 
 }  // namespace
 
-TEST_CASE("each step is what the reference engine has in memory and enable after so many instructions") {
+TEST_CASE("each step equals the reference engine's memory and enable bits") {
   const testing::Compiled model = testing::bitten_cube();
   const isa::Program& program = model.program;
   const machines::Machine machine = testing::machine_of(program.shape);
@@ -72,7 +72,7 @@ TEST_CASE("each step is what the reference engine has in memory and enable after
   CHECK(drawing.summary.find("after each of the") != std::string::npos);
 }
 
-TEST_CASE("the last step is the picture on machines of every kind, however few steps are kept") {
+TEST_CASE("the last step is the picture on every machine for any number of steps") {
   for (const std::string name : {"pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5"}) {
     CAPTURE(name);
     const testing::Compiled model = testing::bitten_cube(name);
@@ -91,7 +91,7 @@ TEST_CASE("the last step is the picture on machines of every kind, however few s
   }
 }
 
-TEST_CASE("a thinned drawing is told to be one, and its steps are some of the full one's") {
+TEST_CASE("a thinned drawing is marked as such and its steps are a subset of the full one") {
   const testing::Compiled model = testing::bitten_cube();
   const machines::Machine machine = testing::machine_of(model.program.shape);
   const report::Drawing full = report::record_drawing(model.program, machine);
@@ -110,7 +110,7 @@ TEST_CASE("a thinned drawing is told to be one, and its steps are some of the fu
   }
 }
 
-TEST_CASE("of a thinned drawing every so many steps are kept, from the first on, and the last") {
+TEST_CASE("a thinned drawing keeps every n-th step from the first and the last step") {
   const testing::Compiled model = testing::bitten_cube();
   const machines::Machine machine = testing::machine_of(model.program.shape);
   const report::Drawing all = report::record_drawing(model.program, machine, {10, 2000, 700'000, 512});
@@ -119,8 +119,8 @@ TEST_CASE("of a thinned drawing every so many steps are kept, from the first on,
     CAPTURE(bytes);
     const report::Drawing few = report::record_drawing(model.program, machine, {10, 2000, bytes, 512});
     std::size_t stride = 1;
-    const std::size_t told = few.summary.find("One in ");
-    if (told != std::string::npos) stride = std::stoul(few.summary.substr(told + 7));
+    const std::size_t place = few.summary.find("One in ");
+    if (place != std::string::npos) stride = std::stoul(few.summary.substr(place + 7));
     strides.insert(stride);
     std::vector<std::uint64_t> expected;
     for (std::size_t i = 0; i < all.steps.size(); ++i) {
@@ -133,7 +133,7 @@ TEST_CASE("of a thinned drawing every so many steps are kept, from the first on,
   CHECK(strides.size() >= 3);
 }
 
-TEST_CASE("of a large picture every second pixel of every second row is shown, and that is told") {
+TEST_CASE("a large picture shows every second pixel and row with a note") {
   const testing::Compiled model = testing::bitten_cube();
   const machines::Machine machine = testing::machine_of(model.program.shape);
   const report::Drawing drawing = report::record_drawing(model.program, machine, {2000, 2000, 700'000, 20});

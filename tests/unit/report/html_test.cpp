@@ -8,19 +8,19 @@
 using namespace csgsim;
 using Json = nlohmann::ordered_json;
 
-TEST_CASE("JSON in a script element cannot end it or begin a comment, and is the same JSON") {
+TEST_CASE("JSON in a script element cannot end it or start a comment and parses unchanged") {
   const Json json{{"</script><script>alert(1)</script>", "<!--<script>"}, {"number", 0.1}};
   const std::string text = report::json_in_html(json);
   CHECK(text.find('<') == std::string::npos);
   CHECK(Json::parse(text) == json);
 }
 
-TEST_CASE("JSON of bytes that are no UTF-8 is JSON all the same") {
+TEST_CASE("bytes that are not UTF-8 become valid JSON") {
   const Json json = Json::parse(report::json_in_html(Json{"\xff\xfe"}));
   CHECK(json.front() == "\xef\xbf\xbd\xef\xbf\xbd");
 }
 
-TEST_CASE("a title becomes a word for an id") {
+TEST_CASE("turns a title into an id") {
   CHECK(report::html_id("Where the clocks go") == "where-the-clocks-go");
   CHECK(report::html_id(" <b onclick=x> ") == "b-onclick-x");
 }

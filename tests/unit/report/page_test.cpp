@@ -32,7 +32,7 @@ report::Page page(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a hostile name is nowhere markup, and ends no script") {
+TEST_CASE("a hostile name is never markup and ends no script") {
   const std::string plain = report::to_html(page("plain"));
   for (const std::string name : {"</script><script>alert(1)</script>", "\"><img src=x onerror=alert(1)>", "<!-- ",
                                  "]]></style></title><b>", "' onload='x"}) {
@@ -43,7 +43,7 @@ TEST_CASE("a hostile name is nowhere markup, and ends no script") {
   }
 }
 
-TEST_CASE("a cell shows the number of the data, and says where it stands there") {
+TEST_CASE("a cell shows a number of the data and its place there") {
   const Json data{{"clocks", 1234567}, {"share", 0.123456}, {"words", "a & b"}};
   const auto cells = [&](const report::Cell& cell) { return report::table_html({"", {"a"}, {{cell}}}); };
   CHECK(cells(report::cell(data, "/clocks")).find("data-at=\"/clocks\">1,234,567<") != std::string::npos);
@@ -53,18 +53,18 @@ TEST_CASE("a cell shows the number of the data, and says where it stands there")
   CHECK(report::cell(data, "/none").value.is_null());
 }
 
-TEST_CASE("a share is a part of the whole, nothing of nothing is 0, and what is no number has none") {
+TEST_CASE("a share is a fraction or 0 for 0 of 0 or none for a missing number") {
   CHECK(report::share(3, 12).value == 0.25);
   CHECK(report::share(0, 0).value == 0.0);
   CHECK(report::share(nullptr, 12).value.is_null());
 }
 
-TEST_CASE("the data of a page are those of the run, but for the times that it took here") {
+TEST_CASE("a page holds the data of the run except wall-clock times") {
   const Json data{{"clocks", 5}, {"wall_seconds", 1.5}, {"rows", {{{"bits", 1}, {"wall_seconds", 2.5}}}}};
   CHECK(report::without_wall_times(data) == Json{{"clocks", 5}, {"rows", {{{"bits", 1}}}}});
 }
 
-TEST_CASE("a study's page says why a point is none, and why there is no picture") {
+TEST_CASE("a study's page explains missing points and a missing picture") {
   const Json file{
       {"points",
        {{{"strategy", "stack"}, {"clocks", 100}, {"reason", ""}}, {{"strategy", "bits"}, {"reason", "no <room>"}}}}};
@@ -74,11 +74,11 @@ TEST_CASE("a study's page says why a point is none, and why there is no picture"
   const std::string html = report::to_html(page);
   CHECK(html.find("<th scope=col>reason</th>") != std::string::npos);
   CHECK(html.find("no &lt;room&gt;") != std::string::npos);
-  CHECK(count(html, ">bits</th>") == 1);  // the second point's strategy: no point has a key of that name
+  CHECK(count(html, ">bits</th>") == 1);  // a sort of column with no key in the second point
   CHECK(html.find("No picture: too dark") != std::string::npos);
 }
 
-TEST_CASE("the page of effects has a plot of their clocks, with a mark for each bill of each effect") {
+TEST_CASE("the effects page plots a mark for each charge of each effect") {
   const Json flat{{"effect", "flat"}, {"clocks", 51251}};
   const Json fog{{"effect", "fog"}, {"clocks", 1719}, {"alone_clocks", 1743}, {"together_clocks", 1743}};
   const std::string html = report::to_html(report::effects_page({{"effects", {flat, fog}}}, {}, {}));
@@ -88,7 +88,7 @@ TEST_CASE("the page of effects has a plot of their clocks, with a mark for each 
   CHECK(count(html, "<g class=\"pt\">") == 4);
 }
 
-TEST_CASE("sentences and tables that other versions of the stats tell are shown where they are there") {
+TEST_CASE("shows sentences and tables of other stats versions if present") {
   const Json data{{"knobs", {{{"sentence", "Turn this."}}, {{"sentence", "Or that."}}}},
                   {"configuration", {{"model", {{"file", "m.csg"}}}, {"bits", {1, 2}}, {"unsaid", nullptr}}}};
   const std::vector<report::Part> parts = report::sentences(data, "/knobs");
@@ -101,7 +101,7 @@ TEST_CASE("sentences and tables that other versions of the stats tell are shown 
   CHECK(html.find("unsaid") == std::string::npos);
 }
 
-TEST_CASE("a study's configuration is its options and the figures of its machines, with what they are from") {
+TEST_CASE("a study's configuration lists its options and its machines' figures with sources") {
   const Json machine{{"name", "m"},
                      {"figures", {{"clock.hz", {{"value", 5}, {"unit", "Hz"}, {"provenance", "assumed"}}}}}};
   const report::Section section = report::configuration_section(Json::object(), {"c", {{"--size", "8x8"}}, {machine}});

@@ -23,7 +23,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-plots::Plot chart_of(const std::vector<std::string>& names) {
+plots::Plot make_chart(const std::vector<std::string>& names) {
   plots::Chart chart{"title", {"x"}, {{"y"}}, {}, "t.csv"};
   for (const std::string& name : names)
     chart.series.push_back({name, 0, plots::Trace::line, {{0, 1}, {1, 2.5, "point of " + name}}});
@@ -33,7 +33,7 @@ plots::Plot chart_of(const std::vector<std::string>& names) {
 const plots::Plot bars{
     "bars", plots::Bars{"which bits", {"bit"}, {{"stack", 72, {{"Z2", 0, 20}, {"Z1", 20, 40}}}}, {}, "t.csv"}};
 
-/// What a drawing's file holds but its root's attributes.
+/// Returns the contents of a drawing's SVG file without the root's attributes.
 std::string content_of_file(const plots::Plot& plot) {
   const std::string file = plots::svg_file(plots::lay_out(plot));
   return file.substr(file.find('\n'));
@@ -41,8 +41,8 @@ std::string content_of_file(const plots::Plot& plot) {
 
 }  // namespace
 
-TEST_CASE("a page has the same drawing of a plot as its SVG file") {
-  for (const plots::Plot& plot : {chart_of({"one", "other"}), bars}) {
+TEST_CASE("a page draws a plot identically to its SVG file") {
+  for (const plots::Plot& plot : {make_chart({"one", "other"}), bars}) {
     const std::string html = report::plot_html(plot);
     CHECK(content_of_file(plot).size() > 1000);
     CHECK(html.find(content_of_file(plot)) != std::string::npos);
@@ -51,9 +51,8 @@ TEST_CASE("a page has the same drawing of a plot as its SVG file") {
   }
 }
 
-TEST_CASE(
-    "a plot says what it shows to who does not see it, each mark what it stands for, and has its values in a table") {
-  const std::string html = report::plot_html(chart_of({"a < b"}));
+TEST_CASE("a plot has a text alternative and tips and a table of values") {
+  const std::string html = report::plot_html(make_chart({"a < b"}));
   CHECK(html.find("role=\"img\" aria-label=\"title: y against x; the table below has its values\"") !=
         std::string::npos);
   CHECK(html.find("<title>a &lt; b: x 0, y 1</title>") != std::string::npos);
@@ -65,8 +64,8 @@ TEST_CASE(
   CHECK(of_bars.find("<th scope=row>stack</th><td>Z1</td><td class=n title=\"20.0\">20</td>") != std::string::npos);
 }
 
-TEST_CASE("each panel of a chart has a table of its own series, without what is not finite") {
-  plots::Plot two = chart_of({"one"});
+TEST_CASE("each panel of a chart has a table of its series without non-finite values") {
+  plots::Plot two = make_chart({"one"});
   auto& chart = std::get<plots::Chart>(two.content);
   chart.panels.push_back({"z", plots::Scale::logarithmic});
   chart.series.push_back({"other", 1, plots::Trace::marks, {{1, 2, "label"}, {2, std::nan("")}, {INFINITY, 1}}});
@@ -79,33 +78,33 @@ TEST_CASE("each panel of a chart has a table of its own series, without what is 
 }
 
 TEST_CASE("names on an axis are names in the table") {
-  plots::Plot plot = chart_of({"one"});
+  plots::Plot plot = make_chart({"one"});
   std::get<plots::Chart>(plot.content).x = {"machine", plots::Scale::linear, {{0, "first"}, {1, "second"}}, true};
   const std::string html = report::plot_html(plot);
   CHECK(html.find("<th scope=row>one</th><td>second</td><td class=n>2.5</td>") != std::string::npos);
   CHECK(html.find("machine second, y 2.5") != std::string::npos);
 }
 
-TEST_CASE("a plot of more lines than can be told apart says so, and its values are all there") {
+TEST_CASE("a plot of too many lines has a note and lists all values") {
   std::vector<std::string> names;
   names.reserve(15);
   for (int i = 0; i < 15; ++i) names.push_back("line " + std::to_string(i) + ";");
-  const std::string html = report::plot_html(chart_of(names));
+  const std::string html = report::plot_html(make_chart(names));
   CHECK(html.find("7 more, with smaller values (see t.csv)") != std::string::npos);
   CHECK(count(html, "<th scope=row>line 14;</th>") == 2);
   CHECK(count(html, "<g class=\"pt\">") == 2 * 15);
 }
 
-TEST_CASE("a section has the plots that have something to show, charts and bars") {
-  const std::array all{chart_of({"one"}), chart_of({}), bars, plots::Plot{"none", plots::Bars{}}};
+TEST_CASE("a section contains only the plots with contents") {
+  const std::array all{make_chart({"one"}), make_chart({}), bars, plots::Plot{"none", plots::Bars{}}};
   const report::Section section = report::plots_section(all);
   REQUIRE(section.parts.size() == 2);
   CHECK(std::get<plots::Plot>(section.parts[0]).name == "name");
   CHECK(std::get<plots::Plot>(section.parts[1]).name == "bars");
 }
 
-TEST_CASE("lines of one name look alike in all plots of a page, whatever else is in them") {
-  std::vector<plots::Plot> plots{chart_of({"a", "b", "c"}), chart_of({"c", "a"})};
+TEST_CASE("lines of one name look alike in all plots of a page") {
+  std::vector<plots::Plot> plots{make_chart({"a", "b", "c"}), make_chart({"c", "a"})};
   plots::give_common_looks(plots);
   const auto colour_of = [](const std::string& html, const std::string& name) {
     const std::size_t at = html.find("<title>" + name + ": ");
@@ -120,7 +119,7 @@ TEST_CASE("lines of one name look alike in all plots of a page, whatever else is
   CHECK(colour_of(first, "b") != colour_of(first, "c"));
 }
 
-TEST_CASE("series have the colours of plots in files, and others on a dark page") {
+TEST_CASE("series have the colours of plot files and other colours on a dark page") {
   const std::string html = report::to_html({"t", "c", report::Json::object(), {}});
   const std::size_t dark = html.find("@media (prefers-color-scheme:dark){:root{--s0");
   REQUIRE(dark != std::string::npos);

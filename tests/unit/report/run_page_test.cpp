@@ -13,7 +13,7 @@
 using namespace csgsim;
 using report::Json;
 
-TEST_CASE("a run's page shows what the stats say in words, and the prices of its dearest primitives") {
+TEST_CASE("a run's page shows the stats in words and the most expensive primitives") {
   testing::Setup setup;
   setup.camera.eye = {20, -30, 25};
   setup.camera.centre = {0, 0, 0};
@@ -33,7 +33,7 @@ TEST_CASE("a run's page shows what the stats say in words, and the prices of its
   CHECK(plain.find("1.2345678") == std::string::npos);
   CHECK(plain.find("data-at=\"/by_primitive/0/clocks\"") != std::string::npos);
   CHECK(plain.find("<th scope=row>half-spaces</th><td class=n data-at=\"/model/halfspaces\">6<") != std::string::npos);
-  CHECK(plain.find("wrong pixels") == std::string::npos);  // which nobody has counted
+  CHECK(plain.find("wrong pixels") == std::string::npos);  // nothing has counted them
   file["bound_by"] = {{"part", "controller"}, {"share", 0.9}, {"sentence", "The controller <bounds> it."}};
   file["accuracy"]["wrong"] = 3;
   file["knobs"] = {{{"sentence", "Turn this."}}};
@@ -45,9 +45,9 @@ TEST_CASE("a run's page shows what the stats say in words, and the prices of its
                       {"pieces", 1},
                       {"halfspaces", 6}}};
   file["configuration"] = {{"view", {{"camera", "a b"}}}};
-  const std::string told = page();
+  const std::string html = page();
   for (const std::string part :
        {"The controller &lt;bounds&gt; it.", "Turn this.", "data-at=\"/dearest/0/halfspaces\">6<",
         "data-at=\"/configuration/view/camera\">a b<", "data-at=\"/accuracy/wrong\">3<"})
-    CHECK(told.find(part) != std::string::npos);
+    CHECK(html.find(part) != std::string::npos);
 }

@@ -18,7 +18,7 @@ using namespace csgsim;
 
 namespace {
 
-/// Middles of the rows of the bitten cube's picture.
+/// Middle pixels of the rows of the bitten cube's picture.
 std::vector<std::size_t> pixels_in(const isa::Program& program) {
   std::vector<std::size_t> pixels;
   for (std::size_t row = 0; row < program.shape.height; ++row)
@@ -41,7 +41,7 @@ std::size_t bytes_of(const report::Drawing& drawing) {
 
 }  // namespace
 
-TEST_CASE("the pixel of an owner is the one farthest from other owners and from the border") {
+TEST_CASE("an owner's pixel is the one farthest from other owners and from the border") {
   constexpr std::uint32_t none = observe::no_owner;
   const std::vector<std::uint32_t> owner{
       none, 7, 7, 7, 7,     //
@@ -54,7 +54,7 @@ TEST_CASE("the pixel of an owner is the one farthest from other owners and from 
         std::vector<std::size_t>{19, 12, 10});
 }
 
-TEST_CASE("a page holds the text of csgsim explain, each event with the first step that has carried it out") {
+TEST_CASE("a page holds csgsim explain's text with the first step after each event") {
   for (const std::string machine_name : {"", "pixel-planes-5"}) {
     CAPTURE(machine_name);
     const isa::Program program = testing::bitten_cube(machine_name).program;
@@ -87,25 +87,25 @@ TEST_CASE("a page holds the text of csgsim explain, each event with the first st
   }
 }
 
-TEST_CASE("a pixel has one story, and stories end at the limits of pixels, bytes and instructions") {
+TEST_CASE("a pixel has one story and stories end at the limits") {
   const isa::Program program = testing::bitten_cube().program;
   const machines::Machine machine = testing::machine_of(program.shape);
   const report::Drawing drawing = report::record_drawing(program, machine);
   const std::vector<std::size_t> pixels = pixels_in(program);
-  const auto told = [&](const std::vector<std::size_t>& asked, const report::StoryLimits& limits) {
+  const auto with_limits = [&](const std::vector<std::size_t>& requested, const report::StoryLimits& limits) {
     report::Drawing with_stories = drawing;
-    report::add_stories({program}, machine, asked, with_stories, limits);
+    report::add_stories({program}, machine, requested, with_stories, limits);
     return with_stories;
   };
-  CHECK(told({5, 5, 6, 5}, {}).stories.size() == 2);
-  CHECK(told(pixels, {.pixels = 3}).stories.size() == 3);
+  CHECK(with_limits({5, 5, 6, 5}, {}).stories.size() == 2);
+  CHECK(with_limits(pixels, {.pixels = 3}).stories.size() == 3);
   const std::uint64_t count = program.segments.front().instructions.size();
-  CHECK(told(pixels, {.instructions = 4 * count}).stories.size() == 4);
+  CHECK(with_limits(pixels, {.instructions = 4 * count}).stories.size() == 4);
   for (const std::size_t most : {std::size_t{5'000}, std::size_t{20'000}}) {
-    const report::Drawing some = told(pixels, {.bytes = most});
-    const report::Drawing one_more = told(pixels, {.pixels = some.stories.size() + 1});
+    const report::Drawing some = with_limits(pixels, {.bytes = most});
+    const report::Drawing one_more = with_limits(pixels, {.pixels = some.stories.size() + 1});
     CHECK(bytes_of(some) <= most);
     CHECK(bytes_of(one_more) > most);
   }
-  CHECK(told(pixels, {.bytes = 0}).stories.size() == 1);
+  CHECK(with_limits(pixels, {.bytes = 0}).stories.size() == 1);
 }

@@ -21,7 +21,7 @@ struct Run {
   report::Json stats;
 };
 
-Run run_of(const std::string& text) {
+Run draw_run(const std::string& text) {
   testing::Setup setup;
   setup.camera.eye = {20, -30, 25};
   setup.camera.centre = {0, 0, 0};
@@ -37,7 +37,7 @@ Run run_of(const std::string& text) {
           observe::to_json({program, machine, "functional", result, stats.stats(), 1.2345678})};
 }
 
-report::Page page_of(const Run& a, const Run& b) {
+report::Page make_page(const Run& a, const Run& b) {
   const auto shown = [](const Run& run, const char* name) {
     return report::ShownRun{
         name, {run.program, run.frame}, run.machine, run.stats, std::string("csgsim explain ") + name};
@@ -47,10 +47,10 @@ report::Page page_of(const Run& a, const Run& b) {
 
 }  // namespace
 
-TEST_CASE("two runs are shown with the counts of both, their ratio, and how many pixels differ") {
-  const Run a = run_of("cube(size = [8, 8, 8], center = true);");
-  const Run b = run_of("cube(size = [4, 4, 4], center = true);");
-  const report::Page page = page_of(a, b);
+TEST_CASE("two runs are shown with both counts and their ratio and the differing pixels") {
+  const Run a = draw_run("cube(size = [8, 8, 8], center = true);");
+  const Run b = draw_run("cube(size = [4, 4, 4], center = true);");
+  const report::Page page = make_page(a, b);
   std::uint64_t differ = 0;
   std::size_t first = a.frame.colour.size();
   for (std::size_t i = a.frame.colour.size(); i-- > 0;) {
@@ -81,9 +81,9 @@ TEST_CASE("two runs are shown with the counts of both, their ratio, and how many
   }
 }
 
-TEST_CASE("of a run and itself no pixel differs") {
-  const Run a = run_of("cube(size = [8, 8, 8], center = true);");
-  const report::Page page = page_of(a, a);
+TEST_CASE("a run does not differ from itself in any pixel") {
+  const Run a = draw_run("cube(size = [8, 8, 8], center = true);");
+  const report::Page page = make_page(a, a);
   CHECK(page.data["difference"]["pixels"] == 0);
   CHECK(page.data["difference"]["first"].is_null());
 }

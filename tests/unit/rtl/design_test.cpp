@@ -25,15 +25,15 @@ std::string refusal(const std::string& machine) {
   return testing::error_of([&] { rtl::parameters_of(kinds::load(machine)); });
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> split_lines(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
   return lines;
 }
 
-/// A word of hexadecimal digits.
-isa::LinkWord word_of(const std::string& digits) {
+/// Returns a word from hexadecimal digits.
+isa::LinkWord parse_word(const std::string& digits) {
   isa::LinkWord word;
   for (std::size_t i = 0; i < digits.size(); ++i)
     word.put(static_cast<unsigned>(4 * (digits.size() - 1 - i)), 4, std::stoul(digits.substr(i, 1), nullptr, 16));
@@ -42,7 +42,7 @@ isa::LinkWord word_of(const std::string& digits) {
 
 }  // namespace
 
-TEST_CASE("figures of a machine's file are parameters of the Verilog") {
+TEST_CASE("figures of a machine file become parameters of the Verilog") {
   const auto parameters = rtl::parameters_of(
       kinds::load("pixel-planes-4", {"array.width=12", "array.memory_bits=90", "alu.bits=3", "scan_out.port=own",
                                      "scan_out.buffers=2", "global_or.fan_in=ideal", "memory.clear_clocks=ideal"}));
@@ -58,7 +58,7 @@ TEST_CASE("figures of a machine's file are parameters of the Verilog") {
   CHECK(value_of(rtl::parameters_of(kinds::load("pixel-powers")), "DEGREE") == 2);
 }
 
-TEST_CASE("what the Verilog does not have is refused with the mend") {
+TEST_CASE("rejects figures that the Verilog lacks and suggests a fix") {
   CHECK(refusal("pixel-planes-4") == "");
   CHECK(refusal("scan-line") ==
         "scan-line is of the kind scan-line, which has no Verilog; take a machine of the kind frame-buffer, "
@@ -68,22 +68,22 @@ TEST_CASE("what the Verilog does not have is refused with the mend") {
   CHECK(refusal("pixel-planes-4+evaluator.register_levels=2").ends_with("add --set evaluator.register_levels=1"));
 }
 
-TEST_CASE("the memory files of a Program have its commands, and where each instruction begins") {
+TEST_CASE("a Program's memory files hold its commands and the start of each instruction") {
   const isa::ArrayShape shape{.width = 16, .height = 16, .memory_bits = 72};
   CHECK(rc::check([&] {
     const isa::Program program = *test::arbitrary_program(shape, 12);
     const unsigned width = *rc::gen::inRange(1U, 257U);
     const rtl::ProgramMemory memory = rtl::program_memory(program, width);
-    const std::vector<std::string> words = lines_of(memory.words);
-    const std::vector<std::string> begins = lines_of(memory.begins);
+    const std::vector<std::string> words = split_lines(memory.words);
+    const std::vector<std::string> begins = split_lines(memory.begins);
     RC_ASSERT(words.size() == memory.word_count);
     RC_ASSERT(begins.size() == memory.begin_count);
     isa::WireDecoder decoder(width);
     std::vector<isa::Instruction> instructions;
-    std::vector<std::size_t> first_words{0};  // behind each instruction
+    std::vector<std::size_t> first_words{0};  // after each instruction
     for (const std::string& word : words) {
       RC_ASSERT(word.size() == (width + 3) / 4);
-      const auto command = decoder.take(word_of(word));
+      const auto command = decoder.take(parse_word(word));
       if (!command || !std::holds_alternative<isa::Instruction>(*command)) continue;
       instructions.push_back(std::get<isa::Instruction>(*command));
       first_words.push_back(static_cast<std::size_t>(&word - words.data()) + 1);
@@ -97,14 +97,14 @@ TEST_CASE("the memory files of a Program have its commands, and where each instr
   }));
 }
 
-TEST_CASE("a template's names are filled in, and what only looks like one stays") {
+TEST_CASE("fills in a template's names and keeps text that only resembles one") {
   const std::vector<rtl::Filling> fillings{{"WIDTH", "8"}, {"NOTHING", ""}};
   CHECK(rtl::filled("always @(posedge clk) w <= @WIDTH@;@NOTHING@ always @* @", fillings) ==
         "always @(posedge clk) w <= 8; always @* @");
   CHECK_THROWS_AS(rtl::filled("@HEIGHT@", fillings), std::logic_error);
 }
 
-TEST_CASE("a board shows the upper bits of each channel, and zeros below a narrow one") {
+TEST_CASE("a board shows the upper bits of each channel and zeros below a narrow one") {
   std::vector<rtl::Filling> fillings;
   rtl::add_board(fillings, {.colour_bits = 24, .scan_pixels = 2, .has_line = false});
   rtl::add_board(fillings, {.colour_bits = 8, .scan_pixels = 1, .has_line = true});
@@ -117,7 +117,7 @@ TEST_CASE("a board shows the upper bits of each channel, and zeros below a narro
         "  assign video[8:0] = {colours[7:5], colours[4:2], colours[1:0], 1'd0};\n");
 }
 
-TEST_CASE("a design has its Program in memory, or a serial line in its place") {
+TEST_CASE("a design has its Program in memory or a serial line instead") {
   const machines::Machine machine = kinds::load("pixel-planes-4", {"array.width=8", "array.height=8"});
   const auto has = [](const std::vector<rtl::DesignFile>& files, const std::string& path) {
     return std::ranges::find(files, path, &rtl::DesignFile::path) != files.end();

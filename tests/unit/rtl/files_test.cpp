@@ -15,7 +15,7 @@
 
 using namespace csgsim;
 
-// What is in each file of a design.
+// Tests of the contents of each file of a design.
 
 namespace {
 
@@ -23,7 +23,7 @@ using Files = std::vector<rtl::DesignFile>;
 
 machines::Machine small_machine() { return kinds::load("pixel-planes-4+array.width=8+array.height=8"); }
 
-/// Enables all pixels, and shows `colour_bits` bits of colour.
+/// A Program that enables all pixels and shows `colour_bits` bits of colour.
 isa::Program enabling(std::uint16_t colour_bits) {
   isa::Program program;
   program.shape = {8, 8, 72};
@@ -32,7 +32,7 @@ isa::Program enabling(std::uint16_t colour_bits) {
   return program;
 }
 
-std::string file_of(const Files& files, std::string_view path) {
+std::string find_file(const Files& files, std::string_view path) {
   const auto found = std::ranges::find(files, path, &rtl::DesignFile::path);
   REQUIRE(found != files.end());
   return found->content;
@@ -40,7 +40,7 @@ std::string file_of(const Files& files, std::string_view path) {
 
 bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
-/// Around the modules, in order.
+/// Paths of the files in addition to the modules, in order.
 std::vector<std::string> written_paths(const Files& files) {
   std::vector<std::string> paths;
   for (const rtl::DesignFile& file : files)
@@ -48,32 +48,27 @@ std::vector<std::string> written_paths(const Files& files) {
   return paths;
 }
 
-/// Of 8 x 8 pixels with 24 bits of colour: each figure of the machine in a line of its own, and the file's figure that
-/// it comes from behind it, from column 29 on.
-constexpr std::string_view instance_parameters = R"(  pixel_planes #(
-    .WIDTH(8),              // array.width
-    .HEIGHT(8),             // array.height
-    .MEMORY_BITS(72),       // array.memory_bits
-    .MEMORY_READS(1),       // memory.reads
-    .ALU_BITS(1),           // alu.bits
-    .DEGREE(1),             // evaluator.degree
-    .ROOTS(0),
-    .LINK(32),              // link.width
-    .FIFO_DEPTH(16),        // link.fifo_depth
-    .CLEAR_CLOCKS(72),      // memory.clear_clocks
-    .HAS_OR(1),             // global_or.present
-    .FAN_IN(64),            // global_or.fan_in
-    .SCAN_PIXELS(2),        // scan_out.pixels
-    .SCAN_SHARED(1),        // scan_out.port
-    .BUFFERS(1),            // scan_out.buffers
-    .COLOUR_BITS(24),
-    .CHIP(64)
-  ) machine (
-)";
+/// A machine of 8 x 8 pixels with 24 bits of colour: one line per parameter, followed from column 29 on by the figure
+/// that it comes from.
+constexpr std::string_view instance_parameters = R"( pixel_planes #( .WIDTH(8), // array.width
+.HEIGHT(8), // array.height
+.MEMORY_BITS(72), // array.memory_bits
+.MEMORY_READS(1), // memory.reads
+.ALU_BITS(1), // alu.bits
+.DEGREE(1), // evaluator.degree
+.ROOTS(0), .LINK(32), // link.width
+.FIFO_DEPTH(16), // link.fifo_depth
+.CLEAR_CLOCKS(72), // memory.clear_clocks
+.HAS_OR(1), // global_or.present
+.FAN_IN(64), // global_or.fan_in
+.SCAN_PIXELS(2), // scan_out.pixels
+.SCAN_SHARED(1), // scan_out.port
+.BUFFERS(1), // scan_out.buffers
+.COLOUR_BITS(24), .CHIP(64) ) machine ( )";
 
 }  // namespace
 
-TEST_CASE("a design is the modules of hw/rtl, and around them what it takes to draw, or to be fed over a line") {
+TEST_CASE("a design has the modules of hw/rtl and files to draw or to be fed over a line") {
   const isa::Program program = enabling(24);
   const Files drawn = rtl::design_files(small_machine(), &program);
   const Files bare = rtl::design_files(small_machine(), nullptr);
@@ -87,32 +82,32 @@ TEST_CASE("a design is the modules of hw/rtl, and around them what it takes to d
             return file.path.starts_with("rtl/");
           })) == rtl::verilog_files().size());
     for (const rtl::EmbeddedFile& file : rtl::verilog_files())
-      CHECK(file_of(files, "rtl/" + std::string(file.name)) == file.text);
-    CHECK(has(file_of(files, "rtl/pixel_planes.v"), "module pixel_planes"));
+      CHECK(find_file(files, "rtl/" + std::string(file.name)) == file.text);
+    CHECK(has(find_file(files, "rtl/pixel_planes.v"), "module pixel_planes"));
   }
 }
 
-TEST_CASE("the machine in a design has a line a parameter, with the figure that it comes from") {
+TEST_CASE("a design's machine has one line per parameter with its figure") {
   const isa::Program program = enabling(24);
   for (const isa::Program* const shown : std::initializer_list<const isa::Program*>{&program, nullptr}) {
-    const std::string system = file_of(rtl::design_files(small_machine(), shown), "system.v");
+    const std::string system = find_file(rtl::design_files(small_machine(), shown), "system.v");
     CHECK(has(system, instance_parameters));
     CHECK(has(system, "output wire [48-1:0] video,"));  // two pixels of 24 bits
   }
 }
 
-TEST_CASE("a Program's memory in a design, by hand") {
-  // In words of 32 bits: SegmentStart, 61, with width 8 from bit 38 and height 8 from bit 54 on, 70 bits; enable_all,
-  // 0; FrameEnd, 63, with base 0 from bit 6 and width 24 from bit 18 on.
+TEST_CASE("a Program's memory in a design has the hand-calculated words") {
+  // Words of 32 bits: SegmentStart, 61, with width 8 from bit 38 and height 8 from bit 54 on, 70 bits; enable_all, 0;
+  // FrameEnd, 63, with base 0 from bit 6 and width 24 from bit 18 on.
   const isa::Program program = enabling(24);
   const Files files = rtl::design_files(small_machine(), &program);
-  CHECK(file_of(files, "program.hex") == "0000003d\n02000200\n00000000\n00000000\n0060003f\n");
-  // The instruction goes out once the frame does, and what comes behind it when it has been taken.
-  CHECK(file_of(files, "begins.hex") == "0\n4\n");
-  CHECK(has(file_of(files, "system.v"), ".LINK(32), .WORDS(5), .INSTRUCTIONS(1),"));
+  CHECK(find_file(files, "program.hex") == "0000003d\n02000200\n00000000\n00000000\n0060003f\n");
+  // The first instruction starts after the frame command; its successor starts when it has been taken.
+  CHECK(find_file(files, "begins.hex") == "0\n4\n");
+  CHECK(has(find_file(files, "system.v"), ".LINK(32), .WORDS(5), .INSTRUCTIONS(1),"));
 }
 
-TEST_CASE("the begin of each instruction has the fewest digits that hold the number of words") {
+TEST_CASE("instruction starts have the fewest digits that hold the number of words") {
   const isa::ArrayShape shape{.width = 16, .height = 16, .memory_bits = 72};
   CHECK(rc::check([&] {
     const isa::Program program = *test::arbitrary_program(shape, 40);
@@ -121,7 +116,7 @@ TEST_CASE("the begin of each instruction has the fewest digits that hold the num
     for (std::size_t from = 0; from < memory.begins.size(); from += digits + 1)
       RC_ASSERT(memory.begins.find('\n', from) == from + digits);
   }));
-  // Words of 256 bits: SegmentStart, an instruction each, FrameEnd.
+  // Words of 256 bits: SegmentStart, one per instruction, FrameEnd.
   isa::Program program = enabling(24);
   const auto first_line = [&](std::size_t instructions) {
     program.segments[0].instructions.assign(instructions, {.opcode = isa::Opcode::enable_all});
@@ -136,59 +131,59 @@ TEST_CASE("the begin of each instruction has the fewest digits that hold the num
   CHECK(first_line(254) == "000");
 }
 
-TEST_CASE("a board needs a serial line only where a design has no Program") {
+TEST_CASE("a board needs a serial line only in a design without a Program") {
   const isa::Program program = enabling(24);
   const Files drawn = rtl::design_files(small_machine(), &program);
   const Files bare = rtl::design_files(small_machine(), nullptr);
-  const auto text = [](const Files& files, std::string_view path) { return file_of(files, path); };
+  const auto text = [](const Files& files, std::string_view path) { return find_file(files, path); };
   CHECK(has(text(bare, "board.v"),
-            "  input wire clk,\n"
-            "  input wire from_computer,  // the host's serial line\n"
-            "  output wire to_computer,\n"
-            "  output wire lamp_drawn,"));
-  CHECK(has(text(drawn, "board.v"), "  input wire clk,\n  output wire lamp_drawn,"));
+            " input wire clk,\n"
+            " input wire from_computer, // the host's serial line\n"
+            " output wire to_computer,\n"
+            " output wire lamp_drawn,"));
+  CHECK(has(text(drawn, "board.v"), " input wire clk,\n output wire lamp_drawn,"));
   CHECK(has(text(bare, "board.v"),
             ".reset(reset), .from_computer(from_computer), .to_computer(to_computer), .told(), .told_any(),"));
   CHECK(has(text(drawn, "board.v"), ".reset(reset), .request(), .request_from(), .told(), .told_any(),"));
-  CHECK(has(text(drawn, "board.v"), "  wire [48-1:0] colours;\n"));
-  CHECK(has(text(drawn, "board.v"), "  assign video[11:0] = {colours[23:20], colours[15:12], colours[7:4]};\n"));
+  CHECK(has(text(drawn, "board.v"), " wire [48-1:0] colours;\n"));
+  CHECK(has(text(drawn, "board.v"), " assign video[11:0] = {colours[23:20], colours[15:12], colours[7:4]};\n"));
   CHECK(text(bare, "hx8k.pcf").ends_with("lamp_shown B4\nset_io from_computer B10\nset_io to_computer B12\n"));
   CHECK(text(drawn, "hx8k.pcf").ends_with("lamp_shown B4\n\n"));
   CHECK(text(bare, "up5k.pcf").ends_with("lamp_shown 37\nset_io from_computer 6\nset_io to_computer 9\n"));
   CHECK(text(drawn, "up5k.pcf").ends_with("lamp_shown 37\n\n"));
 }
 
-TEST_CASE("a design's files say what it is, and make what it can") {
+TEST_CASE("a design's files describe it and build it") {
   const machines::Machine machine = small_machine();
   const isa::Program program = enabling(24);
   const Files drawn = rtl::design_files(machine, &program);
   const Files bare = rtl::design_files(machine, nullptr);
   const std::string title = "# " + machine.name + " in Verilog\n\n8 x 8 pixels, ";
-  CHECK(file_of(drawn, "README.md").starts_with(title + "with a Program in memory."));
-  CHECK(file_of(bare, "README.md").starts_with(title + "fed over a serial line."));
+  CHECK(find_file(drawn, "README.md").starts_with(title + "with a Program in memory."));
+  CHECK(find_file(bare, "README.md").starts_with(title + "fed over a serial line."));
   for (const Files& files : {drawn, bare}) {
-    CHECK(has(file_of(files, "README.md"), "## What fits\n\n| figures | part | pixels |"));
-    CHECK(file_of(files, "Makefile").starts_with("# The design of " + machine.name + ", 8 x 8 pixels."));
+    CHECK(has(find_file(files, "README.md"), "## What fits\n\n| figures | part | pixels |"));
+    CHECK(find_file(files, "Makefile").starts_with("# The design of " + machine.name + ", 8 x 8 pixels."));
   }
-  CHECK(file_of(drawn, "system.v").starts_with("// " + machine.name + ", with a Program in the host's memory.\n"));
-  CHECK(file_of(bare, "system.v").starts_with("// " + machine.name + ", with the host at the other end"));
-  CHECK(has(file_of(bare, "system.v"), "  wire [32-1:0] word;\n"));
-  CHECK(has(file_of(drawn, "system.v"), "  wire [32-1:0] word;\n"));
-  CHECK(has(file_of(drawn, "Makefile"), "\nicarus: icarus.png\n"));
-  CHECK(has(file_of(bare, "Makefile"), "\nicarus verilator waves:\n"));
+  CHECK(find_file(drawn, "system.v").starts_with("// " + machine.name + ", with a Program in the host's memory.\n"));
+  CHECK(find_file(bare, "system.v").starts_with("// " + machine.name + ", with the host at the other end"));
+  CHECK(has(find_file(bare, "system.v"), " wire [32-1:0] word;\n"));
+  CHECK(has(find_file(drawn, "system.v"), " wire [32-1:0] word;\n"));
+  CHECK(has(find_file(drawn, "Makefile"), "\nicarus: icarus.png\n"));
+  CHECK(has(find_file(bare, "Makefile"), "\nicarus verilator waves:\n"));
 }
 
-TEST_CASE("a picture of one bit of colour, and of two, are shown, where red or blue have none") {
+TEST_CASE("shows pictures of one and two colour bits in which red or blue have none") {
   const isa::Program one = enabling(1);
-  const std::string board = file_of(rtl::design_files(small_machine(), &one), "board.v");
-  CHECK(has(board, "  assign video[2:0] = {1'd0, colours[0:0], 1'd0};\n"));
-  CHECK(has(board, "  assign video[5:3] = {1'd0, colours[1:1], 1'd0};\n"));
+  const std::string board = find_file(rtl::design_files(small_machine(), &one), "board.v");
+  CHECK(has(board, " assign video[2:0] = {1'd0, colours[0:0], 1'd0};\n"));
+  CHECK(has(board, " assign video[5:3] = {1'd0, colours[1:1], 1'd0};\n"));
   const isa::Program two = enabling(2);
-  CHECK(has(file_of(rtl::design_files(small_machine(), &two), "board.v"),
-            "  assign video[2:0] = {colours[1:1], colours[0:0], 1'd0};\n"));
+  CHECK(has(find_file(rtl::design_files(small_machine(), &two), "board.v"),
+            " assign video[2:0] = {colours[1:1], colours[0:0], 1'd0};\n"));
 }
 
-TEST_CASE("pixels have the flag for roots if any instruction of a segment takes one") {
+TEST_CASE("pixels have the root flag if any instruction of a segment takes a root") {
   const isa::Instruction enable{.opcode = isa::Opcode::enable_all};
   const isa::Instruction root{.opcode = isa::Opcode::root, .fields = {isa::Field{30, 5}}};
   const auto has_roots = [](const std::vector<std::vector<isa::Instruction>>& segments) {
@@ -207,7 +202,7 @@ TEST_CASE("pixels have the flag for roots if any instruction of a segment takes 
   CHECK(has_roots({}) == 0);
 }
 
-TEST_CASE("a name in a template stands between two marks, is of capitals and _, and is not empty") {
+TEST_CASE("a template name is between two marks and has capitals and underscores") {
   const std::vector<rtl::Filling> fillings{{"A", "1"}, {"A_B", "two"}, {"NOTHING", ""}};
   const auto filled = [&](std::string_view text) { return rtl::filled(text, fillings); };
   CHECK(filled("") == "");
@@ -224,7 +219,7 @@ TEST_CASE("a name in a template stands between two marks, is of capitals and _, 
   CHECK_THROWS_AS(rtl::template_text("none.v"), std::out_of_range);
 }
 
-TEST_CASE("a board without settings for its line has none, and shows no pixel") {
+TEST_CASE("a board without settings for its line has none and shows no pixel") {
   std::vector<rtl::Filling> fillings;
   rtl::add_board(fillings, {.colour_bits = 24});
   CHECK(rtl::filled("@CHANNEL_BITS@|@BOARD_VIDEO@|@BOARD_PORTS@|@BOARD_CONNECTIONS@|@BOARD_LINE_HX@|@BOARD_LINE_UP@",

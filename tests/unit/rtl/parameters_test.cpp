@@ -10,7 +10,7 @@
 
 using namespace csgsim;
 
-// The parameters of the Verilog where figures are at their corners.
+// Tests of Verilog parameters at the limits of figures.
 
 namespace {
 
@@ -55,7 +55,7 @@ const std::string& text_of(const std::vector<rtl::DesignFile>& files, std::strin
 
 }  // namespace
 
-TEST_CASE("every parameter of the Verilog is the machine's figure") {
+TEST_CASE("every Verilog parameter is the machine's figure") {
   CHECK(values_of(kinds::load("pixel-planes-4")) == Values{{"WIDTH", 512},
                                                            {"HEIGHT", 512},
                                                            {"MEMORY_BITS", 72},
@@ -96,16 +96,16 @@ TEST_CASE("every parameter of the Verilog is the machine's figure") {
                                                                                    {"CHIP", 35}});
 }
 
-TEST_CASE("a scan-out is no wider than the array") {
+TEST_CASE("limits a scan-out to the width of the array") {
   CHECK(values_of(eight_by_eight({"scan_out.pixels=7"}))["SCAN_PIXELS"] == 7);
   CHECK(values_of(eight_by_eight({"scan_out.pixels=8"}))["SCAN_PIXELS"] == 8);
   CHECK(values_of(eight_by_eight({"scan_out.pixels=9"}))["SCAN_PIXELS"] == 8);
   CHECK(values_of(eight_by_eight({"scan_out.pixels=512"}))["SCAN_PIXELS"] == 8);
-  // High, not wide.
+  // Higher than wide.
   CHECK(values_of(kinds::load("pixel-planes-4+array.width=3+array.height=9+scan_out.pixels=5"))["SCAN_PIXELS"] == 3);
 }
 
-TEST_CASE("a chip has all pixels of the array, at most 64") {
+TEST_CASE("a chip has all pixels of the array up to 64") {
   const auto chip = [](const std::string& size) { return values_of(kinds::load("pixel-planes-4" + size))["CHIP"]; };
   CHECK(chip("+array.width=9+array.height=7") == 63);
   CHECK(chip("+array.width=8+array.height=8") == 64);
@@ -119,7 +119,7 @@ TEST_CASE("CLEAR_CLOCKS is at least 1") {
   CHECK(values_of(eight_by_eight({"memory.clear_clocks=2"}))["CLEAR_CLOCKS"] == 2);
 }
 
-TEST_CASE("pixels have the flag for roots at degree 2, and at degree 1 if a segment of the Program takes a root") {
+TEST_CASE("pixels have the root flag at degree 2 or if a segment takes a root") {
   using isa::Opcode;
   const machines::Machine machine = eight_by_eight();
   const auto roots = [&](const std::vector<Opcode>& opcodes) {
@@ -135,7 +135,7 @@ TEST_CASE("pixels have the flag for roots at degree 2, and at degree 1 if a segm
   CHECK(values_of(eight_by_eight({"evaluator.degree=2"}), &without)["ROOTS"] == 1);
 }
 
-TEST_CASE("COLOUR_BITS is the width of the Program's colour, or 24 where a serial line sends Programs") {
+TEST_CASE("COLOUR_BITS is the Program's colour width or 24 with a serial line") {
   for (const unsigned bits : {3U, 4U, 7U, 10U, 24U}) {
     const isa::Program program = showing(bits, {isa::Opcode::enable_all});
     CHECK(values_of(eight_by_eight(), &program)["COLOUR_BITS"] == bits);
@@ -143,7 +143,7 @@ TEST_CASE("COLOUR_BITS is the width of the Program's colour, or 24 where a seria
   CHECK(values_of(eight_by_eight())["COLOUR_BITS"] == 24);
 }
 
-TEST_CASE("trees of several bits or with fewer registers are refused, each by its figure") {
+TEST_CASE("rejects trees of several bits or fewer registers by the figure's name") {
   const auto refusal = [](const std::string& changes) {
     return testing::error_of([&] { rtl::parameters_of(kinds::load("pixel-planes-4" + changes)); });
   };
@@ -155,9 +155,9 @@ TEST_CASE("trees of several bits or with fewer registers are refused, each by it
   CHECK(refusal("+alu.bits=3") == "");
 }
 
-TEST_CASE("a board shows what it has of 3, 4, 5, 7, 10 and 24 bits, with zeros below channels that are narrower") {
+TEST_CASE("a board shows 3 to 24 bits with zeros below narrower channels") {
   CHECK(video_of(3, 1) == "1:\n  assign video[2:0] = {colours[2:2], colours[1:1], colours[0:0]};\n");
-  // Green is the widest.
+  // Green has the most bits.
   CHECK(video_of(4, 1) == "2:\n  assign video[5:0] = {colours[3:3], 1'd0, colours[2:1], colours[0:0], 1'd0};\n");
   CHECK(video_of(5, 1) == "2:\n  assign video[5:0] = {colours[4:3], colours[2:1], colours[0:0], 1'd0};\n");
   CHECK(video_of(7, 1) == "3:\n  assign video[8:0] = {colours[6:5], 1'd0, colours[4:2], colours[1:0], 1'd0};\n");
@@ -168,7 +168,7 @@ TEST_CASE("a board shows what it has of 3, 4, 5, 7, 10 and 24 bits, with zeros b
         "  assign video[11:6] = {colours[7:7], 1'd0, colours[6:5], colours[4:4], 1'd0};\n");
 }
 
-TEST_CASE("the wires of a design have the widths of its scan-out and colour") {
+TEST_CASE("wires of a design have the widths of its scan-out and colour") {
   const isa::Program program = showing(7, {isa::Opcode::enable_all});
   const auto files =
       rtl::design_files(eight_by_eight({"scan_out.pixels=64", "link.latency=3", "link.word_clocks=2"}), &program);
@@ -188,7 +188,7 @@ TEST_CASE("the wires of a design have the widths of its scan-out and colour") {
   CHECK(text_of(files, "board.v").find("output wire [3*3*8-1:0] video") != std::string::npos);
 }
 
-TEST_CASE("a Program's memory has a line for each word and each instruction, and the fewest digits for its numbers") {
+TEST_CASE("a Program's memory has one line per word and instruction with minimal digits") {
   // A start and an instruction of its segment, and the end of the frame.
   const isa::Program program = showing(24, {isa::Opcode::enable_all});
   const rtl::ProgramMemory memory = rtl::program_memory(program, 256);

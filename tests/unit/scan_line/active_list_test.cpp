@@ -21,7 +21,7 @@ isa::Segment line_of(std::uint32_t row, const std::vector<isa::Origin>& origins)
 
 }  // namespace
 
-TEST_CASE("a primitive reaches from the first to the last row that it is drawn in or compared in") {
+TEST_CASE("a primitive extends from the first to the last row in which it is used") {
   const std::vector<isa::Segment> lines{line_of(0, {}), line_of(1, {{.primitive = 7}, {}}),
                                         line_of(2, {{.primitive = 3, .node = 9}}),
                                         line_of(3, {{.primitive = 7, .node = 9}})};
@@ -32,7 +32,7 @@ TEST_CASE("a primitive reaches from the first to the last row that it is drawn i
   CHECK(extents == std::vector<RowExtent>{{1, 3}, {2, 2}, {2, 3}});
 }
 
-TEST_CASE("the host looks at what enters, stays and leaves") {
+TEST_CASE("the host visits entering and staying and leaving primitives") {
   ActiveList list;
   list.begin(std::vector<RowExtent>{{1, 3}, {2, 2}, {2, 3}});
   std::vector<std::size_t> looks;
@@ -40,7 +40,7 @@ TEST_CASE("the host looks at what enters, stays and leaves") {
   CHECK(looks == std::vector<std::size_t>{0, 1, 3, 3, 2, 0});
 }
 
-TEST_CASE("a field of every other row takes in two buckets a row and begins with an empty list") {
+TEST_CASE("an interlaced field takes two buckets per row and starts with an empty list") {
   ActiveList list;
   list.begin(std::vector<RowExtent>{{1, 3}, {2, 2}, {2, 3}});
   std::vector<std::size_t> looks;
@@ -48,7 +48,7 @@ TEST_CASE("a field of every other row takes in two buckets a row and begins with
   CHECK(looks == std::vector<std::size_t>{0, 3, 3, 1, 3, 2});
 }
 
-TEST_CASE("each primitive is looked at once on every row of its own and once below it") {
+TEST_CASE("visits each primitive once on each of its rows and once below them") {
   CHECK(rc::check([] {
     constexpr std::uint32_t rows = 20;
     std::vector<RowExtent> primitives;

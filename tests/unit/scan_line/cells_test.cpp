@@ -25,14 +25,14 @@ std::vector<CellStep> steps_of(const Packet& packet, const CellShape& shape) {
   return steps;
 }
 
-/// Carries so many beats of the packet out in cell 0, at each what the ports can do.
+/// Executes the first `beats` beats of the packet in cell 0, using the ports available in each.
 void carry_out(Cells& cell, const Instruction& instruction, const CellShape& shape, std::uint32_t beats) {
   const Packet packet = instruction_packet(instruction, shape);
   const std::vector<CellStep> steps = steps_of(packet, shape);
   for (std::uint32_t beat = 0; beat < beats; ++beat) cell.execute(packet, std::span(steps).subspan(beat, 1), {0, 1});
 }
 
-/// The packet would have its result with that beat.
+/// Checks that a result at this beat is rejected.
 void check_too_soon(Packet packet, std::uint32_t beat, const CellShape& shape) {
   packet.accesses.result = beat;
   CHECK_THROWS_AS(steps_of(packet, shape), std::logic_error);
@@ -40,7 +40,7 @@ void check_too_soon(Packet packet, std::uint32_t beat, const CellShape& shape) {
 
 }  // namespace
 
-TEST_CASE("a cell reads and writes a word of its memory at each port in a clock, and no more") {
+TEST_CASE("a cell reads and writes at most one word per port and clock") {
   constexpr CellShape shape{.word_bits = 8, .ports = 1};
   constexpr Field across{4, 16};   // words 0, 1 and 2
   constexpr Field within{24, 16};  // words 3 and 4
@@ -50,7 +50,7 @@ TEST_CASE("a cell reads and writes a word of its memory at each port in a clock,
   carry_out(cell, {.opcode = Opcode::set_constant, .fields = {across}, .constant = 0xabcd}, shape, 3);
   CHECK(cell.read(0, {4, 4}) == 0xd);
   CHECK(cell.read(0, {8, 8}) == 0xbc);
-  CHECK(cell.read(0, {16, 4}) == 0);  // the first write was in the clock of the second word, the third is to come
+  CHECK(cell.read(0, {16, 4}) == 0);  // the first write shared the clock of the second word; the third follows
   carry_out(cell, {.opcode = Opcode::set_constant, .fields = {across}, .constant = 0xabcd}, shape, 4);
   CHECK(cell.read(0, across) == 0xabcd);
   carry_out(cell, copy, shape, 4);
@@ -59,7 +59,7 @@ TEST_CASE("a cell reads and writes a word of its memory at each port in a clock,
   CHECK(cell.read(0, within) == 0xabcd);
 }
 
-TEST_CASE("a cell that would act before its fields have been read is an error") {
+TEST_CASE("rejects a cell that acts before its fields have been read") {
   constexpr CellShape shape{.word_bits = 8, .ports = 1};
   const Packet packet = instruction_packet({.opcode = Opcode::field_lt, .fields = {Field{0, 8}, Field{8, 8}}}, shape);
   CHECK(packet.beats == 2);
@@ -67,14 +67,14 @@ TEST_CASE("a cell that would act before its fields have been read is an error") 
   check_too_soon(packet, 0, shape);
 }
 
-TEST_CASE("a cell that acts before it has found all bits of a root says so") {
+TEST_CASE("rejects a cell that acts before it has found all bits of a root") {
   const CellShape shape{.word_bits = 8};
   const Packet packet = instruction_packet({.opcode = Opcode::root, .fields = {Field{0, 7}}}, shape);
   CHECK_NOTHROW(steps_of(packet, shape));
   for (std::uint32_t beat = 0; beat < packet.accesses.result; ++beat) check_too_soon(packet, beat, shape);
 }
 
-TEST_CASE("a cell that acts before its operands have been moved and gone through says so") {
+TEST_CASE("rejects a cell that acts before its operands have been shifted and processed") {
   const Instruction compare{.opcode = Opcode::linear_ge, .fields = {Field{0, 8}}, .linear = {.width = 12, .shift = 2}};
   for (const CellShape& shape : {CellShape{.word_bits = 16, .ports = 1, .alu_bits = 4, .shift_bits = 1},
                                  CellShape{.word_bits = 16, .ports = 1, .alu_bits = 0, .shift_bits = 2},
@@ -86,7 +86,7 @@ TEST_CASE("a cell that acts before its operands have been moved and gone through
   }
 }
 
-TEST_CASE("a cell below a tree has the bits of C + A*x + S*x*x, whatever the tree brings in a clock") {
+TEST_CASE("a cell below a tree gets the bits of C + A x + S x x at any tree width") {
   CHECK(rc::check([] {
     const auto any = [](unsigned bits) {
       return *rc::gen::inRange(-(std::int64_t{1} << bits), std::int64_t{1} << bits);

@@ -33,7 +33,7 @@ Packet packet(const Instruction& instruction, const CellShape& shape, bool begin
   return packet;
 }
 
-/// Sends the packet through the entry, and calls seen() after each clock.
+/// Sends the packet through the entry and calls seen() after each clock.
 template <class Machine, class Seen>
 void send(Machine& chain, const Packet& packet, const Seen& seen) {
   for (std::uint32_t beat = 0; beat < packet.beats; ++beat) {
@@ -65,7 +65,7 @@ void require_same(const scan_line::Snapshot& actual, const reference::ReferenceA
 
 }  // namespace
 
-TEST_CASE("a packet of two words acts in cell x one clock after cell x - 1, and leaves the line after the last") {
+TEST_CASE("a two-word packet acts in cell x a clock after cell x - 1 and leaves at the end") {
   constexpr CellShape shape{.word_bits = 4, .ports = 1};
   Chain chain(9, 8, shape);
   chain.begin(5);
@@ -85,7 +85,7 @@ TEST_CASE("a packet of two words acts in cell x one clock after cell x - 1, and 
   CHECK(busy_cells == 2 * 5);
 }
 
-TEST_CASE("after random packets, some many words long, every cell holds what the reference holds") {
+TEST_CASE("after random packets of any length every cell equals the reference") {
   CHECK(rc::check([] {
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 70U), 1, *rc::gen::inRange(1U, 100U)};
     const CellShape cell{.word_bits = *rc::gen::inRange(1U, 65U),
@@ -127,7 +127,7 @@ TEST_CASE("the first packet of a line finds memory and enable clear") {
   CHECK_FALSE(chain.enabled(0));
 }
 
-TEST_CASE("pixel x is at the refresh port in the x-th clock after that in which the shift chain took the line") {
+TEST_CASE("pixel x reaches the refresh port x clocks after the shift chain takes the line") {
   constexpr std::uint32_t pixels = 3;
   constexpr CellShape shape{.word_bits = 8, .ports = 1};
   Chain chain(5, 8, shape);
@@ -145,7 +145,7 @@ TEST_CASE("pixel x is at the refresh port in the x-th clock after that in which 
   CHECK(seen == expected);
 }
 
-TEST_CASE("a mark may follow another as many clocks later as a line has pixels, and not sooner") {
+TEST_CASE("consecutive marks need one clock per pixel of the line between them") {
   constexpr std::uint32_t pixels = 4;
   for (std::uint32_t apart = 1; apart <= pixels + 1; ++apart) {
     CAPTURE(apart);
@@ -183,7 +183,7 @@ TEST_CASE("a clear packet clears a cell with its last beat") {
   CHECK_FALSE(chain.enabled(0));
 }
 
-TEST_CASE("a packet that is not followed by its own next beat is an error") {
+TEST_CASE("rejects a packet not followed by its own next beat") {
   constexpr CellShape shape{.word_bits = 4, .ports = 1};
   const Packet sent = packet({.opcode = Opcode::edge_negative, .linear = {.a = 1, .c = 3, .width = 8}}, shape);
   Chain chain(2, 8, shape);
@@ -195,7 +195,7 @@ TEST_CASE("a packet that is not followed by its own next beat is an error") {
 
 namespace {
 
-/// Random packets of a line, with breaks between them.
+/// Random packets of a line with gaps between them.
 std::vector<Packet> random_packets(isa::ArrayShape shape, const CellShape& cell) {
   std::vector<Packet> packets{scan_line::clear_packet(*rc::gen::inRange(1U, 4U))};
   isa::Linear squares;
@@ -209,7 +209,7 @@ std::vector<Packet> random_packets(isa::ArrayShape shape, const CellShape& cell)
   return packets;
 }
 
-/// All that can be seen of the cell, and of the beat that comes into it.
+/// Compares all visible state of the cell and of the beat that enters it.
 void require_same(const Chain& chain, const test::PlainChain& judge, std::uint32_t x, isa::ArrayShape shape,
                   const CellShape& cell) {
   RC_ASSERT(chain.enabled(x) == judge.cells().enabled(x));
@@ -231,7 +231,7 @@ void require_same(const Chain& chain, const test::PlainChain& judge, std::uint32
 
 }  // namespace
 
-TEST_CASE("a cell that is looked at in any clock is as one that has done each clock's work at once") {
+TEST_CASE("a cell read at any clock equals one that does each clock's work at once") {
   CHECK(rc::check([] {
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 40U), 1, *rc::gen::inRange(1U, 100U)};
     const CellShape cell{.word_bits = *rc::gen::inRange(1U, 65U),

@@ -22,7 +22,7 @@ std::int64_t any(unsigned bits) {
   return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-(std::int64_t{1} << bits), std::int64_t{1} << bits));
 }
 
-/// The words of every beat in all cells, and the sums there, are those that adders hand on from cell to cell.
+/// Checks that the words of every beat in all cells, and the sums there, equal those of cell-by-cell adders.
 void check_adders(const isa::Linear& linear, std::int64_t square, std::uint32_t word_bits) {
   constexpr std::uint32_t cells = 9;
   const CellShape shape{.word_bits = word_bits};
@@ -40,7 +40,7 @@ void check_adders(const isa::Linear& linear, std::int64_t square, std::uint32_t 
 
 }  // namespace
 
-TEST_CASE("the words that come into every cell, and their sum, are what adders make of C and A, for every width") {
+TEST_CASE("words and sums in each cell equal those of adders of C and A at every width") {
   CHECK(rc::check([] {
     const auto smaller = *rc::gen::inRange(0U, 62U);
     const auto width = *rc::gen::inRange<std::uint16_t>(1, isa::max_linear_width + 1);
@@ -49,7 +49,7 @@ TEST_CASE("the words that come into every cell, and their sum, are what adders m
   }));
 }
 
-TEST_CASE("with squares they are what adders make of the second difference besides") {
+TEST_CASE("with squares words and sums include the second difference") {
   CHECK(rc::check([] {
     const auto smaller = *rc::gen::inRange(0U, 56U);
     const auto width = *rc::gen::inRange<std::uint16_t>(1, isa::max_linear_width + 1);
@@ -58,7 +58,7 @@ TEST_CASE("with squares they are what adders make of the second difference besid
   }));
 }
 
-TEST_CASE("a packet occupies a cell for its words, or for the reads and then the writes of its memory") {
+TEST_CASE("a packet occupies a cell for its words or for its memory reads and writes") {
   struct Row {
     Instruction instruction;
     CellShape shape;
@@ -96,7 +96,7 @@ TEST_CASE("a packet occupies a cell for its words, or for the reads and then the
       {{.opcode = Opcode::squares, .linear = {.width = 40}}, {32, 1}, 1},
       {{.opcode = Opcode::linear_plus, .fields = {low}, .linear = {.width = 30}}, {32, 1}, 2},
       {{.opcode = Opcode::linear_minus, .fields = {across}, .linear = {.width = 40}}, {32, 1}, 4},
-      // A word read, a trial each of the root's bits, and a word written in the clock of the last.
+      // A word read, one trial per bit of the root, and a word written in the clock of the last.
       {{.opcode = Opcode::root, .fields = {Field{0, 31}}}, {32, 1}, 1 + 15},
       {{.opcode = Opcode::root, .fields = {Field{0, 31}}}, {32, 0}, 15},
       {{.opcode = Opcode::root, .fields = {Field{0, 61}}}, {32, 1}, 2 + 30 + 1},
@@ -111,7 +111,7 @@ TEST_CASE("a packet occupies a cell for its words, or for the reads and then the
   }
 }
 
-TEST_CASE("an operand that lies elsewhere is moved word by word, and the ALU goes through the bits as wide as it is") {
+TEST_CASE("misaligned operands are shifted word by word and the ALU takes its width a clock") {
   struct Row {
     Instruction instruction;
     CellShape shape;
@@ -123,19 +123,19 @@ TEST_CASE("an operand that lies elsewhere is moved word by word, and the ALU goe
   const isa::Linear plain{.width = 28};
   const isa::Linear fine{.width = 36, .shift = 8};
   const std::vector<Row> rows{
-      // Nothing to move, and all bits at once, by halves, and one by one.
+      // No shift; all bits at once, in halves, and one by one.
       {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = plain}, {32, 1, 32, 32}, 1},
       {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = plain}, {32, 1, 16, 32}, 2},
       {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = plain}, {32, 1, 1, 32}, 28},
-      // Two words come in; the 28 bits above the fraction are moved down by 8 and compared.
+      // Two words enter; the 28 bits above the fraction are shifted down by 8 and compared.
       {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = fine}, {32, 1, 32, 32}, 1 + 2},
       {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = fine}, {32, 1, 32, 3}, 1 + 3 + 1},
       {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = fine}, {32, 1, 0, 0}, 2},
       {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = fine}, {32, 1, 0, 1}, 1 + 8 + 1},
-      // They come to lie in two words, from bit 24 on, 16 bits up.
+      // The bits span two words, from bit 24 on, and are shifted up by 16.
       {{.opcode = Opcode::linear_ge, .fields = {across}, .linear = fine}, {32, 1, 32, 32}, 1 + 2 + 1},
       {{.opcode = Opcode::linear_ge, .fields = {across}, .linear = fine}, {32, 1, 32, 8}, 1 + 4 + 1},
-      // What is moved while the port is not free to write costs nothing.
+      // Shifts while the port is busy with reads are free.
       {{.opcode = Opcode::keep_max, .fields = {low}, .linear = {.width = 30, .shift = 1}}, {32, 1, 32, 32}, 2},
       {{.opcode = Opcode::keep_max, .fields = {low}, .linear = {.width = 30, .shift = 1}}, {32, 0, 32, 32}, 2},
       {{.opcode = Opcode::keep_max, .fields = {low}, .linear = {.width = 30, .shift = 1}}, {32, 0, 0, 0}, 1},
@@ -143,18 +143,18 @@ TEST_CASE("an operand that lies elsewhere is moved word by word, and the ALU goe
       // The sign of F is its highest bit.
       {{.opcode = Opcode::edge_negative, .linear = fine}, {32, 1, 1, 1}, 2},
       {{.opcode = Opcode::stripe, .linear = fine}, {32, 1, 1, 1}, 2},
-      // F + t has as many bits as t, and no more of F are of use.
+      // F + t has the bits of t; only those bits of F are needed.
       {{.opcode = Opcode::linear_plus, .fields = {Field{0, 8}}, .linear = fine}, {32, 1, 4, 8}, 1 + 1 + 2},
-      // To where the first field lies; two words are read, or three, one after the other.
+      // Shifted to the place of the first field; two or three words are read one after the other.
       {{.opcode = Opcode::field_lt, .fields = {low, across}}, {32, 1, 32, 32}, 3 + 1},
       {{.opcode = Opcode::field_lt, .fields = {across, low}}, {32, 1, 32, 32}, 3 + 2},
       {{.opcode = Opcode::field_lt, .fields = {low, beyond}}, {32, 1, 10, 2}, 2 + 2 + 2 - 1},
-      // All are read, then the second is moved by 4 bits and the third by 24.
+      // All words are read, then the second operand is shifted by 4 bits and the third by 24.
       {{.opcode = Opcode::bit_and, .fields = {low, beyond, across}}, {32, 1, 20, 12}, 3 + 1 + 2 + 1 - 1},
       {{.opcode = Opcode::copy, .fields = {low, across}}, {32, 1, 1, 12}, 2 + 1},
       {{.opcode = Opcode::copy, .fields = {low, beyond}}, {32, 1, 1, 1}, 1 + 4 - 1},
       {{.opcode = Opcode::copy, .fields = {low, Field{64, 20}}}, {32, 1, 1, 1}, 2},
-      // Constants and bits for E lie where they are wanted.
+      // Constants and bits for E need no shift.
       {{.opcode = Opcode::set_constant, .fields = {across}, .constant = 1}, {32, 1, 1, 1}, 2},
       {{.opcode = Opcode::xor_constant, .fields = {across}, .constant = 1}, {32, 1, 10, 1}, 2 + 2},
       {{.opcode = Opcode::xor_constant, .fields = {across}, .constant = 1}, {32, 1, 5, 1}, 2 + 4 + 2 - 2},
@@ -170,7 +170,7 @@ TEST_CASE("an operand that lies elsewhere is moved word by word, and the ALU goe
   }
 }
 
-TEST_CASE("a tree brings F by so many bits a clock, and fields still come word by word") {
+TEST_CASE("a tree delivers F a few bits per clock and fields still arrive word by word") {
   const auto beats_with = [](std::uint32_t tree_bits, const Instruction& instruction) {
     return instruction_packet(instruction, {.word_bits = 16, .tree_bits = tree_bits}).beats;
   };

@@ -42,7 +42,7 @@ machines::Machine random_machine() {
   return machine;
 }
 
-/// Accesses of a cell to the words of its memory, each word of each operand once.
+/// A cell's accesses to the words of its memory: each word of each operand once.
 struct MemoryWords {
   std::uint64_t read = 0;
   std::uint64_t written = 0;
@@ -63,7 +63,7 @@ MemoryWords memory_words(const Instruction& instruction, std::uint32_t word_bits
   return words;
 }
 
-/// Clocks that parts are busy, whatever waits for what.
+/// Busy clocks of each part, without waits.
 struct Busy {
   std::uint64_t host = 0;
   std::vector<std::uint64_t> links;
@@ -71,10 +71,10 @@ struct Busy {
   std::vector<std::uint64_t> refreshes;
   std::uint64_t commands = 0;
   std::uint64_t words = 0;
-  std::uint64_t work = 0;  ///< of shifters and ALUs, at most
+  std::uint64_t work = 0;  ///< upper bound for shifters and ALUs
 };
 
-/// Of an instruction in each cell, at least.
+/// Lower bound of an instruction's clocks in each cell.
 std::uint64_t least_clocks(const Instruction& instruction, const Figures& figures) {
   std::uint64_t bits = std::max<std::uint64_t>(instruction.linear.width, 1);
   for (const isa::Field& field : instruction.fields) bits = std::max<std::uint64_t>(bits, field.width);
@@ -86,8 +86,8 @@ std::uint64_t least_clocks(const Instruction& instruction, const Figures& figure
   return std::max(words, (memory.read + memory.written + figures.ports - 1) / figures.ports);
 }
 
-/// Of shifter and ALU, at most: two operands, with the words at their ends, by a bit after the other; a bit of the sum
-/// after the other, or a trial for each bit of a root.
+/// Upper bound for shifter and ALU: two operands, with the words at their ends, bit by bit; the sum bit by bit, or one
+/// trial per bit of a root.
 std::uint64_t most_work(const Instruction& instruction, const Figures& figures) {
   std::uint64_t bits = instruction.linear.width;
   for (const isa::Field& field : instruction.fields) bits = std::max<std::uint64_t>(bits, field.width);
@@ -134,7 +134,7 @@ std::uint64_t clocks_on(const isa::Program& program, const machines::Machine& ma
 
 }  // namespace
 
-TEST_CASE("a frame takes no less than its busiest part, and no more than all of them one after the other") {
+TEST_CASE("a frame takes at least its busiest part's work and at most the sum of all work") {
   CHECK(rc::check([] {
     const machines::Machine machine = random_machine();
     const isa::Program program = *test::arbitrary_program_in_parts(machine, 12);
@@ -142,7 +142,7 @@ TEST_CASE("a frame takes no less than its busiest part, and no more than all of 
     const std::uint64_t clocks = clocks_on(program, machine);
     const Busy busy = least(program, machine);
     const std::uint64_t width = program.shape.width;
-    // To the last cell, and a pixel after the other from there: a tree of up to 32 leaves has 5 levels.
+    // The way to the last cell, then one pixel per clock: a tree of up to 32 leaves has 5 levels.
     const bool has_trees = figures.network == scan_line::Network::trees;
     const std::uint64_t way = has_trees ? width + 1 : 2 * width;
     RC_ASSERT(clocks >= busy.host + way);
@@ -155,15 +155,16 @@ TEST_CASE("a frame takes no less than its busiest part, and no more than all of 
     const std::uint64_t lines = program.segments.size();
     const std::uint64_t host =
         busy.host + primitives * figures.bucket_clocks + lines * primitives * figures.active_clocks;
-    // Reads and then writes, each in whole clocks, are a clock more than both together at most; a word is a clock in a
-    // FIFO of one place and one in the receiver; a command is taken in a clock of its own; a mark's colour is read.
+    // Sequential reads and writes, each in whole clocks, take at most one clock more than both together; a FIFO of one
+    // place costs each word a clock there and one in the receiver; taking a command costs a clock; a mark's colour is
+    // read.
     const std::uint64_t handling = 3 * busy.commands + 2 * busy.words + 32 * lines + 10;
     RC_ASSERT(clocks <= host + sum(busy.links) + machine.link.latency * figures.chains + sum(busy.entries) + busy.work +
                             handling + (lines + 2) * width + (has_trees ? 6 : 0));
   }));
 }
 
-TEST_CASE("frames follow one another no later than the frame takes, and no sooner than its busiest part") {
+TEST_CASE("the frame interval is at most the frame's clocks and at least its busiest part's") {
   CHECK(rc::check([] {
     const machines::Machine machine = random_machine();
     const isa::Program program = *test::arbitrary_program_in_parts(machine, 12);
@@ -190,7 +191,7 @@ TEST_CASE("every part accounts for every clock of the frame") {
   }));
 }
 
-TEST_CASE("a better link, more ports, wider ALUs and shifters and a faster host never cost clocks") {
+TEST_CASE("better links and more ports and wider ALUs and faster hosts never add clocks") {
   CHECK(rc::check([] {
     const machines::Machine machine = random_machine();
     const isa::Program program = *test::arbitrary_program_in_parts(machine, 12);

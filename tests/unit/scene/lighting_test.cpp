@@ -19,12 +19,12 @@ glm::dvec3 lit(const scene::Scene& scene, const scene::Material& material, const
   return lighting::lit(lighting::make_lighting(scene, along_y), material, {1, 0.5, 0.25}, at);
 }
 
-/// Faces the eye.
+/// A point that faces the eye.
 const lighting::SurfacePoint facing{{0, 0, 10}, {0, 0, -1}};
 
 }  // namespace
 
-TEST_CASE("a surface that faces a light gets its intensity and the ambient light, of its colour") {
+TEST_CASE("a surface facing a light gets the light's intensity plus ambient light") {
   scene::Scene scene;
   scene.ambient.intensity = 0.2;
   scene.lights = {towards({0, 3, 0}, 0.6)};
@@ -34,7 +34,7 @@ TEST_CASE("a surface that faces a light gets its intensity and the ambient light
   CHECK(colour.b == doctest::Approx(0.2));
 }
 
-TEST_CASE("light falls off with the cosine, is none from behind, and lights add up") {
+TEST_CASE("light falls off with the cosine and adds up and is zero from behind") {
   scene::Scene scene;
   scene.ambient.intensity = 0;
   scene.lights = {towards({std::sqrt(3.0), 1, 0}, 1)};
@@ -45,13 +45,13 @@ TEST_CASE("light falls off with the cosine, is none from behind, and lights add 
   CHECK(lit(scene, {}, facing).r == doctest::Approx(0.75));
 }
 
-TEST_CASE("a point light shines from its place, in either axes") {
+TEST_CASE("a point light shines from its position in either coordinate system") {
   scene::Scene scene;
   scene.ambient.intensity = 0;
   scene::Light light;
   light.kind = scene::LightKind::point;
   light.intensity = 1;
-  light.position = {3, -4, 0};  // the point is at the model's origin, 10 before the eye
+  light.position = {3, -4, 0};  // the point is at the model's origin, 10 in front of the eye
   scene.lights = {light};
   CHECK(lit(scene, {}, facing).r == doctest::Approx(0.8));
   scene.lights[0].axes = scene::Axes::camera;
@@ -59,7 +59,7 @@ TEST_CASE("a point light shines from its place, in either axes") {
   CHECK(lit(scene, {}, facing).r == doctest::Approx(0.8));
 }
 
-TEST_CASE("a highlight is in the light's colour and greatest half-way between light and eye") {
+TEST_CASE("a highlight has the light's colour and peaks half-way between light and eye") {
   scene::Scene scene;
   scene.ambient.intensity = 0;
   scene.lights = {towards({0, 1, 0}, 1)};
@@ -75,7 +75,7 @@ TEST_CASE("a highlight is in the light's colour and greatest half-way between li
   CHECK(aside.g == doctest::Approx(0.5 * std::pow(3 / std::sqrt(10.0), shiny.shininess)));
 }
 
-TEST_CASE("materials hold for colours or lines, the last that does counts") {
+TEST_CASE("materials apply by colour or line and the last match counts") {
   model::Primitive primitive;
   primitive.shape = model::Cube{};
   primitive.colour = glm::dvec3(0, 1, 0);

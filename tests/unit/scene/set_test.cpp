@@ -16,7 +16,7 @@ std::string error_of_set(const std::string& one) {
 
 }  // namespace
 
-TEST_CASE("a key that is set takes the place of the file's, or is added") {
+TEST_CASE("a set key replaces the file's or is added") {
   const std::string text = "[[lights]]\ndirection = [1, 0, 0]\nintensity = 0.5\n";
   const scene::Scene one = set({"lights.0.direction=[0, 0, -1]", "ambient.intensity=0"}, text);
   REQUIRE(one.lights.size() == 1);
@@ -33,7 +33,7 @@ TEST_CASE("lists and words need no brackets and quotes") {
   CHECK(one.camera.is_perspective == true);
 }
 
-TEST_CASE("the number after the last adds a table to a list, and a later value counts") {
+TEST_CASE("the number after the last appends a table to a list and later values count") {
   const scene::Scene two =
       set({"lights.0.direction=1,0,0", "lights.1.direction=0,1,0", "lights.1.intensity=0.1", "lights.1.intensity=0.2"});
   REQUIRE(two.lights.size() == 2);
@@ -41,12 +41,12 @@ TEST_CASE("the number after the last adds a table to a list, and a later value c
   CHECK(two.lights[1].intensity == 0.2);
 }
 
-TEST_CASE("an effect is called for and switched off by a key") {
+TEST_CASE("a key requests an effect or switches it off") {
   CHECK(set({"effects.smooth.least_difference=2"}).effects.at(0).is_on);
   CHECK_FALSE(set({"effects.smooth.on=false"}, "[effects.smooth]\n").effects.at(0).is_on);
 }
 
-TEST_CASE("what is wrong with a key that is set is told with it") {
+TEST_CASE("reports an error in a set key together with the key") {
   CHECK(error_of_set("lights").find("KEY=VALUE") != std::string::npos);
   CHECK(error_of_set("lights.5.intensity=1").find("count from 0") != std::string::npos);
   CHECK(error_of_set("camera.eey=1,2,3").find("camera.eye") != std::string::npos);
@@ -56,13 +56,13 @@ TEST_CASE("what is wrong with a key that is set is told with it") {
   CHECK_FALSE(error_of_set("ambient.intensity.x=2").empty());
 }
 
-TEST_CASE("a key has eight parts at most") {
+TEST_CASE("a key has at most eight parts") {
   CHECK(error_of_set("a.b.c.d.e.f.g.h=1").find("dots between") == std::string::npos);
   CHECK_FALSE(error_of_set("a.b.c.d.e.f.g.h=1").empty());
   CHECK(error_of_set("a.b.c.d.e.f.g.h.i=1").find("dots between") != std::string::npos);
 }
 
-TEST_CASE("a table that is set and not known is told with the key that was set") {
+TEST_CASE("names the set key if its table is unknown") {
   CHECK_THROWS_AS(set({"effects.smoth.on=true"}), scene::SetError);
   CHECK(error_of_set("effects.smoth.on=true").find("--set effects.smoth.on=true") != std::string::npos);
   CHECK_THROWS_AS(set({"lihgts.0.intensity=1"}), scene::SetError);

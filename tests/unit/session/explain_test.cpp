@@ -15,26 +15,26 @@ namespace {
 const std::string box = "cube(size=[8,6,4],center=true);";
 const session::InPlace box_in_place{.text = box};
 
-/// Seen along y, from 50 before its centre: 33 x 25 pixels, of which the middle one, 16,12, shows the origin. A view of
-/// 22.5 degrees is 2 * 50 * tan 11.25 deg = 19.891 high there, so that a unit is 1.2568 pixels.
+/// A view along y from 50 in front of the centre: 33 x 25 pixels, with the origin at the middle one, 16,12. The view of
+/// 22.5 degrees is 2 * 50 * tan 11.25 deg = 19.891 high there, so a unit is 1.2568 pixels.
 Texts seen(const Texts& more) {
   Texts words{"box.csg", "--size", "33x25", "--camera", "0,-50,0,0,0,0"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
 
-story::Answer told(const Texts& words, const session::InPlace& in_place = box_in_place) {
-  const Parsed<ExplainRequest> asked(words);
-  return session::explain(asked.options, asked.list, in_place);
+story::Answer explanation(const Texts& words, const session::InPlace& in_place = box_in_place) {
+  const Parsed<ExplainRequest> parsed(words);
+  return session::explain(parsed.options, parsed.list, in_place);
 }
 
 std::string misuse(const Texts& words, const session::InPlace& in_place = {}) {
-  const Parsed<ExplainRequest> asked(words);
-  return usage_error_of([&] { session::refuse_misuse(asked.options, asked.list, in_place); });
+  const Parsed<ExplainRequest> parsed(words);
+  return usage_error_of([&] { session::refuse_misuse(parsed.options, parsed.list, in_place); });
 }
 
 std::string point_error(const Texts& words) {
-  return usage_error_of([&] { static_cast<void>(told(words)); });
+  return usage_error_of([&] { static_cast<void>(explanation(words)); });
 }
 
 /// The box compiled for a machine.
@@ -47,7 +47,7 @@ isa::Program compiled_box(const std::string& machine) {
 
 }  // namespace
 
-TEST_CASE("either a pixel or a point is explained, and of a Program a pixel alone") {
+TEST_CASE("explains a pixel or a point but only a pixel of a Program") {
   const std::string which = "explain: name a pixel with --pixel x,y or --point X,Y,Z";
   CHECK(misuse({"a.csg"}) == which);
   CHECK(misuse({"a.csgt"}) == which);
@@ -63,7 +63,7 @@ TEST_CASE("either a pixel or a point is explained, and of a Program a pixel alon
   CHECK(testing::option_error<ExplainRequest>({"a.csg", "--pixel", "1,1", "--why-not", ""}) != "");
 }
 
-TEST_CASE("explain takes a machine, figures and a primitive for a Program, and every option of compile for a model") {
+TEST_CASE("explain takes run options for a Program and every compile option for a model") {
   const auto with = [&](const char* file, const Texts& more) {
     Texts words{file, "--pixel", "1,1"};
     words.insert(words.end(), more.begin(), more.end());
@@ -75,7 +75,7 @@ TEST_CASE("explain takes a machine, figures and a primitive for a Program, and e
   const Texts compiling{"--z-bits", "12"};
   CHECK(misuse(with("a.csg", compiling)) == "");
   CHECK(misuse(with("a.csgt", compiling)).find("--z-bits") != std::string::npos);
-  // What stands in the file's place decides, not its name.
+  // The in-place content decides, not the file's name.
   CHECK(misuse(with("a.csgt", compiling), a_text) == "");
   CHECK(misuse(with("a.csg", compiling), a_program).find("--z-bits") != std::string::npos);
   for (const Texts& more :
@@ -84,18 +84,18 @@ TEST_CASE("explain takes a machine, figures and a primitive for a Program, and e
   CHECK(misuse(with("a.csgt", {"--view-all"})) != "");
 }
 
-TEST_CASE("a point of the model is explained as the pixel that shows it, with its distance from the eye") {
+TEST_CASE("explains a point of the model as its pixel with the distance from the eye") {
   struct Row {
     const char* point;
     const char* pixel;
     const char* distance;
   };
-  // 16 + 1.2568 X and 12 - 1.2568 Z, rounded; the eye is 50 before the origin.
+  // 16 + 1.2568 X and 12 - 1.2568 Z, rounded; the eye is 50 in front of the origin.
   for (const Row& row : {Row{"0,-3,0", "16,12", "47"}, Row{"1,2,-3", "17,16", "52"},
                          Row{"-3.5,0.25,1.5", "12,10", "50.25"}, Row{"0,-60,0", "16,12", "-10"}}) {
     CAPTURE(row.point);
-    const story::Answer of_point = told(seen({"--point", row.point}));
-    const story::Answer of_pixel = told(seen({"--pixel", row.pixel}));
+    const story::Answer of_point = explanation(seen({"--point", row.point}));
+    const story::Answer of_pixel = explanation(seen({"--pixel", row.pixel}));
     CHECK(of_point.text ==
           std::string("point ") + row.point + " is " + row.distance + " model units from the eye\n" + of_pixel.text);
     CHECK(of_point.json["point_distance"].get<double>() == doctest::Approx(std::stod(row.distance)));
@@ -106,7 +106,7 @@ TEST_CASE("a point of the model is explained as the pixel that shows it, with it
   }
 }
 
-TEST_CASE("a point may be in the last pixel at each side of the picture, and not beyond it") {
+TEST_CASE("accepts a point in the outermost pixels and rejects one beyond them") {
   // Half a pixel beyond the outer ones: 16.5 / 1.2568 = 13.128 to either side, 12.5 / 1.2568 = 9.946 up and down.
   for (const char* const point : {"-13.1,0,0", "13.1,0,0", "0,0,9.9", "0,0,-9.9", "-13.1,0,9.9", "13.1,0,-9.9"})
     CHECK(point_error(seen({"--point", point})) == "");
@@ -118,7 +118,7 @@ TEST_CASE("a point may be in the last pixel at each side of the picture, and not
         "--view-all");
 }
 
-TEST_CASE("in perspective a point has to be before the eye") {
+TEST_CASE("rejects a point behind the eye in perspective") {
   const auto error = [](const char* point) {
     return point_error(seen({"--projection", "perspective", "--point", point}));
   };
@@ -132,37 +132,36 @@ TEST_CASE("a point has three numbers") {
     CHECK(point_error(seen({"--point", point})).starts_with("--point"));
 }
 
-TEST_CASE("explain reports why a primitive is not seen when asked to") {
-  CHECK(told(seen({"--pixel", "3,3"})).text.find("why not") == std::string::npos);
-  CHECK(told(seen({"--pixel", "3,3", "--why-not", "0"})).text.starts_with("why not p0 "));
+TEST_CASE("explain reports why a primitive is not seen on request") {
+  CHECK(explanation(seen({"--pixel", "3,3"})).text.find("why not") == std::string::npos);
+  CHECK(explanation(seen({"--pixel", "3,3", "--why-not", "0"})).text.starts_with("why not p0 "));
   CHECK(point_error(seen({"--pixel", "3,3", "--why-not", "p7"})).starts_with("--why-not"));
   CHECK(point_error(seen({"--pixel", "33,0"})) != "");
   CHECK(point_error(seen({"--pixel", "0,25"})) != "");
 }
 
-TEST_CASE(
-    "a model's answer names half-spaces, a Program's does not; the machine is the Program's, or the one asked for") {
+TEST_CASE("only a model's answer names half-spaces and a Program runs on its own machine") {
   const isa::Program program = compiled_box("pixel-planes-4");
   const session::InPlace in_place{.text = {}, .program = &program};
-  const story::Answer of_program = told({"box.csgt", "--pixel", "16,12"}, in_place);
-  const story::Answer of_model = told(seen({"--pixel", "16,12", "--fraction-bits", "10"}));
+  const story::Answer of_program = explanation({"box.csgt", "--pixel", "16,12"}, in_place);
+  const story::Answer of_model = explanation(seen({"--pixel", "16,12", "--fraction-bits", "10"}));
   CHECK(of_model.text.find("half-space 3 of 6") != std::string::npos);
   CHECK(of_program.text.find("half-space 3 of 6") == std::string::npos);
   CHECK(of_program.text.find("p0 cube") != std::string::npos);
   CHECK(of_program.json["owner"] == of_model.json["owner"]);
-  // By what comes with the Program, or the figures that are set: four bits of an ALU take fewer clocks than one.
+  // The recorded machine, or figures set by the user: an ALU of four bits takes fewer clocks than one.
   const auto clocks = [&](const isa::Program& of, const Texts& more) {
     Texts words{"box.csgt", "--pixel", "16,12"};
     words.insert(words.end(), more.begin(), more.end());
-    const story::Answer answer = told(words, {.text = {}, .program = &of});
+    const story::Answer answer = explanation(words, {.text = {}, .program = &of});
     return answer.json["events"].back()["clocks"][1].get<std::uint64_t>();
   };
   CHECK(clocks(program, {"--machine", "pixel-planes-4"}) == clocks(program, {}));
   CHECK(clocks(program, {"--set", "alu.bits=4"}) < clocks(program, {}));
   CHECK(clocks(program, {"--machine", "pixel-planes-4+alu.bits=4"}) == clocks(program, {"--set", "alu.bits=4"}));
-  // One of another kind draws it without being asked for, and not on what is usual for models.
+  // A Program for another kind runs on that kind by default and not on the default machine for models.
   const isa::Program lines = compiled_box("scan-line");
-  CHECK(told({"box.csgt", "--pixel", "16,12"}, {.text = {}, .program = &lines}).json["owner"] ==
+  CHECK(explanation({"box.csgt", "--pixel", "16,12"}, {.text = {}, .program = &lines}).json["owner"] ==
         of_model.json["owner"]);
   const Parsed<ExplainRequest> other({"box.csgt", "--pixel", "16,12", "--machine", "pixel-planes-4"});
   CHECK(testing::error_of([&] {

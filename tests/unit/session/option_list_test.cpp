@@ -39,14 +39,14 @@ struct Request {
 
 using Parsed = testing::Parsed<Request>;
 
-/// What such a command line is refused with; empty if it is not.
+/// Returns the error message for a command line; empty if it is accepted.
 std::string refusal_of(const Texts& words) {
   return usage_error_of([&] { const Parsed parsed(words); });
 }
 
 }  // namespace
 
-TEST_CASE("the values of a request are what its words say") {
+TEST_CASE("a request has the values of its command line") {
   const Parsed all({"a.csg", "--bits", "30", "--color", "green", "--count", "0", "--seed", "18446744073709551615",
                     "--edge", "+0.5", "--near=-2.5e1", "--set", "a=1", "--set", "b=2", "--check"});
   CHECK(all.options.model == "a.csg");
@@ -60,7 +60,7 @@ TEST_CASE("the values of a request are what its words say") {
   CHECK(all.options.check);
 }
 
-TEST_CASE("what is not given keeps its default") {
+TEST_CASE("options not given keep their defaults") {
   const Parsed few({"a.csg"});
   CHECK(few.options.bits == 20);
   CHECK(few.options.edge == 1.0 / 256);
@@ -69,7 +69,7 @@ TEST_CASE("what is not given keeps its default") {
   CHECK(few.list.given().empty());
 }
 
-TEST_CASE("each kind of option refuses what it cannot be, in words of its own") {
+TEST_CASE("each kind of option rejects invalid values with its own message") {
   struct Row {
     Texts words;
     std::string refusal;
@@ -103,12 +103,12 @@ TEST_CASE("each kind of option refuses what it cannot be, in words of its own") 
   CHECK(refusal_of({"--bits", "5"}) == "MODEL is required");
 }
 
-TEST_CASE("limits are taken, and what is one beyond is not") {
+TEST_CASE("accepts limits and rejects one beyond") {
   for (const char* const bits : {"4", "30"}) CHECK(refusal_of({"a.csg", "--bits", bits}).empty());
   CHECK(refusal_of({"a.csg", "--count", "4294967295"}).empty());
 }
 
-TEST_CASE("a zero byte is refused where it would end a text") {
+TEST_CASE("rejects a zero byte where it would end a text") {
   session::OptionList list("asked");
   Request request;
   request.add_to(list);
@@ -117,7 +117,7 @@ TEST_CASE("a zero byte is refused where it would end a text") {
   CHECK(usage_error_of([&] { list.give_operand(text); }).find("zero byte") != std::string::npos);
 }
 
-TEST_CASE("a flag alone needs no text") {
+TEST_CASE("only a flag may lack a value") {
   session::OptionList list("asked");
   Request request;
   request.add_to(list);
@@ -128,7 +128,7 @@ TEST_CASE("a flag alone needs no text") {
   CHECK(request.check);
 }
 
-TEST_CASE("words of a request, given again, say the same") {
+TEST_CASE("a request's words parse to the same request again") {
   const Parsed first({"--near=-1", "--set", "a=1", "--check", "--bits", "7", "--", "-dash.csg"});
   const Texts written = first.list.words();
   CHECK(written == Texts{"asked", "--bits", "7", "--near=-1", "--set", "a=1", "--check", "--", "-dash.csg"});
@@ -140,13 +140,13 @@ TEST_CASE("words of a request, given again, say the same") {
   CHECK(again.list.arguments().front() == "csgsim");
 }
 
-TEST_CASE("a flag that is given as false is not set") {
+TEST_CASE("a flag given as false is not set") {
   const Parsed unset({"a.csg", "--check=false"});
   CHECK_FALSE(unset.options.check);
   CHECK(unset.list.words() == Texts{"asked", "a.csg"});
 }
 
-TEST_CASE("what a settings file gives is refused with its place") {
+TEST_CASE("rejects values of a settings file with their place") {
   session::OptionList list("asked");
   Request request;
   request.add_to(list);
@@ -160,7 +160,7 @@ TEST_CASE("what a settings file gives is refused with its place") {
   CHECK(list.place_of("--colour: no").empty());
 }
 
-TEST_CASE("defaults are shown as numbers are written") {
+TEST_CASE("shows defaults as numbers are written") {
   const Parsed few({"a.csg"});
   const auto usual = [&](std::string_view key) { return few.list.find(key)->usual; };
   CHECK(usual("bits") == "20");
@@ -169,7 +169,7 @@ TEST_CASE("defaults are shown as numbers are written") {
   CHECK(usual("near").empty());
 }
 
-TEST_CASE("an option that a request takes back is as if it had never been") {
+TEST_CASE("a removed option is as if never added") {
   session::OptionList list("asked");
   Request request;
   request.add_to(list);

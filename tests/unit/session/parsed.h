@@ -8,7 +8,7 @@ namespace csgsim::testing {
 
 using Texts = std::vector<std::string>;
 
-/// A request, as words of a command line say it.
+/// A request parsed from the words of a command line.
 template <class Options>
 struct Parsed {
   session::OptionList list{"asked"};
@@ -21,7 +21,7 @@ struct Parsed {
   }
 };
 
-/// What the UsageError says that the call ends with; empty if there is none.
+/// Returns the message of the call's UsageError; empty if there is none.
 template <class Call>
 std::string usage_error_of(Call call) {
   try {

@@ -29,7 +29,7 @@ Texts house_words(const Texts& more) {
   return words;
 }
 
-/// What the judge says of the picture that the options draw.
+/// Returns the judge's report on the picture that the options draw.
 nlohmann::ordered_json judged(const RenderRequest& options, const session::Compiled& compiled) {
   nlohmann::ordered_json json;
   const session::Judge judge = session::judge_of(options, compiled);
@@ -40,7 +40,7 @@ nlohmann::ordered_json judged(const RenderRequest& options, const session::Compi
 
 }  // namespace
 
-TEST_CASE("render takes the options of models, runs and pages, and two more") {
+TEST_CASE("render takes the options of models and runs and pages and two more") {
   const Parsed<RenderRequest> plain({"a.csg"});
   CHECK(plain.options.model.model == "a.csg");
   CHECK_FALSE(plain.options.check);
@@ -58,7 +58,7 @@ TEST_CASE("render takes the options of models, runs and pages, and two more") {
     CHECK(testing::option_error<RenderRequest>({"a.csg", "--max-wrong-pixels", wrong}) != "");
 }
 
-TEST_CASE("a model is compiled with what was read of it: the file and what it imports, or a text in its place") {
+TEST_CASE("a compiled model records its inputs: file and imports or text in place") {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("csgsim-render-" + std::to_string(::getpid()));
   std::filesystem::create_directory(folder);
@@ -75,23 +75,23 @@ TEST_CASE("a model is compiled with what was read of it: the file and what it im
   stl << "endsolid t\n";
   stl.close();
   std::ofstream(model) << "cube(size=[8,6,4],center=true);\nimport(file=\"t.stl\");\n";
-  Parsed<RenderRequest> asked({model, "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
+  Parsed<RenderRequest> parsed({model, "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
   {
-    const session::Compiled compiled = session::compile(asked.options, studies::choose_bits);
+    const session::Compiled compiled = session::compile(parsed.options, studies::choose_bits);
     REQUIRE(compiled.inputs.size() == 2);
     CHECK(compiled.inputs[0] == model);
     CHECK(compiled.inputs[1].filename() == "t.stl");
     CHECK_FALSE(compiled.is_text);
-    const session::RunSubject subject = compiled.subject(asked.options);
+    const session::RunSubject subject = compiled.subject(parsed.options);
     CHECK_FALSE(subject.is_in_place);
     CHECK(&subject.program == &compiled.model.program);
     CHECK(&subject.machine == &compiled.machine);
     CHECK(subject.hash == compiled.model.hash);
     CHECK(subject.camera == &compiled.model.camera);
   }
-  const session::Compiled of_text = session::compile(asked.options, studies::choose_bits, {.text = "sphere(r=3);"});
+  const session::Compiled of_text = session::compile(parsed.options, studies::choose_bits, {.text = "sphere(r=3);"});
   CHECK(of_text.is_text);
-  CHECK(of_text.subject(asked.options).is_in_place);
+  CHECK(of_text.subject(parsed.options).is_in_place);
   CHECK(of_text.inputs == std::vector<std::filesystem::path>{model});
   CHECK(of_text.model.program.facts->primitives.size() == 1);
   CHECK(of_text.machine.picture.width == 24);
@@ -99,7 +99,7 @@ TEST_CASE("a model is compiled with what was read of it: the file and what it im
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("a picture is held against the exact one where that is asked for, and what is see-through is refused then") {
+TEST_CASE("compares a picture with the exact one on request and rejects transparency") {
   Parsed<RenderRequest> plain(house_words({}));
   const session::Compiled compiled = session::compile(plain.options, studies::choose_bits);
   CHECK_FALSE(session::judge_of(plain.options, compiled));
@@ -111,38 +111,38 @@ TEST_CASE("a picture is held against the exact one where that is asked for, and 
   CHECK(coarse["wrong"].get<std::uint64_t>() > usual["wrong"].get<std::uint64_t>());
   const session::InPlace glass{.text = "color([1,0,0,0.5]) { cube(size=[8,6,4],center=true); }"};
   for (const bool is_checked : {true, false}) {
-    Parsed<RenderRequest> asked({"glass.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
-    asked.options.check = is_checked;
-    const session::Compiled seen_through = session::compile(asked.options, studies::choose_bits, glass);
+    Parsed<RenderRequest> parsed({"glass.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
+    parsed.options.check = is_checked;
+    const session::Compiled seen_through = session::compile(parsed.options, studies::choose_bits, glass);
     const std::string error =
-        testing::error_of([&] { static_cast<void>(session::judge_of(asked.options, seen_through)); });
+        testing::error_of([&] { static_cast<void>(session::judge_of(parsed.options, seen_through)); });
     CHECK((error.find("supports opaque solids only") != std::string::npos) == is_checked);
   }
 }
 
-TEST_CASE("the bits that a number of wrong pixels allows are the cheapest that keep it, and nothing is chosen else") {
+TEST_CASE("chooses the cheapest bits for the allowed wrong pixels and only on request") {
   const auto wrong_of = [](unsigned z_bits, unsigned fraction_bits) {
-    Parsed<RenderRequest> asked(
+    Parsed<RenderRequest> parsed(
         house_words({"--check", "--z-bits", std::to_string(z_bits), "--fraction-bits", std::to_string(fraction_bits)}));
-    return judged(asked.options, session::compile(asked.options, studies::choose_bits))["wrong"].get<std::uint64_t>();
+    return judged(parsed.options, session::compile(parsed.options, studies::choose_bits))["wrong"].get<std::uint64_t>();
   };
   unsigned last = 31;
   for (const char* const most : {"0", "10", "1280"}) {
     CAPTURE(most);
-    Parsed<RenderRequest> asked(house_words({"--max-wrong-pixels", most}));
+    Parsed<RenderRequest> parsed(house_words({"--max-wrong-pixels", most}));
     const testing::Captured output(STDOUT_FILENO);
-    const session::Compiled compiled = session::compile(asked.options, studies::choose_bits);
-    const std::string bits = "--z-bits " + std::to_string(asked.options.model.z_bits) + " --fraction-bits " +
-                             std::to_string(asked.options.model.fraction_bits);
-    CHECK(output.text() == "chosen            " + bits + ": the cheapest with at most " + most + " wrong pixels\n");
-    CHECK(wrong_of(asked.options.model.z_bits, asked.options.model.fraction_bits) <= std::stoul(most));
-    // What is compiled has them: the depth fields are as wide.
+    const session::Compiled compiled = session::compile(parsed.options, studies::choose_bits);
+    const std::string bits = "--z-bits " + std::to_string(parsed.options.model.z_bits) + " --fraction-bits " +
+                             std::to_string(parsed.options.model.fraction_bits);
+    CHECK(output.text() == "chosen " + bits + ": the cheapest with at most " + most + " wrong pixels\n");
+    CHECK(wrong_of(parsed.options.model.z_bits, parsed.options.model.fraction_bits) <= std::stoul(most));
+    // The compiled Program has these bits: the depth fields have the same width.
     for (const isa::NamedField& field : compiled.model.program.facts->fields) {
-      if (field.name == "Z1") CHECK(field.field.width == asked.options.model.z_bits);
+      if (field.name == "Z1") CHECK(field.field.width == parsed.options.model.z_bits);
     }
-    // The more may be wrong, the fewer bits it takes.
-    CHECK(asked.options.model.z_bits <= last);
-    last = asked.options.model.z_bits;
+    // Allowing more wrong pixels needs fewer bits.
+    CHECK(parsed.options.model.z_bits <= last);
+    last = parsed.options.model.z_bits;
   }
   CHECK(last < 12);
   Parsed<RenderRequest> usual(house_words({}));
@@ -162,12 +162,12 @@ TEST_CASE("the bits that a number of wrong pixels allows are the cheapest that k
         }).find("supports opaque solids only") != std::string::npos);
 }
 
-TEST_CASE("advice is of the machine that was asked for, tries settings, and is given where it is asked for") {
+TEST_CASE("gives advice on request for the requested machine") {
   for (const bool is_asked : {false, true}) {
-    Parsed<RenderRequest> asked(house_words({"--machine", "pixel-planes-4+alu.bits=2"}));
-    asked.options.run.advice = is_asked;
-    const session::Compiled compiled = session::compile(asked.options, studies::choose_bits);
-    const session::Advice advice = session::advice_of(asked.options, compiled);
+    Parsed<RenderRequest> parsed(house_words({"--machine", "pixel-planes-4+alu.bits=2"}));
+    parsed.options.run.advice = is_asked;
+    const session::Compiled compiled = session::compile(parsed.options, studies::choose_bits);
+    const session::Advice advice = session::advice_of(parsed.options, compiled);
     CHECK(advice.machine == "pixel-planes-4+alu.bits=2");
     CHECK(advice.is_asked == is_asked);
     CHECK(advice.ask.starts_with("csgsim render --advice "));
@@ -178,12 +178,12 @@ TEST_CASE("advice is of the machine that was asked for, tries settings, and is g
   }
 }
 
-TEST_CASE("faces nearly in one plane are warned of") {
+TEST_CASE("warns of nearly coplanar faces") {
   const auto warnings = [](const char* text) {
-    const CollectedLines told;
-    Parsed<RenderRequest> asked({"m.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
-    static_cast<void>(session::compile(asked.options, studies::choose_bits, {.text = text}));
-    return told.lines().size();
+    const CollectedLines kept;
+    Parsed<RenderRequest> parsed({"m.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
+    static_cast<void>(session::compile(parsed.options, studies::choose_bits, {.text = text}));
+    return kept.lines().size();
   };
   CHECK(warnings("cube(size=[8,6,4]);cube(size=[6,3,4.00000001]);") == 1);
   CHECK(warnings("cube(size=[8,6,4]);cube(size=[6,3,5]);") == 0);

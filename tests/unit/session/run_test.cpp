@@ -13,7 +13,7 @@ using namespace csgsim;
 
 namespace {
 
-/// A new folder, which is deleted with the object.
+/// A new folder that the destructor deletes.
 struct Folder {
   fs::path path;
 
@@ -43,7 +43,7 @@ session::ProgramRequest options_in(const Folder& folder) {
   return options;
 }
 
-/// What is said of a checkpoint; empty if it is allowed.
+/// Returns the error message for a checkpoint; empty if it is allowed.
 std::string refusal(session::ProgramRequest options, const std::string& checkpoint) {
   options.checkpoints.checkpoint = checkpoint;
   try {
@@ -56,14 +56,14 @@ std::string refusal(session::ProgramRequest options, const std::string& checkpoi
 
 }  // namespace
 
-TEST_CASE("a checkpoint replaces no file that the run reads or writes, each in turn") {
+TEST_CASE("a checkpoint must not replace any file that the run reads or writes") {
   const Folder folder("csgsim-calls");
   const session::ProgramRequest options = options_in(folder);
   for (const std::string& file : {options.program, options.machine, options.run.picture, options.run.depth,
                                   options.run.owner, options.run.stats}) {
     CAPTURE(file);
     CHECK(refusal(options, file).find(file) != std::string::npos);
-    // Seen through a link, too.
+    // A link to the file is recognised as well.
     const std::string link = file + ".link";
     fs::create_symlink(file, link);
     CHECK_FALSE(refusal(options, link).empty());
@@ -83,7 +83,7 @@ TEST_CASE("a file that the run does not name may become its checkpoint") {
   }
 }
 
-TEST_CASE("the checkpoint that is resumed may be written again") {
+TEST_CASE("may overwrite the checkpoint from which the run resumes") {
   const Folder folder("csgsim-calls-resume");
   session::ProgramRequest options = options_in(folder);
   options.checkpoints.resume = folder.file("run.checkpoint");
@@ -91,7 +91,7 @@ TEST_CASE("the checkpoint that is resumed may be written again") {
   CHECK(refusal(options, options.checkpoints.resume).empty());
 }
 
-TEST_CASE("a run reads its Program, its machine's file and the checkpoint that it goes on from") {
+TEST_CASE("a run reads its Program and machine file and resumed checkpoint") {
   session::ProgramRequest options;
   options.program = "a.csgt";
   CHECK(options.files_read() == std::vector<fs::path>{"a.csgt"});
@@ -99,7 +99,7 @@ TEST_CASE("a run reads its Program, its machine's file and the checkpoint that i
   options.checkpoints.resume = "c.checkpoint";
   CHECK(options.inputs() == std::vector<fs::path>{"a.csgt", "b.toml"});
   CHECK(options.files_read() == std::vector<fs::path>{"a.csgt", "b.toml", "c.checkpoint"});
-  options.machine = "pixel-planes-4";  // a name is no file
+  options.machine = "pixel-planes-4";  // a name is not a file
   CHECK(options.inputs() == std::vector<fs::path>{"a.csgt"});
 }
 
@@ -114,7 +114,7 @@ isa::Program small_program() {
       .program;
 }
 
-/// The hash of all bytes of a file, read by this test.
+/// Hash of all bytes of a file, read independently.
 std::string hash_of_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
@@ -125,7 +125,7 @@ std::string hash_of_file(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("run takes a Program, a machine with figures, options of runs and checkpoints") {
+TEST_CASE("run takes a Program and machine figures and run and checkpoint options") {
   using session::ProgramRequest;
   const testing::Parsed<ProgramRequest> all({"a.csgt", "--machine", "pixel-planes-4", "--set", "alu.bits=2", "--stats",
                                              "s.json", "--resume", "c.checkpoint"});
@@ -138,7 +138,7 @@ TEST_CASE("run takes a Program, a machine with figures, options of runs and chec
   CHECK(testing::option_error<ProgramRequest>({"a.csgt", "--machine", "pixel-plane-4"}) != "");
 }
 
-TEST_CASE("what is set for a Program is a figure, not of a scene") {
+TEST_CASE("settings for a Program are figures and not scene keys") {
   session::ProgramRequest options;
   options.program = "a.csgt";
   options.sets = {"alu.bits=4"};
@@ -147,7 +147,7 @@ TEST_CASE("what is set for a Program is a figure, not of a scene") {
   CHECK(testing::usage_error_of([&] { session::refuse_misuse(options); }) != "");
 }
 
-TEST_CASE("a Program in the file's place is run as its file, and has the hash that its file would have") {
+TEST_CASE("a Program in place runs like its file and has the file's hash") {
   const Folder folder("csgsim-calls-load");
   const isa::Program program = small_program();
   session::ProgramRequest options;
@@ -174,7 +174,7 @@ TEST_CASE("a Program in the file's place is run as its file, and has the hash th
     CHECK(&loaded->subject().program == &loaded->program);
     CHECK(&loaded->subject().machine == &loaded->machine);
   }
-  // The machine that is asked for, and the figures that are set.
+  // The requested machine and the figures set for it.
   options.machine = "pixel-planes-4";
   options.sets = {"clock.frequency=5000000"};
   CHECK(session::load(options).machine.clock_hz == 5'000'000);
@@ -183,7 +183,7 @@ TEST_CASE("a Program in the file's place is run as its file, and has the hash th
   CHECK(session::load(options, {.text = {}, .program = &program}).machine.clock_hz == 5'000'000);
 }
 
-TEST_CASE("advice on a Program is for the requested machine, or for the Program's own") {
+TEST_CASE("advice on a Program is for the requested machine or for the Program's own") {
   session::ProgramRequest options;
   machines::Machine machine;
   machine.name = "its own";

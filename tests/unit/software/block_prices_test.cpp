@@ -1,6 +1,6 @@
-// What each method takes to display one block that is seen from the front, worked out by hand in clocks of an MC68000
-// that is programmed in assembly: a word read or written 12, a long 16; words added or compared 4, longs added 8 and
-// compared 6; a product 70, a quotient 140; a shift 8 and 2 a place; a branch 8, taken 10; a call 18, its return 16.
+// Hand-calculated cost of each method for one block seen from the front, in clocks of an MC68000 programmed in
+// assembly: a word read or written 12, a long 16; words added or compared 4, longs added 8 and compared 6; a product
+// 70, a quotient 140; a shift 8 and 2 per place; a branch 8, taken 10; a call 18, its return 16.
 
 #include "host/read/read.h"
 #include "hw/processors/processor.h"
@@ -30,7 +30,7 @@ testing::Scene block_scene() {
   return testing::make_scene(read::read_csg_text("cube(size=[8,8,8],center=true);", "block"), front, sampling);
 }
 
-/// Its front and its back are in the picture, the other four faces are seen edge on.
+/// The front and the back are in the picture; the other four faces are edge-on.
 struct Block {
   testing::Scene scene = block_scene();
   testing::Shown shown{scene};
@@ -70,37 +70,38 @@ double clocks(const software::DisplayCounts& counts, Phase phase) {
   return processors::clocks(counts.of(phase), processors::load_processor("mc68000+compiler.factor=1000"));
 }
 
-// A depth has 20 bits and 12 of fraction, and a sign: two longs.
-/// An edge is set up: three coefficients read; two values by four products; two quotients of two digits, a product to
-/// each; sums; four longs written.
+// A depth has 20 bits, 12 bits of fraction and a sign: two longs.
+/// Edge setup: three coefficients read; two values by four products; two quotients of two digits with a product each;
+/// sums; four longs written.
 constexpr double edge = 6 * 16 + 4 * 70 + 4 * 140 + 4 * 70 + 8 * 8 + 4 * 16;
-/// A row further: column and remainder of an edge; the columns between edges, and the depth at the first of them.
+/// Step to the next row: column and remainder of an edge; the columns between edges, and the depth at the first of
+/// them.
 constexpr double row_edge = 4 * 16 + 2 * 8 + 6 + 2 * 16 + 4 + 2 * 8;
 constexpr double row = 4 * 16 + 2 * 8 + 2 * 16 + 4 + 8 + 10;
 constexpr double column = 10;
-/// The slope is added, both longs are shifted by 12 places, and the depth is held against both ends of its range.
+/// The slope is added, both longs are shifted by 12 places, and the depth is compared with both ends of its range.
 constexpr double depth = 2 * 8 + 2 * (8 + 2 * 12) + 2 * 6 + 2 * 8;
 
-/// The status tree of one leaf is inverted, looked at and inverted again, to know what is behind a first surface: three
+/// The status tree of one leaf is inverted, evaluated and inverted again to find what is behind a first surface: three
 /// calls.
 constexpr double flip = 18 + 16 + 4 + 16 + 12 + 4 + 12 + 10;
 constexpr double alone = 2 * flip + 18 + 12 + 16;
 constexpr double first_element = 6 + 8 + 4 + 16 + 6 + 8;
 constexpr double element_made = 18 + 2 * 12 + 4 * 16 + 8 + 16;
 constexpr double class_read = 12 + 4 + 8;
-/// The first time, the class is looked up in the table of first surfaces and kept.
+/// The class is first looked up in the table of first surfaces and kept.
 constexpr double class_found = 2 * 12 + 4 + 12;
 constexpr double owner = 2 * 12 + 4 + 8;
-/// The events at one depth are told from the next.
+/// Separation of the events at one depth from the next.
 constexpr double point = 2 * 16 + 6 + 8;
 
-/// Both faces of the block are scanned.
+/// Scan conversion of both faces of the block.
 double scans(const Block& block, const Square& square) {
   return block.bounds() * edge + 2 * square.rows * row + square.rows * block.bounds() * row_edge +
          2 * square.pixels * column;
 }
 
-/// Corners, planes and edges are brought into the picture.
+/// Transformation of corners, planes and edges into the picture.
 double transformed(double corners, double planes, double edges) {
   constexpr double product = 4 * 70 + 5 * 8 + 2 * 16;
   constexpr double quotient = 2 * 70 + 2 * 140 + 2 * 8 + 2 * 16;
@@ -108,16 +109,16 @@ double transformed(double corners, double planes, double edges) {
          (3 * corners + 6 * planes + 6 * edges) * 16 + (corners + planes + edges) * (18 + 16);
 }
 
-/// The picture is cleared: two longs a pixel.
+/// Clearing the picture: two longs per pixel.
 constexpr double cleared = 2 * 16 + 10;
 
-/// The table of first surfaces, the elements that sequences begin with, and of each element three pointers and a class;
-/// a node has its kind and two operands, of a status tree its father and status too, and a primitive its leaf.
+/// The table of first surfaces, the initial elements of sequences, and per element three pointers and a class; a node
+/// has its kind and two operands, in a status tree also its father and status, and a primitive its leaf.
 constexpr std::uint64_t words_of_sequences = 1 + 1 + 4 + (3 + 2 + 1);
 
 }  // namespace
 
-TEST_CASE("the block is seen by its front and its back") {
+TEST_CASE("the block shows its front and its back") {
   const Block block;
   REQUIRE(block.seen.facets.size() == 2);
   CHECK(block.seen.facets[0].leaves != block.seen.facets[1].leaves);
@@ -126,7 +127,7 @@ TEST_CASE("the block is seen by its front and its back") {
   for (const software::ScreenFacet& facet : block.seen.facets)
     CHECK(facet.pixels.y1 - facet.pixels.y0 + 1 == static_cast<std::int32_t>(square.rows));
 }
-TEST_CASE("lists of depths of one block take what they take by hand") {
+TEST_CASE("depth lists of one block take the hand-calculated clocks") {
   const Block block;
   const Square square = square_of(block);
   const software::DisplayCounts counts = block.counts("depth-lists");
@@ -148,7 +149,7 @@ TEST_CASE("lists of depths of one block take what they take by hand") {
   CHECK(static_cast<double>(counts.words.pixels) == 2 * pixels + pixels + 3 * 2 * square.pixels);
   CHECK(counts.words.sequences == words_of_sequences);
 }
-TEST_CASE("depth peeling of one block takes what it takes by hand") {
+TEST_CASE("depth peeling of one block takes the hand-calculated clocks") {
   const Block block;
   const Square square = square_of(block);
   const software::DisplayCounts counts = block.counts("depth-peeling");
@@ -172,7 +173,7 @@ TEST_CASE("depth peeling of one block takes what it takes by hand") {
   CHECK(static_cast<double>(counts.words.pixels) == (2 + 4) * pixels);
   CHECK(counts.words.sequences == words_of_sequences);
 }
-TEST_CASE("list priority of one block, with a depth buffer and without, takes what it takes by hand") {
+TEST_CASE("list priority of one block takes the hand-calculated clocks") {
   const Block block;
   const Square square = square_of(block);
   for (const bool has_depth_buffer : {false, true}) {
@@ -186,12 +187,12 @@ TEST_CASE("list priority of one block, with a depth buffer and without, takes wh
     CHECK(clocks(counts, Phase::preprocessing) > 0);
     CHECK(clocks(counts, Phase::transformation) == transformed(6 * 4, 2, edges));
     CHECK(clocks(counts, Phase::initialisation) == pixels * (cleared + (has_depth_buffer ? 2 * 16 + 12 : 16)));
-    // One cell is looked at: the side of its wall, and four sides of the picture at eight corners.
+    // One cell is visited: the side of its wall, and four sides of the picture at eight corners.
     constexpr double cell = 8 * 16 + 33 * 6 + 4 * 24 * 70 + 4 * 30 * 8 + 33 * 8 + 2 * 16;
     // The key of each of two pieces takes its plane at two corners of its rectangle.
     constexpr double keys = 2 * (8 * 70 + 8 * 8);
     constexpr double compared = 2 * 16 + 6 + 10 + 16;
-    constexpr double decided = 8 * 12 + 5 * 4 + 5 * 8;  // the two rectangles meet: front before back
+    constexpr double decided = 8 * 12 + 5 * 4 + 5 * 8;  // the two rectangles overlap: front before back
     constexpr double noted = 12 + 16 + 4;
     constexpr double taken = 12 + 8 + 2 * 16;
     constexpr double released = 16 + 4;
@@ -206,7 +207,7 @@ TEST_CASE("list priority of one block, with a depth buffer and without, takes wh
     CHECK(counts.words.sequences == words_of_sequences);
   }
 }
-TEST_CASE("scan lines over one block take what they take by hand") {
+TEST_CASE("scan lines over one block take the hand-calculated clocks") {
   const Block block;
   const Square square = square_of(block);
   const software::DisplayCounts counts = block.counts("scan-line");
@@ -216,8 +217,8 @@ TEST_CASE("scan lines over one block take what they take by hand") {
   CHECK(clocks(counts, Phase::transformation) == transformed(6 * 4, 2, block.linears()));
   CHECK(clocks(counts, Phase::initialisation) == pixels * cleared);
   CHECK(clocks(counts, Phase::depth_test) == square.rows * (2 + square.columns) * depth);
-  // At the left end of a span the values of both planes are worked out, and what is seen is classified. Both ends of
-  // both are looked at, and the back is found behind the front.
+  // The left end of a span: the values of both planes are computed and the visible surface is classified. Both ends
+  // of both are tested, and the back is found behind the front.
   constexpr double value = column + 2 * 70 + 2 * 16;
   constexpr double classified = first_element + point + class_read + owner;
   constexpr double ends = 2 * 70 + 4 * 16 + 2 * 8 + 4 * 6 + 4 * 8 + 4 * 16 + 12;
@@ -226,7 +227,7 @@ TEST_CASE("scan lines over one block take what they take by hand") {
   CHECK(clocks(counts, Phase::scan_conversion) ==
         block.bounds() * edge + square.rows * (2 * row + block.bounds() * row_edge) + alone + element_made +
             class_found + square.rows * (2 * value + classified + 2 * ends + behind + square.columns * filled));
-  // How often a library's sort compares two ends and four limits is its own matter.
+  // The number of comparisons in a library's sort of two ends and four limits is unspecified.
   const auto compared = [](auto values) {
     double comparisons = 0;
     std::ranges::sort(values, [&](const auto& a, const auto& b) {
@@ -243,7 +244,7 @@ TEST_CASE("scan lines over one block take what they take by hand") {
   CHECK(clocks(counts, Phase::sorting) ==
         2 * bucketed + square.rows * (2 * active + limits * (2 * 12 + 4 + 10 + 16) + 4 * crossed + 12 +
                                       events * (2 * 16 + 6 + 10 + 16)));
-  // A list a row, the facets in them, and the most that are active at one time.
+  // A list per row, the facets in them, and the maximum active at one time.
   CHECK(counts.words.buckets == static_cast<std::uint64_t>(height) + 2 + 12 * 2);
   CHECK(counts.words.polygons == 3 * 24 + 6 * block.seen.linears.size() + 10 * 2);
   CHECK(static_cast<double>(counts.words.pixels) == 2 * pixels);
@@ -255,7 +256,7 @@ TEST_CASE("rays of one block transform its six half-spaces") {
   CHECK(clocks(counts, Phase::preprocessing) == 0);
   CHECK(clocks(counts, Phase::depth_test) == 0);
   CHECK(clocks(counts, Phase::initialisation) == pixels * 2 * 16);
-  // A plane is 16 products of longs and three quotients.
+  // A plane takes 16 products of longs and three quotients.
   constexpr double plane = (16 * 4 + 3 * 2) * 70 + 3 * 2 * 140 + (12 * 4 + 3 * 2) * 8 + 20 * 16 + 6 * 16 + 18 + 16;
   CHECK(clocks(counts, Phase::transformation) == 6 * plane);
   CHECK(counts.words.polygons == 6 * 6);

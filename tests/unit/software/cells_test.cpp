@@ -1,4 +1,4 @@
-// The cells that a ray comes to, in order, by clipping it to all cells; and what is near a cell, by hand.
+// Judges: the cells along a ray found by clipping it to all cells, and neighbourhoods of cells by hand.
 
 #include <glm/vec3.hpp>
 
@@ -38,13 +38,13 @@ software::Facets scattered_triangles(Random& random, double stretch) {
   return facets_with(polygons);
 }
 
-/// A cell, or a leaf's box, and its facets.
+/// A cell or a leaf's box, and its facets.
 struct SolidCell {
   facet::Box box;
   std::vector<std::uint32_t> facets;
 };
 
-/// About four cells for each bucket of facets, as near to cubes as whole numbers of them are.
+/// About four cells per bucket of facets, as close to cubes as integer counts allow.
 std::vector<SolidCell> grid_cells(const software::FacetShapes& shapes, std::uint32_t bucket_size) {
   const facet::Box& box = shapes.box();
   const glm::dvec3 size = box.high - box.low;
@@ -82,7 +82,7 @@ std::vector<SolidCell> cells_of(const std::string& name, const software::FacetSh
   return cells;
 }
 
-/// The part of a ray inside a box; nothing if the ray misses it.
+/// Returns the part of a ray inside a box; nothing if the ray misses it.
 std::optional<std::pair<double, double>> stay_in(const facet::Box& box, const SpaceRay& ray) {
   std::pair stay{ray.begin, ray.end};
   for (int axis = 0; axis < 3; ++axis) {
@@ -98,8 +98,8 @@ std::optional<std::pair<double, double>> stay_in(const facet::Box& box, const Sp
   return stay;
 }
 
-/// A cell that the directory reports, or has to report.
-struct ToldCell {
+/// A cell reported or expected.
+struct ReportedCell {
   double in;
   double out;
   double settled;
@@ -111,25 +111,25 @@ class Listener final : public software::CellVisitor {
   explicit Listener(std::size_t enough = std::numeric_limits<std::size_t>::max()) : enough_(enough) {}
 
   bool visit(const software::Cell& cell) override {
-    told.push_back({cell.t_in, cell.t_out, cell.settled, {cell.facets.begin(), cell.facets.end()}});
-    std::ranges::sort(told.back().facets);
-    return told.size() < enough_;
+    reported.push_back({cell.t_in, cell.t_out, cell.settled, {cell.facets.begin(), cell.facets.end()}});
+    std::ranges::sort(reported.back().facets);
+    return reported.size() < enough_;
   }
 
-  std::vector<ToldCell> told;
+  std::vector<ReportedCell> reported;
 
  private:
   std::size_t enough_;
 };
 
-std::vector<ToldCell> told_along(const software::Directory& directory, const SpaceRay& ray) {
+std::vector<ReportedCell> cells_along(const software::Directory& directory, const SpaceRay& ray) {
   Listener listener;
   software::Uncounted nothing;
   directory.walk(ray, listener, nothing);
-  return listener.told;
+  return listener.reported;
 }
 
-/// Through space, along axes and across them, from outside and from within, some with ends.
+/// A ray through space along or across axes, from outside or inside, in part of the cases with ends.
 SpaceRay ray_through(Random& random, const facet::Box& box) {
   const auto somewhere = [&](double beyond) {
     const glm::dvec3 part{random.unit(), random.unit(), random.unit()};
@@ -148,9 +148,9 @@ SpaceRay ray_through(Random& random, const facet::Box& box) {
   return ray;
 }
 
-/// Cells that a ray stays in, the first first; nothing if one is met too briefly to be sure.
-std::optional<std::vector<ToldCell>> expected_along(const std::vector<SolidCell>& cells, const SpaceRay& ray) {
-  std::vector<ToldCell> expected;
+/// Returns the cells along a ray in order; nothing if the ray is too short in one to decide.
+std::optional<std::vector<ReportedCell>> expected_along(const std::vector<SolidCell>& cells, const SpaceRay& ray) {
+  std::vector<ReportedCell> expected;
   for (const SolidCell& cell : cells) {
     const auto stay = stay_in(cell.box, ray);
     if (!stay || stay->second < stay->first - 1e-9) continue;
@@ -158,29 +158,30 @@ std::optional<std::vector<ToldCell>> expected_along(const std::vector<SolidCell>
     expected.push_back({stay->first, stay->second, stay->second, cell.facets});
     std::ranges::sort(expected.back().facets);
   }
-  std::ranges::sort(expected, {}, &ToldCell::in);
+  std::ranges::sort(expected, {}, &ReportedCell::in);
   return expected;
 }
 
-void check_told(const std::vector<ToldCell>& told, const std::vector<ToldCell>& expected) {
-  REQUIRE(told.size() == expected.size());
-  for (std::size_t i = 0; i < told.size(); ++i) {
-    CHECK(std::abs(told[i].in - expected[i].in) < 1e-10);
-    CHECK(std::abs(told[i].out - expected[i].out) < 1e-10);
-    CHECK(std::abs(told[i].settled - expected[i].settled) < 1e-10);
-    CHECK(told[i].facets == expected[i].facets);
+void check_cells(const std::vector<ReportedCell>& reported, const std::vector<ReportedCell>& expected) {
+  REQUIRE(reported.size() == expected.size());
+  for (std::size_t i = 0; i < reported.size(); ++i) {
+    CHECK(std::abs(reported[i].in - expected[i].in) < 1e-10);
+    CHECK(std::abs(reported[i].out - expected[i].out) < 1e-10);
+    CHECK(std::abs(reported[i].settled - expected[i].settled) < 1e-10);
+    CHECK(reported[i].facets == expected[i].facets);
   }
 }
 
-/// Leaves come in the order in which the ray enters them, and each settles no more than the next one begins at.
-void check_told_of_boxes(const software::Directory& directory, const SpaceRay& ray) {
-  (void)told_along(directory, ray);  // what is built as rays come is there now
-  const std::vector<ToldCell> told = told_along(directory, ray);
+/// Checks that leaves come in the order in which the ray enters them, and that each settles no more than the next one's
+/// start.
+void check_box_leaves(const software::Directory& directory, const SpaceRay& ray) {
+  (void)cells_along(directory, ray);  // builds the parts that are built on demand
+  const std::vector<ReportedCell> reported = cells_along(directory, ray);
   std::vector<SolidCell> leaves;
   for (const software::SpaceBox& box : directory.boxes()) {
     if (box.low == 0) leaves.push_back({box.box, {box.facets.begin(), box.facets.end()}});
   }
-  std::vector<ToldCell> expected;
+  std::vector<ReportedCell> expected;
   for (const SolidCell& leaf : leaves) {
     const auto stay = stay_in(leaf.box, ray);
     if (!stay || stay->second < stay->first) continue;
@@ -188,28 +189,27 @@ void check_told_of_boxes(const software::Directory& directory, const SpaceRay& r
     expected.push_back({stay->first, stay->second, 0, leaf.facets});
     std::ranges::sort(expected.back().facets);
   }
-  REQUIRE(told.size() == expected.size());
-  for (std::size_t i = 0; i < told.size(); ++i) {
-    CHECK(std::ranges::count_if(expected, [&](const ToldCell& one) {
-            return one.facets == told[i].facets && std::abs(one.in - told[i].in) < 1e-10 &&
-                   std::abs(one.out - told[i].out) < 1e-10;
+  REQUIRE(reported.size() == expected.size());
+  for (std::size_t i = 0; i < reported.size(); ++i) {
+    CHECK(std::ranges::count_if(expected, [&](const ReportedCell& one) {
+            return one.facets == reported[i].facets && std::abs(one.in - reported[i].in) < 1e-10 &&
+                   std::abs(one.out - reported[i].out) < 1e-10;
           }) == 1);
-    const bool is_last = i + 1 == told.size();
-    CHECK(told[i].settled >= told[i].in);
-    if (!is_last) CHECK(told[i].in <= told[i + 1].in);
-    if (!is_last) CHECK(told[i].settled <= told[i + 1].in);
+    const bool is_last = i + 1 == reported.size();
+    CHECK(reported[i].settled >= reported[i].in);
+    if (!is_last) CHECK(reported[i].in <= reported[i + 1].in);
+    if (!is_last) CHECK(reported[i].settled <= reported[i + 1].in);
   }
 }
 
-/// The axes of a place, by turns.
+/// Rotates the coordinates cyclically.
 glm::dvec3 turned(const glm::dvec3& place, int turn) {
   return {place[turn % 3], place[(turn + 1) % 3], place[(turn + 2) % 3]};
 }
 
 }  // namespace
 
-TEST_CASE(
-    "a ray comes to the cells that it goes through, in order, each from where it is entered to where it is left") {
+TEST_CASE("a ray visits its cells in order from each entry to each exit") {
   std::size_t cells = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);
@@ -226,26 +226,26 @@ TEST_CASE(
         const auto expected = expected_along(all, ray);
         if (!expected) continue;
         cells += expected->size();
-        const std::vector<ToldCell> told = told_along(*directory, ray);
-        check_told(told, *expected);
+        const std::vector<ReportedCell> reported = cells_along(*directory, ray);
+        check_cells(reported, *expected);
         // A visitor that has enough receives no more cells.
-        if (told.size() < 2) continue;
-        Listener listener(told.size() - 1);
+        if (reported.size() < 2) continue;
+        Listener listener(reported.size() - 1);
         software::Counting counting;
         directory->walk(ray, listener, counting);
-        CHECK(listener.told.size() == told.size() - 1);
+        CHECK(listener.reported.size() == reported.size() - 1);
       }
     }
     for (const char* const name : {"bvh", "boxes"}) {
       CAPTURE(seed);
       CAPTURE(name);
       const auto directory = software::directory_of(name).make(shapes, {bucket_size});
-      for (int i = 0; i < 30; ++i) check_told_of_boxes(*directory, ray_through(random, shapes.box()));
+      for (int i = 0; i < 30; ++i) check_box_leaves(*directory, ray_through(random, shapes.box()));
     }
   }
   CHECK(cells > 4000);
 }
-TEST_CASE("a ray that begins or ends on a wall between cells is in none beyond it") {
+TEST_CASE("a ray that begins or ends on a wall between cells visits none beyond it") {
   std::vector<Corners> polygons;
   for (const double x : {-7.5, 7.5, -7.25, 7.25}) polygons.push_back({{x, -1, -1}, {x, 1, -1}, {x, 1, 1}, {x, -1, 1}});
   const software::Facets facets = facets_with(polygons);
@@ -254,35 +254,35 @@ TEST_CASE("a ray that begins or ends on a wall between cells is in none beyond i
   for (const char* const name : {"excell-recursive", "kd-tree", "grid"}) {
     CAPTURE(name);
     const auto directory = software::directory_of(name).make(shapes, {2});
-    // EXCELL halves the box along x; of a grid of 6 cells along x the third wall is there too.
+    // EXCELL halves the box along x; a grid of 6 cells along x also has its third wall there.
     const double wall = std::string(name) == "kd-tree" ? directory->parts()[0].wall : 0;
-    const auto told = [&](double from, double along, double end) {
+    const auto reported = [&](double from, double along, double end) {
       Listener listener;
       software::Counting count;
       directory->walk({{from, 0.25, 0.25}, {along, 0, 0}, 0, end}, listener, count);
       std::vector<std::vector<std::uint32_t>> all;
-      for (const ToldCell& cell : listener.told) all.push_back(cell.facets);
+      for (const ReportedCell& cell : listener.reported) all.push_back(cell.facets);
       return std::pair{all, count.done()};
     };
     constexpr double little = 0x1p-20;
-    CHECK(told(wall, 1, 99) == told(wall + little, 1, 99));
-    CHECK(told(wall - 1, 1, 1) == told(wall - 1, 1, 1 - little));
-    CHECK(told(wall + 1, -1, 1) == told(wall + 1, -1, 1 - little));
-    if (std::string(name) != "grid") CHECK(told(wall, -1, 99) == told(wall - little, -1, 99));
-    CHECK(told(wall - 1, 1, 99).first.size() > told(wall, 1, 99).first.size());
+    CHECK(reported(wall, 1, 99) == reported(wall + little, 1, 99));
+    CHECK(reported(wall - 1, 1, 1) == reported(wall - 1, 1, 1 - little));
+    CHECK(reported(wall + 1, -1, 1) == reported(wall + 1, -1, 1 - little));
+    if (std::string(name) != "grid") CHECK(reported(wall, -1, 99) == reported(wall - little, -1, 99));
+    CHECK(reported(wall - 1, 1, 99).first.size() > reported(wall, 1, 99).first.size());
   }
 }
-TEST_CASE("all facets are in one cell of no directory, from where a ray begins to where it ends") {
+TEST_CASE("directory none has all facets in one cell along the whole ray") {
   Random random(3);
   const software::Facets facets = scattered_triangles(random, 1);
   const software::FacetShapes shapes(facets);
   const auto none = software::directory_of("none").make(shapes, {4});
-  const std::vector<ToldCell> told = told_along(*none, {{90, 90, 90}, {1, 0, 0}, 2, 7});
-  REQUIRE(told.size() == 1);
-  CHECK(told[0].in == 2);
-  CHECK(told[0].out == 7);
-  CHECK(told[0].settled == std::numeric_limits<double>::infinity());
-  CHECK(told[0].facets.size() == facets.facets.size());
+  const std::vector<ReportedCell> reported = cells_along(*none, {{90, 90, 90}, {1, 0, 0}, 2, 7});
+  REQUIRE(reported.size() == 1);
+  CHECK(reported[0].in == 2);
+  CHECK(reported[0].out == 7);
+  CHECK(reported[0].settled == std::numeric_limits<double>::infinity());
+  CHECK(reported[0].facets.size() == facets.facets.size());
   const software::SpaceBuilt built = none->built();
   CHECK(built.cells == 1);
   CHECK(built.references == facets.facets.size());
@@ -291,8 +291,8 @@ TEST_CASE("all facets are in one cell of no directory, from where a ray begins t
   CHECK(built.entries == 0);
   CHECK(built.directory_words == 0);
 }
-TEST_CASE("a grid has four cells for each bucket of facets, at least one and at most 128 along an axis") {
-  // The reach, of which twice is around all facets, is next to nothing.
+TEST_CASE("a grid has four cells per bucket and 1 to 128 along an axis") {
+  // The reach, added twice around all facets, is negligible.
   const auto cells = [](const std::vector<Corners>& polygons, std::uint32_t bucket_size) {
     const software::Facets facets = facets_with(polygons);
     const software::FacetShapes shapes(facets, 1e-9);
@@ -319,7 +319,7 @@ TEST_CASE("a grid has four cells for each bucket of facets, at least one and at 
   CHECK(cells({}, 8) == 0);
   CHECK(cells({{}}, 8) == 0);
 }
-TEST_CASE("a facet has the reach around it, all of them twice the reach, and those without corners no place") {
+TEST_CASE("each facet is enlarged by the reach and the total box by twice the reach") {
   const software::Facets facets =
       facets_with({{{1, 2, 3}, {2, 2, 3}, {1, 4, 8}}, {}, {{-4, 5, 3}}, {{0, 0, 0}, {3, 0, 1}}});
   const software::FacetShapes shapes(facets, 0.5);
@@ -332,19 +332,19 @@ TEST_CASE("a facet has the reach around it, all of them twice the reach, and tho
         std::vector<std::uint32_t>{0, 2, 3});
   CHECK(std::vector<std::uint32_t>(shapes.unplaced().begin(), shapes.unplaced().end()) ==
         std::vector<std::uint32_t>{1});
-  // Usually 2^-14 of the diagonal, here of 3, 4 and 12: 13.
+  // The default is 2^-14 of the diagonal, here of 3, 4 and 12: 13.
   const software::Facets others = facets_with({{{1, 1, 1}, {4, 5, 13}, {4, 1, 1}}});
   CHECK(software::FacetShapes(others).reach() == 13 * 0x1p-14);
   const software::Facets none;
   CHECK(software::FacetShapes(none).box().empty());
 }
-TEST_CASE("a facet touches a box that is no farther from it than the reach along any axis, to the last bit") {
-  // The reach is 1/4. What is nearest is at `at`, or a little farther.
+TEST_CASE("a facet touches a box within the reach along every axis to the last bit") {
+  // The reach is 1/4. The nearest point is at `at` or slightly farther.
   struct Row {
     const char* what;
     Corners corners;
-    facet::Box box;  ///< touches, with nothing to spare
-    int axis;        ///< along which it is moved away
+    facet::Box box;  ///< touches exactly
+    int axis;        ///< axis of the displacement
     double away;
   };
   const double little = 0x1p-40;
@@ -380,7 +380,7 @@ TEST_CASE("a facet touches a box that is no farther from it than the reach along
         const software::FacetShapes shapes(facets, 0.25);
         facet::Box box = row.box;
         software::Counting count;
-        // Rounding only makes it true more often; of the plane that slants it may do so.
+        // Rounding may only add contacts; for the slanted plane it may do so.
         CHECK(shapes.touches(0, {turned(box.low, turn), turned(box.high, turn)}, count));
         box.low[row.axis] += row.away;
         box.high[row.axis] += row.away;
@@ -389,7 +389,7 @@ TEST_CASE("a facet touches a box that is no farther from it than the reach along
     }
   }
 }
-TEST_CASE("nothing is built, told or counted before there is anything") {
+TEST_CASE("new statistics and empty directories count nothing") {
   const software::SpaceBuilt built;
   CHECK(built.cells + built.entries + built.references + built.most_facets + built.overflows + built.splits +
             built.overlap_tests + built.directory_words + built.bucket_words ==
@@ -400,7 +400,7 @@ TEST_CASE("nothing is built, told or counted before there is anything") {
   CHECK(software::SpaceRay{{1, 2, 3}, {2, 0, -4}, 0, 0}.at(1.5) == glm::dvec3{4, 2, -3});
   CHECK(software::SpacePart{}.is_cell());
   CHECK(!software::SpacePart{.box = {}, .low = 1}.is_cell());
-  // Of a model without facets, one cell that has none where there are any.
+  // A model without facets has at most one empty cell.
   const software::Facets none;
   const software::FacetShapes shapes(none);
   for (const software::DirectoryRow* const row : software::directories()) {
@@ -409,6 +409,6 @@ TEST_CASE("nothing is built, told or counted before there is anything") {
     CHECK(directory->built().references == 0);
     CHECK(directory->built().splits == 0);
     CHECK(directory->built().cells == (row->name == "grid" ? 0U : 1U));
-    for (const ToldCell& cell : told_along(*directory, {{-1, 0, 0}, {1, 0, 0}, 0, 9})) CHECK(cell.facets.empty());
+    for (const ReportedCell& cell : cells_along(*directory, {{-1, 0, 0}, {1, 0, 0}, 0, 9})) CHECK(cell.facets.empty());
   }
 }

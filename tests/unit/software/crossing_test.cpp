@@ -18,13 +18,13 @@ using Rational = boost::multiprecision::cpp_rational;
 using RationalPoint = std::array<Rational, 3>;
 using RationalPolygon = std::vector<RationalPoint>;
 
-/// A convex polygon in one of some planes, within half-spaces of others.
+/// A convex polygon in one of several planes, bounded by half-spaces of others.
 struct Polygon {
   std::uint32_t plane = 0;
   std::vector<facet::Halfspace> bounds;
 };
 
-/// The judge: planes as rational numbers, polygons as their corners.
+/// Judge: planes as rational numbers, polygons as their corners.
 class Judge {
  public:
   explicit Judge(const WholePlanes& planes) : planes_(planes) {}
@@ -34,7 +34,7 @@ class Judge {
     return Rational(row[0]) * point[0] + Rational(row[1]) * point[1] + Rational(row[2]) * point[2] + Rational(row[3]);
   }
 
-  /// A square of the plane that is as large as the walls, cut by the bounds.
+  /// A square of the plane as large as the walls, clipped by the bounds.
   [[nodiscard]] RationalPolygon corners_of(const Polygon& polygon) const {
     const std::array<double, 4>& row = planes_.near(polygon.plane);
     std::size_t axis = 0;
@@ -83,7 +83,8 @@ class Judge {
     return is_above && is_below;
   }
 
-  /// What of the one is within the bounds of the other, and along none of them, is on both sides of its plane.
+  /// Whether the part of one polygon within the bounds of the other, and along none of them, is on both sides of its
+  /// plane.
   [[nodiscard]] bool cross(const Polygon& one, const Polygon& other) const {
     RationalPolygon within = corners_of(one);
     for (const facet::Halfspace& bound : other.bounds) within = clipped(within, bound);
@@ -100,7 +101,7 @@ class Judge {
 
 constexpr std::uint32_t hostile = 14;
 
-/// Of few directions and offsets, so that many meet in one point or one line; some a hair beside another.
+/// Planes of few directions and offsets, so that many meet in one point or line; in part with tiny offsets.
 facet::PlaneTable hostile_planes(testing::Random& random) {
   facet::PlaneTable table(glm::dvec3(0), 16);
   const auto quarter = [&] { return (static_cast<double>(random.below(9)) - 4) / 4; };
@@ -117,7 +118,7 @@ facet::PlaneTable hostile_planes(testing::Random& random) {
   return table;
 }
 
-/// Whether two planes are the same points, whatever their numbers and lengths.
+/// Whether two planes are the same set of points, whatever their coefficients' scale.
 bool coincide(const WholePlanes& planes, std::uint32_t a, std::uint32_t b) {
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -129,7 +130,7 @@ bool coincide(const WholePlanes& planes, std::uint32_t a, std::uint32_t b) {
   return true;
 }
 
-/// Bounded by other planes than its own.
+/// A random polygon bounded by planes other than its own.
 Polygon any_polygon(testing::Random& random, const WholePlanes& planes) {
   Polygon polygon{static_cast<std::uint32_t>(random.below(hostile)), {}};
   for (std::uint64_t i = 2 + random.below(5); i > 0; --i) {
@@ -145,8 +146,8 @@ struct Pairs {
   std::uint64_t touching = 0;  ///< not crossing, but with corners on the other's plane
 };
 
-/// What is wrong with a pair; empty if nothing is. Parts of both after they have been cut are held against each other.
-std::string fault_of(const WholePlanes& planes, Polygon one, Polygon other, Pairs& pairs) {
+/// Returns the fault of a pair; empty if none. Compares the parts of both after cutting.
+std::string find_fault(const WholePlanes& planes, Polygon one, Polygon other, Pairs& pairs) {
   for (Polygon* const polygon : {&one, &other}) {
     for (int axis = 0; axis < 3; ++axis) {
       polygon->bounds.push_back({planes.wall(axis, 0), false});
@@ -195,7 +196,7 @@ std::string fault_of(const WholePlanes& planes, Polygon one, Polygon other, Pair
 
 }  // namespace
 
-TEST_CASE("whether polygons cross is what rational numbers say, of many that share edges, corners and planes") {
+TEST_CASE("polygon crossings equal those in rational arithmetic in degenerate cases") {
   Pairs pairs;
   CHECK(rc::check([&] {
     testing::Random random(*rc::gen::arbitrary<std::uint64_t>());
@@ -203,7 +204,7 @@ TEST_CASE("whether polygons cross is what rational numbers say, of many that sha
     for (unsigned i = 0; i < 60; ++i) {
       const Polygon one = any_polygon(random, planes);
       const Polygon other = any_polygon(random, planes);
-      const std::string fault = fault_of(planes, one, other, pairs);
+      const std::string fault = find_fault(planes, one, other, pairs);
       if (!fault.empty()) RC_FAIL(fault);
     }
   }));
@@ -216,8 +217,8 @@ TEST_CASE("whether polygons cross is what rational numbers say, of many that sha
 
 namespace {
 
-/// Planes x, y, z = i / 4 for i from -4 to 4, of these x = 1/4 is plane 5, y = 1/4 plane 14, z = 1/4 plane 23; behind
-/// them those that are said.
+/// Planes x, y, z = i / 4 for i from -4 to 4: x = 1/4 is plane 5, y = 1/4 plane 14, z = 1/4 plane 23; additional planes
+/// follow.
 class Lattice {
  public:
   explicit Lattice(const std::vector<facet::Plane>& more = {}) {
@@ -247,7 +248,7 @@ class Lattice {
   [[nodiscard]] bool cross(const Polygon& one, const Polygon& other) const {
     const WholePlanes planes(table_);
     Pairs pairs;
-    CHECK(fault_of(planes, one, other, pairs) == "");
+    CHECK(find_fault(planes, one, other, pairs) == "");
     CHECK(pairs.all == 1);
     return pairs.crossing == 1;
   }
@@ -258,7 +259,7 @@ class Lattice {
 
 }  // namespace
 
-TEST_CASE("polygons that share an edge, a corner or a plane, or touch, do not cross") {
+TEST_CASE("polygons that touch or share an edge or corner or plane do not cross") {
   const Lattice lattice;
   const Polygon floor = Lattice::rectangle(2, 0, {-2, -2}, {2, 2});
   // Through it; ending on it; beside it; with a corner on it; along its edge; through its edge.
@@ -274,10 +275,10 @@ TEST_CASE("polygons that share an edge, a corner or a plane, or touch, do not cr
   CHECK(!lattice.cross(floor, Lattice::rectangle(2, 1, {-2, -2}, {2, 2})));
 }
 
-TEST_CASE("slivers cross by however little they reach beyond a plane") {
+TEST_CASE("slivers cross however little they extend beyond a plane") {
   for (const double beyond : {0x1p-30, 0x1p-45, 0x1p-52, 0.0, -0x1p-52}) {
     CAPTURE(beyond);
-    // The lower edge of a wall is below the floor by that, or not.
+    // The lower edge of a wall is below the floor by this amount, or not.
     const Lattice lattice({{{0x1p-20, 0, 1}, beyond}});
     const std::uint32_t edge = 27;
     const Polygon floor = Lattice::rectangle(2, 0, {-2, -2}, {2, 2});

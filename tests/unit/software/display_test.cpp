@@ -37,8 +37,8 @@ std::string difference(const software::Picture& picture, const std::vector<testi
   return "";
 }
 
-/// What is wrong with a scene's pictures by exact methods; empty if nothing is.
-std::string fault_of(const Scene& scene, Tally& tally) {
+/// Returns the fault of a scene's pictures by exact methods; empty if none.
+std::string find_fault(const Scene& scene, Tally& tally) {
   const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
   for (const testing::Seen& seen : expected) tally.covered += seen.owner != software::Seen::nothing_seen ? 1U : 0U;
   tally.pixels += expected.size();
@@ -56,7 +56,7 @@ std::string fault_of(const Scene& scene, Tally& tally) {
   return "";
 }
 
-/// What exact methods count, from the events of rays: sequences of surfaces at which a class is asked for.
+/// Counts of exact methods from ray events: surface sequences whose class is evaluated.
 struct Recount {
   std::set<std::vector<std::uint32_t>> evaluated;
   std::set<std::vector<std::uint32_t>> elements;
@@ -93,7 +93,7 @@ Recount recounted(const Scene& scene) {
   return recount;
 }
 
-/// Returns the evaluations.
+/// Returns the number of evaluations.
 std::uint64_t check_counts(const Scene& scene) {
   const Recount recount = recounted(scene);
   const Shown shown(scene);
@@ -115,10 +115,11 @@ std::uint64_t check_counts(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("exact methods that go facet by facet draw random models as the rules say") {
+TEST_CASE("exact facet methods draw random models as the rule-based judge does") {
   Tally tally;
-  CHECK(testing::holds_in_random_scenes(
-      tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t /*seed*/) { return fault_of(scene, tally); }));
+  CHECK(testing::holds_in_random_scenes(tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t /*seed*/) {
+    return find_fault(scene, tally);
+  }));
   MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.covered, " of ", tally.pixels,
           " pixels covered, ", tally.spans, " spans, ", tally.splits, " splits");
   if (!testing::draws_usual_cases()) return;
@@ -127,17 +128,17 @@ TEST_CASE("exact methods that go facet by facet draw random models as the rules 
   CHECK(tally.splits > 0);
   CHECK(tally.spans < tally.pixels * 2);
 }
-TEST_CASE("exact methods that go facet by facet draw the thesis's objects as the rules say") {
+TEST_CASE("exact facet methods draw the thesis's objects as the rule-based judge does") {
   Tally tally;
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
-      CHECK(fault_of(testing::thesis_scene(one, 130, 45), tally) == "");
+      CHECK(find_fault(testing::thesis_scene(one, 130, 45), tally) == "");
     }
   }
   MESSAGE(tally.pixels, " pixels, ", tally.spans, " spans, ", tally.splits, " splits");
 }
-TEST_CASE("plates thinner than a step of depth, drawn facet by facet, are seen where a step lies between their faces") {
+TEST_CASE("facet methods show plates thinner than a depth step only between steps") {
   Tally tally;
   std::uint64_t opposites = 0;
   for (unsigned i = 0; i < 60; ++i) {
@@ -156,15 +157,14 @@ TEST_CASE("plates thinner than a step of depth, drawn facet by facet, are seen w
     const view::Camera camera{{0, -110, 0}, {0, 0, 0}, view::Projection::orthographic};
     const Scene scene = testing::make_scene(read::read_csg_text(csg, "plates"), camera, sampling);
     CAPTURE(i);
-    CHECK(fault_of(scene, tally) == "");
+    CHECK(find_fault(scene, tally) == "");
     const Shown shown(scene);
     const software::ScreenFacets seen = software::screen_facets(scene.tree, scene.geometry, scene.view, shown.facets);
     for (const software::ScreenFacet& facet : seen.facets) opposites += seen.opposites_of(facet).size();
   }
   CHECK(opposites > 30);
 }
-TEST_CASE(
-    "methods that go facet by facet evaluate each sequence of surfaces once, and peel as many layers as there are") {
+TEST_CASE("facet methods evaluate each surface sequence once and peel each layer") {
   std::uint64_t evaluations = 0;
   std::uint64_t scenes = 0;
   for (std::uint64_t seed = 1; scenes < 60; ++seed) {
@@ -180,7 +180,7 @@ TEST_CASE(
     check_counts(testing::thesis_scene(one, 130, 45));
   }
 }
-TEST_CASE("a method that goes facet by facet counts only when it is made to, and an unknown one is refused") {
+TEST_CASE("a facet method counts only on request and an unknown one is rejected") {
   const Scene scene = testing::thesis_scene(testing::thesis_objects(view::Projection::perspective).front(), 40, 30);
   const Shown shown(scene);
   for (const DisplayRow* const row : software::display_methods()) {
@@ -200,7 +200,7 @@ TEST_CASE("a method that goes facet by facet counts only when it is made to, and
   }
   CHECK_THROWS_WITH_AS(software::display_method("scanline"), doctest::Contains("scan-line"), InputError);
 }
-TEST_CASE("each method that goes facet by facet is found by its name, and two of them are not exact") {
+TEST_CASE("each facet method is found by name and two are not exact") {
   for (const DisplayRow* const row : software::display_methods())
     CHECK(&software::display_method(std::string(row->name)) == row);
   CHECK(std::ranges::count(software::display_methods(), false, [](const DisplayRow* row) { return row->is_exact; }) ==
@@ -211,7 +211,7 @@ TEST_CASE("each method that goes facet by facet is found by its name, and two of
   CHECK_THROWS_AS(software::display_method(""), InputError);
   CHECK_THROWS_AS(software::display_method("list-priorit"), InputError);
 }
-TEST_CASE("nothing is counted of a picture before it is drawn") {
+TEST_CASE("a new picture has zero counts") {
   const software::DisplayCounts counts;
   CHECK(counts.polygons + counts.pieces + counts.shared + counts.references + counts.crossing_tests +
             counts.overlap_tests + counts.drawn_polygons + counts.pixel_events + counts.passes + counts.spans +
@@ -234,14 +234,14 @@ TEST_CASE("nothing is counted of a picture before it is drawn") {
   CHECK(software::Piece{}.facet == 0);
   CHECK(software::PolygonOptions{software::directory_of("excell")}.bucket_size == 24);
 }
-TEST_CASE("a ledger adds up what its phases counted, and nothing else") {
-  struct Told {
+TEST_CASE("a ledger sums the counts of its phases and nothing else") {
+  struct CountSource {
     software::Counts counts;
 
     [[nodiscard]] const software::Counts& counts_so_far() const { return counts; }
   };
-  software::Ledger<Told> ledger;
-  // The first phase has 1 of each, the next 10, and so on.
+  software::Ledger<CountSource> ledger;
+  // The first phase counts 1 of each, the next 10, and so on.
   std::uint64_t times = 1;
   for (std::size_t phase = 0; phase < software::phases; ++phase, times *= 10) {
     software::Counts& counts = ledger[static_cast<software::Phase>(phase)].counts;
@@ -256,31 +256,31 @@ TEST_CASE("a ledger adds up what its phases counted, and nothing else") {
     counts.ties = 9 * times;
     counts.operations.counts[static_cast<std::size_t>(software::Operation::multiply)] = times;
   }
-  software::DisplayCounts told;
-  told.csg.points = told.csg.ties = 50;
-  told.conflicts = 77;
-  ledger.add_counts(told);
-  CHECK(told.csg.points == 111111);
-  CHECK(told.csg.evaluations == 222222);
-  CHECK(told.csg.precomputed == 333333);
-  CHECK(told.csg.looked_up == 444444);
-  CHECK(told.csg.node_visits == 555555);
-  CHECK(told.csg.early_outs == 666666);
-  CHECK(told.csg.list_steps == 777777);
-  CHECK(told.csg.list_elements == 888888);
-  CHECK(told.csg.ties == 999999);
-  CHECK(told.csg.operations.of(software::Operation::multiply) == 111111);
-  CHECK(told.of(software::Phase::preprocessing).of(software::Operation::multiply) == 1);
-  CHECK(told.of(software::Phase::sorting).of(software::Operation::multiply) == 100);
-  CHECK(told.of(software::Phase::initialisation).of(software::Operation::multiply) == 100000);
-  CHECK(told.conflicts == 77);
+  software::DisplayCounts total;
+  total.csg.points = total.csg.ties = 50;
+  total.conflicts = 77;
+  ledger.add_counts(total);
+  CHECK(total.csg.points == 111111);
+  CHECK(total.csg.evaluations == 222222);
+  CHECK(total.csg.precomputed == 333333);
+  CHECK(total.csg.looked_up == 444444);
+  CHECK(total.csg.node_visits == 555555);
+  CHECK(total.csg.early_outs == 666666);
+  CHECK(total.csg.list_steps == 777777);
+  CHECK(total.csg.list_elements == 888888);
+  CHECK(total.csg.ties == 999999);
+  CHECK(total.csg.operations.of(software::Operation::multiply) == 111111);
+  CHECK(total.of(software::Phase::preprocessing).of(software::Operation::multiply) == 1);
+  CHECK(total.of(software::Phase::sorting).of(software::Operation::multiply) == 100);
+  CHECK(total.of(software::Phase::initialisation).of(software::Operation::multiply) == 100000);
+  CHECK(total.conflicts == 77);
 }
-TEST_CASE("what is displayed tells its pixels and its farthest depth, and has buckets of 24 in EXCELL") {
+TEST_CASE("a display subject has a pixel count and a farthest depth and default buckets") {
   const Scene scene = testing::thesis_scene(testing::thesis_objects(view::Projection::perspective).front(), 40, 30);
   const Shown shown(scene);
   const software::DisplaySubject subject{scene.tree, scene.geometry, scene.view, shown.tree, shown.facets};
   CHECK(subject.pixels() == 1200);
-  CHECK(subject.farthest() == 1048575);  // of 20 bits
+  CHECK(subject.farthest() == 1048575);  // 20 bits
   CHECK(subject.bucket_size == 24);
   CHECK(subject.directory == "excell");
   const software::Displayed displayed = software::display_method("list-priority").run(subject, true);

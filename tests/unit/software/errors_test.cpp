@@ -12,9 +12,9 @@ using testing::SoftwareScene;
 
 namespace {
 
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// A cube in the middle of the picture, and a chain of operators with others far beside it.
+/// A cube in the middle of the picture, and a chain of operators with other cubes far from it.
 Scene chain_of_cubes(unsigned primitives) {
   model::Tree tree = testing::chain(primitives);
   for (std::uint32_t i = 1; i < primitives; ++i) tree.primitives[i].transform[3] = {50, 0, 0, 1};
@@ -43,7 +43,7 @@ void check_draws_the_cube(const SoftwareScene& software, const std::string& way)
 
 }  // namespace
 
-TEST_CASE("bit-parallel refuses a tree of 21 levels, and takes one of 20") {
+TEST_CASE("bit-parallel accepts a tree of 20 levels and rejects one of 21") {
   const Scene low = chain_of_cubes(21);
   const Scene high = chain_of_cubes(22);
   const SoftwareScene of_20(low.tree, low.geometry, low.view);
@@ -51,41 +51,41 @@ TEST_CASE("bit-parallel refuses a tree of 21 levels, and takes one of 20") {
   REQUIRE(of_20.tree(software::Shape::written).depth() == 20);
   for (const std::string way : {"bit-parallel", "bit-parallel-status"}) {
     check_draws_the_cube(of_20, way);
-    CHECK(says(error_of_way(of_21, way), "21 levels"));
-    CHECK(says(error_of_way(of_21, way), "--shapes balanced"));
+    CHECK(contains(error_of_way(of_21, way), "21 levels"));
+    CHECK(contains(error_of_way(of_21, way), "--shapes balanced"));
   }
   for (const std::string way : {"standard", "early-out", "positional", "status", "bit-sequential", "interval-lists",
                                 "weave", "interval-arithmetic"})
     check_draws_the_cube(of_21, way);
 }
-TEST_CASE("bit-parallel takes the shape that it asks for") {
+TEST_CASE("bit-parallel uses the tree shape that it requests") {
   Scene scene = chain_of_cubes(23);
   for (model::Node& node : scene.tree.nodes) node.op = model::Operator::unite;
   const SoftwareScene software(scene.tree, scene.geometry, scene.view);
   for (const std::string way : {"bit-parallel", "bit-parallel-status"}) {
-    CHECK(says(error_of_way(software, way, software::Shape::left_deep), "22 levels"));
+    CHECK(contains(error_of_way(software, way, software::Shape::left_deep), "22 levels"));
     CHECK(error_of_way(software, way, software::Shape::balanced) == "");
   }
 }
-TEST_CASE("what goes down a tree by calls refuses one of 30,000 levels, and nothing else does") {
+TEST_CASE("only recursive methods reject a tree of 30000 levels") {
   const Scene scene = chain_of_cubes(30'001);
   const SoftwareScene software(scene.tree, scene.geometry, scene.view);
   for (const std::string way :
        {"standard", "early-out", "positional", "interval-lists", "weave", "interval-arithmetic"}) {
     CAPTURE(way);
-    CHECK(says(error_of_way(software, way), "the tree has 30000 levels"));
-    CHECK(says(error_of_way(software, way), "--shapes balanced"));
+    CHECK(contains(error_of_way(software, way), "the tree has 30000 levels"));
+    CHECK(contains(error_of_way(software, way), "--shapes balanced"));
   }
   for (const std::string way : {"status", "bit-sequential"}) check_draws_the_cube(software, way);
 }
-TEST_CASE("what goes down a tree by calls draws one of 19,000 levels") {
+TEST_CASE("recursive methods draw a tree of 19000 levels") {
   const Scene scene = chain_of_cubes(19'001);
   const SoftwareScene software(scene.tree, scene.geometry, scene.view);
   for (const std::string way :
        {"standard", "early-out", "positional", "interval-lists", "weave", "interval-arithmetic"})
     check_draws_the_cube(software, way);
 }
-TEST_CASE("a method and a coherence are chosen by name") {
+TEST_CASE("a method and a coherence are selected by name") {
   for (const testing::Way& way : testing::all_ways()) {
     const software::Choice choice = software::choice_of(software::name_of(way.choice));
     CHECK(choice.method == way.choice.method);
@@ -94,15 +94,16 @@ TEST_CASE("a method and a coherence are chosen by name") {
   CHECK(software::name_of(software::choice_of("status")) == "status/all-points");
   CHECK(software::name_of(software::choice_of("weave")) == "weave");
 }
-TEST_CASE("a method or a coherence that is none is refused with those that are") {
+TEST_CASE("rejects an unknown method or coherence and lists the valid ones") {
   const auto message = [](const std::string& text) { return error_of([&] { software::choice_of(text); }); };
-  for (const software::MethodRow* const row : software::methods()) CHECK(says(message("stat"), std::string(row->name)));
-  CHECK(says(message("stat"), "there is no method 'stat'; did you mean status?"));
+  for (const software::MethodRow* const row : software::methods())
+    CHECK(contains(message("stat"), std::string(row->name)));
+  CHECK(contains(message("stat"), "there is no method 'stat'; did you mean status?"));
   for (const software::CoherenceRow& row : software::coherences())
-    CHECK(says(message("status/one"), std::string(row.name)));
-  CHECK(says(message("status/one"), "there is no coherence 'one'"));
-  CHECK(says(message(""), "there is no method ''"));
-  CHECK(says(message("status/"), "there is no coherence ''"));
-  CHECK(says(message("status/one-list/"), "there is no coherence 'one-list/'"));
-  CHECK(says(message("weave/one-list"), "method weave processes whole rays and takes no coherence"));
+    CHECK(contains(message("status/one"), std::string(row.name)));
+  CHECK(contains(message("status/one"), "there is no coherence 'one'"));
+  CHECK(contains(message(""), "there is no method ''"));
+  CHECK(contains(message("status/"), "there is no coherence ''"));
+  CHECK(contains(message("status/one-list/"), "there is no coherence 'one-list/'"));
+  CHECK(contains(message("weave/one-list"), "method weave processes whole rays and takes no coherence"));
 }

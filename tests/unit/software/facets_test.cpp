@@ -24,7 +24,7 @@ struct Tally {
   std::uint64_t bounds = 0;
 };
 
-/// The events at each pixel, by scan-conversion of facets.
+/// Events at each pixel by scan conversion of facets.
 std::vector<std::vector<Event>> scan_converted(const software::ScreenFacets& facets, std::uint32_t width,
                                                std::uint32_t height) {
   std::vector<std::vector<Event>> events(std::size_t{width} * height);
@@ -39,8 +39,8 @@ std::vector<std::vector<Event>> scan_converted(const software::ScreenFacets& fac
   return events;
 }
 
-/// What is wrong with the events of a scene's facets; empty if nothing is. Rays are judged by rays_test.
-std::string fault_of(const Scene& scene, Tally& tally) {
+/// Returns the fault in the events of a scene's facets; empty if none. rays_test judges the rays.
+std::string find_fault(const Scene& scene, Tally& tally) {
   const software::RayCaster rays(scene.tree, scene.geometry, scene.view);
   const software::Facets facets = software::facets_of(scene.tree, scene.geometry);
   const software::ScreenFacets seen = software::screen_facets(scene.tree, scene.geometry, scene.view, facets);
@@ -70,7 +70,7 @@ double area(std::span<const glm::dvec3> corners) {
   return glm::length(sum) / 2.0;
 }
 
-Scene scene_of(const std::string& csg) {
+Scene build_scene(const std::string& csg) {
   model::Tree tree = read::read_csg_text(csg, "facets.csg");
   facet::Geometry geometry = facet::make_geometry(tree);
   return {std::move(tree), std::move(geometry), {}};
@@ -78,10 +78,11 @@ Scene scene_of(const std::string& csg) {
 
 }  // namespace
 
-TEST_CASE("facets that are scan-converted give each pixel the events of its ray, in random scenes") {
+TEST_CASE("scan-converted facets give each pixel its ray's events in random scenes") {
   Tally tally;
-  CHECK(testing::holds_in_random_scenes(
-      tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t /*seed*/) { return fault_of(scene, tally); }));
+  CHECK(testing::holds_in_random_scenes(tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t /*seed*/) {
+    return find_fault(scene, tally);
+  }));
   MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.events, " events, ", tally.facets, " facets, ",
           tally.with_opposites, " with opposites, ", tally.bounds, " bounds");
   if (!testing::draws_usual_cases()) return;
@@ -89,17 +90,17 @@ TEST_CASE("facets that are scan-converted give each pixel the events of its ray,
   CHECK(tally.with_opposites > 0);
   CHECK(tally.with_opposites < tally.facets);
 }
-TEST_CASE("facets that are scan-converted give each pixel the events of its ray, on the thesis's objects") {
+TEST_CASE("scan-converted facets give each pixel its ray's events on the thesis's objects") {
   Tally tally;
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
-      CHECK(fault_of(testing::thesis_scene(one, 130, 45), tally) == "");
+      CHECK(find_fault(testing::thesis_scene(one, 130, 45), tally) == "");
     }
   }
   CHECK(tally.bounds < 10 * tally.facets);
 }
-TEST_CASE("solids of a thousand faces give each pixel the events of its ray, from a part of a pixel to the picture") {
+TEST_CASE("solids of a thousand faces give each pixel its ray's events at any size") {
   Tally tally;
   const std::string ball = "sphere($fn=48,$fa=12,$fs=2,r=10);";
   const std::string rod = "cylinder($fn=400,$fa=12,$fs=2,h=20,r1=10,r2=9,center=true);";
@@ -117,11 +118,11 @@ TEST_CASE("solids of a thousand faces give each pixel the events of its ray, fro
         how.camera.eye = eye;
         if (eye.x == 0.0) how.camera.up = {0, 1, 0};
         Scene scene =
-            scene_of(fmt::format("union(){{multmatrix([[{0},0,0,0],[0,{0},0,0],[0,0,{0},0],[0,0,0,1]]){{{1}}}"
-                                 "multmatrix([[1,0,0,12],[0,1,0,12],[0,0,1,12],[0,0,0,1]]){{cube(size=3);}}}}",
-                                 size, solid));
+            build_scene(fmt::format("union(){{multmatrix([[{0},0,0,0],[0,{0},0,0],[0,0,{0},0],[0,0,0,1]]){{{1}}}"
+                                    "multmatrix([[1,0,0,12],[0,1,0,12],[0,0,1,12],[0,0,0,1]]){{cube(size=3);}}}}",
+                                    size, solid));
         scene.view = view::make_view(scene.geometry, scene.tree, how.camera, how.sampling);
-        CHECK(fault_of(scene, tally) == "");
+        CHECK(find_fault(scene, tally) == "");
       }
     }
   }
@@ -130,8 +131,8 @@ TEST_CASE("solids of a thousand faces give each pixel the events of its ray, fro
   CHECK(tally.facets > 3'000);
   CHECK(tally.bounds < 12 * tally.facets);
 }
-TEST_CASE("the facets of a primitive are the faces of its solid, counter-clockwise from outside") {
-  const Scene scene = scene_of("union() { cube([2, 3, 4]); cylinder(h = 5, r1 = 2, r2 = 2, $fn = 12); }");
+TEST_CASE("a primitive's facets are its solid's faces counter-clockwise from outside") {
+  const Scene scene = build_scene("union() { cube([2, 3, 4]); cylinder(h = 5, r1 = 2, r2 = 2, $fn = 12); }");
   const software::Facets facets = software::facets_of(scene.tree, scene.geometry);
   REQUIRE(facets.of_primitives == std::vector<std::size_t>{0, 6, 20});
   CHECK(facets.polygons() == 20);
@@ -151,7 +152,7 @@ TEST_CASE("the facets of a primitive are the faces of its solid, counter-clockwi
     CHECK(glm::dot(normal, outward) > 0.0);
   }
 }
-TEST_CASE("a primitive that stays curved is refused with its place") {
+TEST_CASE("rejects a primitive that stays curved with its place") {
   const model::Tree tree = read::read_csg_text("\nsphere(r = 3);", "round.csg");
   facet::Faceting faceting;
   faceting.exact_curves = true;

@@ -14,7 +14,7 @@
 using namespace csgsim;
 using testing::Scene;
 
-TEST_CASE("a wrong pixel is for what came out of order there") {
+TEST_CASE("a wrong pixel is attributed to the surfaces out of order") {
   const std::vector<software::Event> exact{{10, 0}, {20, 2}, {20, 4}, {40, 1}, {40, 3}, {41, 5}, {60, 7}};
   const std::vector<double> level{10, 20, 20, 40, 40, 40, 60};
   const auto fault = [&](std::vector<software::Event> drawn) { return software::fault_of({exact, level, 1}, drawn); };
@@ -27,17 +27,17 @@ TEST_CASE("a wrong pixel is for what came out of order there") {
   CHECK(fault({{0, 0}, {0, 9}}) == software::Fault::order);
   CHECK(fault({{0, 0}}) == software::Fault::order);
 }
-TEST_CASE("a pixel whose surfaces came in the order of their real depths is wrong for its bits of depth") {
+TEST_CASE("a wrong pixel with surfaces in real depth order is attributed to depth bits") {
   const std::vector<software::Event> exact{{10, 0}, {20, 2}, {20, 4}, {40, 1}, {43, 3}};
   const auto fault = [&](const std::vector<double>& depths, std::vector<software::Event> drawn) {
     return software::fault_of({exact, depths, 1}, drawn);
   };
-  // One depth in integers, and two in real numbers.
+  // One depth in integers and two in real numbers.
   CHECK(fault({10, 20.2, 20.7, 40, 43}, {{0, 0}, {0, 2}}) == software::Fault::depth_bits);
   CHECK(fault({10, 20.2, 20.7, 40, 43}, {{0, 0}, {0, 4}}) == software::Fault::depth_bits);
-  // Integers are three steps apart, real depths are the other way round.
+  // Integers are three steps apart; real depths have the reverse order.
   CHECK(fault({10, 20.2, 20.7, 42.5, 42.4}, {{0, 0}, {0, 2}, {0, 4}, {0, 3}}) == software::Fault::depth_bits);
-  // Less than a step apart, more, and none.
+  // Less than a step apart, more than a step, and equal.
   CHECK(fault({10, 20.2, 20.7, 41.5, 42.4}, {{0, 0}, {0, 2}, {0, 4}, {0, 3}}) == software::Fault::depth_bits);
   CHECK(fault({10, 20.2, 20.7, 41.3, 42.4}, {{0, 0}, {0, 2}, {0, 4}, {0, 3}}) == software::Fault::order);
   CHECK(fault({10, 20.2, 20.7, 42, 42}, {{0, 0}, {0, 2}, {0, 4}, {0, 3}}) == software::Fault::coincident);
@@ -47,11 +47,11 @@ TEST_CASE("a pixel whose surfaces came in the order of their real depths is wron
   CHECK(software::fault_of({exact, std::vector<double>{10, 20.2, 20.7, 41.3, 42.4}, 1.2},
                            std::vector<software::Event>{{0, 0}, {0, 2}, {0, 4}, {0, 3}}) ==
         software::Fault::depth_bits);
-  // What is farther than one that it came before, by real depths too, is out of order, whatever else there is.
+  // A surface drawn before one that is nearer, by real depths too, is an order fault, whatever else applies.
   CHECK(fault({10, 20.2, 20.7, 42.5, 42.4}, {{0, 2}, {0, 0}, {0, 4}, {0, 3}}) == software::Fault::order);
 }
 
-TEST_CASE("surfaces coincide up to 2^-10 of a step, and rounding hides what it may hide to the last bit") {
+TEST_CASE("surfaces coincide within 2^-10 of a step and rounding faults have an exact limit") {
   const std::vector<software::Event> exact{{10, 0}, {20, 2}, {20, 4}, {30, 1}};
   const auto tied = [&](double apart) {
     return software::fault_of({exact, std::vector<double>{10, 20, 20 + apart, 30}, 1},
@@ -68,8 +68,8 @@ TEST_CASE("surfaces coincide up to 2^-10 of a step, and rounding hides what it m
   CHECK(overtaken(1.5) == software::Fault::depth_bits);
   CHECK(overtaken(1.5 + 0x1p-40) == software::Fault::order);
 }
-TEST_CASE("of several reasons a pixel is wrong for the worst") {
-  // Three surfaces are near 20, two of them at one place; two are level at 40; two at 60 are so by integers alone.
+TEST_CASE("a pixel wrong for several reasons counts under the worst") {
+  // Three surfaces are near 20, two of them coincide; two coincide at 40; two at 60 coincide in integers only.
   const std::vector<software::Event> exact{{20, 0}, {20, 2}, {21, 4}, {40, 1}, {40, 3}, {60, 6}, {60, 8}};
   const std::vector<double> depths{20, 20, 20.5, 40, 40, 60, 60.5};
   const auto fault = [&](std::vector<software::Event> drawn) { return software::fault_of({exact, depths, 1}, drawn); };
@@ -82,7 +82,7 @@ TEST_CASE("of several reasons a pixel is wrong for the worst") {
   CHECK(fault({{0, 0}, {0, 2}, {0, 4}, {0, 1}, {0, 3}, {0, 8}}) == software::Fault::depth_bits);
   CHECK(fault({{0, 0}, {0, 2}, {0, 4}, {0, 1}, {0, 3}, {0, 6}}) == software::Fault::depth_bits);
 }
-TEST_CASE("faults are counted by cause, from none") {
+TEST_CASE("counts faults by cause starting from none") {
   software::Faults faults;
   CHECK(faults.depth_bits + faults.coincident + faults.three_way + faults.order == 0);
   CHECK(faults.all() == 0);
@@ -96,7 +96,7 @@ TEST_CASE("faults are counted by cause, from none") {
   CHECK(faults.order == 8);
   CHECK(faults.all() == 15);
 }
-TEST_CASE("rounding hides a step, and three halves of a unit of the fraction for each pixel from the middle and one") {
+TEST_CASE("rounding is one step plus 1.5 fraction units per pixel from the middle and one") {
   for (const unsigned fraction_bits : {0U, 2U, 12U}) {
     view::Sampling sampling;
     sampling.width = 6;
@@ -114,7 +114,7 @@ TEST_CASE("rounding hides a step, and three halves of a unit of the fraction for
     CHECK(real.rounding(1, 2) == 1 + unit * 3.5);
   }
 }
-TEST_CASE("a primitive that rays begin in is entered at 0, and left at the nearest of its planes") {
+TEST_CASE("a primitive around the ray's start is entered at 0 and left at its nearest plane") {
   // The camera is in a block of 80, a quarter of the way from its middle to the face that it looks at.
   view::Sampling sampling;
   sampling.width = 5;
@@ -130,7 +130,7 @@ TEST_CASE("a primitive that rays begin in is entered at 0, and left at the neare
 
 namespace {
 
-/// Where the ray of a pixel meets a primitive, in steps of depth, by meeting its planes in model space.
+/// Depth steps at which the ray of a pixel meets a primitive, from its planes in model space.
 double depth_by_rays(const Scene& scene, std::uint32_t crossing, std::uint32_t column, std::uint32_t row) {
   const view::EyeSpace eye = view::eye_space(scene.view.camera, scene.view.sampling);
   const glm::dvec3 centre = scene.geometry.planes.centre();

@@ -1,5 +1,5 @@
-// Where trees divide: the cheapest place by the surface heuristic is found by trying all of them, and what is halved at
-// its middle is worked out by hand.
+// Judges of tree divisions: the cheapest place by the surface heuristic found by trying all of them, and splits at the
+// middle by hand.
 
 #include <glm/vec3.hpp>
 
@@ -17,7 +17,7 @@ namespace {
 using List = std::vector<std::uint32_t>;
 using Polygons = std::vector<std::vector<glm::dvec3>>;
 
-/// Primitives, each with its polygons.
+/// Returns facets of primitives from each primitive's polygons.
 software::Facets primitives_of(const std::vector<Polygons>& primitives) {
   software::Facets facets;
   for (std::uint32_t primitive = 0; primitive < primitives.size(); ++primitive) {
@@ -37,7 +37,7 @@ std::vector<glm::dvec3> triangle_at(const glm::dvec3& low) {
   return {low, low + glm::dvec3{1, 1, 0}, low + glm::dvec3{0, 1, 1}};
 }
 
-/// Triangles of all sizes, some in crowds.
+/// Triangles of all sizes, some in clusters.
 software::Facets any_triangles(Random& random) {
   std::vector<Polygons> primitives;
   const auto somewhere = [&](double size) {
@@ -81,7 +81,7 @@ List facets_below(const std::vector<SpaceBox>& boxes, const SpaceBox& box) {
   return facets;
 }
 
-/// The cheapest division of facets by 16 bins an axis, and what one of them costs, if it is such a division.
+/// The cheapest division of facets by 16 bins per axis, and the cost of a given division if it is one of these.
 struct Divisions {
   double least = std::numeric_limits<double>::infinity();
   std::optional<double> of_given;
@@ -111,7 +111,7 @@ Divisions divisions_of(const software::FacetShapes& shapes, const List& facets, 
   return divisions;
 }
 
-/// Returns the nodes that are divided.
+/// Returns the number of divided nodes.
 std::size_t check_heuristic_boxes(const software::FacetShapes& shapes, std::uint32_t bucket_size) {
   const auto directory = software::directory_of("bvh").make(shapes, {bucket_size});
   const std::vector<SpaceBox> boxes = directory->boxes();
@@ -134,8 +134,8 @@ std::size_t check_heuristic_boxes(const software::FacetShapes& shapes, std::uint
   return divided;
 }
 
-/// A cell of a k-d tree, and what walls across it cost: on which side of a wall a facet's box ends is told by the place
-/// of the end among 32.
+/// A cell of a k-d tree and the costs of walls across it; the end of a facet's box is rounded to one of 32 places to
+/// decide its side of a wall.
 class CellWalls {
  public:
   CellWalls(const software::FacetShapes& shapes, const facet::Box& box, const List& facets)
@@ -177,8 +177,8 @@ class CellWalls {
 
 struct KdTally {
   std::size_t divided = 0;
-  std::size_t too_dear = 0;  ///< cells that no wall makes cheaper
-  std::size_t deepest = 0;   ///< cells at the last level that have too many facets
+  std::size_t not_cheaper = 0;  ///< cells that no wall makes cheaper
+  std::size_t deepest = 0;      ///< cells at the last level with too many facets
 };
 
 void check_kd_tree(const software::FacetShapes& shapes, std::uint32_t bucket_size, const std::vector<SpacePart>& parts,
@@ -190,7 +190,7 @@ void check_kd_tree(const software::FacetShapes& shapes, std::uint32_t bucket_siz
     if (facets.size() <= bucket_size) return;
     tally.deepest += levels == 0 ? 1U : 0U;
     if (levels == 0) return;
-    ++tally.too_dear;
+    ++tally.not_cheaper;
     CHECK(CellWalls(shapes, part.box, facets).least() >= size * (1 - 1e-12));
     return;
   }
@@ -214,7 +214,7 @@ void check_kd_tree(const software::FacetShapes& shapes, std::uint32_t bucket_siz
   }
 }
 
-/// The facets of the leaves, those of the lower halves first.
+/// Returns the facets of the leaves, lower halves first.
 std::vector<List> leaves_of(const software::Directory& directory) {
   const std::vector<SpaceBox> boxes = directory.boxes();
   std::vector<List> leaves;
@@ -244,7 +244,7 @@ void send_ray(const software::Directory& directory, const glm::dvec3& origin, co
 
 }  // namespace
 
-TEST_CASE("boxes around facets are divided where no other division by bins is cheaper") {
+TEST_CASE("boxes around facets are divided at the cheapest of all bin divisions") {
   std::size_t divided = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     CAPTURE(seed);
@@ -254,7 +254,7 @@ TEST_CASE("boxes around facets are divided where no other division by bins is ch
   }
   CHECK(divided > 400);
 }
-TEST_CASE("a box of facets is divided from one more than a bucket takes, unless all their middles are one place") {
+TEST_CASE("a box with more facets than a bucket is divided unless all middles coincide") {
   const auto leaves = [](std::size_t apart, std::uint32_t bucket_size) {
     std::vector<Polygons> primitives(4, {triangle_at({0, 0, 0})});
     for (std::size_t i = 0; i < apart; ++i) primitives.push_back({triangle_at({0, 0, 3})});
@@ -269,7 +269,7 @@ TEST_CASE("a box of facets is divided from one more than a bucket takes, unless 
   CHECK(leaves(1, 4) == std::pair{std::vector<List>{{0, 1, 2, 3}, {4}}, std::uint64_t{0}});
   CHECK(leaves(2, 1) == std::pair{std::vector<List>{{0, 1, 2, 3}, {4, 5}}, std::uint64_t{2}});
 }
-TEST_CASE("a k-d tree's cells are divided by the cheapest of 31 walls an axis, if that is cheaper than the cell") {
+TEST_CASE("a k-d cell is divided by the cheapest of 31 walls per axis if that saves cost") {
   KdTally tally;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     CAPTURE(seed);
@@ -282,12 +282,12 @@ TEST_CASE("a k-d tree's cells are divided by the cheapest of 31 walls an axis, i
     const auto levels = static_cast<unsigned>(8 + 1.3 * static_cast<double>(std::bit_width(all.size())));
     check_kd_tree(shapes, bucket_size, directory->parts(), 0, all, levels, tally);
   }
-  MESSAGE(tally.divided, " divided, ", tally.too_dear, " too dear, ", tally.deepest, " at the last level");
+  MESSAGE(tally.divided, " divided, ", tally.not_cheaper, " not cheaper, ", tally.deepest, " at the last level");
   CHECK(tally.divided > 1000);
-  CHECK(tally.too_dear > 100);
+  CHECK(tally.not_cheaper > 100);
 }
-TEST_CASE("a k-d tree of n facets has 8 levels and 1.3 for each bit of n") {
-  // Two facets are so near each other that a wall cuts off empty space at every level; all others are far from them.
+TEST_CASE("a k-d tree of n facets has 8 levels plus 1.3 per bit of n") {
+  // Two facets are so close to each other that a wall cuts off empty space at every level; all others are far away.
   for (const auto& row : {std::pair{3U, 10U}, std::pair{4U, 11U}, std::pair{7U, 11U}, std::pair{8U, 13U}}) {
     const unsigned facets = row.first;
     const unsigned levels = row.second;
@@ -303,7 +303,7 @@ TEST_CASE("a k-d tree of n facets has 8 levels and 1.3 for each bit of n") {
       const std::vector<SpacePart> parts = directory->parts();
       std::vector<unsigned> depths(parts.size());
       unsigned deepest = 0;
-      // A part comes before its halves.
+      // A part precedes its halves.
       for (std::size_t i = 0; i < parts.size(); ++i) {
         deepest = std::max(deepest, depths[i]);
         if (!parts[i].is_cell()) depths[parts[i].low] = depths[parts[i].high] = depths[i] + 1;
@@ -313,12 +313,12 @@ TEST_CASE("a k-d tree of n facets has 8 levels and 1.3 for each bit of n") {
     }
   }
 }
-TEST_CASE("boxes around primitives are halved along their longest axis, along the first of those that are as long") {
+TEST_CASE("boxes around primitives are halved along the first of their longest axes") {
   struct Row {
-    glm::dvec3 apart;  ///< the second primitive from the first
+    glm::dvec3 apart;  ///< offset of the second primitive from the first
     bool is_first_below;
   };
-  // The boxes are as long as the triangles are apart, and one unit.
+  // The boxes are as long as the distance between the triangles plus one unit.
   for (const Row& row : {Row{{5, -3, -2}, true}, Row{{-5, 3, 2}, false}, Row{{-3, 5, -2}, true}, Row{{3, -5, 2}, false},
                          Row{{-2, -3, 5}, true}, Row{{-3, -2, 5}, true}, Row{{2, 3, -5}, false}, Row{{3, 2, -5}, false},
                          Row{{5, -5, -2}, true}, Row{{5, -2, -5}, true}, Row{{-2, 5, -5}, true}, Row{{5, -5, -5}, true},
@@ -333,8 +333,9 @@ TEST_CASE("boxes around primitives are halved along their longest axis, along th
     CHECK(directory->boxes()[0].box == box_around(shapes, {0, 1}));
   }
 }
-TEST_CASE("boxes around primitives are halved at the middle one, and expanded to facets where a ray comes") {
-  // From the right: primitive 0 is at 40, of two facets, then three, one, two and one. Of five the lower half has two.
+TEST_CASE("boxes are halved at the middle primitive and expanded to facets on demand") {
+  // Counted from the right: primitive 0 at 40 has two facets; the others have three, one, two and one. The lower half
+  // of the five has two.
   const std::vector<std::size_t> sizes{2, 3, 1, 2, 1};
   std::vector<Polygons> primitives;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -353,20 +354,20 @@ TEST_CASE("boxes around primitives are halved at the middle one, and expanded to
   CHECK(facets_below(boxes, boxes[boxes[0].low]) == List{6, 7, 8});
   CHECK(boxes[0].box == box_around(shapes, {0, 1, 2, 3, 4, 5, 6, 7, 8}));
   CHECK(boxes[boxes[0].low].box == box_around(shapes, {6, 7, 8}));
-  // A ray that meets one facet's primitive alone: nothing is left to expand, and nothing more is counted.
+  // A ray that meets only one facet's primitive: nothing is left to expand, and no further counts.
   const software::SpaceBuilt before = directory->built();
   send_ray(*directory, {20.5, -5, 0.5}, {0, 1, 0});
   send_ray(*directory, {20.5, -5, 0.5}, {0, 1, 0});
   CHECK(directory->built().operations == before.operations);
   CHECK(directory->built().entries == before.entries);
-  // Of the primitive of three facets, one and two: it is longest along z.
+  // The primitive of three facets is split into one and two: it is longest along z.
   send_ray(*directory, {30.5, -5, 0.5}, {0, 1, 0});
   CHECK(leaves_of(*directory) == Leaves{{8}, {6, 7}, {5}, {2}, {3}, {4}, {0, 1}});
   CHECK(directory->built().splits == 6);
   const std::vector<SpaceBox> expanded = directory->boxes();
   CHECK(expanded.size() == boxes.size() + 4);
   for (const SpaceBox& box : expanded) CHECK(box.box == box_around(shapes, facets_below(expanded, box)));
-  // Once only.
+  // A second ray expands nothing.
   const software::SpaceBuilt after = directory->built();
   send_ray(*directory, {30.5, -5, 0.5}, {0, 1, 0});
   CHECK(directory->built().operations == after.operations);

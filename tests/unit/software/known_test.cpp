@@ -13,7 +13,7 @@ namespace {
 
 bool meet(const Interval& a, const Interval& b) { return a.front < b.back && b.front < a.back; }
 
-/// Pairs of primitives that a ray has in one point, and are said not to meet.
+/// Counts pairs of primitives that meet on a ray although classified as disjoint.
 std::uint64_t wrongly_apart(std::span<const Interval> intervals, const std::vector<std::vector<Known>>& inside) {
   std::uint64_t wrong = 0;
   for (const Interval& a : intervals) {
@@ -22,7 +22,7 @@ std::uint64_t wrongly_apart(std::span<const Interval> intervals, const std::vect
   return wrong;
 }
 
-/// Whether cells know of what has pixels in them nothing, and that all else is out.
+/// Counts wrong cells: `known` must be undecided for primitives with pixels in the cell and out for all others.
 std::uint64_t wrong_in_cell(const view::View& view, const software::RayBand& band, std::uint32_t first_column) {
   const std::vector<Known> known = software::known_in(view, band, first_column, software::cell_columns);
   std::uint64_t wrong = 0;
@@ -68,7 +68,7 @@ void check_scene(const Scene& scene, Tally& tally) {
 
 }  // namespace
 
-TEST_CASE("what is known in a cell and within a primitive is true of all rays, and says much") {
+TEST_CASE("cell and primitive classifications hold for all rays and are often decided") {
   Tally tally;
   for (std::uint64_t seed = 7001; seed <= 7100; ++seed) {
     const std::optional<Scene> scene = testing::random_scene(seed);

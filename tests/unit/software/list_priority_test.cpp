@@ -23,13 +23,12 @@ struct Wrong {
   std::uint64_t polygons = 0;
   std::uint64_t conflicts = 0;
   std::uint64_t lost = 0;                    ///< events of cells that are not drawn
-  std::uint64_t order_without_conflict = 0;  ///< pixels that are wrong for their order where all polygons have one
+  std::uint64_t order_without_conflict = 0;  ///< pixels in wrong order although all polygons have an order
   software::Faults faults;
   software::Faults with_depth_buffer;
 };
 
-/// Whether two surfaces of a ray are at one depth or a step apart, no farther than the one that is seen there by one of
-/// two pictures.
+/// Whether two surfaces of a ray are at most a depth step apart, no farther than the surface visible in either picture.
 bool has_near_events(std::span<const software::Event> events, std::uint32_t farthest) {
   for (std::size_t i = 1; i < events.size() && events[i - 1].depth <= farthest; ++i) {
     if (events[i].depth - events[i - 1].depth <= 1) return true;
@@ -44,8 +43,8 @@ void add(software::Faults& sum, const software::Faults& more) {
   sum.order += more.order;
 }
 
-/// What is wrong with the wrong pixels of a picture: all are told of, and none without a reason.
-std::string fault_of_wrong(const Scene& scene, const software::Displayed& displayed, Wrong& wrong) {
+/// Returns the fault in the report of wrong pixels: each must be reported, and each must have a cause.
+std::string find_report_fault(const Scene& scene, const software::Displayed& displayed, Wrong& wrong) {
   const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
   const software::RayCaster rays(scene.tree, scene.geometry, scene.view);
   std::uint64_t all = 0;
@@ -65,18 +64,17 @@ std::string fault_of_wrong(const Scene& scene, const software::Displayed& displa
   }
   wrong.pixels += expected.size();
   wrong.events += events;
-  // With few bits a face may have pixels far from its place, and its cell be out of sight.
+  // A face in few bits may have pixels far from its place, and its cell may be out of sight.
   const bool are_all_drawn = displayed.counts.drawn_cells == displayed.counts.cells;
   wrong.lost += events - displayed.counts.pixel_events;
   if (displayed.counts.pixel_events > events || (are_all_drawn && displayed.counts.pixel_events != events))
-    return fmt::format("{} events are drawn, not {}", displayed.counts.pixel_events, events);
+    return fmt::format("{} events drawn instead of {}", displayed.counts.pixel_events, events);
   if (displayed.faults.all() != all) return fmt::format("{} wrong pixels of {}", displayed.faults.all(), all);
-  if (unexplained > displayed.faults.order + displayed.faults.depth_bits)
-    return "wrong pixels without surfaces near each other";
+  if (unexplained > displayed.faults.order + displayed.faults.depth_bits) return "wrong pixels without nearby surfaces";
   return "";
 }
 
-std::string fault_of_priority(const Scene& scene, std::size_t bucket_size, Wrong& wrong) {
+std::string find_priority_fault(const Scene& scene, std::size_t bucket_size, Wrong& wrong) {
   const Shown shown(scene);
   const std::vector<std::string> directories = software::halving_directories();
   const std::string& directory = directories[bucket_size % directories.size()];
@@ -90,21 +88,21 @@ std::string fault_of_priority(const Scene& scene, std::size_t bucket_size, Wrong
   add(wrong.with_depth_buffer, mended.faults);
   for (const software::Displayed* const one : {&plain, &mended}) {
     if (one->counts.conflicts == 0) wrong.order_without_conflict += one->faults.order;
-    const std::string fault = fault_of_wrong(scene, *one, wrong);
+    const std::string fault = find_report_fault(scene, *one, wrong);
     if (!fault.empty()) return (one == &plain ? "plain: " : "depth buffer: ") + fault;
   }
   return "";
 }
 
-/// Of a random scene by that number, where it has facets alone.
-std::string fault_of_seed(std::uint64_t seed, Wrong& wrong) {
+/// Faults of the random scene with this seed if it has only facets.
+std::string find_seed_fault(std::uint64_t seed, Wrong& wrong) {
   const std::optional<Scene> scene = testing::random_scene(seed);
   if (!scene || !testing::is_faceted(*scene)) return "";
-  const std::string fault = fault_of_priority(*scene, 4 + seed % 30, wrong);
+  const std::string fault = find_priority_fault(*scene, 4 + seed % 30, wrong);
   return fault.empty() ? fault : fmt::format("seed {}: {}", seed, fault);
 }
 
-void tell(const Wrong& wrong) {
+void print_counts(const Wrong& wrong) {
   MESSAGE(wrong.scenes, " scenes, ", wrong.polygons, " polygons, ", wrong.pieces, " pieces, ", wrong.conflicts,
           " conflicts, ", wrong.lost, " events lost, ", wrong.pixels, " pixels, ", wrong.events,
           " events; wrong: ", wrong.faults.depth_bits, " ", wrong.faults.coincident, " ", wrong.faults.three_way, " ",
@@ -115,24 +113,24 @@ void tell(const Wrong& wrong) {
 
 }  // namespace
 
-TEST_CASE("list priority draws each event once, and its wrong pixels have surfaces near each other, in random scenes") {
+TEST_CASE("list priority draws each event once and errs only near other surfaces") {
   Wrong wrong;
   CHECK(rc::check([&] {
     const auto first = *rc::gen::arbitrary<std::uint64_t>();
     for (std::uint64_t seed = first; seed != first + 4; ++seed) {
-      const std::string fault = fault_of_seed(seed, wrong);
+      const std::string fault = find_seed_fault(seed, wrong);
       if (!fault.empty()) RC_FAIL(fault);
     }
   }));
-  tell(wrong);
+  print_counts(wrong);
 }
-// Surfaces that rounding takes far from their cells, which are out of sight, are lost, and no depth buffer mends that:
-// of few bits there may be a whole face of them. So how many pixels are wrong is asked of these scenes alone.
-TEST_CASE("list priority has faults of each cause in scenes with few bits, and a depth buffer mends most of them") {
+// Surfaces that rounding moves far from their cells, which are out of sight, are lost, and no depth buffer corrects
+// that: with few bits a whole face may be lost. The limit on wrong pixels therefore applies to these scenes only.
+TEST_CASE("with few bits list priority has faults that a depth buffer mostly avoids") {
   Wrong wrong;
   const auto seeds = testing::cases<std::uint64_t>(240, 15);
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) CHECK(fault_of_seed(seed, wrong) == "");
-  tell(wrong);
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) CHECK(find_seed_fault(seed, wrong) == "");
+  print_counts(wrong);
   if (!testing::draws_usual_cases()) return;
   CHECK(wrong.faults.coincident > 0);
   CHECK(wrong.faults.three_way > 0);
@@ -142,25 +140,25 @@ TEST_CASE("list priority has faults of each cause in scenes with few bits, and a
   CHECK(wrong.with_depth_buffer.all() < wrong.faults.all() / 20);
   CHECK(wrong.pieces > 2 * wrong.polygons);
 }
-TEST_CASE("a pixel whose surface is lost with its cell is wrong for its bits of depth, not for its order") {
+TEST_CASE("a surface lost with its cell counts as a depth-bits fault and not as order") {
   Wrong wrong;
-  constexpr std::uint64_t lost_everywhere = 39098682285;  // of 3 by 15 pixels
-  CHECK(fault_of_seed(lost_everywhere, wrong) == "");
+  constexpr std::uint64_t lost_everywhere = 39098682285;  // a scene of 3 by 15 pixels
+  CHECK(find_seed_fault(lost_everywhere, wrong) == "");
   CHECK(wrong.conflicts == 0);
   CHECK(wrong.lost > 0);
   CHECK(wrong.faults.depth_bits == 45);
   CHECK(wrong.with_depth_buffer.depth_bits == 45);
   CHECK(wrong.faults.all() == 45);
 }
-TEST_CASE("list priority draws the thesis's objects but for surfaces near each other") {
+TEST_CASE("list priority draws the thesis's objects except surfaces near each other") {
   Wrong wrong;
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
-      CHECK(fault_of_priority(testing::thesis_scene(one, 130, 45), 24, wrong) == "");
+      CHECK(find_priority_fault(testing::thesis_scene(one, 130, 45), 24, wrong) == "");
     }
   }
-  tell(wrong);
+  print_counts(wrong);
   CHECK(wrong.faults.all() > 0);
   CHECK(wrong.faults.all() < 50);
   CHECK(wrong.with_depth_buffer.all() == 0);

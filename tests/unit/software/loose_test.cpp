@@ -14,7 +14,7 @@ using testing::Scene;
 
 namespace {
 
-/// Of a convex polygon: exact beside an edge, and too near by a factor of the root of two at most beside a corner.
+/// Distance from a convex polygon: exact next to an edge, underestimated by at most the root of two next to a corner.
 double distance_to(const glm::dvec3& point, std::span<const glm::dvec3> corners) {
   const glm::dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
   const double height = glm::dot(normal, point - corners[0]);
@@ -30,14 +30,14 @@ double distance_to(const glm::dvec3& point, std::span<const glm::dvec3> corners)
 struct Found {
   std::uint64_t loose = 0;
   std::uint64_t tight = 0;
-  std::uint64_t near_the_limit = 0;  ///< facets whose depths are a quarter of the reach to twice the reach off
+  std::uint64_t near_the_limit = 0;  ///< facets whose depth error is a quarter of the reach to twice the reach
   std::uint64_t before_near = 0;     ///< facets in front that are partly before the near plane
 };
 
-/// How far the depths of a facet, at pixels that it covers, are from its place.
+/// Depth errors of a facet at the pixels that it covers.
 struct Off {
   double farthest = 0;
-  bool is_before_near = false;  ///< where rays enter
+  bool is_before_near = false;  ///< true where rays enter before the near plane
 };
 
 Off off_place(const Scene& scene, const software::TraceScene& traced, const software::ScreenFacet& facet) {
@@ -80,7 +80,7 @@ void check_loose(const Scene& scene, Found& found) {
     }
     found.near_the_limit += off > limit / 2 && off < 4 * limit ? 1U : 0U;
     (is_loose ? found.loose : found.tight) += 1U;
-    // A corner is taken for nearer than it is, by a factor of the root of two at most.
+    // The distance from a corner is underestimated by at most the root of two.
     if (off > 1.001 * limit) CHECK(is_loose);
     if (off * std::sqrt(2.0) < 0.999 * limit) CHECK(!is_loose);
   }
@@ -88,7 +88,7 @@ void check_loose(const Scene& scene, Found& found) {
 
 }  // namespace
 
-TEST_CASE("a facet is loose where its depths are more than half the reach of cells off its place, and only there") {
+TEST_CASE("a facet is loose exactly if its depth error exceeds half the cells' reach") {
   Found found;
   for (unsigned turn = 1; turn <= 12; ++turn) {
     for (const unsigned fraction_bits : {0U, 1U, 2U, 3U}) {
@@ -115,7 +115,7 @@ TEST_CASE("a facet is loose where its depths are more than half the reach of cel
   CHECK(found.tight > 100);
   CHECK(found.near_the_limit > 50);
 }
-TEST_CASE("a facet that a perspective view has off its place, or partly before the near plane, is loose") {
+TEST_CASE("a facet displaced by perspective or crossing the near plane is loose") {
   Found found;
   for (unsigned turn = 1; turn <= 12; ++turn) {
     for (const double near : {0.0, 7.0, 9.0}) {
@@ -128,7 +128,7 @@ TEST_CASE("a facet that a perspective view has off its place, or partly before t
         sampling.height = 32;
         sampling.z_bits = z_bits;
         sampling.fraction_bits = turn % 4;
-        // A small model is all around one unit from the eye.
+        // A small model entirely about one unit from the eye.
         const double size = turn % 3 == 0 ? 1.0 / 12 : 1;
         if (near > 0) sampling.near = near * size;
         const double angle = 0.1 * turn;

@@ -15,11 +15,11 @@ using testing::Way;
 
 namespace {
 
-/// What random scenes were.
+/// Counts of random scenes and pixels.
 struct Tally {
   std::uint64_t scenes = 0;
   std::uint64_t refused = 0;
-  std::uint64_t empty = 0;  ///< with nothing to see
+  std::uint64_t empty = 0;  ///< scenes without visible pixels
   std::uint64_t pixels = 0;
   std::uint64_t covered = 0;
   std::vector<std::uint64_t> drawn_by = std::vector<std::uint64_t>(all_ways().size());
@@ -33,8 +33,8 @@ void count(const std::vector<testing::Seen>& expected, Tally& tally) {
   tally.empty += covered == 0 ? 1U : 0U;
 }
 
-/// What is wrong with a scene by `ways` of all ways, others with each seed; empty if nothing is.
-std::string fault_of(std::uint64_t seed, std::size_t ways, Tally& tally) {
+/// Returns the fault of a scene in `ways` of all ways, chosen by the seed; empty if none.
+std::string find_fault(std::uint64_t seed, std::size_t ways, Tally& tally) {
   const std::optional<Scene> scene = testing::random_scene(seed);
   ++tally.scenes;
   tally.refused += scene ? 0U : 1U;
@@ -62,7 +62,7 @@ view::Sampling picture_of(std::uint32_t width, std::uint32_t height) {
   return sampling;
 }
 
-Scene scene_of(const std::string& csg, const view::Camera& camera, const view::Sampling& sampling) {
+Scene build_scene(const std::string& csg, const view::Camera& camera, const view::Sampling& sampling) {
   return testing::make_scene(read::read_csg_text(csg, "test"), camera, sampling);
 }
 
@@ -70,14 +70,14 @@ const view::Camera aside{{18, -25, 21}, {0, 0, 0}, view::Projection::perspective
 
 }  // namespace
 
-TEST_CASE("software draws random models as the rules say, by each method, coherence, pruning and shape") {
+TEST_CASE("software draws random models as the rule-based judge in sampled ways") {
   constexpr std::size_t scenes = 24;
   constexpr std::size_t ways = 8;
   Tally tally;
   CHECK(rc::check([&] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     for (std::uint64_t i = 0; i < scenes; ++i) {
-      const std::string fault = fault_of(seed + i, ways, tally);
+      const std::string fault = find_fault(seed + i, ways, tally);
       if (!fault.empty()) RC_FAIL(fault);
     }
   }));
@@ -89,12 +89,12 @@ TEST_CASE("software draws random models as the rules say, by each method, cohere
   CHECK(tally.covered > tally.pixels / 20);
   for (const std::uint64_t times : tally.drawn_by) CHECK(times > 20);
 }
-TEST_CASE("software draws some random models as the rules say in all ways") {
+TEST_CASE("software draws some random models as the rule-based judge in all ways") {
   Tally tally;
-  for (std::uint64_t seed = 1; seed <= 24; ++seed) CHECK(fault_of(seed, all_ways().size(), tally) == "");
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) CHECK(find_fault(seed, all_ways().size(), tally) == "");
   CHECK(tally.covered > tally.pixels / 20);
 }
-TEST_CASE("software draws the thesis's objects as the rules say in all ways") {
+TEST_CASE("software draws the thesis's objects as the rule-based judge in all ways") {
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
@@ -102,38 +102,39 @@ TEST_CASE("software draws the thesis's objects as the rules say in all ways") {
     }
   }
 }
-TEST_CASE("software draws nothing of an empty model") {
-  for (const char* const csg : {"union(){}", "difference(){}"}) check_all_ways(scene_of(csg, aside, picture_of(20, 9)));
+TEST_CASE("software draws nothing for an empty model") {
+  for (const char* const csg : {"union(){}", "difference(){}"})
+    check_all_ways(build_scene(csg, aside, picture_of(20, 9)));
 }
-TEST_CASE("software draws nothing of what is behind the eye") {
-  const Scene scene = scene_of("cube(size=[4,4,4],center=true);",
-                               {{18, -25, 21}, {36, -50, 42}, view::Projection::perspective}, picture_of(20, 9));
+TEST_CASE("software draws nothing for objects behind the eye") {
+  const Scene scene = build_scene("cube(size=[4,4,4],center=true);",
+                                  {{18, -25, 21}, {36, -50, 42}, view::Projection::perspective}, picture_of(20, 9));
   check_all_ways(scene);
 }
 TEST_CASE("software draws a picture of one pixel") {
   check_all_ways(
-      scene_of("difference(){cube(size=[4,4,4],center=true);sphere($fn=12,r=2.5);}", aside, picture_of(1, 1)));
+      build_scene("difference(){cube(size=[4,4,4],center=true);sphere($fn=12,r=2.5);}", aside, picture_of(1, 1)));
 }
-TEST_CASE("software draws a primitive alone, and one of a union in cells that it has no pixels in") {
-  check_all_ways(scene_of("cube(size=[4,4,4],center=true);", aside, picture_of(70, 50)));
+TEST_CASE("software draws a lone primitive and a union with cells that miss an operand") {
+  check_all_ways(build_scene("cube(size=[4,4,4],center=true);", aside, picture_of(70, 50)));
   check_all_ways(
-      scene_of("multmatrix([[1,0,0,-6],[0,1,0,-6],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}"
-               "multmatrix([[1,0,0,4],[0,1,0,3],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}",
-               aside, picture_of(70, 50)));
+      build_scene("multmatrix([[1,0,0,-6],[0,1,0,-6],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}"
+                  "multmatrix([[1,0,0,4],[0,1,0,3],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}",
+                  aside, picture_of(70, 50)));
 }
-TEST_CASE("what a cell of the picture is in is not in the cells beside it") {
+TEST_CASE("what a cell of the picture is inside does not affect adjacent cells") {
   view::Sampling sampling = picture_of(48, 48);
   sampling.z_bits = 8;
   sampling.fraction_bits = 0;
   const view::Camera camera{{0, -12 / view::half_height_per_distance(), 0}, {0, 0, 0}, view::Projection::orthographic};
-  check_all_ways(scene_of(
+  check_all_ways(build_scene(
       "intersection(){multmatrix([[1,0,0,0],[0,1,0,-8],[0,0,1,-32],[0,0,0,1]]){cube(size=[16,32,48],center=false);}"
       "multmatrix([[1,0,0,-24],[0,1,0,-4],[0,0,1,-32],[0,0,0,1]]){cube(size=[64,8,24],center=false);}}",
       camera, sampling));
 }
-TEST_CASE("the surface of a union within its other operand is seen where the back of what is taken away ends at it") {
+TEST_CASE("a union's surface is seen where a subtracted back face ends at it") {
   const view::Camera camera{{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic};
-  const Scene scene = scene_of(
+  const Scene scene = build_scene(
       "difference(){union(){multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube(size=[16,16,16],center=true);}"
       "multmatrix([[1,0,0,-4],[0,1,0,0],[0,0,1,-4],[0,0,0,1]]){cube(size=[8,4,8],center=false);}}"
       "multmatrix([[1,0,0,-9],[0,1,0,-9],[0,0,1,-9],[0,0,0,1]]){cube(size=[18,9,18],center=false);}}",
@@ -143,7 +144,7 @@ TEST_CASE("the surface of a union within its other operand is seen where the bac
   CHECK(expected[21 * 10 + 5].owner == 2);
   check_all_ways(scene);
 }
-TEST_CASE("a method that counts draws what it draws when it does not, and counts only then") {
+TEST_CASE("a counting method draws the same picture and only it counts") {
   std::size_t number = 0;
   for (std::uint64_t seed = 1001; seed <= 1100; ++seed) {
     const std::optional<Scene> scene = testing::random_scene(seed);

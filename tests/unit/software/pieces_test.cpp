@@ -1,4 +1,4 @@
-// Pieces of polygons, cells in order and surfaces of pixels, by hand.
+// Pieces of polygons, order of cells and surfaces of pixels, by hand calculation.
 
 #include <glm/vec3.hpp>
 
@@ -19,8 +19,8 @@ using Places = std::vector<glm::dvec3>;
 
 namespace {
 
-/// Eight columns and four rows of one unit each: it looks along y, x is to its right, z is up. A pixel farther out than
-/// all that are sampled is 4.5 to the left and right, 2.5 up and down, at a distance of 1.
+/// Eight columns and four rows of one unit each; the eye looks along y, with x to its right and z up. The pixel beyond
+/// the last sampled one is 4.5 to the left and right, 2.5 up and down, at a distance of 1.
 view::EyeSpace plain_eye(bool perspective) {
   return {{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, {0, 0, 0}, perspective, 1, 3.5, 1.5};
 }
@@ -44,7 +44,7 @@ bool is_seen(const facet::Box& box, bool perspective) {
 
 constexpr double little = 0x1p-20;
 
-/// Two cells that a wall divides; the lower one is number 1.
+/// Order of two cells divided by a wall; the lower one is number 1.
 std::vector<std::uint32_t> order_of_two(int axis, const view::EyeSpace& eye) {
   Polygons polygons;
   facet::Box low{{-9, -9, -9}, {9, 9, 9}};
@@ -77,7 +77,7 @@ Polygons pieces_of(const software::Facets& facets, const testing::Scene& scene, 
   return software::clipped(facets, scene.geometry, {software::directory_of("excell"), bucket_size}, uncounted);
 }
 
-/// Corners as clipping gives them, of each polygon.
+/// Corners of each polygon after clipping.
 std::vector<Places> corners_after_clipping(const software::Facets& facets, const testing::Scene& scene) {
   software::UncountedMethod uncounted;
   const software::ClippedFacets clipped =
@@ -94,7 +94,7 @@ std::vector<Places> corners_after_clipping(const software::Facets& facets, const
   return corners;
 }
 
-/// Two cubes of two units, the second so far from the first along each axis.
+/// Two cubes of two units, displaced by `apart` along each axis.
 testing::Scene two_cubes(double apart) {
   return drawn(
       fmt::format("cube(size=[2,2,2],center=true);"
@@ -112,11 +112,11 @@ void put_corners(software::Facets& facets, std::uint32_t facet, const Places& co
 
 }  // namespace
 
-TEST_CASE("a cell is out of sight if it is beyond one side of the picture, or behind the eye, and only then") {
+TEST_CASE("a cell is out of sight only beyond one side of the picture or behind the eye") {
   struct Row {
     const char* where;
     facet::Box box;  ///< at the limit
-    int axis;        ///< a little along which it is out of sight
+    int axis;        ///< a small step along it puts the cell out of sight
     double by;
   };
   const std::vector<Row> flat{
@@ -125,7 +125,7 @@ TEST_CASE("a cell is out of sight if it is beyond one side of the picture, or be
       {"above", {{-1, 1, 2.5}, {1, 2, 9}}, 2, little},
       {"below", {{-1, 1, -9}, {1, 2, -2.5}}, 2, -little},
   };
-  // Of a box from 2 to 4 away, the limit is where the far end has it.
+  // The box is 2 to 4 away: the far end sets the limit.
   const std::vector<Row> deep{
       {"left", {{-30, 2, -1}, {-18, 4, 1}}, 0, -little}, {"right", {{18, 2, -1}, {30, 4, 1}}, 0, little},
       {"above", {{-1, 2, 10}, {1, 4, 30}}, 2, little},   {"below", {{-1, 2, -30}, {1, 4, -10}}, 2, -little},
@@ -140,12 +140,12 @@ TEST_CASE("a cell is out of sight if it is beyond one side of the picture, or be
       box.low[row.axis] += row.by;
       box.high[row.axis] += row.by;
       CHECK(!is_seen(box, perspective));
-      // One that reaches into sight is seen.
+      // A box that extends into sight is visible.
       (row.by < 0 ? box.high : box.low)[row.axis] = row.axis == 1 ? 3 : 0;
       CHECK(is_seen(box, perspective));
     }
   }
-  // What is behind the eye is seen without perspective, and all around it with it.
+  // A box behind the eye is visible without perspective; one around the eye is visible with it.
   CHECK(is_seen({{-1, -8, -1}, {1, -2, 1}}, false));
   CHECK(is_seen({{-9, -9, -9}, {9, 9, 9}}, true));
 }
@@ -160,7 +160,7 @@ TEST_CASE("of two cells the one on the eye's side of their wall comes first") {
       eye.eye = {0, -3, 0};
       eye.eye[axis] = at;
       const Order order = order_of_two(axis, eye);
-      // Where both are seen.
+      // Both are visible here.
       if (order.size() == 2) CHECK(order == (at < 2 ? Order{1, 2} : Order{2, 1}));
       if (axis != 1) CHECK(order.size() == 2);
     }
@@ -176,7 +176,7 @@ TEST_CASE("of two cells the one on the eye's side of their wall comes first") {
     }
   }
 }
-TEST_CASE("cells without pieces are not drawn, and pieces without an area are not counted") {
+TEST_CASE("cells without pieces are not drawn and pieces without area are not counted") {
   Polygons polygons;
   for (const std::size_t corners : {2U, 3U, 0U, 4U, 1U}) {
     PolygonCell cell;
@@ -192,7 +192,7 @@ TEST_CASE("cells without pieces are not drawn, and pieces without an area are no
   polygons.cells = {polygons.cells[2]};
   CHECK(software::front_to_back(polygons, plain_eye(false), glm::dvec3{0}, 8, 4).cells.empty());
 }
-TEST_CASE("a facet without an area is put where its corners are, or one of its primitive's, or the middle") {
+TEST_CASE("a facet without area is placed by its corners or its primitive's or the middle") {
   for (const double apart : {-10.0, 10.0}) {
     CAPTURE(apart);
     const testing::Scene scene = two_cubes(apart);
@@ -202,7 +202,7 @@ TEST_CASE("a facet without an area is put where its corners are, or one of its p
       software::Facets facets = whole;
       put_corners(facets, 0, corners);
       const std::vector<Places> clipped = corners_after_clipping(facets, scene);
-      // A face that misses its neighbour is as large as ever.
+      // A face that misses its neighbour keeps its size.
       software::FacetSheets sheets(facets, scene.geometry);
       for (std::uint32_t facet = 1; facet < 12; ++facet) {
         CHECK(sheets.whole(facet).corners.size() == 4);
@@ -219,7 +219,7 @@ TEST_CASE("a facet without an area is put where its corners are, or one of its p
     CHECK(corners_of_first({a}) == Places{a, a});
     CHECK(corners_of_first({a, b}) == Places{a, b});
     CHECK(corners_of_first({b, a}) == Places{b, a});
-    // Without corners: the first that its primitive has.
+    // A facet without corners takes the first corner of its primitive.
     CHECK(corners_of_first({}) == Places{whole.corners_of(1)[0]});
     software::Facets second = whole;
     for (std::uint32_t facet = 6; facet < 12; ++facet) put_corners(second, facet, facet == 9 ? Places{b} : Places{});
@@ -230,10 +230,10 @@ TEST_CASE("a facet without an area is put where its corners are, or one of its p
     for (std::uint32_t facet = 6; facet < 12; ++facet) CHECK(corners[facet] == Places{glm::dvec3{0}});
   }
 }
-TEST_CASE("a facet thinner than a hundred-millionth of the model has the ends of its longest extent") {
+TEST_CASE("a facet thinner than 1e-8 of the model is reduced to its longest extent") {
   const testing::Scene scene = two_cubes(10);
   const software::Facets whole = software::facets_of(scene.tree, scene.geometry);
-  // A face of the first cube gets a plane of the second, of which the cube has nothing.
+  // A face of the first cube gets a plane of the second, where the cube is empty.
   const auto entered = [&](const Places& corners) {
     software::Facets facets = whole;
     facets.facets[0].halfspace = whole.facets[6].halfspace;
@@ -252,14 +252,14 @@ TEST_CASE("a facet thinner than a hundred-millionth of the model has the ends of
   CHECK(entered({between, from, to}) == Places{from, to});
   CHECK(entered({from, between, to}) == Places{from, to});
   CHECK(entered({to, between, from, {2, 0, 0}}) == Places{to, from});
-  // Twice the area of a triangle is its length, of 3, times its height: held against 10^-8 of the model's diagonal
-  // times the triangle's.
+  // Twice the area of a triangle is its length, 3, times its height: compared with 10^-8 of the model's diagonal times
+  // the triangle's.
   const double limit = 1e-8 * scene.geometry.planes.diagonal();
   CHECK(scene.geometry.planes.diagonal() > 12);
   CHECK(entered({from, to, {1, 0.999 * limit, 0}}) == Places{from, to});
   CHECK(entered({from, to, {1, 1.001 * limit, 0}}) == Places{from, to, {1, 1.001 * limit, 0}});
 }
-TEST_CASE("a facet without an area on both sides of a wall is on the side of its middle") {
+TEST_CASE("a degenerate facet across a wall is on the side of its middle") {
   const testing::Scene scene =
       drawn("cube(size=[8,8,8],center=true);", {{0, -60, 10}, {0, 0, 0}, view::Projection::orthographic});
   const auto is_above = [&](double from, double to) {
@@ -288,8 +288,8 @@ TEST_CASE("a facet without an area on both sides of a wall is on the side of its
   CHECK(!is_above(1, -1.01));
   CHECK(!is_above(-1, 1));  // on the wall
 }
-TEST_CASE("a piece has a bound for each of its sides in the picture, and no more") {
-  // A post stands through a wall, from below it to above it: the wall's front is cut along both sides of the post.
+TEST_CASE("a piece has exactly one bound per side in the picture") {
+  // A post passes through a wall from below to above: the wall's front is cut along both sides of the post.
   const testing::Scene scene = drawn("cube(size=[20,2,10],center=true);cube(size=[4,12,16],center=true);",
                                      {{14, -30, 17}, {0, 0, 0}, view::Projection::perspective});
   const software::Facets facets = software::facets_of(scene.tree, scene.geometry);
@@ -311,15 +311,15 @@ TEST_CASE("a piece has a bound for each of its sides in the picture, and no more
     CHECK(pieces.pieces.opposites_of(piece).size() == seen.opposites_of(*facet).size());
   }
   CHECK(fronts == 3);
-  // All linear functions are some piece's.
+  // Each linear function belongs to a piece.
   std::size_t used = 0;
   for (const software::ScreenFacet& piece : pieces.pieces.facets) used += piece.end - piece.bounds;
   CHECK(used == pieces.pieces.linears.size());
   CHECK(pieces.pieces.farthest == seen.farthest);
   CHECK(pieces.pieces.fraction_bits == seen.fraction_bits);
 }
-TEST_CASE("corners of pieces are counter-clockwise as seen from outside, and all of a large primitive is there") {
-  // Little is left of large primitives.
+TEST_CASE("pieces are counter-clockwise from outside and cover large primitives") {
+  // Large primitives with small remainders.
   for (const char* const csg :
        {"cube(size=[6,5,4],center=true);multmatrix([[1,0,0,2],[0,1,0,2],[0,0,1,2],[0,0,0,1]]){cube(size=[6,5,4],center="
         "true);}",
@@ -349,13 +349,13 @@ TEST_CASE("corners of pieces are counter-clockwise as seen from outside, and all
     }
   }
 }
-TEST_CASE("a wall that does not fit the numbers of machines is refused where it cuts a facet, and only there") {
+TEST_CASE("rejects a wall beyond the number range only where it cuts a facet") {
   const testing::Scene scene =
       drawn("cube(size=[8,8,8],center=true);", {{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic}, 1e-15);
   const software::Facets facets = software::facets_of(scene.tree, scene.geometry);
   const software::ScreenFacets seen = software::screen_facets(scene.tree, scene.geometry, scene.view, facets);
   Polygons polygons = pieces_of(facets, scene, 1000);
-  // Steep, but not edge on: of some 2^15 steps a pixel for each unit that it rises, and 12 bits of fraction.
+  // Steep, but not edge-on: some 2^15 steps per pixel for each unit of height, and 12 bits of fraction.
   polygons.walls = {{glm::normalize(glm::dvec3{1, 1e-12, 0}), 0}};
   REQUIRE(!view::screen_plane(scene.view, polygons.walls[0], scene.geometry.planes.centre()).representable);
   const std::vector<std::uint32_t> cells{0};

@@ -15,7 +15,7 @@ bool combined(Operator op, bool left, bool right) {
   return left && !right;
 }
 
-/// The result, where the left operand alone decides it.
+/// Returns the result if the left operand alone decides it.
 std::optional<bool> by_left(Operator op, bool left) {
   if (combined(op, left, false) == combined(op, left, true)) return combined(op, left, false);
   return std::nullopt;
@@ -79,65 +79,65 @@ bool PlainTree::is_on_odd_side(std::uint32_t node) const {
 
 bool PlainTree::is_taken_away(std::uint32_t primitive) const { return is_on_odd_side(leaf_of_[primitive]); }
 
-bool PlainTree::early_out(std::uint32_t node, const Held& held, Looks& looks) const {
+bool PlainTree::early_out(std::uint32_t node, const Held& held, TreeVisits& tally) const {
   const Node& here = nodes_[node];
-  ++looks.visits;
+  ++tally.visits;
   if (!here.op) return held[here.primitive];
-  const bool left = early_out(here.left, held, looks);
+  const bool left = early_out(here.left, held, tally);
   if (const std::optional<bool> decided = by_left(*here.op, left)) {
-    ++looks.early_outs;
+    ++tally.early_outs;
     return *decided;
   }
-  return combined(*here.op, left, early_out(here.right, held, looks));
+  return combined(*here.op, left, early_out(here.right, held, tally));
 }
 
-Looks PlainTree::early_out(const Held& held) const {
-  Looks looks;
-  early_out(root_, held, looks);
-  return looks;
+TreeVisits PlainTree::early_out(const Held& held) const {
+  TreeVisits tally;
+  early_out(root_, held, tally);
+  return tally;
 }
 
-bool PlainTree::positional(std::uint32_t node, const Held& held, Looks& looks) const {
+bool PlainTree::positional(std::uint32_t node, const Held& held, TreeVisits& tally) const {
   if (!has_any(node, held)) return false;
   const Node& here = nodes_[node];
-  ++looks.visits;
+  ++tally.visits;
   if (!here.op) return true;
-  const bool left = positional(here.left, held, looks);
+  const bool left = positional(here.left, held, tally);
   if (const std::optional<bool> decided = by_left(*here.op, left)) {
-    looks.early_outs += has_any(here.right, held) ? 1U : 0U;
+    tally.early_outs += has_any(here.right, held) ? 1U : 0U;
     return *decided;
   }
-  return combined(*here.op, left, positional(here.right, held, looks));
+  return combined(*here.op, left, positional(here.right, held, tally));
 }
 
-Looks PlainTree::positional(const Held& held) const {
-  Looks looks;
-  positional(root_, held, looks);
-  return looks;
+TreeVisits PlainTree::positional(const Held& held) const {
+  TreeVisits tally;
+  positional(root_, held, tally);
+  return tally;
 }
 
-Looks PlainTree::change(Held& held, std::uint32_t primitive) const {
+TreeVisits PlainTree::change(Held& held, std::uint32_t primitive) const {
   const Held before = held;
   held[primitive] = !held[primitive];
-  Looks looks{1};
+  TreeVisits tally{1};
   for (std::uint32_t at = nodes_[leaf_of_[primitive]].parent; at != none; at = nodes_[at].parent) {
-    ++looks.visits;
-    looks.differences += nodes_[at].op == Operator::subtract ? 1U : 0U;
+    ++tally.visits;
+    tally.differences += nodes_[at].op == Operator::subtract ? 1U : 0U;
     if (holds(at, before) == holds(at, held)) {
-      ++looks.early_outs;
+      ++tally.early_outs;
       break;
     }
   }
-  return looks;
+  return tally;
 }
 
-bool PlainTree::shows(const Held& held, std::uint32_t primitive, Looks& looks) const {
+bool PlainTree::shows(const Held& held, std::uint32_t primitive, TreeVisits& tally) const {
   for (std::uint32_t at = leaf_of_[primitive]; nodes_[at].parent != none; at = nodes_[at].parent) {
     const Node& parent = nodes_[nodes_[at].parent];
     const bool is_right = parent.right == at;
     const std::uint32_t other = is_right ? parent.left : parent.right;
-    ++looks.visits;
-    // Seen from the root, what is taken away is turned inside out, and so are unions and intersections.
+    ++tally.visits;
+    // Relative to the root a subtracted solid is inside out, and so are unions and intersections in it.
     const bool is_odd = is_on_odd_side(nodes_[at].parent);
     const bool widens = (parent.op == Operator::unite) != is_odd;
     if (!widens && holds(other, held) == is_on_odd_side(other)) return false;

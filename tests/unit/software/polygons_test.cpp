@@ -15,7 +15,7 @@ using testing::Shown;
 
 namespace {
 
-/// The events of pieces at each pixel, by the bounds of the pieces alone.
+/// Events of pieces at each pixel, from the bounds of the pieces alone.
 std::vector<std::vector<software::Event>> events_of_pieces(const software::ScreenFacets& pieces, std::uint32_t width,
                                                            std::uint32_t height) {
   std::vector<std::vector<software::Event>> events(std::size_t{width} * height);
@@ -43,8 +43,8 @@ software::Polygons polygons_of(const Shown& shown, std::size_t bucket_size) {
                            {software::directory_of("excell"), static_cast<std::uint32_t>(bucket_size)}, uncounted);
 }
 
-/// Where a segment goes through a convex polygon, by more than `margin` on all sides of it: the least of the heights of
-/// its ends over the plane, and of the point's distances from the edges.
+/// Whether a segment passes through a convex polygon with a margin: the minimum of its ends' heights over the plane and
+/// of the point's distances from the edges exceeds `margin`.
 bool pierces(const glm::dvec3& from, const glm::dvec3& to, std::span<const glm::dvec3> corners, double margin) {
   glm::dvec3 normal{0};
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -69,7 +69,7 @@ bool pierce(const software::Piece& one, const software::Piece& other, double mar
   return false;
 }
 
-/// Pairs of pieces of different primitives that go through each other.
+/// Counts pairs of intersecting pieces of different primitives.
 std::uint64_t crossings(const Shown& shown, const software::Polygons& polygons, double margin) {
   std::vector<const software::Piece*> pieces;
   for (const software::PolygonCell& cell : polygons.cells) {
@@ -96,7 +96,7 @@ double area(std::span<const glm::dvec3> corners) {
 
 }  // namespace
 
-TEST_CASE("each pixel of a facet is in one of its pieces, whatever the size of buckets, in random scenes") {
+TEST_CASE("each pixel of a facet is in one of its pieces at any bucket size") {
   std::uint64_t scenes = 0;
   std::uint64_t cuts = 0;
   const auto enough = testing::cases<std::uint64_t>(60, 12);
@@ -113,7 +113,7 @@ TEST_CASE("each pixel of a facet is in one of its pieces, whatever the size of b
     const software::Polygons polygons = polygons_of(shown, 1 + seed % 20);
     const software::ScreenPieces pieces =
         software::screen_pieces(polygons, all_cells(polygons), seen, scene->geometry, scene->view);
-    // Bounds are kept of pieces with pixels alone.
+    // Only pieces with pixels have bounds.
     std::size_t linears = 0;
     for (const software::ScreenFacet& piece : pieces.pieces.facets) {
       CHECK(piece.bounds == linears);
@@ -133,7 +133,7 @@ TEST_CASE("each pixel of a facet is in one of its pieces, whatever the size of b
   }
   CHECK((!testing::draws_usual_cases() || cuts > 1000));
 }
-TEST_CASE("pieces of different primitives do not cross, and a facet's have its area") {
+TEST_CASE("pieces of different primitives do not cross and keep their facet's area") {
   std::uint64_t scenes = 0;
   std::uint64_t before = 0;
   const auto enough = testing::cases<std::uint64_t>(24, 6);

@@ -19,11 +19,11 @@ namespace {
 std::string text_of(std::string_view name) {
   for (const machines::BuiltIn& one : processors::built_in_processors())
     if (one.name == name) return std::string(one.text);
-  FAIL("there is no such processor");
+  FAIL("no built-in processor has this name");
   return {};
 }
 
-/// The MC68000's description with one piece of its text replaced.
+/// Returns the MC68000's description with one piece of its text replaced.
 std::string changed(std::string_view from, std::string_view to) {
   std::string text = text_of("mc68000");
   const std::size_t at = text.find(from);
@@ -48,7 +48,7 @@ std::uint32_t price_of(const Processor& processor, Operation kind) {
 
 }  // namespace
 
-TEST_CASE("every processor that comes with csgsim prices every operation, and says from where") {
+TEST_CASE("every built-in processor has a price with a source for every operation") {
   REQUIRE(processors::processor_names().size() >= 2);
   for (const std::string_view name : processors::processor_names()) {
     CAPTURE(name);
@@ -60,12 +60,12 @@ TEST_CASE("every processor that comes with csgsim prices every operation, and sa
           figure_of(processor, fmt::format("price.{}", software::operation_rows[kind].name));
       CHECK(figure.value == fmt::format("{}", processor.prices[kind]));
       CHECK(figure.unit == "clocks");
-      // What is made of several instructions is in no manual, nor what an i860 waits for.
+      // Operations of several instructions and waits of an i860 have no manual page.
       const bool is_made = kind == static_cast<std::size_t>(Operation::multiply_long) ||
                            kind == static_cast<std::size_t>(Operation::divide_long);
       if (name != "i860" && !is_made) CHECK(figure.provenance == "published");
       CHECK(processors::meaning_of_figure(figure.key) == software::operation_rows[kind].meaning);
-      // A shift takes the same for any number of places on some.
+      // Some processors shift in the same clocks for any number of places.
       if (kind != static_cast<std::size_t>(Operation::shifted_bit)) CHECK(processor.prices[kind] > 0);
     }
     for (const char* const program : {"factor", "standard", "early_out", "positional", "status", "bit_parallel"})
@@ -99,7 +99,7 @@ TEST_CASE("the MC68000 has the clocks of its manual") {
   CHECK(price_of(processor, Operation::come_back) == 16);
 }
 
-TEST_CASE("operations take their prices, times the compiler's factor, at the processor's clock") {
+TEST_CASE("operations take their prices times the compiler's factor at the clock rate") {
   software::Counting count;
   count(Operation::load, 3);
   count(Operation::branch);
@@ -116,7 +116,7 @@ TEST_CASE("operations take their prices, times the compiler's factor, at the pro
   CHECK(processors::seconds(count.done(), by_hand, processors::Compiled::status) == doctest::Approx(62 * 2.52 / 8e6));
 }
 
-TEST_CASE("errors of a processor's file say where, and what to write instead") {
+TEST_CASE("reports errors in a processor file with their place and a fix") {
   std::string text = changed("[price.branch]", "[price.branches]");
   CHECK(message(text) ==
         testing::place_in(text, "branches]") + ": unknown key 'price.branches'; the nearest known is 'price.branch'");
@@ -139,7 +139,7 @@ TEST_CASE("errors of a processor's file say where, and what to write instead") {
   CHECK_FALSE(message(text).empty());
 }
 
-TEST_CASE("figures take what they say they take, and are kept where they belong") {
+TEST_CASE("processor figures accept their documented ranges and set the right member") {
   struct Range {
     std::string key;
     std::uint64_t least;
@@ -167,7 +167,7 @@ TEST_CASE("figures take what they say they take, and are kept where they belong"
   }
 }
 
-TEST_CASE("what does not count does nothing") {
+TEST_CASE("an inactive counter counts nothing") {
   const software::Uncounted uncounted;
   uncounted(Operation::load);
   uncounted.shift(3);
@@ -176,7 +176,7 @@ TEST_CASE("what does not count does nothing") {
   CHECK(!software::Uncounted::counts);
 }
 
-TEST_CASE("a file that lacks an operation's price is refused") {
+TEST_CASE("rejects a file without the price of an operation") {
   for (const processors::OperationRow& row : software::operation_rows) {
     std::string text = text_of("mc68000");
     const std::size_t begin = text.find(fmt::format("[price.{}]", row.name));
@@ -186,7 +186,7 @@ TEST_CASE("a file that lacks an operation's price is refused") {
   }
 }
 
-TEST_CASE("processors are found by name or in files, and edited ones tell what is edited") {
+TEST_CASE("finds processors by name or file and lists edited figures in the name") {
   CHECK_THROWS_WITH(
       load_processor("mc6800"),
       "there is no processor 'mc6800'; did you mean mc68000? The processors are mc68000, i486dx2, i860, or a "

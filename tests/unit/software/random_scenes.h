@@ -11,8 +11,8 @@
 
 namespace csgsim::testing {
 
-/// Whether `fault(scene, seed)` says nothing of random scenes, eight for each case that is drawn. The tally counts
-/// them, and as refused those that cannot be made or are not `wanted(scene)`.
+/// Whether `fault(scene, seed)` is empty for random scenes, eight per case. The tally counts them, and as refused those
+/// that are invalid or not `wanted(scene)`.
 template <class Tally, class Wanted, class Fault>
 bool holds_in_random_scenes(Tally& tally, const Wanted& wanted, const Fault& fault) {
   return rc::check([&] {
@@ -24,8 +24,8 @@ bool holds_in_random_scenes(Tally& tally, const Wanted& wanted, const Fault& fau
         ++tally.refused;
         continue;
       }
-      const std::string said = fault(*scene, seed);
-      if (!said.empty()) RC_FAIL(fmt::format("seed {}: {}", seed, said));
+      const std::string found = fault(*scene, seed);
+      if (!found.empty()) RC_FAIL(fmt::format("seed {}: {}", seed, found));
     }
   });
 }

@@ -5,10 +5,10 @@
 
 namespace csgsim::testing {
 
-/// A tree of that many primitives, of operators over two to four operands.
+/// A tree with the given number of primitives; operators have two to four operands.
 model::Tree random_tree(Random& random, unsigned primitives);
 
-/// Operators, one after the other from the left, each over what is left of it and one primitive more.
+/// A left-leaning chain of operators, each over the preceding chain and one more primitive.
 model::Tree chain(unsigned primitives);
 
 }  // namespace csgsim::testing

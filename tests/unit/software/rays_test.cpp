@@ -26,7 +26,7 @@ Wide value(const view::FixedQuadratic& quadratic, Wide x, Wide y) {
   return quadratic.xx * x * x + quadratic.xy * x * y + quadratic.yy * y * y + value(quadratic.linear, x, y);
 }
 
-/// By halving what it is between.
+/// Integer square root by bisection.
 Wide whole_root(Wide square) {
   Wide low = 0;
   Wide high = Wide{1} << 32;
@@ -63,13 +63,13 @@ void cut_by_plane(Depths& depths, const view::View& view, const facet::Halfspace
   }
 }
 
-/// The depths at which a ray meets a quadric; none where it misses it.
+/// Returns the depths at which a ray meets a quadric; none if it misses.
 std::optional<Depths> met(const view::ScreenQuadric& quadric, unsigned fraction_bits, Wide x, Wide y) {
   const Wide v = value(quadric.discriminant, x, y);
   const Wide middle = floor_shifted(value(quadric.middle, x, y), fraction_bits);
   if (quadric.kind == view::ScreenQuadricKind::paraboloid) {
     if (v < 0) return std::nullopt;
-    // What is exact: k v is scaled by what the factor and the value have behind the point.
+    // Exact: k v is scaled by the fraction bits of the factor and the value.
     const unsigned bits = quadric.discriminant_shift + quadric.factor.fraction();
     const Wide half = quadric.factor.scaled() * v;
     return Depths{middle + floor_shifted(-half, bits), middle + floor_shifted(half, bits) + 1};
@@ -117,7 +117,7 @@ std::vector<Interval> intervals_at(const Scene& scene, std::int32_t x, std::int3
   return intervals;
 }
 
-/// The ends of intervals in order, but for those where nothing is.
+/// Ends of intervals in order, without those in front of the background.
 std::vector<Event> events_of(const std::vector<Interval>& intervals, std::uint32_t farthest) {
   std::vector<Event> events;
   for (const Interval& interval : intervals) {
@@ -138,8 +138,8 @@ struct Tally {
   std::uint64_t events = 0;
 };
 
-/// What is wrong with the rays of a scene; empty if nothing is.
-std::string fault_of(const Scene& scene, Tally& tally) {
+/// Returns the fault in the rays of a scene; empty if none.
+std::string find_fault(const Scene& scene, Tally& tally) {
   const software::RayCaster rays(scene.tree, scene.geometry, scene.view);
   software::RayCounts counts;
   Tally here;
@@ -148,7 +148,8 @@ std::string fault_of(const Scene& scene, Tally& tally) {
   for (std::uint32_t row = 0; row < rays.height(); row += software::band_rows) {
     rays.cast(row, band, &counts);
     rays.cast(row, uncounted);
-    if (band.intervals != uncounted.intervals || band.events != uncounted.events) return "counted, rays are others";
+    if (band.intervals != uncounted.intervals || band.events != uncounted.events)
+      return "counted rays differ from uncounted ones";
     const std::uint32_t rows = std::min(software::band_rows, rays.height() - row);
     if (band.first_row != row || band.rows != rows || band.width != rays.width()) return "a band";
     for (std::uint32_t ray = 0; ray < rows * rays.width(); ++ray) {
@@ -172,24 +173,24 @@ std::string fault_of(const Scene& scene, Tally& tally) {
 
 }  // namespace
 
-TEST_CASE("rays meet of random scenes what the integers of the view say pixel by pixel, and events are the ends") {
+TEST_CASE("rays meet random scenes where the view's integers say and events are the ends") {
   Tally tally;
   CHECK(testing::holds_in_random_scenes(
       tally, [](const Scene&) { return true; },
-      [&](const Scene& scene, std::uint64_t /*seed*/) { return fault_of(scene, tally); }));
+      [&](const Scene& scene, std::uint64_t /*seed*/) { return find_fault(scene, tally); }));
   MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.rays, " rays, ", tally.intervals,
           " intervals, ", tally.events, " events");
   if (!testing::draws_usual_cases()) return;
   CHECK(tally.refused < tally.scenes / 10);
   CHECK(tally.intervals > tally.rays / 4);
-  CHECK(tally.events < 2 * tally.intervals);  // some end where nothing is
+  CHECK(tally.events < 2 * tally.intervals);  // some intervals end at the background
 }
-TEST_CASE("rays meet of the thesis's objects what the integers of the view say pixel by pixel") {
+TEST_CASE("rays meet the thesis's objects where the view's integers say") {
   Tally tally;
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
-      CHECK(fault_of(testing::thesis_scene(one, 130, 45), tally) == "");
+      CHECK(find_fault(testing::thesis_scene(one, 130, 45), tally) == "");
     }
   }
 }
@@ -217,12 +218,12 @@ TEST_CASE("rays meet fast spheres where their integers say") {
     for (const view::ScreenQuadric& quadric : scene.view.quadrics)
       spheres += quadric.kind == view::ScreenQuadricKind::paraboloid ? 1U : 0U;
     CAPTURE(seed);
-    CHECK(fault_of(scene, tally) == "");
+    CHECK(find_fault(scene, tally) == "");
   }
   CHECK(spheres > 100);
   CHECK(tally.intervals > 1000);
 }
-TEST_CASE("rays that meet more than 32 surfaces have them in order") {
+TEST_CASE("rays that meet more than 32 surfaces return them in order") {
   std::string csg;
   for (int i = 0; i < 40; ++i)
     csg += fmt::format("multmatrix([[1,0,0,0],[0,1,0,{}],[0,0,1,0],[0,0,0,1]]){{cube(size=[4,{},4],center=true);}}",
@@ -234,6 +235,6 @@ TEST_CASE("rays that meet more than 32 surfaces have them in order") {
   Tally tally;
   const Scene scene = testing::make_scene(read::read_csg_text(csg, "test"),
                                           {{0, -60, 1}, {0, 0, 0}, view::Projection::orthographic}, sampling);
-  CHECK(fault_of(scene, tally) == "");
+  CHECK(find_fault(scene, tally) == "");
   CHECK(tally.events > 70);
 }

@@ -19,7 +19,7 @@ void flip(Active& active, std::uint32_t primitive) {
   if (!active.insert(primitive).second) active.erase(primitive);
 }
 
-/// Evaluates or looks up points in the order in which they come.
+/// Evaluates points, or finds them in a table, in the order of the rays.
 class Keeper {
  public:
   explicit Keeper(Coherence& coherence) : coherence_(coherence) {}
@@ -28,7 +28,7 @@ class Keeper {
   void evaluate(std::size_t ray, const Point& point, bool is_anew) {
     coherence_.evaluations.push_back({ray, point.end, is_anew});
   }
-  /// Of a point that nothing is kept of.
+  /// Coherence that keeps nothing between points.
   void find_out(std::size_t ray, const Point& point) {
     if (is_first_alone(point)) return look_up();
     const bool is_anew = coherence_.evaluations.empty() || coherence_.evaluations.back().ray != ray;
@@ -57,12 +57,12 @@ Coherence first_point(const std::vector<RecordedRay>& rays) {
   return coherence;
 }
 
-/// The list is what the last ray had, as far as it has been followed, with what comes behind from rays before it.
+/// Keeps one list: the last ray's sequence as far as followed, and the rest from earlier rays.
 Coherence one_list(const std::vector<RecordedRay>& rays) {
   Coherence coherence;
   Keeper keeper(coherence);
   Sequence list;
-  std::set<std::size_t> known;  ///< lengths of beginnings of the list whose class is in it
+  std::set<std::size_t> known;  ///< lengths of the list's prefixes with a known class
   for (std::size_t ray = 0; ray < rays.size(); ++ray) {
     for (const Point& point : rays[ray].points) {
       const Sequence sequence = rays[ray].sequence(point.end);
@@ -85,11 +85,11 @@ Coherence one_list(const std::vector<RecordedRay>& rays) {
   return coherence;
 }
 
-/// Places that have links to others by primitive, of which a new one becomes the first.
+/// Places with links to others by primitive; a new link becomes the first.
 template <class Place>
 class Links {
  public:
-  /// How many links are looked at to find that one, which is made where there is none.
+  /// Returns the number of links visited to find this one; inserts it if absent.
   std::uint64_t follow(const Place& from, std::uint32_t primitive) {
     Sequence& links = links_[from];
     const auto found = std::ranges::find(links, primitive);
@@ -103,7 +103,7 @@ class Links {
   std::map<Place, Sequence> links_;
 };
 
-/// All beginnings of sequences that rays have had; the first element is found in a table, by one look.
+/// All prefixes of the rays' sequences; the first element is found by one table lookup.
 class Sequences {
  public:
   explicit Sequences(Coherence& coherence) : coherence_(coherence), keeper_(coherence) {}
@@ -141,7 +141,7 @@ Coherence list_structure(const std::vector<RecordedRay>& rays) {
   return coherence;
 }
 
-/// The first points of the rays of 16 rows, then the second ones, and so on.
+/// First points of the rays of 16 rows, then their second points, and so on.
 Coherence csg_buffer(const std::vector<RecordedRay>& rays, std::size_t width) {
   Coherence coherence;
   Sequences sequences(coherence);
@@ -187,30 +187,30 @@ Coherence joined_lists(const std::vector<RecordedRay>& rays) {
   return coherence;
 }
 
-/// What a traversal looks at, evaluation after evaluation.
+/// Visits of a traversal over successive evaluations.
 class Traversal {
  public:
   Traversal(const PlainTree& tree, std::size_t primitives, std::string name)
       : tree_(tree), held_(primitives), name_(std::move(name)) {}
 
-  Looks evaluate(const RecordedRay& ray, const Evaluation& evaluation) {
-    Looks looks;
+  TreeVisits evaluate(const RecordedRay& ray, const Evaluation& evaluation) {
+    TreeVisits tally;
     if (evaluation.is_anew) {
-      for (const std::uint32_t primitive : in_) looks += changed(primitive);
+      for (const std::uint32_t primitive : in_) tally += changed(primitive);
       in_.clear();
       taken_in_ = 0;
     }
     for (; taken_in_ < evaluation.end; ++taken_in_) {
       const std::uint32_t primitive = ray.events[taken_in_].primitive();
       keep(primitive);
-      looks += changed(primitive);
+      tally += changed(primitive);
     }
-    looks += evaluated();
-    return looks;
+    tally += evaluated();
+    return tally;
   }
 
  private:
-  /// In the order in which they are taken back: as they came, with the last one in the place of one that was left.
+  /// Primitives in the order of their removal: as inserted, with the last one moved to each freed place.
   void keep(std::uint32_t primitive) {
     const auto place = std::ranges::find(in_, primitive);
     if (place == in_.end()) return in_.push_back(primitive);
@@ -218,19 +218,19 @@ class Traversal {
     in_.pop_back();
   }
 
-  Looks changed(std::uint32_t primitive) {
+  TreeVisits changed(std::uint32_t primitive) {
     if (name_ == "status") return tree_.change(held_, primitive);
     held_[primitive] = !held_[primitive];
     return {};
   }
 
-  [[nodiscard]] Looks evaluated() const {
+  [[nodiscard]] TreeVisits evaluated() const {
     if (name_ == "status") return {};
     if (name_ == "early-out") return tree_.early_out(held_);
     if (name_ == "positional") return tree_.positional(held_);
     if (name_ == "standard" || name_ == "bit-sequential") return {tree_.nodes(), 0};
     if (name_ != "bit-parallel") throw std::invalid_argument(name_);
-    // Each word of 32 bits, and what puts them together in pairs.
+    // Each word of 32 bits, and the operations that combine words in pairs.
     const std::uint64_t words = tree_.levels() > 5 ? std::uint64_t{1} << (tree_.levels() - 5) : 1;
     return {2 * words - 1, 0};
   }
@@ -242,8 +242,8 @@ class Traversal {
   std::size_t taken_in_ = 0;
 };
 
-/// The owner where a ray gets in, if several surfaces could be it: all that are active are put into a status tree in
-/// the order in which they were met, and taken out again.
+/// Owner at a ray's entry if several surfaces qualify: all active primitives are inserted into a status tree in the
+/// order of their events and removed again.
 void count_tie(const PlainTree& tree, std::size_t primitives, const RecordedRay& ray, software::Counts& counts) {
   Sequence active;
   Sequence candidates;
@@ -262,14 +262,14 @@ void count_tie(const PlainTree& tree, std::size_t primitives, const RecordedRay&
   if (candidates.size() == 1) return;
   ++counts.ties;
   Held held(primitives);
-  Looks looks;
-  for (const std::uint32_t primitive : active) looks += tree.change(held, primitive);
+  TreeVisits tally;
+  for (const std::uint32_t primitive : active) tally += tree.change(held, primitive);
   for (const std::uint32_t primitive : candidates) {
-    if (tree.shows(held, primitive, looks)) break;
+    if (tree.shows(held, primitive, tally)) break;
   }
-  for (const std::uint32_t primitive : active) looks += tree.change(held, primitive);
-  counts.node_visits += looks.visits;
-  counts.early_outs += looks.early_outs;
+  for (const std::uint32_t primitive : active) tally += tree.change(held, primitive);
+  counts.node_visits += tally.visits;
+  counts.early_outs += tally.early_outs;
 }
 
 }  // namespace
@@ -342,20 +342,20 @@ software::Counts recounted(const PlainTree& tree, std::size_t primitives, const 
   counts.looked_up = coherence.looked_up;
   counts.list_elements = coherence.list_elements;
   counts.list_steps = coherence.list_steps;
-  Looks looks;
+  TreeVisits tally;
   Traversal traversed(tree, primitives, traversal);
-  for (const Evaluation& one : coherence.evaluations) looks += traversed.evaluate(rays[one.ray], one);
+  for (const Evaluation& one : coherence.evaluations) tally += traversed.evaluate(rays[one.ray], one);
   if (coherence.looks_up_first) {
     counts.precomputed = primitives;
     Held held(primitives);
-    // In and out again.
+    // Insertion and removal.
     for (std::uint32_t primitive = 0; primitive < primitives; ++primitive) {
-      looks += tree.change(held, primitive);
-      looks += tree.change(held, primitive);
+      tally += tree.change(held, primitive);
+      tally += tree.change(held, primitive);
     }
   }
-  counts.node_visits = looks.visits;
-  counts.early_outs = looks.early_outs;
+  counts.node_visits = tally.visits;
+  counts.early_outs = tally.early_outs;
   for (const RecordedRay& ray : rays) {
     counts.points += ray.points.size();
     if (ray.hits) count_tie(tree, primitives, ray, counts);

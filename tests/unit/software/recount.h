@@ -13,13 +13,13 @@
 
 namespace csgsim::testing {
 
-/// Events of a ray that are at one depth: from `begin` up to `end`.
+/// Events of a ray at one depth: from `begin` up to `end`.
 struct Point {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// A ray, and the points that are classified until it gets into the solid.
+/// A ray and the points that are classified until it enters the solid.
 struct RecordedRay {
   std::vector<software::Event> events;
   std::vector<Point> points;
@@ -29,20 +29,20 @@ struct RecordedRay {
   [[nodiscard]] std::size_t end() const { return points.empty() ? 0 : points.back().end; }
 };
 
-/// The rays of a picture in the order of pixels; `seen` is the picture by the rules.
+/// The rays of a picture in pixel order; `seen` is the picture drawn by the rules.
 std::vector<RecordedRay> recorded(const software::RayCaster& rays, const std::vector<Seen>& seen,
                                   software::RayCounts& counts);
 
 software::Survey surveyed(const std::vector<RecordedRay>& rays);
 
-/// An evaluation of the tree: behind the first `end` events of a ray.
+/// An evaluation of the tree after the first `end` events of a ray.
 struct Evaluation {
   std::size_t ray = 0;
   std::size_t end = 0;
-  bool is_anew = true;  ///< what was taken in before is taken back
+  bool is_anew = true;  ///< earlier insertions are removed
 };
 
-/// What a coherence leaves to be evaluated, in order, and what it counts itself.
+/// Remaining evaluations of a coherence method, in order, and its own counts.
 struct Coherence {
   std::vector<Evaluation> evaluations;
   std::uint64_t looked_up = 0;
@@ -51,11 +51,11 @@ struct Coherence {
   bool looks_up_first = false;  ///< first points are in a table
 };
 
-/// By a coherence's name. `width` of the picture.
+/// Applies the named coherence method; `width` is that of the picture.
 Coherence coherence_of(const std::string& name, const std::vector<RecordedRay>& rays, std::size_t width);
 
-/// All counts but words and operations, by a traversal's name: standard, early-out, positional, status, bit-sequential
-/// or bit-parallel, on the tree as it is written.
+/// Returns all counts except words and operations for a named traversal (standard, early-out, positional, status,
+/// bit-sequential or bit-parallel) on the tree as written.
 software::Counts recounted(const PlainTree& tree, std::size_t primitives, const std::string& traversal,
                            const Coherence& coherence, const std::vector<RecordedRay>& rays);
 

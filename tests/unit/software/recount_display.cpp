@@ -25,8 +25,8 @@ DisplayRecount::DisplayRecount(const Scene& of)
   expected.polygons = expected.pieces = static_cast<std::uint64_t>(
       std::ranges::count_if(facets.facets, [](const software::Facet& one) { return one.end - one.begin >= 3; }));
   expected.drawn_polygons = screen.facets.size();
-  // Three coordinates a corner; of a plane and of an edge three coefficients of two longs, and of a facet its
-  // primitive, its rectangle and a pointer.
+  // Three coordinates per corner; three coefficients of two longs per plane and edge; and per facet its primitive, its
+  // rectangle and a pointer.
   expected.words.polygons = 3 * facets.corners.size() + 6 * screen.linears.size() + 10 * screen.facets.size();
   expected.words.pixels = 2 * rays.size();
 }

@@ -13,7 +13,7 @@
 
 namespace csgsim::testing {
 
-/// A scene that is displayed, and what that takes: facets on the screen, events of rays, and counts to be made of them.
+/// A displayed scene with its facets on the screen and ray events, and the expected counts.
 struct DisplayRecount {
   const Scene& scene;
   PlainTree tree;
@@ -22,14 +22,14 @@ struct DisplayRecount {
   software::Facets facets;
   software::ScreenFacets screen;
   PixelEvents rays;
-  std::vector<FacetScan> scans;  ///< of the facets on the screen
+  std::vector<FacetScan> scans;  ///< one per facet on the screen
   Numbers numbers;
   std::uint32_t farthest;
   std::vector<software::Seen> seen;  ///< the picture
-  software::Counts csg;              ///< of classification
+  software::Counts csg;              ///< counts of classification
   software::DisplayCounts expected;
 
-  /// What all methods take. Keeps a reference.
+  /// Sets the costs common to all methods. Keeps a reference.
   explicit DisplayRecount(const Scene& scene);
 
   [[nodiscard]] Operations& of(software::Phase phase) { return expected.operations[static_cast<std::size_t>(phase)]; }

@@ -1,6 +1,5 @@
-// Methods that draw facet by facet are counted again, operation by operation, from facets on the screen and the events
-// of rays. Facets are scan-converted by trying each pixel of their rectangles, and sequences of surfaces are classified
-// by a plain tree.
+// Recounts the operations of facet methods from facets on the screen and ray events: facets are scan-converted by
+// testing each pixel of their rectangles, and surface sequences are classified by a plain tree.
 
 #include "tests/unit/software/recount_display.h"
 
@@ -33,7 +32,7 @@ namespace {
 
 using enum processors::Operation;
 
-/// Sorts the events of a ray, as they come by facets.
+/// Sorts the events of a ray, which arrive in facet order.
 void count_sort(std::vector<Event>& events, Operations& sum) {
   if (events.size() > 32) {
     std::uint64_t compared = 0;
@@ -45,7 +44,7 @@ void count_sort(std::vector<Event>& events, Operations& sum) {
     return;
   }
   if (events.empty()) return;
-  // Insertion sort: each event passes those before it that belong behind it, and is compared with one that stays.
+  // Insertion sort: each event passes its larger predecessors and is compared with one that stays.
   std::uint64_t passed = 0;
   for (std::size_t i = 0; i < events.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) passed += events[i] < events[j] ? 1U : 0U;
@@ -55,7 +54,7 @@ void count_sort(std::vector<Event>& events, Operations& sum) {
   std::sort(events.begin(), events.end());
 }
 
-/// Each event is put into its pixel's list; each pixel's list is read, sorted and classified.
+/// Appends each event to its pixel's list, then reads, sorts and classifies each list.
 void recount_depth_lists(DisplayRecount& recount) {
   const std::size_t pixels = recount.rays.size();
   std::vector<std::vector<Event>> lists(pixels);
@@ -86,10 +85,10 @@ void recount_depth_lists(DisplayRecount& recount) {
   recount.expected.words.sequences = sequences.words();
 }
 
-/// Passes over all facets by turns find the next depth of each pixel, and take what is there.
+/// Repeated passes over all facets find the next depth of each pixel and collect the events there.
 void recount_depth_peeling(DisplayRecount& recount) {
   struct Pixel {
-    std::uint32_t least = 0;  ///< depth that is looked at next
+    std::uint32_t least = 0;  ///< depth of the next pass
     std::uint32_t nearest = 0;
     Sequence sequence;
     std::size_t taken = 0;
@@ -143,7 +142,7 @@ void recount_depth_peeling(DisplayRecount& recount) {
   recount.expected.words.sequences = sequences.words();
 }
 
-/// A row is cut where facets begin and end; a span is halved unless the order of its surfaces is sure.
+/// Cuts a row where facets begin and end; halves a span unless the order of its surfaces is certain.
 class ScanLineRecount {
  public:
   explicit ScanLineRecount(DisplayRecount& recount)
@@ -168,7 +167,7 @@ class ScanLineRecount {
     std::int32_t first;
     std::int32_t last;
   };
-  /// What is known of a facet over a span by its values at both ends.
+  /// State of a facet over a span by its values at both ends.
   struct Ends {
     bool is_nowhere;
     bool is_everywhere;
@@ -179,10 +178,10 @@ class ScanLineRecount {
   Operations& sorting() { return recount_.of(Phase::sorting); }
   Operations& scanning() { return recount_.of(Phase::scan_conversion); }
 
-  /// Returns the facets that are active.
+  /// Returns the active facets.
   std::size_t run_row(std::int32_t row) {
     row_ = row;
-    // Those that begin further up come first.
+    // Facets that begin further up come first.
     std::vector<const ScreenFacet*> active;
     for (const ScreenFacet& facet : facets_.facets) {
       if (facet.pixels.y0 <= row && facet.pixels.y1 >= row) active.push_back(&facet);
@@ -217,7 +216,7 @@ class ScanLineRecount {
     inside_.clear();
     for (std::size_t i = 0; i < limits.size(); ++i) {
       const auto [column, part] = limits[i];
-      // It is put behind, or taken from behind, those before it that are active.
+      // The facet is inserted after, or removed from after, the active facets before it.
       const auto before = std::ranges::count_if(inside_, [&, own = part](std::size_t one) { return one < own; });
       sorting() += steps({{load, 1 + static_cast<std::uint64_t>(before)}, compare, branch, store});
       if (std::erase(inside_, part) == 0) inside_.insert(inside_.begin() + before, part);
@@ -238,7 +237,7 @@ class ScanLineRecount {
     run_span(middle + 1, last);
   }
 
-  /// The events at a column, and what is seen of them.
+  /// Events at a column and the visible surface.
   Seen classify(std::int32_t column) {
     recount_.of(Phase::depth_test) += testing::depths(inside_.size(), recount_.numbers);
     scanning() += testing::pixel_steps(inside_.size());
@@ -261,7 +260,7 @@ class ScanLineRecount {
     return sequences_.along(events, recount_.farthest, used_, recount_.csg);
   }
 
-  /// The value at the right end is worked out, and both are held against both ends of the range of depths.
+  /// Computes the value at the right end and compares both values with both ends of the depth range.
   Ends ends_of(const ScreenFacet& facet, std::int32_t first, std::int32_t last) {
     const std::uint64_t longs = recount_.numbers.longs;
     scanning() += longs * steps({multiply, {load_long, 2}, add_long, {store_long, 2}});
@@ -286,8 +285,8 @@ class ScanLineRecount {
     return behind.left - before.left >= step && behind.right - before.right >= step;
   }
 
-  /// Whether the surfaces up to the one that is seen are everywhere, each behind the one before, and all others nowhere
-  /// or behind it. The first doubt ends it.
+  /// Whether each surface up to the visible one covers the whole span behind its predecessor, and all others are absent
+  /// or behind it. Stops at the first doubt.
   bool is_sure(std::int32_t first, std::int32_t last, bool is_seen) {
     std::vector<Ends> ends(parts_.size());
     for (const std::size_t part : inside_) ends[part] = ends_of(*parts_[part].facet, first, last);
@@ -307,7 +306,7 @@ class ScanLineRecount {
     return true;
   }
 
-  /// Pixels are set alike, or to the depths of a surface.
+  /// Sets pixels to one value or to the depths of a surface.
   void fill(std::int32_t first, std::int32_t last, bool has_surface, const Seen& seen) {
     const auto columns = static_cast<std::uint64_t>(last - first) + 1;
     scanning() += columns * steps({{store_long, 2}, branch_taken});
@@ -332,11 +331,11 @@ class ScanLineRecount {
   std::vector<Part> parts_;
   std::vector<std::size_t> inside_;                    ///< parts over a span
   std::vector<std::pair<Event, std::size_t>> left_{};  ///< events at the left end of a span, with their parts
-  std::size_t used_ = 0;                               ///< of these, up to what is seen
+  std::size_t used_ = 0;                               ///< number of these events up to the visible surface
 };
 
-/// A primitive's planes along rows: those that bound it somewhere in a tile of 64 columns and 16 rows are worked out
-/// pixel by pixel, and the greatest front and the least back are kept.
+/// A primitive's planes along rows: planes that bound it somewhere in a tile of 64 columns and 16 rows are evaluated at
+/// each pixel, keeping the greatest front and the least back.
 class PlanesRecount {
  public:
   PlanesRecount(DisplayRecount& recount, std::uint32_t primitive)
@@ -361,7 +360,7 @@ class PlanesRecount {
 
   void run_tile(const view::PixelRect& tile) {
     const std::uint64_t planes = all_.fronts.size() + all_.backs.size();
-    // Two products and four values, each held against the greatest and the leaders, and kept.
+    // Two products and four values; each is compared with the maximum and the leaders, and stored.
     sum() +=
         (planes * longs_) * steps({{multiply, 2}, {load_long, 11}, {add_long, 6}, {compare_long, 8}, {store_long, 4}});
     sum() += steps({{branch, 8 * planes}});
@@ -402,7 +401,7 @@ class PlanesRecount {
     sum() += steps({{compare_long, 3}, {branch, 3}});
     for (const Event& event : recount_.rays.at(column, row)) {
       if (event.crossing != 2 * primitive_) continue;
-      // An interval is kept, then counted and copied to its ray's.
+      // An interval is stored, then counted and copied to its ray's list.
       sum() += steps({{store_long, 2}, store});
       sum() += steps({{load, 3}, {load_long, 4}, {add_long, 4}, store, {store_long, 4}, {branch_taken, 2}});
     }
@@ -414,7 +413,7 @@ class PlanesRecount {
   software::TilePlanes all_;
 };
 
-/// Half-spaces are brought into the picture; events are sorted ray by ray, and classified by the list structure.
+/// Transforms half-spaces into the picture; sorts events by ray and classifies them by the list structure.
 void recount_rays(DisplayRecount& recount) {
   const std::size_t pixels = recount.rays.size();
   const std::uint64_t planes = recount.scene.geometry.halfspaces();
@@ -429,7 +428,7 @@ void recount_rays(DisplayRecount& recount) {
   SequenceRecount sequences(recount.tree, recount.primitives, recount.csg, testing::Evaluate::along);
   Operations& sorting = recount.of(Phase::sorting);
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-    // Primitives in order, each as it is entered and left.
+    // Primitives in order, each with its entry and its exit.
     std::vector<Event> events(recount.rays.at(pixel).begin(), recount.rays.at(pixel).end());
     std::ranges::sort(events, {}, &Event::crossing);
     for (const Event& event : events) {
@@ -447,7 +446,7 @@ void recount_rays(DisplayRecount& recount) {
   expected.words.sequences = sequences.words();
 }
 
-/// Returns what was counted.
+/// Returns the method's own counts.
 DisplayCounts check_method(const Scene& scene, const std::string& method) {
   CAPTURE(method);
   DisplayRecount recount(scene);
@@ -462,7 +461,7 @@ DisplayCounts check_method(const Scene& scene, const std::string& method) {
 
 }  // namespace
 
-TEST_CASE("methods that go facet by facet count what a plain recount of facets and rays gives on random scenes") {
+TEST_CASE("facet methods count as a plain recount does on random scenes") {
   std::uint64_t scenes = 0;
   std::uint64_t passes = 0;
   std::uint64_t splits = 0;
@@ -481,7 +480,7 @@ TEST_CASE("methods that go facet by facet count what a plain recount of facets a
   CHECK(splits > scenes);
   CHECK(ties > scenes);
 }
-TEST_CASE("methods that go facet by facet count what a plain recount gives on the thesis's objects") {
+TEST_CASE("facet methods count as a plain recount does on the thesis's objects") {
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     CAPTURE(one.name);
     const Scene scene = testing::thesis_scene(one, 48, 36);

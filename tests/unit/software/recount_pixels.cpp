@@ -55,7 +55,7 @@ Numbers numbers_of(const Scene& scene) {
   return {(sampling.z_bits + sampling.fraction_bits + 2 + 31) / 32, sampling.fraction_bits};
 }
 
-/// Three coefficients and two products; two quotients of two digits with a product each; four longs are kept.
+/// Three coefficients and two products; two quotients of two digits with a product each; four longs are stored.
 Operations edge_setups(std::uint64_t edges, const Numbers& numbers) {
   const std::uint64_t longs = numbers.longs;
   return edges * steps({{load_long, 3 * longs},
@@ -65,8 +65,7 @@ Operations edge_setups(std::uint64_t edges, const Numbers& numbers) {
                         {store_long, 4}});
 }
 
-/// An edge's column and remainder are stepped, and compared with the ends found before; then the first depth is
-/// stepped.
+/// An edge's column and remainder are stepped and compared with the ends found before; then the first depth is stepped.
 Operations row_steps(std::uint64_t rows, std::uint64_t edges, const Numbers& numbers) {
   Operations row = edges * steps({{load_long, 4}, {add_long, 2}, compare_long, {store_long, 2}, compare, {branch, 2}});
   row += numbers.longs * steps({{load_long, 2}, add_long, store_long});

@@ -12,7 +12,7 @@
 
 namespace csgsim::testing {
 
-/// The events of each pixel's ray, from half-spaces.
+/// Events of each pixel's ray, computed from half-spaces.
 class PixelEvents {
  public:
   explicit PixelEvents(const Scene& scene);
@@ -36,7 +36,7 @@ struct FacetEvent {
   software::Event event;
 };
 
-/// A facet on the screen, each pixel of whose rectangle is held against its edges.
+/// A facet on the screen; each pixel of its rectangle is tested against its edges.
 struct FacetScan {
   std::uint64_t edges = 0;
   std::uint64_t rows = 0;
@@ -50,9 +50,9 @@ bool is_within(const software::ScreenFacets& facets, const software::ScreenFacet
 
 FacetScan scanned(const software::ScreenFacets& facets, const software::ScreenFacet& facet, const PixelEvents& rays);
 
-/// How numbers of the picture are kept.
+/// Representation of the picture's numbers.
 struct Numbers {
-  std::uint64_t longs;  ///< of a value: depth, fraction, sign and carry
+  std::uint64_t longs;  ///< longs of a value: depth, fraction, sign and carry
   std::uint64_t fraction_bits;
 };
 
@@ -62,7 +62,7 @@ Numbers numbers_of(const Scene& scene);
 Operations edge_setups(std::uint64_t edges, const Numbers& numbers);
 Operations row_steps(std::uint64_t rows, std::uint64_t edges, const Numbers& numbers);
 Operations pixel_steps(std::uint64_t pixels);
-/// Depths along rows: a sum, shifted by the fraction, and held against both ends of the range.
+/// Depths along rows: a sum, shifted by the fraction, and compared with both ends of the range.
 Operations depths(std::uint64_t pixels, const Numbers& numbers);
 /// Edges, rows and pixels of a facet.
 Operations conversion(const FacetScan& scan, const Numbers& numbers);

@@ -1,5 +1,5 @@
-// List priority is counted again, operation by operation: facets are cut by each other as exact regions, the pieces go
-// down the directory, are put in order by trying pairs, and are drawn on each pixel of their rectangles.
+// Recounts the operations of list priority: facets are clipped against each other as exact regions; the pieces are
+// inserted into the directory, ordered by comparing pairs, and drawn at each pixel of their rectangles.
 
 #include "host/convex/clip.h"
 #include "host/view/eye_space.h"
@@ -42,7 +42,7 @@ Operations heights(std::uint64_t corners) {
          steps({{load_long, 6}, {multiply, 12}, {add_long, 15}, {compare_long, 2}, {branch, 2}, branch_taken});
 }
 
-/// Corners where edges cross a plane: a quotient of two digits, and three products of longs.
+/// Corners where edges cross a plane: a quotient of two digits and three products of longs.
 Operations crossings(std::uint64_t times) {
   return times * steps({{divide, 2}, {multiply, 14}, {add_long, 20}, {load_long, 8}, {store_long, 3}});
 }
@@ -50,7 +50,7 @@ Operations crossings(std::uint64_t times) {
 /// Boxes of two new polygons, and their corners.
 Operations kept(std::uint64_t corners) { return steps({{store_long, 6 + 3 * corners}}); }
 
-/// What clipping facets against each other and putting them into a directory takes.
+/// Costs of clipping facets against each other and inserting them into a directory.
 class Preprocessing {
  public:
   Preprocessing(DisplayRecount& recount, std::string directory, std::uint32_t bucket_size)
@@ -90,7 +90,7 @@ class Preprocessing {
     std::vector<glm::dvec3> corners;
   };
 
-  /// Returns its words.
+  /// Returns the number of words.
   std::uint64_t add_built(const software::FacetShapes& shapes, const software::Directory& directory) {
     const software::SpaceBuilt built = testing::recounted_space(directory_, shapes, bucket_size_, directory);
     sum_ += built.operations;
@@ -98,7 +98,7 @@ class Preprocessing {
     return built.directory_words + built.bucket_words;
   }
 
-  /// Facets of a cell are gone through for each of them; two of different primitives are held against each other once.
+  /// Visits the facets of a cell for each of them; compares each pair of different primitives once.
   void clip_in(const std::vector<SpacePart>& space) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> held;
     for (std::uint32_t facet = 0; facet < regions_.size(); ++facet) {
@@ -113,7 +113,7 @@ class Preprocessing {
     }
   }
 
-  /// What is cut off comes behind all regions of its facet, and is held against those of the other one too.
+  /// A part that is cut off follows all regions of its facet and is compared with those of the other facet as well.
   void clip(std::uint32_t one, std::uint32_t other) {
     for (std::size_t i = 0; i < regions_[one].size(); ++i) {
       for (std::size_t j = 0; j < regions_[other].size(); ++j) {
@@ -127,7 +127,7 @@ class Preprocessing {
         if (software::are_apart(box_of(one, of_one), box_of(other, of_other))) continue;
         sum_ += heights(of_one.corners.size() + of_other.corners.size());
         if (!sheets_.cross(one, of_one, other, of_other)) continue;
-        // Two ends on each of them are held against each other.
+        // Two ends on each of them are compared.
         sum_ += crossings(4) + heights(4) + steps({{compare_long, 2}, {branch, 2}});
         cut(one, i, sheets_.plane_of(other));
         cut(other, j, sheets_.plane_of(one));
@@ -162,7 +162,7 @@ class Preprocessing {
     return has(parts_[part.low], polygon) || has(parts_[part.high], polygon);
   }
 
-  /// Takes polygons down; a wall cuts those that both of its sides have and that reach beyond it on both.
+  /// Inserts polygons downwards; a wall cuts those that belong to both sides and extend beyond it on both.
   void fill(const SpacePart& part, std::vector<Polygon> polygons) {
     sum_ += steps({load_long, branch});
     if (part.is_cell()) {
@@ -227,11 +227,11 @@ class Preprocessing {
   std::uint32_t bucket_size_;
   double reach_;
   software::FacetSheets sheets_;
-  std::vector<std::vector<software::Region>> regions_;  ///< of each facet
+  std::vector<std::vector<software::Region>> regions_;  ///< regions of each facet
   std::vector<SpacePart> parts_;
 };
 
-/// Cells from the front to the back.
+/// Cells from front to back.
 class Retrieval {
  public:
   Retrieval(DisplayRecount& recount, const Polygons& polygons)
@@ -247,7 +247,7 @@ class Retrieval {
   }
 
  private:
-  /// The side of its wall that the eye is on, then four sides of the picture at eight corners, by three products each.
+  /// The eye's side of the cell's wall, then four sides of the picture at eight corners, by three products each.
   void look_into(std::uint32_t number) {
     ++recount_.expected.looked_parts;
     recount_.of(Phase::sorting) +=
@@ -265,11 +265,11 @@ class Retrieval {
     look_into(is_low_first ? cell.high : cell.low);
   }
 
-  /// Whether one side of the picture, a pixel farther out, has all corners of a box on its other side.
+  /// Whether all corners of a box are outside one side of the picture, enlarged by one pixel.
   [[nodiscard]] bool is_out_of_sight(const facet::Box& box) const {
     const double width = recount_.scene.view.sampling.width;
     const double height = recount_.scene.view.sampling.height;
-    // Functions of right, up and unit of a place that are below 0 beyond a side.
+    // Functions of a point's right, up and unit coordinates that are negative beyond a side.
     const std::array<glm::dvec3, 4> sides{glm::dvec3{1, 0, eye_.middle_x + 1}, glm::dvec3{-1, 0, width - eye_.middle_x},
                                           glm::dvec3{0, -1, eye_.middle_y + 1},
                                           glm::dvec3{0, 1, height - eye_.middle_y}};
@@ -349,7 +349,7 @@ class Order {
             steps({{load_long, 2}, {multiply, 2 * longs_}, {add_long, 3 * longs_}, compare_long, branch, branch_taken});
   }
 
-  /// Below 0 where one has to be drawn before the other, above it where behind.
+  /// Negative if one must be drawn before the other, positive if after.
   int first_of(std::uint32_t one, std::uint32_t other) {
     const ScreenFacet& a = pieces_.facets[one];
     const ScreenFacet& b = pieces_.facets[other];
@@ -361,7 +361,7 @@ class Order {
     sum_ += steps({{load_long, 4}, {compare_long, 2}, {branch, 2}});
     if (depths_of(one).second < depths_of(other).first) return -1;
     if (depths_of(other).second < depths_of(one).first) return 1;
-    // The polygon that they have in common, edge by edge, and the difference of their depths at its corners.
+    // The common polygon, edge by edge, and the difference of the depths at its corners.
     view::Region common(both);
     std::vector<view::FixedLinear> edges;
     for (const ScreenFacet* const piece : {&a, &b}) {
@@ -378,7 +378,7 @@ class Order {
     return high + low >= 0 ? -1 : 1;
   }
 
-  /// The first in order of depth that nothing that waits has to come before; in a circle, the first.
+  /// The first in depth order that no waiting piece must precede; in a cycle, the first.
   std::vector<std::uint32_t> taken(std::vector<std::uint32_t> waiting, Pairs pairs) {
     std::vector<std::uint32_t> order;
     while (!waiting.empty()) {
@@ -409,7 +409,7 @@ class Order {
   std::uint64_t longs_;
 };
 
-/// Pixels as pieces are drawn from the front to the back.
+/// Pixels while pieces are drawn from front to back.
 class Drawing {
  public:
   Drawing(DisplayRecount& recount, bool has_depth_buffer)
@@ -442,7 +442,7 @@ class Drawing {
   struct Pixel {
     Sequence sequence{};
     std::vector<Event> events{};
-    std::size_t level = 0;  ///< of the last events, those at one depth
+    std::size_t level = 0;  ///< number of last events at one depth
     bool is_set = false;
     Seen seen{0, Seen::nothing_seen};
   };
@@ -450,7 +450,7 @@ class Drawing {
   Operations& scanning() { return recount_.of(Phase::scan_conversion); }
   Operations& tested() { return recount_.of(Phase::depth_test); }
 
-  /// A surface that is behind all before; nothing where the pixel is set.
+  /// A surface behind all earlier ones; ignored if the pixel is set.
   void set_next(Pixel& pixel, const Event& event) {
     scanning() += steps({load_long, branch});
     if (pixel.is_set) return;
@@ -471,7 +471,7 @@ class Drawing {
     pixel.seen = {event.depth, is_alone ? event.primitive() : sequences_.owner(pixel.sequence, level, recount_.csg)};
   }
 
-  /// A surface is held against the depth of the last one: behind it, at it, or to be exchanged with it.
+  /// Compares a surface with the depth of the last one: it is behind, equal, or exchanged with it.
   void test(Pixel& pixel, const Event& event) {
     tested() += testing::comparisons(1) + steps({branch});
     if (pixel.events.empty() || event.depth > pixel.events.back().depth) {
@@ -537,7 +537,7 @@ void check_scene(const Scene& scene, const std::string& directory, std::uint32_t
     expected.references += cell.bucket.size();
     for (const software::Piece& piece : cell.bucket) corners += piece.corners.size();
   }
-  // Corners; of each piece its facet, its box and a pointer; planes, edges, and those in the picture.
+  // Corners; per piece its facet, its box and a pointer; planes, edges, and those in the picture.
   expected.words.polygons =
       3 * corners + 8 * expected.references + 6 * pieces.linears.size() + 10 * expected.drawn_polygons;
   expected.words.pixels += (has_depth_buffer ? 3 : 1) * recount.rays.size();
@@ -552,7 +552,7 @@ void check_scene(const Scene& scene, const std::string& directory, std::uint32_t
 
 }  // namespace
 
-TEST_CASE("list priority counts what a plain recount of regions, pieces and rays gives") {
+TEST_CASE("list priority counts as a plain recount of regions and pieces and rays does") {
   Tally tally;
   std::uint64_t scenes = 0;
   const std::vector<std::string> directories = software::halving_directories();

@@ -24,17 +24,17 @@ SequenceRecount::SequenceRecount(const PlainTree& tree, std::size_t primitives, 
   }
 }
 
-/// A leaf is inverted, and each node above it worked out again until one stays as it is.
+/// Inverts a leaf and recomputes each node above it until one does not change.
 void SequenceRecount::change(Held& held, std::uint32_t primitive, Counts& counts) const {
-  const Looks looks = tree_.change(held, primitive);
-  counts.node_visits += looks.visits;
-  counts.early_outs += looks.early_outs;
-  const std::uint64_t nodes = looks.visits - 1;
+  const TreeVisits tally = tree_.change(held, primitive);
+  counts.node_visits += tally.visits;
+  counts.early_outs += tally.early_outs;
+  const std::uint64_t nodes = tally.visits - 1;
   counts.operations += steps({load_long, add, load, logic, store, branch_taken}) + calls(1);
-  // Father, operands and their status, the operator, and the status of the operands before.
+  // Father, operands and their status, the operator, and the previous status of the operands.
   counts.operations += nodes * steps({{load_long, 3}, {load, 4}, {compare, 3}, branch_taken, logic});
-  counts.operations += steps({{logic, looks.differences}});
-  counts.operations += (nodes - looks.early_outs) * steps({branch, branch_taken, store});
+  counts.operations += steps({{logic, tally.differences}});
+  counts.operations += (nodes - tally.early_outs) * steps({branch, branch_taken, store});
 }
 
 void SequenceRecount::follow(Sequence& sequence, std::uint32_t primitive, Counts& counts) {
@@ -69,7 +69,7 @@ void SequenceRecount::take_back(Counts& traversal) {
   in_.clear();
 }
 
-/// What has been taken in is searched for it; the last one takes the place of what is left.
+/// Searches the inserted primitives for it; the last one moves to the freed place.
 void SequenceRecount::take_in(std::uint32_t primitive, Counts& counts, Counts& traversal) {
   const auto place = std::ranges::find(in_, primitive);
   counts.operations += steps({load_long, branch, store});
@@ -137,12 +137,12 @@ std::uint32_t SequenceRecount::owner(std::span<const Event> before, std::span<co
   Held held(primitives_);
   for (const std::uint32_t primitive : active) change(held, primitive, counts);
   std::uint32_t owner = Seen::nothing_seen;
-  Looks looks;
+  TreeVisits tally;
   for (std::size_t i = 0; i < candidates.size() && owner == Seen::nothing_seen; ++i) {
-    if (tree_.shows(held, candidates[i], looks)) owner = candidates[i];
+    if (tree_.shows(held, candidates[i], tally)) owner = candidates[i];
   }
-  counts.node_visits += looks.visits;
-  counts.operations += looks.visits * steps({{load_long, 2}, {load, 3}, {compare, 2}, {branch, 2}});
+  counts.node_visits += tally.visits;
+  counts.operations += tally.visits * steps({{load_long, 2}, {load, 3}, {compare, 2}, {branch, 2}});
   for (const std::uint32_t primitive : active) change(held, primitive, counts);
   return owner;
 }
@@ -176,7 +176,7 @@ Seen SequenceRecount::along(std::span<const Event> events, std::uint32_t farthes
 
 std::vector<std::uint32_t> SequenceRecount::held(const Sequence& sequence, Counts& counts) const {
   counts.operations += sequence.size() * steps({load_long, load, branch_taken});
-  // The last one that was met comes first.
+  // The most recent one comes first.
   std::vector<std::uint32_t> held;
   for (std::size_t i = sequence.size(); i-- > 0;) {
     if (std::ranges::find(held, sequence[i]) != held.end()) continue;
@@ -185,8 +185,8 @@ std::vector<std::uint32_t> SequenceRecount::held(const Sequence& sequence, Count
   return held;
 }
 
-/// A bit and a first element a primitive; three pointers and a class an element; five words a node and a leaf a
-/// primitive, of the status tree.
+/// A bit and a first element per primitive; three pointers and a class per element; in the status tree five words per
+/// node and a leaf per primitive.
 std::uint64_t SequenceRecount::words() const {
   return (primitives_ + 31) / 32 + primitives_ + 4 * elements_.size() + 5 * tree_.nodes() + primitives_;
 }

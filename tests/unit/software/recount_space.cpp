@@ -31,7 +31,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 const Operations kept = steps({load_long, store_long});
 
-/// Counts what it takes to build a directory.
+/// Counts the operations of building a directory.
 class Builder {
  public:
   Builder(const FacetShapes& shapes, std::uint32_t bucket_size) : shapes_(shapes), bucket_size_(bucket_size) {}
@@ -45,7 +45,7 @@ class Builder {
   void charge(const Operations& operations) { sum_ += operations; }
 
   /// Whether a facet is within reach of a box. Axes are tried until one separates them: the box's own, the facet's
-  /// normal, and for each edge those across it and an axis.
+  /// normal, and the cross products of each edge and an axis.
   bool touches(std::uint32_t facet, const facet::Box& box) {
     charge(calls(1));
     charge(comparisons(6));
@@ -88,7 +88,7 @@ class Builder {
       for (int axis = 0; axis < 3; ++axis) {
         charge(products(4));
         charge(comparisons(1));
-        if (std::abs(normal[axis]) < 1e-6) continue;  // seen edge-on
+        if (std::abs(normal[axis]) < 1e-6) continue;  // edge-on
         glm::dvec3 unit{0};
         unit[axis] = normal[axis] > 0 ? 1 : -1;
         const glm::dvec3 out = glm::cross(corners[(i + 1) % corners.size()] - corners[i], unit);
@@ -106,7 +106,7 @@ class Builder {
     built_.most_facets = std::max<std::uint64_t>(built_.most_facets, facets);
   }
 
-  /// A block of a lattice of 2^bits cells along each axis, from those numbers up to others.
+  /// A block of a lattice of 2^bits cells along each axis, from the first numbers up to the last.
   [[nodiscard]] facet::Box block(const Numbers3& first, const Numbers3& end, unsigned bits) const {
     facet::Box box;
     const double cells = std::ldexp(1.0, static_cast<int>(bits));
@@ -128,13 +128,13 @@ class Builder {
   Operations sum_;
 };
 
-/// Facets are inserted one by one; a full cell is halved, and the directory doubled where it has no entry for a half.
+/// Inserts facets one by one; halves a full cell, and doubles the directory if it has no entry for a half.
 class ExcellBuilder : public Builder {
  public:
   using Builder::Builder;
 
   SpaceBuilt run() {
-    if (shapes_.placed().size() >= 4096) throw std::logic_error("a second directory is not recounted");
+    if (shapes_.placed().size() >= 4096) throw std::logic_error("the recount does not support a second directory");
     for (const std::uint32_t facet : shapes_.placed()) insert(root_, facet);
     built_.entries = std::uint64_t{1} << level_;
     built_.directory_words = 4 + built_.entries;
@@ -158,7 +158,7 @@ class ExcellBuilder : public Builder {
 
   void insert(Cell& cell, std::uint32_t facet) {
     if (!touches(facet, block(cell.first, cell.end, 5))) return;
-    // The entry of the range is read, and its bucket's level held against the range's.
+    // The entry of the range is read, and its bucket's level is compared with the range's.
     charge(steps({shift_long, shifted_bit, add_long, load_long, load, compare, branch}));
     if (cell.halves.empty()) {
       charge(steps({{load_long, buckets(cell)}}));
@@ -205,10 +205,10 @@ class ExcellBuilder : public Builder {
   }
 
   Cell root_;
-  unsigned level_ = 0;  ///< of the directory, which has 2^level entries
+  unsigned level_ = 0;  ///< level of the directory, which has 2^level entries
 };
 
-/// Full cells are cut into eight, seven levels.
+/// Cuts full cells into eight, up to seven levels.
 class OctreeBuilder : public Builder {
  public:
   using Builder::Builder;
@@ -244,7 +244,7 @@ class OctreeBuilder : public Builder {
   }
 };
 
-/// A full cell is halved by the cheapest of 31 walls an axis, if that is cheaper than the cell.
+/// Halves a full cell by the cheapest of 31 walls per axis if that is cheaper than the cell.
 class KdBuilder : public Builder {
  public:
   KdBuilder(const FacetShapes& shapes, std::uint32_t bucket_size, const Directory& made)
@@ -264,13 +264,13 @@ class KdBuilder : public Builder {
   void halve(const SpacePart& part, const List& facets, unsigned levels) {
     const std::uint64_t size = facets.size();
     if (levels > 0 && size > bucket_size_) {
-      // A facet has its place among 32 along an axis, and a wall has its cost, by two surfaces.
+      // A facet has one of 32 places along an axis; a wall's cost is computed from two surfaces.
       charge(3 * quotients(2 * size));
       charge(3 * steps({{load_long, 4 * size}, {store_long, 2 * size}}));
       charge(3 * products(6 * 32));
     }
     if (part.is_cell()) {
-      if (!std::ranges::equal(part.facets, facets)) throw std::logic_error("a cell has other facets");
+      if (!std::ranges::equal(part.facets, facets)) throw std::logic_error("a cell has unexpected facets");
       add_cell(size);
       built_.overflows += size > bucket_size_ ? 1U : 0U;
       return;
@@ -290,7 +290,7 @@ class KdBuilder : public Builder {
   std::vector<SpacePart> parts_;
 };
 
-/// A facet is held against all cells of one size that its box reaches.
+/// Tests a facet against all cells of uniform size that its box overlaps.
 class GridBuilder : public Builder {
  public:
   using Builder::Builder;
@@ -332,13 +332,13 @@ class GridBuilder : public Builder {
   }
 };
 
-/// Trees of boxes, which are taken as they are.
+/// Trees of boxes, taken from the directory.
 class BoxesBuilder : public Builder {
  public:
   BoxesBuilder(const FacetShapes& shapes, std::uint32_t bucket_size, const Directory& made)
       : Builder(shapes, bucket_size), boxes_(made.boxes()) {}
 
-  /// Boxes are divided where the surface heuristic says, by 16 bins of an axis along which middles differ.
+  /// Boxes are divided by the surface heuristic with 16 bins along each axis where middles differ.
   SpaceBuilt run_heuristic() {
     for (const SpaceBox& box : boxes_) {
       const List facets = below(box);
@@ -357,7 +357,7 @@ class BoxesBuilder : public Builder {
     return counted();
   }
 
-  /// Primitives are halved at the middle one, and so are a primitive's facets once a ray has come to its box.
+  /// Primitives are halved at the middle one, and a primitive's facets likewise once a ray has entered its box.
   SpaceBuilt run_primitives() {
     charge(comparisons(6 * shapes_.placed().size()));
     for (const SpaceBox& box : boxes_) {
@@ -367,7 +367,7 @@ class BoxesBuilder : public Builder {
       for (const std::uint32_t facet : facets) primitives.insert(shapes_.facets().facets[facet].primitive);
       const bool is_whole = primitives.size() > 1 || facets.size() == placed_of(*primitives.begin());
       if (is_whole) divide(primitives.size());
-      // One that is expanded is divided again, into its facets.
+      // An expanded primitive is divided again, into its facets.
       const bool is_expanded = primitives.size() == 1 && box.low != 0;
       if (is_expanded || !is_whole) divide(facets.size());
     }
@@ -425,21 +425,21 @@ SpaceBuilt recounted_space(const std::string& name, const FacetShapes& shapes, s
   return built;
 }
 
-/// A ray on its way.
+/// State of a ray during its walk.
 struct WalkRecount::Walk {
   const SpaceRay& ray;
-  std::size_t left;  ///< cells that are looked into still
+  std::size_t left;  ///< remaining cells to visit
   bool is_stopped;
   Operations sum{};
 
   [[nodiscard]] bool is_over() const { return left == 0 && is_stopped; }
   void visit() {
-    if (left == 0) throw std::logic_error("a ray has looked into fewer cells than it goes through");
+    if (left == 0) throw std::logic_error("a ray visited fewer cells than it passes through");
     --left;
     sum += calls(1);
   }
 
-  /// The part of the ray in a box: an axis after the other, until nothing is left.
+  /// The part of the ray in a box, axis by axis, until nothing is left.
   bool clip(const facet::Box& box, double& begin, double& end) {
     begin = ray.begin;
     end = ray.end;
@@ -462,7 +462,7 @@ struct WalkRecount::Walk {
     return begin <= end;
   }
 
-  /// Where the ray is at a wall.
+  /// Position of the ray at a wall.
   [[nodiscard]] double at(int axis, double wall) const {
     return (wall - ray.origin[axis]) * (1.0 / ray.direction[axis]);
   }
@@ -515,11 +515,11 @@ Operations WalkRecount::along(const SpaceRay& ray, std::size_t cells, bool is_st
   } else {
     go_by_halves(walk, parts_[0], begin, end);
   }
-  if (walk.left != 0) throw std::logic_error("a ray has looked into more cells than it goes through");
+  if (walk.left != 0) throw std::logic_error("a ray visited more cells than it passes through");
   return walk.sum;
 }
 
-/// The nearer half first, and what is left of the ray in the other one.
+/// Visits the nearer half first and the rest of the ray in the other one.
 void WalkRecount::go_by_halves(Walk& walk, const SpacePart& part, double begin, double end) const {
   walk.sum += steps({{load_long, 3}});
   if (name_ == "kd-tree") {
@@ -529,7 +529,7 @@ void WalkRecount::go_by_halves(Walk& walk, const SpacePart& part, double begin, 
     if (part.is_cell()) {
       walk.sum += steps({{load_long, lists(part.facets.size())}});
     } else {
-      // Where the wall is.
+      // Position of the wall.
       walk.sum += steps({shift_long, shifted_bit, {add_long, 2}});
       walk.sum += products(1);
     }
@@ -555,7 +555,7 @@ void WalkRecount::go_by_halves(Walk& walk, const SpacePart& part, double begin, 
   if (!walk.is_over()) go_by_halves(walk, second, t, end);
 }
 
-/// A block of a lattice holds the query point; the next one is behind the nearest of its walls.
+/// A block of a lattice holds the query point; the next block is behind the nearest of its walls.
 void WalkRecount::go_by_points(Walk& walk, double begin, double end) const {
   const auto at_place = [&](int axis, double place) {
     return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(number(axis, place))), 0, cells() - 1);
@@ -571,12 +571,12 @@ void WalkRecount::go_by_points(Walk& walk, double begin, double end) const {
   for (int axis = 0; axis < 3; ++axis) at[static_cast<std::size_t>(axis)] = at_place(axis, walk.ray.at(t)[axis]);
   for (;;) {
     const auto block = std::ranges::find_if(blocks_, [&](const Block& one) { return one.holds(at); });
-    if (block == blocks_.end()) throw std::logic_error("no cell holds a query point");
+    if (block == blocks_.end()) throw std::logic_error("no cell contains the query point");
     const auto halvings = [&](std::size_t axis) {
       return std::bit_width(static_cast<std::uint64_t>(block->end[axis] - block->first[axis])) - 1;
     };
     if (name_ == "excell") {
-      // Three tables give the address; the entry is read, and the lists of the bucket.
+      // Three tables give the address; the entry is read, then the lists of the bucket.
       walk.sum += steps({{load_long, 4 + lists(block->facets)},
                          {logic_long, 3},
                          shift_long,
@@ -620,7 +620,7 @@ void WalkRecount::go_by_points(Walk& walk, double begin, double end) const {
   }
 }
 
-/// Of all boxes that are met, the nearest is looked at first; they are in a heap, which takes a step a level.
+/// Visits the nearest of all boxes met first; they are in a heap, which takes one step per level.
 void WalkRecount::go_by_boxes(Walk& walk) const {
   struct Met {
     double begin;

@@ -12,19 +12,19 @@
 
 namespace csgsim::testing {
 
-/// What building a directory takes, counted again by its rule: facets are held against cells by separating axes.
-/// Of `made`, walls of a k-d tree and boxes are taken. Throws logic_error where its cells are not those of the rule.
+/// Recounts the costs of building a directory by its rule: facets are tested against cells by separating axes. Walls of
+/// a k-d tree and boxes are taken from `made`. Throws logic_error if its cells differ from the rule's.
 software::SpaceBuilt recounted_space(const std::string& name, const software::FacetShapes& shapes,
                                      std::uint32_t bucket_size, const software::Directory& made);
 
-/// What rays take to go through a directory, counted again from its cells.
+/// Recounts the costs of rays through a directory from its cells.
 class WalkRecount {
  public:
   /// Keeps references.
   WalkRecount(const std::string& name, const software::FacetShapes& shapes, std::uint32_t bucket_size,
               const software::Directory& made);
 
-  /// Of a ray that looks into that many cells; `is_stopped`: it had enough in the last one.
+  /// Costs of a ray that visits `cells` cells; with `is_stopped` the visitor stopped in the last one.
   [[nodiscard]] Operations along(const software::SpaceRay& ray, std::size_t cells, bool is_stopped) const;
 
  private:
@@ -43,10 +43,10 @@ class WalkRecount {
     }
   };
 
-  /// Lists of a bucket that has so many facets.
+  /// Lists of a bucket with `facets` facets.
   [[nodiscard]] std::uint64_t lists(std::uint64_t facets) const { return (facets + bucket_size_ - 1) / bucket_size_; }
   [[nodiscard]] std::int64_t cells() const { return name_ == "excell" ? 32 : 128; }
-  /// The number of the cell at a place, along an axis, as a fraction.
+  /// Number of the cell at a place along an axis, as a fraction.
   [[nodiscard]] double number(int axis, double place) const {
     return (place - box_.low[axis]) / (box_.high[axis] - box_.low[axis]) * static_cast<double>(cells());
   }
@@ -60,7 +60,7 @@ class WalkRecount {
   std::unique_ptr<software::Directory> halved_;  ///< has the parts of EXCELL's cells
   std::vector<software::SpacePart> parts_;
   std::vector<software::SpaceBox> boxes_;
-  std::vector<Block> blocks_;  ///< of directories that are gone through from query point to query point
+  std::vector<Block> blocks_;  ///< cells of directories that are walked from query point to query point
   bool is_empty_;
 };
 

@@ -1,4 +1,4 @@
-// What directories take to be built, and rays to go through them, is counted again from facets and cells.
+// Recounts the costs of building directories and of walking rays through them from facets and cells.
 
 #include "tests/unit/software/recount_space.h"
 
@@ -14,10 +14,10 @@ using testing::Random;
 
 namespace {
 
-/// Looks into cells until it has enough of them.
-class Looker final : public software::CellVisitor {
+/// Visits cells until it has enough of them.
+class LimitedVisitor final : public software::CellVisitor {
  public:
-  explicit Looker(std::size_t enough) : enough_(enough) {}
+  explicit LimitedVisitor(std::size_t enough) : enough_(enough) {}
 
   bool visit(const software::Cell& /*cell*/) override { return ++cells < enough_; }
   [[nodiscard]] bool is_stopped() const { return cells == enough_; }
@@ -41,7 +41,7 @@ void check_same(const software::SpaceBuilt& found, const software::SpaceBuilt& e
   testing::check_same(found.operations, expected.operations);
 }
 
-/// Anywhere, along an axis, or across one; some with an end.
+/// A ray in any direction, along an axis or across one; some with an end.
 SpaceRay any_ray(Random& random, const facet::Box& box) {
   const auto somewhere = [&] {
     const glm::dvec3 part{random.unit(), random.unit(), random.unit()};
@@ -58,7 +58,7 @@ SpaceRay any_ray(Random& random, const facet::Box& box) {
   return ray;
 }
 
-/// Returns the cells that rays looked into.
+/// Returns the number of cells visited by rays.
 std::size_t check_walks(const std::string& name, const software::FacetShapes& shapes, std::uint32_t bucket_size,
                         const software::Directory& directory, Random& random) {
   struct Walked {
@@ -70,12 +70,12 @@ std::size_t check_walks(const std::string& name, const software::FacetShapes& sh
   std::vector<Walked> all;
   for (int i = 0; i < 30; ++i) {
     const SpaceRay ray = any_ray(random, shapes.box());
-    Looker looker(1 + random.below(8));
+    LimitedVisitor looker(1 + random.below(8));
     software::Counting count;
     directory.walk(ray, looker, count);
     all.push_back({ray, looker.cells, looker.is_stopped(), count.done()});
   }
-  // Trees of boxes are complete when all rays have come.
+  // Trees of boxes are complete after all rays.
   const testing::WalkRecount recount(name, shapes, bucket_size, directory);
   std::size_t cells = 0;
   for (const Walked& one : all) {
@@ -87,7 +87,7 @@ std::size_t check_walks(const std::string& name, const software::FacetShapes& sh
 
 }  // namespace
 
-TEST_CASE("directories count what a plain recount of facets and cells gives") {
+TEST_CASE("directories count as a plain recount of facets and cells does") {
   std::uint64_t scenes = 0;
   std::uint64_t splits = 0;
   std::uint64_t cells = 0;

@@ -17,7 +17,7 @@ namespace csgsim::testing {
 using software::Operation;
 using software::Operations;
 
-/// An operation, so many times.
+/// An operation with a repeat count.
 struct Step {
   Operation kind;
   std::uint64_t times = 1;
@@ -26,14 +26,15 @@ struct Step {
   Step(Operation one, std::uint64_t many) : kind(one), times(many) {}
 };
 
-/// What a part of an algorithm takes, operation by operation.
+/// Operations of a part of an algorithm.
 inline Operations steps(std::initializer_list<Step> all) {
   Operations operations;
   for (const Step& step : all) operations.counts[static_cast<std::size_t>(step.kind)] += step.times;
   return operations;
 }
 
-/// Arithmetic of longs in fixed point: a product is four products of words, added up; a quotient has two digits.
+/// Arithmetic of longs in fixed point: a product takes four products of words and their sums; a quotient has two
+/// digits.
 inline Operations products(std::uint64_t times) {
   return times * steps({{Operation::multiply, 4}, {Operation::add_long, 3}, {Operation::move, 2}});
 }
@@ -45,14 +46,14 @@ inline Operations comparisons(std::uint64_t times) {
 }
 /// A call and its return.
 inline Operations calls(std::uint64_t times) { return times * steps({Operation::call, Operation::come_back}); }
-/// Comparisons of a library's sort, by which a long each is moved.
+/// Comparisons of a library's sort; each moves a long.
 inline Operations sorted(std::uint64_t compared) {
   return compared *
          steps({{Operation::load_long, 2}, Operation::compare_long, Operation::branch_taken, Operation::store_long});
 }
 
-/// Corners, planes and edges are brought into the picture: a corner takes nine products and two quotients, a plane six
-/// and three, an edge two products; a product of longs is four of words, and a quotient has two digits.
+/// Corners, planes and edges are transformed into the picture: a corner takes nine products and two quotients, a plane
+/// six and three, an edge two products; a product of longs is four of words, and a quotient has two digits.
 inline Operations transformed(std::uint64_t corners, std::uint64_t planes, std::uint64_t edges) {
   Operations sum = (9 * corners + 6 * planes + 2 * edges) *
                    steps({{Operation::multiply, 4}, {Operation::add_long, 5}, {Operation::load_long, 2}});

@@ -21,7 +21,7 @@ namespace {
 const std::vector<std::string> traversals{"standard", "early-out",      "positional",
                                           "status",   "bit-sequential", "bit-parallel"};
 
-/// A scene as software counts it, and what it is counted from again.
+/// A scene as counted by the software, and the data for the recount.
 struct Counted {
   SoftwareScene software;
   std::vector<testing::Seen> seen;
@@ -73,7 +73,7 @@ void check_survey(const Counted& counted) {
   CHECK(found.max_points == expected.max_points);
 }
 
-/// Nodes that are looked at for cells: for each 16 rows the tree, then for each 16 columns what is left of it there.
+/// Nodes visited to prune for cells: the tree for each 16 rows, then what is left of it for each 16 columns.
 std::uint64_t pruned_for_cells(const testing::PlainTree& tree, const view::View& view) {
   std::uint64_t nodes = 0;
   const auto height = static_cast<std::int32_t>(view.sampling.height);
@@ -86,7 +86,7 @@ std::uint64_t pruned_for_cells(const testing::PlainTree& tree, const view::View&
   return nodes;
 }
 
-/// Trees are pruned for each cell; within a primitive, once for each that is ever the first one of a ray's that hold a
+/// Trees are pruned for each cell; within a primitive, once for each primitive that is ever a ray's first to contain a
 /// point.
 void check_pruned(const Counted& counted, const view::View& view) {
   std::set<std::uint32_t> outermost;
@@ -122,7 +122,7 @@ void check_calls(const software::Operations& done) {
         done.counts[static_cast<std::size_t>(software::Operation::come_back)]);
 }
 
-/// Returns the ties of a scene.
+/// Returns the number of ties in a scene.
 std::uint64_t check_scene(const Scene& scene) {
   const Counted counted(scene);
   std::uint64_t ties = 0;
@@ -148,7 +148,7 @@ std::uint64_t check_scene(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("what software counts on random scenes is what rays and trees give when they are counted plainly") {
+TEST_CASE("software counts equal a plain recount of rays and trees on random scenes") {
   std::uint64_t ties = 0;
   std::uint64_t scenes = 0;
   for (std::uint64_t seed = 5001; seed <= 5040; ++seed) {
@@ -161,13 +161,13 @@ TEST_CASE("what software counts on random scenes is what rays and trees give whe
   CHECK(scenes > 30);
   CHECK(ties > 1000);
 }
-TEST_CASE("what software counts on the thesis's objects is what rays and trees give when they are counted plainly") {
+TEST_CASE("software counts equal a plain recount of rays and trees on the thesis's objects") {
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     CAPTURE(one.name);
     check_scene(testing::thesis_scene(one, 64, 64));
   }
 }
-TEST_CASE("every method counts as many calls as returns") {
+TEST_CASE("every method counts equally many calls and returns") {
   for (std::uint64_t seed = 5001; seed <= 5020; ++seed) {
     const std::optional<Scene> scene = testing::random_scene(seed);
     if (!scene) continue;

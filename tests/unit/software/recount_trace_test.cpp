@@ -1,5 +1,5 @@
-// Ray tracing is counted again, operation by operation, from the cells along each ray, the corners of facets, and the
-// events of rays by half-spaces.
+// Recounts the operations of ray tracing from the cells along each ray, the corners of facets, and ray events by
+// half-spaces.
 
 #include "sim/software/tracing/trace.h"
 #include "tests/oracle/split_mix.h"
@@ -36,8 +36,8 @@ using enum processors::Operation;
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-/// A facet is held against a ray edge by edge, along the axis that the ray goes along most: each edge has the ray on
-/// one side. A ray through an edge, or a corner, is on the side that it would be on if it went by it beside them.
+/// Tests a facet against a ray edge by edge, along the ray's dominant axis: all edges must have the ray on the same
+/// side. A ray through an edge or a corner counts as slightly displaced.
 class Pierced {
  public:
   Pierced(const SpaceRay& ray, std::span<const glm::dvec3> corners) {
@@ -59,7 +59,7 @@ class Pierced {
       const glm::dvec2 to = seen(corners[i]);
       ++edges;
       double area = turn * (from.x * to.y - from.y * to.x);
-      // Beside the ray, first a little along one axis of the two, then along the other.
+      // Displaces the ray slightly along one of the two other axes, then along the other.
       const bool is_first_u = turn > 0;
       if (area == 0) area = is_first_u ? from.y - to.y : from.x - to.x;
       if (area == 0) area = is_first_u ? to.x - from.x : to.y - from.y;
@@ -71,19 +71,19 @@ class Pierced {
     }
   }
 
-  /// Edges that are looked at, up to the first that has the ray on another side.
+  /// Edges tested, up to the first with the ray on another side.
   std::uint64_t edges = 0;
-  double side = 0;  ///< 0 of a ray that misses; above 0 of one that goes out
+  double side = 0;  ///< 0 if the ray misses; positive if it leaves
 
   [[nodiscard]] Operations operations() const {
     return products(2) + edges * (products(4) + steps({{load_long, 3}, {add_long, 6}, branch}));
   }
 };
 
-/// How far along the ray a facet's plane is, and whether that is on it.
+/// Costs of a facet plane's distance along the ray, and of its range check.
 Operations distance() { return products(6) + quotients(1) + comparisons(2); }
 
-/// The facets that a ray has been held against. Mailboxes leave out those.
+/// The facets already tested against a ray; mailboxes skip them.
 class Tries {
  public:
   Tries(bool has_mailboxes, Operations& sum, RaysMet& met) : has_mailboxes_(has_mailboxes), sum_(sum), met_(met) {}
@@ -106,7 +106,7 @@ class Tries {
   std::set<std::uint32_t> tried_;
 };
 
-/// Calls `look(cell)` for each cell of a ray until that is enough of it.
+/// Calls `look(cell)` for each cell of a ray until it returns false.
 template <class Look>
 class Visitor final : public software::CellVisitor {
  public:
@@ -133,15 +133,15 @@ struct Met {
   bool operator<(const Met& other) const { return event < other.event; }
 };
 
-/// Where a ray gets into the solid.
+/// A ray's entry into the solid.
 struct Hit {
   Seen seen;
-  std::uint32_t facet = TraceScene::none;  ///< on the screen, or of the model
+  std::uint32_t facet = TraceScene::none;  ///< on the screen or in the model
   Sequence before{};
   double t = endless;
 };
 
-/// A picture that is traced.
+/// Recounts a traced picture.
 class TraceRecount {
  public:
   TraceRecount(const Scene& scene, const TraceScene& traced, const std::string& name, std::uint32_t bucket_size,
@@ -155,7 +155,7 @@ class TraceRecount {
         sequences_(tree_, scene.tree.primitives.size(), counts_.classification),
         walks_(name, traced.shapes(), bucket_size, directory) {}
 
-  /// Traces the picture, and checks that these are its pixels.
+  /// Traces the picture and checks its pixels.
   TraceCounts run(const std::vector<software::TracedPixel>& found) {
     if (options_.facet_test == FacetTest::projected || options_.item_pass == ItemPass::depth_lists) {
       counts_.projection += testing::transformed(traced_.facets().corners.size(), traced_.screen().facets.size(),
@@ -189,7 +189,7 @@ class TraceRecount {
     counts_.projection += steps({{store_long, counts_.primary.hits}});
   }
 
-  /// Of a facet on the screen, what a ray meets there.
+  /// Returns the event of a ray at a facet on the screen.
   [[nodiscard]] std::optional<Event> event_of(const ScreenFacet& facet, std::int32_t column, std::int32_t row) const {
     const view::PixelRect& pixels = facet.pixels;
     if (column < pixels.x0 || column > pixels.x1 || row < pixels.y0 || row > pixels.y1) return std::nullopt;
@@ -205,7 +205,7 @@ class TraceRecount {
     return numbers_.longs * steps({{load_long, 3}, {multiply, 4}, {add_long, 4}});
   }
 
-  /// A facet in the picture: its rectangle, its edges up to the first that has the pixel on its other side, its depth.
+  /// A facet in the picture: its rectangle, its edges up to the first with the pixel on its other side, its depth.
   [[nodiscard]] Operations projected_test(const ScreenFacet& facet, std::int32_t column, std::int32_t row) const {
     Operations sum = steps({{load, 4}, {compare, 4}, {branch, 4}});
     const view::PixelRect& pixels = facet.pixels;
@@ -228,7 +228,7 @@ class TraceRecount {
     return pierced.side == 0 ? pierced.operations() : pierced.operations() + distance();
   }
 
-  /// Classifies events at one depth after the other, up to so many; true where the ray gets in.
+  /// Classifies events depth by depth up to a limit; true if the ray enters the solid.
   bool classify(std::vector<Met>& waiting, std::size_t due, Sequence& sequence, std::vector<Event>& events, Hit& hit) {
     while (due > 0) {
       const std::uint32_t depth = waiting.front().event.depth;
@@ -257,7 +257,7 @@ class TraceRecount {
     return false;
   }
 
-  /// A ray of a pixel: its cells' facets are tried, and what it meets waits, in order, until nothing nearer can come.
+  /// A pixel's ray: tests its cells' facets and keeps their events in order until no nearer one can follow.
   Hit primary(std::int32_t column, std::int32_t row) {
     RaysMet& met = counts_.primary;
     const SpaceRay ray = traced_.ray_of(column, row);
@@ -335,7 +335,7 @@ class TraceRecount {
     ++met.rays_by_cells[cells];
   }
 
-  /// What is visible in a row by scan conversion of all facets.
+  /// Visible surfaces in a row by scan conversion of all facets.
   std::vector<Hit> items_of(std::int32_t row) {
     const software::Counts before_row = counts_.classification;
     std::uint64_t items = 0;
@@ -376,13 +376,13 @@ class TraceRecount {
       counts_.items += items;
       counts_.projection += sum;
     } else {
-      // The items are made all the same, at the price of list priority, which has their classification.
+      // Items are always made, at the price of list priority, which includes their classification.
       counts_.classification = before_row;
     }
     return hits;
   }
 
-  /// The item of a pixel is all that is tried.
+  /// Tests only the item of a pixel.
   Hit looked_up(const Hit& hit) {
     RaysMet& met = counts_.primary;
     add_ray(0, met);
@@ -399,7 +399,7 @@ class TraceRecount {
     return traced_.geometry().planes.planes()[traced_.facets().facets[facet].halfspace.plane];
   }
 
-  /// Whether the pixel is what was found.
+  /// Whether the pixel equals the found one.
   bool shade(const Hit& hit, std::int32_t column, std::int32_t row, const software::TracedPixel& found) {
     bool is_same = found.seen == hit.seen;
     counts_.shading += steps({{load_long, 2}, store_long, branch_taken});
@@ -430,10 +430,10 @@ class TraceRecount {
     return is_same;
   }
 
-  /// A colour of three channels is mixed with another.
+  /// Mixes two colours of three channels.
   static Operations mixed() { return 3 * steps({{load, 2}, multiply, add, store}); }
 
-  /// A ray goes to each light that is on the side of the facet that is seen.
+  /// Sends a ray to each light on the visible side of the facet.
   std::uint32_t lit(const glm::dvec3& place, const Hit& at, const glm::dvec3& seen_along) {
     std::uint32_t lights = 0;
     for (std::size_t i = 0; options_.has_shadows && i < options_.lights.size(); ++i) {
@@ -455,7 +455,7 @@ class TraceRecount {
     bool leaves;
   };
 
-  /// A ray that begins on a facet, in what holds that place.
+  /// A ray that starts on a facet, with the primitives that contain its origin.
   Hit secondary(const glm::dvec3& place, const glm::dvec3& direction, double end, const Hit& from, bool is_any,
                 RaysMet& met) {
     SpaceRay ray{place, direction, 0, end};
@@ -518,7 +518,7 @@ class TraceRecount {
     std::ranges::sort(waiting, {}, [](const RealEvent& one) { return std::pair{one.t, one.facet}; });
   }
 
-  /// Takes what is met at one place. A primitive that is left without being held, or entered while it is, is left out.
+  /// Takes the events at one place. Skips the exit of a primitive that is not held and the entry of one that is.
   bool classify(const std::vector<RealEvent>& point, Sequence& sequence, std::set<std::uint32_t>& held,
                 std::vector<Event>& events, bool is_any, Hit& hit) {
     software::Counts& counts = counts_.classification;
@@ -583,7 +583,7 @@ void check_trace(const Scene& scene, const TraceScene& traced, const std::string
                  const TraceOptions& options, Tally& tally) {
   const auto directory = software::directory_of(name).make(traced.shapes(), {bucket_size});
   const software::Traced found = software::trace(traced, *directory, options, true);
-  // Trees of boxes are complete when all rays have come.
+  // Trees of boxes are complete after all rays.
   const TraceCounts expected = TraceRecount(scene, traced, name, bucket_size, *directory, options).run(found.pixels);
   check_same(found.counts.primary, expected.primary);
   check_same(found.counts.shadow, expected.shadow);
@@ -622,7 +622,7 @@ TraceOptions any_options(testing::Random& random, const TraceScene& traced) {
 
 }  // namespace
 
-TEST_CASE("ray tracing counts what a plain recount of cells, facets and rays gives") {
+TEST_CASE("ray tracing counts as a plain recount of cells and facets and rays does") {
   Tally tally;
   std::uint64_t scenes = 0;
   for (std::uint64_t seed = 1; scenes < 150; ++seed) {

@@ -37,7 +37,7 @@ void draw_bits(Random& random, view::Sampling& sampling) {
   sampling.fraction_bits = random.one_of({0U, 0U, 0U, 2U, 12U});
 }
 
-/// Several models beside and in each other, so that something is left of one of them.
+/// Several models next to and inside each other, so that parts of one of them remain.
 std::string models(Random& random) {
   std::string csg;
   for (std::uint64_t i = 1 + random.below(3); i > 0; --i) {
@@ -56,7 +56,7 @@ Scene curved_scene(Random& random) {
   return make_scene(read::read_csg_text(curved.csg, "test"), curved.camera, curved.sampling, {.exact_curves = true});
 }
 
-/// Boxes whose sides are between pixels, at ends of cells and of their quarters.
+/// Boxes with sides between pixels, at borders of cells and of their quarters.
 std::string box(Random& random) {
   const auto at = [&](double step, int low) { return step * (low + static_cast<double>(random.below(8))); };
   const double x = at(8, -4);
@@ -77,12 +77,12 @@ std::string boxes(Random& random, unsigned levels) {
   return csg + "}\n";
 }
 
-Scene scene_of_boxes(Random& random) {
+Scene box_scene(Random& random) {
   view::Sampling sampling;
   sampling.width = random.one_of({32U, 48U, 64U});
   sampling.height = random.one_of({32U, 48U});
   draw_bits(random, sampling);
-  // A pixel is a unit, or half of one.
+  // A pixel is one unit or half a unit.
   const double pixels = sampling.height / random.one_of({1.0, 2.0});
   const double distance = pixels / 2 / view::half_height_per_distance();
   const view::Camera camera{{0, -distance, 0}, {0, 0, 0}, view::Projection::orthographic};
@@ -93,7 +93,7 @@ Scene any_scene(std::uint64_t seed) {
   Random random(seed);
   const std::uint64_t kind = random.below(6);
   if (kind < 2) return curved_scene(random);
-  if (kind == 2) return scene_of_boxes(random);
+  if (kind == 2) return box_scene(random);
   const view::Camera camera = any_camera(random);
   view::Sampling sampling;
   draw_size(random, sampling);
@@ -125,7 +125,7 @@ Scene make_scene(model::Tree tree, const view::Camera& camera, const view::Sampl
 std::optional<Scene> random_scene(std::uint64_t seed) {
   try {
     Scene scene = any_scene(seed);
-    // The rules have no say where a plane has no integers.
+    // The rules are undefined if a plane has no integer form.
     const bool fits = std::ranges::all_of(scene.view.planes, &view::ScreenPlane::representable);
     return fits ? std::optional(std::move(scene)) : std::nullopt;
   } catch (const InputError&) {

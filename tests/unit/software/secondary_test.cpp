@@ -17,12 +17,12 @@ namespace {
 struct Tally {
   std::uint64_t judged = 0;
   std::uint64_t pixels = 0;
-  std::uint64_t dark = 0;       ///< in shadow, or turned away
-  std::uint64_t mirrored = 0;   ///< that show another surface
-  std::uint64_t reflected = 0;  ///< that show the background
+  std::uint64_t dark = 0;       ///< in shadow, or facing away
+  std::uint64_t mirrored = 0;   ///< pixels that show another surface
+  std::uint64_t reflected = 0;  ///< pixels that show the background
 };
 
-/// A model of random primitives, none of whose colours is another's.
+/// A model of random primitives with distinct colours.
 Scene colourful(Random& random, std::uint32_t side) {
   const std::string csg = testing::random_model(random.below(1U << 30U), 2 + static_cast<unsigned>(random.below(6)));
   model::Tree tree = read::read_csg_text(csg, "test");
@@ -57,9 +57,9 @@ std::string a_directory(Random& random) {
   return std::string(software::directories()[random.below(software::directories().size())]->name);
 }
 
-/// What is wrong with the light of that light alone on a model, of those pixels that rounding leaves no doubt of.
-std::string fault_of_light(const Scene& scene, const scene::Light& light, const software::TraceOptions& options,
-                           const std::string& directory, Tally& tally) {
+/// Returns the fault in the shading by one light, at pixels that rounding cannot decide; empty if none.
+std::string find_light_fault(const Scene& scene, const scene::Light& light, const software::TraceOptions& options,
+                             const std::string& directory, Tally& tally) {
   scene::Scene look;
   look.ambient.intensity = 0;
   look.lights.push_back(light);
@@ -83,7 +83,7 @@ std::string fault_of_light(const Scene& scene, const scene::Light& light, const 
   return "";
 }
 
-/// Whether a pixel shows a face that is turned upwards.
+/// Whether a pixel shows a face that points upwards.
 bool is_top(const Scene& scene, const software::TracedPixel& pixel) {
   const software::Facets facets = software::facets_of(scene.tree, scene.geometry);
   const facet::Halfspace halfspace = facets.facets[pixel.surface.facet].halfspace;
@@ -91,8 +91,8 @@ bool is_top(const Scene& scene, const software::TracedPixel& pixel) {
   return std::abs(up) > 0.99 && facets.corners_of(pixel.surface.facet)[0].z + scene.geometry.planes.centre().z > -1.5;
 }
 
-/// What is wrong with the light on a model of one light and no other; empty if nothing is.
-std::string fault_of_shadows(std::uint64_t seed, Tally& tally) {
+/// Returns the fault in a random model lit by a single light; empty if none.
+std::string find_shadow_fault(std::uint64_t seed, Tally& tally) {
   Random random(seed);
   const Scene scene = colourful(random, 40);
   scene::Light light;
@@ -110,18 +110,18 @@ std::string fault_of_shadows(std::uint64_t seed, Tally& tally) {
     light.position = glm::dvec3{any(), any(), any()} * 20.0;
     options.lights.push_back({true, light.position - scene.geometry.planes.centre()});
   }
-  const std::string fault = fault_of_light(scene, light, options, a_directory(random), tally);
+  const std::string fault = find_light_fault(scene, light, options, a_directory(random), tally);
   return fault.empty() ? fault : fmt::format("seed {}, {}", seed, fault);
 }
 
-/// What a chain of mirrors shows in the end.
+/// Colour at the end of a chain of mirrors.
 glm::dvec3 shown(const Scene& scene, const software::TracedPixel& pixel) {
   const std::uint32_t owner = pixel.mirrored.empty() ? pixel.surface.owner : pixel.mirrored.back().owner;
   return owner == Seen::nothing_seen ? glm::dvec3{0} : *scene.tree.primitives[owner].colour;
 }
 
-/// What is wrong with a model all of whose facets mirror; empty if nothing is.
-std::string fault_of_mirrors(std::uint64_t seed, Tally& tally) {
+/// Returns the fault in a random model with all facets mirroring; empty if none.
+std::string find_mirror_fault(std::uint64_t seed, Tally& tally) {
   Random random(seed);
   const Scene scene = colourful(random, 40);
   scene::Scene look;
@@ -163,20 +163,20 @@ std::string fault_of_mirrors(std::uint64_t seed, Tally& tally) {
 
 }  // namespace
 
-TEST_CASE("rays to a light find what the rays of the oracle find, wherever rounding cannot decide otherwise") {
+TEST_CASE("shadow rays agree with the oracle's wherever rounding cannot decide") {
   Tally tally;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     try {
-      CHECK(fault_of_shadows(seed, tally) == "");
+      CHECK(find_shadow_fault(seed, tally) == "");
     } catch (const InputError&) {
-      continue;  // a model of which nothing is left
+      continue;  // the model is empty
     }
   }
   MESSAGE(tally.judged, " of ", tally.pixels, " pixels judged, ", tally.dark, " dark");
   CHECK(tally.judged > tally.pixels / 20);
   CHECK(tally.dark > tally.judged / 10);
 }
-TEST_CASE("a point light is hidden by what is before it, not by what is behind it, as the rays of the oracle say") {
+TEST_CASE("objects in front of a point light block it and objects behind it do not") {
   const auto floor_with = [](double z) {
     model::Tree tree = read::read_csg_text(
         fmt::format("multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,-1],[0,0,0,1]]){{cube(size=[40,40,2],center=true);}}"
@@ -203,10 +203,10 @@ TEST_CASE("a point light is hidden by what is before it, not by what is behind i
     for (const char* const directory : {"excell", "kd-tree", "bvh", "none"}) {
       CAPTURE(directory);
       Tally tally;
-      CHECK(fault_of_light(scene, light, options, directory, tally) == "");
+      CHECK(find_light_fault(scene, light, options, directory, tally) == "");
       CHECK(tally.judged > 1000);
-      // The floor of 40 by 40 has a shadow of about 11 by 11 where the plate is halfway to the light, else none; sides
-      // of plates are dark too.
+      // The floor of 40 by 40 has a shadow of about 11 by 11 if the plate is halfway to the light, else none; sides of
+      // plates are dark too.
       std::uint64_t dark_floor = 0;
       for (const software::TracedPixel& pixel : traced(scene, options, directory))
         dark_floor += pixel.seen.owner == 0 && pixel.surface.lit == 0 && is_top(scene, pixel) ? 1U : 0U;
@@ -215,11 +215,11 @@ TEST_CASE("a point light is hidden by what is before it, not by what is behind i
     }
   }
 }
-TEST_CASE("rays in mirrors find what the rays of the oracle find, wherever rounding cannot decide otherwise") {
+TEST_CASE("mirror rays agree with the oracle's wherever rounding cannot decide") {
   Tally tally;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     try {
-      CHECK(fault_of_mirrors(seed, tally) == "");
+      CHECK(find_mirror_fault(seed, tally) == "");
     } catch (const InputError&) {
       continue;
     }

@@ -10,7 +10,7 @@
 
 namespace csgsim::testing {
 
-/// A scene and what its methods of display are given. Keeps a reference.
+/// A scene and the inputs of its display methods. Keeps a reference.
 struct Shown {
   const Scene& scene;
   software::Tree tree;

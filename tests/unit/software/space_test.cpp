@@ -23,7 +23,7 @@ void add(software::Facets& facets, const std::vector<glm::dvec3>& corners) {
   facets.corners.insert(facets.corners.end(), corners.begin(), corners.end());
 }
 
-/// A polygon around a place: an ellipse of so many corners.
+/// A polygon around a point: an ellipse with a random number of corners.
 std::vector<glm::dvec3> polygon(Random& random, const glm::dvec3& middle, double radius, double thickness) {
   const glm::dvec3 a = glm::normalize(somewhere(random, 1) + glm::dvec3{0, 0, 1e-3});
   const glm::dvec3 b = glm::normalize(glm::cross(a, somewhere(random, 1) + glm::dvec3{1e-3, 0, 0}));
@@ -67,7 +67,7 @@ software::Facets any_facets(Random& random, std::uint64_t kind) {
   return facets;
 }
 
-/// A place of halving walls.
+/// A place of a halving wall.
 double wall(Random& random, double low, double high) {
   const std::uint64_t cells = std::uint64_t{1} << (1 + random.below(5));
   return low + (high - low) * static_cast<double>(random.below(cells + 1)) / static_cast<double>(cells);
@@ -85,7 +85,7 @@ SpaceRay any_ray(Random& random, const software::Facets& facets, const facet::Bo
   const glm::dvec3 inside = middle + somewhere(random, size / 4);
   switch (random.below(8)) {
     case 0: break;                       // it may miss
-    case 1: ray.origin = inside; break;  // it begins within
+    case 1: ray.origin = inside; break;  // it starts inside
     case 2: ray.direction = inside - ray.origin; break;
     case 3:  // along walls
       ray.origin = crossing(random, box);
@@ -111,7 +111,7 @@ SpaceRay any_ray(Random& random, const software::Facets& facets, const facet::Bo
   return ray;
 }
 
-/// Where a ray meets a facet surely: not near its edges. Triangle after triangle, in long doubles.
+/// Returns where a ray certainly meets a facet, not near its edges: triangle by triangle, in long doubles.
 std::optional<double> met_at(const SpaceRay& ray, std::span<const glm::dvec3> corners) {
   using Vector = glm::vec<3, long double>;
   const Vector origin(ray.origin);
@@ -132,8 +132,8 @@ std::optional<double> met_at(const SpaceRay& ray, std::span<const glm::dvec3> co
   return std::nullopt;
 }
 
-/// Keeps what it is told.
-class Told final : public software::CellVisitor {
+/// Records the reported cells.
+class RecordingVisitor final : public software::CellVisitor {
  public:
   bool visit(const software::Cell& cell) override {
     cells.push_back({cell.t_in, cell.t_out, cell.settled, {}});
@@ -151,30 +151,31 @@ struct Tally {
   std::uint64_t hits = 0;
 };
 
-/// What is wrong with what a ray is told, by all facets; empty if nothing is.
-std::string fault_of(const software::Facets& facets, const SpaceRay& ray, const Told& told, double size, Tally& tally) {
+/// Returns the fault in a ray's reported cells, judged by all facets; empty if none.
+std::string find_fault(const software::Facets& facets, const SpaceRay& ray, const RecordingVisitor& visitor,
+                       double size, Tally& tally) {
   const double slack = 1e-9 * size / glm::length(ray.direction);
   double before = -std::numeric_limits<double>::infinity();
-  std::vector<double> told_after(facets.facets.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < told.cells.size(); ++i) {
-    const software::Cell& cell = told.cells[i];
-    if (cell.settled < before) return fmt::format("cell {} settles less than the one before", i);
+  std::vector<double> reported_after(facets.facets.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < visitor.cells.size(); ++i) {
+    const software::Cell& cell = visitor.cells[i];
+    if (cell.settled < before) return fmt::format("cell {} settles less than its predecessor", i);
     if (cell.t_in > cell.t_out + slack) return fmt::format("cell {} is left before it is entered", i);
-    for (const std::uint32_t facet : told.facets[i]) told_after[facet] = std::min(told_after[facet], before);
+    for (const std::uint32_t facet : visitor.facets[i]) reported_after[facet] = std::min(reported_after[facet], before);
     before = cell.settled;
   }
-  tally.cells += told.cells.size();
+  tally.cells += visitor.cells.size();
   for (std::uint32_t i = 0; i < facets.facets.size(); ++i) {
     const std::optional<double> t = met_at(ray, facets.corners_of(i));
     if (!t) continue;
     ++tally.hits;
-    if (told_after[i] > *t + slack)
-      return fmt::format("facet {} is met at {} and told of after {} was settled", i, *t, told_after[i]);
+    if (reported_after[i] > *t + slack)
+      return fmt::format("facet {} is met at {} but reported after {} was settled", i, *t, reported_after[i]);
   }
   return "";
 }
 
-std::string fault_of(std::uint64_t seed, std::uint64_t kind, Tally& tally) {
+std::string find_fault(std::uint64_t seed, std::uint64_t kind, Tally& tally) {
   Random random(seed);
   const software::Facets facets = any_facets(random, kind);
   const software::FacetShapes shapes(facets);
@@ -185,10 +186,10 @@ std::string fault_of(std::uint64_t seed, std::uint64_t kind, Tally& tally) {
     const SpaceRay ray = any_ray(random, facets, shapes.box());
     ++tally.rays;
     for (std::size_t one = 0; one < all.size(); ++one) {
-      Told told;
+      RecordingVisitor visitor;
       software::Uncounted nothing;
-      all[one]->walk(ray, told, nothing);
-      const std::string fault = fault_of(facets, ray, told, shapes.box().diagonal(), tally);
+      all[one]->walk(ray, visitor, nothing);
+      const std::string fault = find_fault(facets, ray, visitor, shapes.box().diagonal(), tally);
       if (!fault.empty())
         return fmt::format("{}, facets {}, seed {}: {}", software::directories()[one]->name, kinds[kind], seed, fault);
     }
@@ -196,7 +197,7 @@ std::string fault_of(std::uint64_t seed, std::uint64_t kind, Tally& tally) {
   return "";
 }
 
-/// Whether a box has a point of a polygon: what is left of it when each wall has cut it.
+/// Whether a box contains a point of a polygon: clips the polygon by each wall.
 bool is_in(const facet::Box& box, std::vector<glm::dvec3> polygon) {
   if (facet::common(box, facet::box_of(polygon)).empty()) return false;
   for (int axis = 0; axis < 3; ++axis) {
@@ -223,10 +224,10 @@ struct PlainCell {
   std::set<std::uint32_t> facets;
 };
 
-/// The cells of EXCELL by its rule alone: halved while they have more facets than a bucket, so many levels.
+/// The cells of EXCELL by its rule alone: halved while they have more facets than a bucket, up to a number of levels.
 struct PlainCells {
   unsigned levels = 15;
-  unsigned first_levels = 15;  ///< of the first directory; a full cell behind it has one of its own
+  unsigned first_levels = 15;  ///< levels of the first directory; a full cell gets its own one
   std::vector<PlainCell> cells{};
   std::uint64_t directories = 1;
   std::uint64_t overflows = 0;
@@ -253,7 +254,7 @@ void add_cells(const software::Facets& facets, const PlainCell& cell, double rea
   }
 }
 
-/// How much of a ray is in a box.
+/// Length of a ray in a box.
 double part_in(const facet::Box& box, const SpaceRay& ray) {
   double begin = ray.begin;
   double end = ray.end;
@@ -271,7 +272,7 @@ struct RaysInCells {
   std::uint64_t cells = 0;
 };
 
-/// Holds both ways through EXCELL against the cells of its rule, which are returned.
+/// Compares both walks through EXCELL with the cells of its rule, which are returned.
 PlainCells check_excell(const software::Facets& facets, const software::SpaceOptions& options, PlainCells plain,
                         Random& random, RaysInCells& rays) {
   const software::FacetShapes shapes(facets);
@@ -288,7 +289,7 @@ PlainCells check_excell(const software::Facets& facets, const software::SpaceOpt
     CHECK(built.references == references);
     CHECK(built.splits + 1 == plain.cells.size());
     CHECK(built.overflows == plain.overflows);
-    // A directory has four words beside its entries.
+    // A directory has four words in addition to its entries.
     CHECK(built.directory_words == built.entries + 4 * plain.directories);
     for (int i = 0; i < 30; ++i) {
       const glm::dvec3 origin = somewhere(random, 12);
@@ -305,11 +306,11 @@ PlainCells check_excell(const software::Facets& facets, const software::SpaceOpt
       if (is_close) continue;
       ++rays.rays;
       rays.cells += expected.size();
-      Told told;
+      RecordingVisitor visitor;
       software::Uncounted nothing;
-      excell->walk(ray, told, nothing);
+      excell->walk(ray, visitor, nothing);
       std::multiset<std::set<std::uint32_t>> found;
-      for (const std::vector<std::uint32_t>& one : told.facets) found.emplace(one.begin(), one.end());
+      for (const std::vector<std::uint32_t>& one : visitor.facets) found.emplace(one.begin(), one.end());
       CHECK(found == expected);
     }
   }
@@ -318,12 +319,12 @@ PlainCells check_excell(const software::Facets& facets, const software::SpaceOpt
 
 }  // namespace
 
-TEST_CASE("every facet that a ray meets is told of before the ray is settled beyond it, by each directory") {
+TEST_CASE("every directory reports each facet on a ray before settling the ray beyond it") {
   Tally tally;
   CHECK(rc::check([&] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     for (std::uint64_t i = 0; i < 2; ++i) {
-      const std::string fault = fault_of(seed + i, (seed / 2 + i * 3) % std::size(kinds), tally);
+      const std::string fault = find_fault(seed + i, (seed / 2 + i * 3) % std::size(kinds), tally);
       if (!fault.empty()) RC_FAIL(fault);
     }
   }));
@@ -331,7 +332,7 @@ TEST_CASE("every facet that a ray meets is told of before the ray is settled bey
   if (!testing::draws_usual_cases()) return;
   CHECK(tally.hits > tally.rays);
 }
-TEST_CASE("EXCELL has the cells of its rule, and both ways through them tell the facets of those that a ray meets") {
+TEST_CASE("EXCELL has its rule's cells and both walks report the facets of a ray's cells") {
   RaysInCells rays;
   const auto seeds = testing::cases<std::uint64_t>(24, 4);
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
@@ -344,12 +345,12 @@ TEST_CASE("EXCELL has the cells of its rule, and both ways through them tell the
   CHECK((!testing::draws_usual_cases() || rays.rays > 1000));
   CHECK(rays.cells > 2 * rays.rays);
 }
-TEST_CASE("EXCELL has a directory of 15 levels, and from 4096 facets one of 12 levels with others of 9 behind it") {
+TEST_CASE("EXCELL has 15 levels or from 4096 facets on 12 levels with others of 9") {
   for (const bool has_two : {false, true}) {
     CAPTURE(has_two);
     Random random(5);
     software::Facets facets;
-    // Most are small and anywhere; crowds fill cells of the last level.
+    // Most are small and scattered; clusters fill cells of the last level.
     const std::uint64_t number = has_two ? 4096 : 4095;
     for (std::uint64_t i = 0; i < number; ++i) {
       glm::dvec3 place = somewhere(random, 5);
@@ -366,7 +367,7 @@ TEST_CASE("EXCELL has a directory of 15 levels, and from 4096 facets one of 12 l
     CHECK(rays.rays > 20);
   }
 }
-TEST_CASE("a walk that counts tells what it tells when it does not") {
+TEST_CASE("a counting walk reports the same cells as one that does not count") {
   Random random(7);
   const software::Facets facets = any_facets(random, 0);
   const software::FacetShapes shapes(facets);
@@ -375,18 +376,18 @@ TEST_CASE("a walk that counts tells what it tells when it does not") {
     const std::unique_ptr<software::Directory> directory = row->make(shapes, {4});
     for (int i = 0; i < 50; ++i) {
       const SpaceRay ray = any_ray(random, facets, shapes.box());
-      Told told;
-      Told counted;
+      RecordingVisitor visitor;
+      RecordingVisitor counted;
       software::Uncounted nothing;
       software::Counting count;
-      directory->walk(ray, told, nothing);
+      directory->walk(ray, visitor, nothing);
       directory->walk(ray, counted, count);
-      CHECK(told.facets == counted.facets);
+      CHECK(visitor.facets == counted.facets);
       if (row->name != "none") CHECK(count.done() != software::Operations{});
     }
   }
 }
-TEST_CASE("directories that halve space tell parts that fill it, and cells that have each facet they are reached by") {
+TEST_CASE("halving directories report parts that fill space and cells of each facet") {
   REQUIRE(software::halving_directories() == std::vector<std::string>{"excell", "octree", "kd-tree"});
   std::uint64_t cells = 0;
   const auto seeds = static_cast<std::uint64_t>(testing::cases(32, static_cast<int>(std::size(kinds))));
@@ -403,7 +404,7 @@ TEST_CASE("directories that halve space tell parts that fill it, and cells that 
       REQUIRE(!parts.empty());
       CHECK(parts.front().box.low == shapes.box().low);
       CHECK(parts.front().box.high == shapes.box().high);
-      std::uint64_t told = 0;
+      std::uint64_t visitor = 0;
       for (const software::SpacePart& part : parts) {
         if (!part.is_cell()) {
           facet::Box low = part.box;
@@ -413,14 +414,14 @@ TEST_CASE("directories that halve space tell parts that fill it, and cells that 
           CHECK((parts[part.high].box.low == high.low && parts[part.high].box.high == high.high));
           continue;
         }
-        ++told;
+        ++visitor;
         const std::set<std::uint32_t> has(part.facets.begin(), part.facets.end());
         software::Counting count;
         for (const std::uint32_t facet : shapes.placed())
           CHECK(has.contains(facet) == shapes.touches(facet, part.box, count));
       }
-      CHECK(told == directory->built().cells);
-      cells += told;
+      CHECK(visitor == directory->built().cells);
+      cells += visitor;
     }
   }
   CHECK(cells > 5000);
@@ -430,6 +431,6 @@ TEST_CASE("directories that halve space tell parts that fill it, and cells that 
     if (!row->halves_space) CHECK(row->make(shapes, {})->parts().empty());
   }
 }
-TEST_CASE("a directory that there is not is refused with those that there are") {
+TEST_CASE("rejects an unknown directory and lists the valid ones") {
   CHECK(testing::error_of([] { (void)software::directory_of("excel"); }).find("excell") != std::string::npos);
 }

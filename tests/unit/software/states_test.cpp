@@ -24,7 +24,7 @@ using testing::Random;
 
 namespace {
 
-/// A model and what is known of its primitives.
+/// A model and the known states of its primitives.
 struct Question {
   const testing::TreeRules& rules;
   std::vector<Known> known;
@@ -36,7 +36,7 @@ struct Question {
     }
     return primitives;
   }
-  /// What is known, all else out.
+  /// The known states, with all others out.
   [[nodiscard]] std::vector<bool> held() const {
     std::vector<bool> held;
     for (const Known one : known) held.push_back(one == Known::in);
@@ -73,7 +73,7 @@ class Walker {
   CountingMethod count_;
 };
 
-/// All states that agree with what is known, each by a step from the last; then some from the start.
+/// All states consistent with the known ones, each by one step from the previous; then some from the start.
 template <template <class> class Traversal>
 bool is_right_in_all_states(const Tree& tree, const Question& question, Random& random) {
   const std::vector<std::uint32_t> open = question.open();
@@ -94,7 +94,7 @@ bool is_right_in_all_states(const Tree& tree, const Question& question, Random& 
   return true;
 }
 
-/// The traversal that is wrong; empty if none is.
+/// Returns the name of a wrong traversal; empty if none.
 std::string wrong_traversal(const Tree& tree, const Question& question, Random& random) {
   if (tree.is_constant()) {
     std::vector<bool> held = question.held();
@@ -115,17 +115,17 @@ std::string wrong_traversal(const Tree& tree, const Question& question, Random& 
   return "";
 }
 
-/// What nodes say of each other; empty if it is right.
+/// Returns an inconsistency between tree nodes; empty if none.
 std::string wrong_node(const Tree& tree, std::size_t primitives) {
   if (tree.leaf_of.size() != primitives) return "leaves";
   for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
     const software::Node& node = tree.nodes[i];
-    if (i != tree.root && node.parent == model::no_index) return "a node that is below none";
+    if (i != tree.root && node.parent == model::no_index) return "a node without a parent";
     if (node.is_leaf) {
       if (node.height != 0 || tree.leaf_of[node.primitive] != i) return "a leaf";
       continue;
     }
-    if (node.left >= i || node.right >= i) return "a child behind its parent";
+    if (node.left >= i || node.right >= i) return "a child after its parent";
     const software::Node& left = tree.nodes[node.left];
     const software::Node& right = tree.nodes[node.right];
     if (left.parent != i || right.parent != i) return "a parent";
@@ -134,7 +134,7 @@ std::string wrong_node(const Tree& tree, std::size_t primitives) {
   return "";
 }
 
-/// Of what is open, some more becomes known.
+/// Makes some of the unknown states known.
 void learn(std::vector<Known>& known, Random& random) {
   for (Known& one : known) {
     if (one == Known::nothing && random.below(5) == 0) one = random.one_of({Known::out, Known::in});
@@ -147,7 +147,7 @@ struct Tally {
   std::uint64_t long_strings = 0;  ///< trees of more than 5 levels
 };
 
-std::string fault_of(const Tree& tree, const Question& question, Random& random, Tally& tally) {
+std::string find_fault(const Tree& tree, const Question& question, Random& random, Tally& tally) {
   tally.constants += tree.is_constant() ? 1U : 0U;
   tally.complemented += !tree.is_constant() && tree.complemented ? 1U : 0U;
   tally.long_strings += tree.depth() > 5 ? 1U : 0U;
@@ -155,22 +155,22 @@ std::string fault_of(const Tree& tree, const Question& question, Random& random,
   return node.empty() ? wrong_traversal(tree, question, random) : node;
 }
 
-/// As a whole, and pruned twice by what is learnt.
-std::string fault_of(const model::Tree& model, Shape shape, Random& random, Tally& tally) {
+/// Checks a tree as a whole and pruned twice by additional known states.
+std::string find_fault(const model::Tree& model, Shape shape, Random& random, Tally& tally) {
   const testing::TreeRules rules(model);
   Question question{rules, std::vector<Known>(model.primitives.size())};
   Tree tree = software::make_tree(model, shape);
-  std::string fault = fault_of(tree, question, random, tally);
+  std::string fault = find_fault(tree, question, random, tally);
   for (int i = 0; i < 2 && fault.empty(); ++i) {
     learn(question.known, random);
     const std::size_t nodes = tree.nodes.size();
     tree = software::reduced(tree, question.known);
-    if (tree.nodes.size() > nodes) return "pruned, it has more nodes";
+    if (tree.nodes.size() > nodes) return "pruning added nodes";
     for (std::uint32_t primitive = 0; primitive < question.known.size(); ++primitive) {
       const bool is_known = question.known[primitive] != Known::nothing;
-      if (is_known && tree.leaf_of[primitive] != model::no_index) return "pruned, it has a primitive that is known";
+      if (is_known && tree.leaf_of[primitive] != model::no_index) return "pruning kept a known primitive";
     }
-    fault = fault_of(tree, question, random, tally);
+    fault = find_fault(tree, question, random, tally);
     if (!fault.empty()) fault += ", pruned";
   }
   return fault;
@@ -193,7 +193,7 @@ model::Tree union_of(unsigned primitives) {
 
 }  // namespace
 
-TEST_CASE("every traversal holds what the rules hold in all states of random trees, in each shape and pruned") {
+TEST_CASE("every traversal obeys the rules in all states of random trees and shapes") {
   Tally tally;
   CHECK(rc::check([&] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
@@ -201,7 +201,7 @@ TEST_CASE("every traversal holds what the rules hold in all states of random tre
       Random random(seed + i);
       const model::Tree model = testing::random_tree(random, 1 + static_cast<unsigned>(random.below(10)));
       for (const Shape shape : all_shapes) {
-        const std::string fault = fault_of(model, shape, random, tally);
+        const std::string fault = find_fault(model, shape, random, tally);
         if (!fault.empty())
           RC_FAIL(std::string(software::shapes()[static_cast<std::size_t>(shape)].name) + ": " + fault);
       }
@@ -214,15 +214,15 @@ TEST_CASE("every traversal holds what the rules hold in all states of random tre
   CHECK(tally.complemented > 10);
   CHECK(tally.long_strings > 10);
 }
-TEST_CASE("every traversal holds what the rules hold in all states of a chain of 14 operators") {
+TEST_CASE("every traversal obeys the rules in all states of a chain of 14 operators") {
   Tally tally;
   Random random(7);
   const model::Tree model = testing::chain(15);
   CHECK(software::make_tree(model, Shape::written).depth() == 14);
-  CHECK(fault_of(model, Shape::written, random, tally) == "");
-  CHECK(fault_of(model, Shape::balanced, random, tally) == "");
+  CHECK(find_fault(model, Shape::written, random, tally) == "");
+  CHECK(find_fault(model, Shape::balanced, random, tally) == "");
 }
-TEST_CASE("shapes are as deep as they say") {
+TEST_CASE("tree shapes have their documented depth") {
   for (const unsigned primitives : {2U, 3U, 5U, 8U, 9U, 16U, 17U, 100U, 1024U, 1025U}) {
     CAPTURE(primitives);
     const model::Tree model = union_of(primitives);
@@ -230,7 +230,7 @@ TEST_CASE("shapes are as deep as they say") {
     CHECK(software::make_tree(model, Shape::written).depth() == primitives - 1);
     CHECK(software::make_tree(model, Shape::balanced).depth() == std::bit_width(primitives - 1));
   }
-  // Two unions below a union are two nodes as they are written, and operands of one when they are joined.
+  // Two unions below a union are separate nodes as written, and operands of one node when merged.
   model::Tree model = union_of(4);
   model.nodes[4].children = {0, 1};
   model.nodes.push_back({.op = model::Operator::unite, .children = {2, 3}});
@@ -240,7 +240,7 @@ TEST_CASE("shapes are as deep as they say") {
   CHECK(software::make_tree(model, Shape::left_deep).depth() == 3);
   CHECK(software::make_tree(model, Shape::balanced).depth() == 2);
 }
-TEST_CASE("table 4.1 is what a tree of two primitives is pruned to") {
+TEST_CASE("pruning a tree of two primitives follows table 4.1") {
   using model::Operator;
   struct Row {
     Operator op;

@@ -1,5 +1,5 @@
-// What tracing one block takes, recounted from its pixels and worked out by hand in clocks of an MC68000 that is
-// programmed in assembly (block_prices_test.cpp has its prices).
+// Costs of tracing one block, recounted from its pixels and calculated by hand in clocks of an MC68000 programmed in
+// assembly (prices in block_prices_test.cpp).
 
 #include "host/read/read.h"
 #include "hw/processors/processor.h"
@@ -27,7 +27,7 @@ testing::Scene block_scene() {
   return testing::make_scene(read::read_csg_text("cube(size=[8,8,8],center=true);", "block"), front, sampling);
 }
 
-/// Seen from the front: two of its six faces are in the picture.
+/// A block seen from the front: two of its six faces are in the picture.
 struct Block {
   testing::Scene scene = block_scene();
   software::Tree tree = software::make_tree(scene.tree, software::Shape::written);
@@ -64,10 +64,10 @@ constexpr double quotient = 2 * 140 + 2 * 70 + 2 * 8;
 constexpr double comparison = 16 + 6 + 8;
 constexpr double distance = 6 * product + quotient + 2 * comparison;
 
-/// A ray asks once for each of six facets whether it has been held against it; two are in the picture, and called.
-constexpr double asked = 6 * ((2 * 16 + 6 + 8 + 16) + (2 * 16 + 2 * 8)) + 2 * (18 + 16);
+/// A ray checks once for each of six facets whether it has been tested; two are in the picture, and tested by a call.
+constexpr double mailbox_checks = 6 * ((2 * 16 + 6 + 8 + 16) + (2 * 16 + 2 * 8)) + 2 * (18 + 16);
 
-/// What a ray meets is put in its place among two, and taken from them when the ray is known to its end.
+/// An event is inserted in order among two, and taken from them when the ray is settled to its end.
 double kept(const Block& block) {
   constexpr double put = 16 + 6 + 2 * 16 + 10;
   constexpr double moved = 16 + 6 + 2 * 16 + 10;
@@ -75,8 +75,8 @@ double kept(const Block& block) {
 }
 constexpr double none_kept = 6 + 8;
 
-/// Edges of a face that are looked at, in the plane of the picture: all of a face that a ray goes through, else those
-/// up to the first that the ray is on the other side of than of another.
+/// Edges of a face tested in the plane of the picture: all if the ray passes through the face, else those up to the
+/// first with the ray on another side.
 double edges_looked_at(std::span<const glm::dvec3> corners, const glm::dvec3& at) {
   double edges = 0;
   double side = 0;
@@ -91,12 +91,12 @@ double edges_looked_at(std::span<const glm::dvec3> corners, const glm::dvec3& at
   return edges;
 }
 
-/// A tree of one leaf is inverted, looked at and inverted again, by three calls.
+/// A tree of one leaf is inverted, evaluated and inverted again by three calls.
 constexpr double alone = 2 * (18 + 16 + 4 + 16 + 12 + 4 + 12 + 10) + 18 + 12 + 16;
 
 }  // namespace
 
-TEST_CASE("primary rays that are held against facets in space take what they take by hand") {
+TEST_CASE("primary rays tested in space take the hand-calculated clocks") {
   const Block block;
   REQUIRE(block.faces().size() == 2);
   const double hits = hits_of(block);
@@ -112,29 +112,29 @@ TEST_CASE("primary rays that are held against facets in space take what they tak
     }
   }
   constexpr double edge = 4 * product + 3 * 16 + 6 * 8 + 8;
-  CHECK(clocks(counts.intersection) == pixels * (asked + 2 * 2 * product) + edges * edge + 2 * hits * distance +
-                                           hits * kept(block) + (pixels - hits) * none_kept);
-  // The surface in front is found in the list structure: made and looked up once.
+  CHECK(clocks(counts.intersection) == pixels * (mailbox_checks + 2 * 2 * product) + edges * edge +
+                                           2 * hits * distance + hits * kept(block) + (pixels - hits) * none_kept);
+  // The surface in front is found in the list structure: inserted and looked up once.
   constexpr double once = (18 + 2 * 12 + 4 * 16 + 8 + 16) + (2 * 12 + 4 + 12) + alone;
   constexpr double classified = 16 + 6 + 8 + (6 + 8 + 4 + 16 + 6 + 8) + (12 + 4 + 8) + (2 * 12 + 4 + 8);
   CHECK(clocks(counts.classification.operations) == once + hits * classified);
   CHECK(clocks(counts.shading) == pixels * (3 * 16 + 10));
-  CHECK(counts.words == 6 + 12);  // a mailbox a facet; the list structure and the tree
+  CHECK(counts.words == 6 + 12);  // a mailbox per facet; the list structure and the tree
 }
-TEST_CASE("primary rays that are held against facets in the picture take what they take by hand") {
+TEST_CASE("primary rays tested in the picture take the hand-calculated clocks") {
   const Block block;
   const double hits = hits_of(block);
   software::TraceOptions options;
   options.facet_test = software::FacetTest::projected;
   const software::TraceCounts counts = block.counts(options);
-  // Six faces of four corners, two planes and their edges are brought into the picture.
+  // Six faces of four corners, two planes and their edges are transformed into the picture.
   const auto linears = static_cast<double>(block.traced.screen().linears.size());
   constexpr double long_product = 4 * 70 + 5 * 8 + 2 * 16;
   constexpr double long_quotient = 2 * 70 + 2 * 140 + 2 * 8 + 2 * 16;
   CHECK(clocks(counts.projection) == (9 * 24 + 6 * 2 + 2 * linears) * long_product + (2 * 24 + 3 * 2) * long_quotient +
                                          16 * (3 * 24 + 6 * 2 + 6 * linears) + (24 + 2 + linears) * (18 + 16));
   constexpr double rectangle = 4 * 12 + 4 * 4 + 4 * 8;
-  // Of two longs a value takes three coefficients, and two products of words for each long of two.
+  // A value of two longs takes three coefficients, and two products of words for each long of two.
   constexpr double value = 6 * 16 + 8 * 70 + 8 * 8 + 4 + 8;
   double values = 0;
   double shifts = 0;
@@ -149,10 +149,10 @@ TEST_CASE("primary rays that are held against facets in the picture take what th
       }
     }
   }
-  CHECK(clocks(counts.intersection) == pixels * (asked + 2 * rectangle) + values * value + shifts * (8 + 2 * 12) +
-                                           hits * kept(block) + (pixels - hits) * none_kept);
+  CHECK(clocks(counts.intersection) == pixels * (mailbox_checks + 2 * rectangle) + values * value +
+                                           shifts * (8 + 2 * 12) + hits * kept(block) + (pixels - hits) * none_kept);
 }
-TEST_CASE("an item buffer takes what its pass takes, and leaves one plane to be met at each pixel that it has") {
+TEST_CASE("an item buffer takes its pass and leaves one plane per covered pixel") {
   const Block block;
   const double hits = hits_of(block);
   software::TraceOptions options;
@@ -163,7 +163,7 @@ TEST_CASE("an item buffer takes what its pass takes, and leaves one plane to be 
   const software::TraceCounts counts = block.counts(options);
   CHECK(clocks(counts.projection) == 1000 * 70 + hits * 16);
   CHECK(clocks(counts.intersection) == pixels * (16 + 6 + 8) + hits * distance);
-  CHECK(clocks(counts.classification.operations) == alone);  // what the tracer's own list structure begins with
+  CHECK(clocks(counts.classification.operations) == alone);  // initialisation of the tracer's own list structure
   CHECK(counts.items == 77);
   CHECK(static_cast<double>(counts.words) == 5 + 6 + 12 + 2 * pixels);
   options.item_pass = software::ItemPass::depth_lists;

@@ -1,4 +1,4 @@
-// Rays of pixels, the facets that they go through, and what is told of surfaces, worked out by hand.
+// Hand-calculated rays of pixels, facets that they pierce, and reported surfaces.
 
 #include "sim/software/tracing/trace_scene.h"
 
@@ -52,14 +52,14 @@ constexpr const char* block_aside =
 const view::Camera from_front{{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic};
 const view::Camera from_eye{{0, -60, 0}, {0, 0, 0}, view::Projection::perspective};
 
-/// A billionth of the diagonal of the box around a block of 8, which has twice the reach around it; the reach is 2^-14
-/// of the block's own diagonal.
+/// A billionth of the diagonal of the box around a block of 8, enlarged by twice the reach; the reach is 2^-14 of the
+/// block's own diagonal.
 const double slack_of_block = 1e-9 * std::sqrt(3.0) * (8 + 4 * 0x1p-14 * 8 * std::sqrt(3.0));
 
 /// Faces of a convex solid, counter-clockwise as seen from outside.
 using Faces = std::vector<std::vector<glm::dvec3>>;
 
-/// Of -1 to 1 along each axis.
+/// The cube from -1 to 1 along each axis.
 Faces cube_faces() {
   Faces faces;
   for (int axis = 0; axis < 3; ++axis) {
@@ -79,7 +79,7 @@ Faces cube_faces() {
   return faces;
 }
 
-/// |x| + |y| + |z| <= 1.
+/// The octahedron |x| + |y| + |z| <= 1.
 Faces octahedron_faces() {
   Faces faces;
   for (const double x : {-1.0, 1.0}) {
@@ -94,7 +94,7 @@ Faces octahedron_faces() {
   return faces;
 }
 
-/// Faces that a line goes in through, and out through.
+/// Numbers of faces that a line enters and leaves through.
 struct InAndOut {
   int in = 0;
   int out = 0;
@@ -114,7 +114,7 @@ InAndOut pierced_faces(const Faces& faces, const SpaceRay& ray) {
 
 }  // namespace
 
-TEST_CASE("a line through an edge or a corner of a solid goes in through one face and out through one, or misses it") {
+TEST_CASE("a line through an edge or corner enters one face and leaves one or misses") {
   std::vector<glm::dvec3> places;
   for (int i = 0; i < 125; ++i) places.emplace_back(i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2);
   std::uint64_t within = 0;
@@ -134,7 +134,7 @@ TEST_CASE("a line through an edge or a corner of a solid goes in through one fac
   CHECK(within > 1000);
   CHECK(beside > 1000);
 }
-TEST_CASE("a line goes through the faces of a cube that it meets, and to the side that it goes to") {
+TEST_CASE("a line pierces the cube faces that it meets with the right direction") {
   const Faces faces = cube_faces();  // low x, high x, low y, high y, low z, high z
   const auto sides = [&](const glm::dvec3& origin, const glm::dvec3& direction) {
     const software::Piercing piercing({origin, direction, 0, 1});
@@ -150,12 +150,12 @@ TEST_CASE("a line goes through the faces of a cube that it meets, and to the sid
   CHECK(sides({0.5, 0.25, 0}, {0, 0, 3}) == std::vector<int>{0, 0, 0, 0, -1, 1});
   CHECK(sides({0.5, 0.25, 0}, {0, 0, -3}) == std::vector<int>{0, 0, 0, 0, 1, -1});
   CHECK(sides({1.5, 0.25, 0}, {0, 0, 3}) == std::vector<int>(6));
-  // Corners cut off: in by one side, out by another.
+  // Near a corner: in by one side, out by another.
   CHECK(sides({0.5, 0.5, 0}, {3, -2, 0}) == std::vector<int>{0, 1, 0, -1, 0, 0});
   CHECK(sides({0.5, 0, 0.5}, {-3, 0, 2.5}) == std::vector<int>{0, -1, 0, 0, 0, 1});
   CHECK(sides({0, -0.5, 0.5}, {0, 2, 3}) == std::vector<int>{0, 0, -1, 0, 0, 1});
 }
-TEST_CASE("the ray of a pixel goes through it, and is a slack longer than the depths there are") {
+TEST_CASE("a pixel's ray passes through it and extends a slack beyond the depth range") {
   for (const view::Camera& camera : {from_front, from_eye}) {
     const bool is_perspective = camera.projection == view::Projection::perspective;
     CAPTURE(is_perspective);
@@ -163,7 +163,7 @@ TEST_CASE("the ray of a pixel goes through it, and is a slack longer than the de
     const double near = staged.scene.view.depth.near;
     const double far = staged.scene.view.depth.far;
     CHECK(staged.traced.slack() == doctest::Approx(slack_of_block).epsilon(1e-9));
-    // Between near and far are 2^20 - 4 steps, and depths go from one before to two behind them.
+    // Between near and far are 2^20 - 4 steps, and depths range from one step before near to two steps after far.
     constexpr double step = 1.0 / 1048572;
     double least = near - step * (far - near);
     double most = far + 2 * step * (far - near);
@@ -187,9 +187,9 @@ TEST_CASE("the ray of a pixel goes through it, and is a slack longer than the de
     }
   }
 }
-TEST_CASE("a ray has no end where the last depth is beyond what is infinitely far") {
-  // Of 4 bits there are 12 steps from near to far, and depths go to two behind: 14 of 12 of the way. With the model
-  // from 56 to 64, 1/8 - 14/12 (1/8 - 1/64) is below 0; with the near plane at the model it is not.
+TEST_CASE("a ray has no end if the last depth is beyond infinity") {
+  // With 4 bits there are 12 steps from near to far, and depths extend two steps further: to 14/12 of the range. With
+  // the model from 56 to 64, 1/8 - 14/12 (1/8 - 1/64) is negative; with the near plane at the model it is not.
   CHECK(Staged{stage(block, from_eye, 8.0, 4)}.traced.ray_of(3, 4).end == infinite);
   const double near = 50;
   const Staged staged{stage(block, from_eye, near, 4)};
@@ -198,7 +198,7 @@ TEST_CASE("a ray has no end where the last depth is beyond what is infinitely fa
   CHECK(staged.traced.ray_of(3, 4).end == doctest::Approx(last + slack_of_block).epsilon(1e-12));
   CHECK(staged.traced.ray_of(3, 4).end > last);
 }
-TEST_CASE("depths are known a slack before the place that a ray is settled to") {
+TEST_CASE("depths are known up to a slack before the settled place of a ray") {
   for (const view::Camera& camera : {from_front, from_eye}) {
     const bool is_perspective = camera.projection == view::Projection::perspective;
     CAPTURE(is_perspective);
@@ -206,14 +206,14 @@ TEST_CASE("depths are known a slack before the place that a ray is settled to") 
     const double near = staged.scene.view.depth.near;
     const double far = staged.scene.view.depth.far;
     CHECK(staged.traced.depth_at(infinite) == infinite);
-    // A depth is 1 at the near plane, and 2^20 - 4 more at the far one.
+    // A depth is 1 at the near plane, and 2^20 - 4 more at the far plane.
     const double steps_per_unit = 1048572 / (is_perspective ? near * (far - near) / far : far - near);
     CHECK(std::abs(staged.traced.depth_at(near + slack_of_block) - 1) < 1e-6);
     CHECK(staged.traced.depth_at(near) == doctest::Approx(1 - slack_of_block * steps_per_unit).epsilon(1e-8));
     CHECK(std::abs(staged.traced.depth_at(near) - 1) > 5e-4);
     CHECK(std::abs(staged.traced.depth_at(far + slack_of_block) - 1048573) < 1e-6);
     if (is_perspective) {
-      // Nothing is known up to the eye.
+      // No depth is known up to the eye.
       for (const double t : {-1.0, 0.0, staged.traced.slack()}) CHECK(staged.traced.depth_at(t) == 0);
       CHECK(staged.traced.depth_at(2 * staged.traced.slack()) < 0);
       CHECK(staged.traced.depth_at(0.5) < 0);
@@ -223,15 +223,15 @@ TEST_CASE("depths are known a slack before the place that a ray is settled to") 
     }
   }
 }
-TEST_CASE("places and directions of the camera's axes are those of the model") {
-  // The camera looks along y; to its right is x, and up is z.
+TEST_CASE("converts places and directions from camera axes to model axes") {
+  // The camera looks along y; its right is x, and its up is z.
   const Staged staged{stage(block_aside, {{3, -60, 2}, {3, 0, 2}, view::Projection::perspective})};
   const glm::dvec3 centre = staged.scene.geometry.planes.centre();
   CHECK(glm::length(staged.traced.direction_of({1, 2, 3}) - glm::dvec3{1, 3, 2}) < 1e-12);
   CHECK(glm::length(staged.traced.place_of({1, 2, 3}) - (glm::dvec3{4, -57, 4} - centre)) < 1e-12);
   CHECK(glm::length(centre) > 1);
 }
-TEST_CASE("an empty model has a slack of a billionth, and a picture of nothing") {
+TEST_CASE("an empty model has a slack of a billionth and an empty picture") {
   const Staged staged{stage("union(){}", from_front)};
   REQUIRE(staged.tree.is_constant());
   CHECK(staged.traced.slack() == 1e-9);
@@ -249,12 +249,12 @@ TEST_CASE("an empty model has a slack of a billionth, and a picture of nothing")
   const auto space = software::directory_of("excell").make(staged.traced.shapes(), {8});
   CHECK(software::traced_seconds(staged.traced, *space, {}) == 0);
 }
-TEST_CASE("rays go to 32 lights, and not to 33") {
+TEST_CASE("accepts 32 lights and rejects 33") {
   const Staged staged{stage(block, from_front)};
   const auto space = software::directory_of("excell").make(staged.traced.shapes(), {8});
   software::TraceOptions options;
   options.has_shadows = true;
-  // All light the face in front.
+  // All lights illuminate the face in front.
   options.lights.assign(32, {false, {0, -1, 0}});
   const software::Traced traced = software::trace(staged.traced, *space, options, false);
   CHECK(std::ranges::count(traced.pixels, 0xffffffffU, [](const auto& pixel) { return pixel.surface.lit; }) ==
@@ -268,7 +268,7 @@ TEST_CASE("rays go to 32 lights, and not to 33") {
   CHECK_THROWS_WITH_AS(software::traced_seconds(staged.traced, *space, options), doctest::Contains("33 lights"),
                        InputError);
 }
-TEST_CASE("a pixel tells the facet that is seen, and its lights and mirrors only where there are any") {
+TEST_CASE("a pixel reports its facet and its lights and mirrors only if requested") {
   const Staged staged{stage(block, from_front)};
   software::TraceOptions with_mirrors;
   with_mirrors.mirror_depth = 2;
@@ -301,7 +301,7 @@ TEST_CASE("a pixel tells the facet that is seen, and its lights and mirrors only
     CHECK(seen > 100);
   }
 }
-TEST_CASE("a ray that begins in a solid sees no facet, and none that lights and mirrors are asked of") {
+TEST_CASE("a ray that starts in a solid has no facet or light or mirror") {
   // The camera is in a block of 80, and looks along y.
   const Staged staged{
       stage("cube(size=[80,80,80],center=true);", {{0, 0, 0}, {0, 1, 0}, view::Projection::perspective}, 1.0)};
@@ -325,7 +325,7 @@ TEST_CASE("a ray that begins in a solid sees no facet, and none that lights and 
     CHECK(traced.counts.mirror.rays == 0);
   }
 }
-TEST_CASE("nothing is counted of rays before there are any") {
+TEST_CASE("new ray counts are zero") {
   const software::TraceCounts counts;
   for (const software::RaysMet& met : {counts.primary, counts.shadow, counts.mirror}) {
     CHECK(met.rays + met.cells + met.tested + met.loose + met.met + met.repeats + met.hits == 0);
@@ -363,7 +363,7 @@ class Between {
                       {{0, -60, 5}, {0, 5, 0}, view::Projection::orthographic})},
         sequences_(staged_.tree, meters_.classification) {}
 
-  /// A facet in the plane across an axis that is so far from the middle of all.
+  /// Number of the facet in the plane across an axis at this distance from the centre.
   [[nodiscard]] std::uint32_t facet_across(int axis, double at) const {
     const software::Facets& facets = staged_.traced.facets();
     for (std::uint32_t i = 0; i < facets.facets.size(); ++i) {
@@ -394,9 +394,9 @@ class Between {
 
 }  // namespace
 
-TEST_CASE("a ray from a face ends on the next solid, where that is no farther than the ray's end") {
+TEST_CASE("a ray from a face ends on the next solid if that is within its length") {
   Between between;
-  // About the middle, at y = 5, the cubes are from -6 to -4 and from 4 to 6.
+  // Relative to the centre, at y = 5, the cubes extend from -6 to -4 and from 4 to 6.
   REQUIRE(between.facet_across(1, -4) < 6);
   REQUIRE(between.facet_across(1, 4) >= 6);
   for (const double size : {1.0, 2.0, 64.0}) {
@@ -417,21 +417,21 @@ TEST_CASE("a ray from a face ends on the next solid, where that is no farther th
     CHECK(between.met.hits == 0);
     CHECK(between.met.met == 0);
   }
-  // Another way, and past it.
+  // Another direction, past the cube.
   CHECK(between.ray({0.25, 4, 0.5}, {0, -1, 0}, infinite).facet == between.facet_across(1, -4));
   const software::RealHit past = between.ray({0.25, -4, 0.5}, {0, 1, 1}, infinite);
   CHECK(past.t == infinite);
   CHECK(past.owner == software::Seen::nothing_seen);
   CHECK(past.facet == TraceScene::none);
-  // Whether there is any is all that is told.
+  // Only the existence of an obstacle is reported.
   const software::RealHit any = between.ray({0.25, -4, 0.5}, {0, 1, 0}, infinite, "none", true);
   CHECK(any.t == doctest::Approx(8));
   CHECK(any.owner == software::Seen::nothing_seen);
   CHECK(any.facet == TraceScene::none);
 }
-TEST_CASE("a ray that goes along an axis but for less than a number of full precision goes along it") {
+TEST_CASE("a ray parallel to an axis except for a subnormal number is treated as parallel") {
   Between between;
-  // It begins on the walls that halve the model across both other axes.
+  // The ray starts on the walls that halve the model across both other axes.
   for (const software::DirectoryRow* const row : software::directories()) {
     for (const bool has_mailboxes : {false, true}) {
       CAPTURE(row->name);

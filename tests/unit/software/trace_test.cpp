@@ -25,8 +25,8 @@ struct Tally {
   std::uint64_t loose_facets = 0;
 };
 
-/// What is wrong with the traced pictures of a scene; empty if nothing is.
-std::string fault_of(const Scene& scene, std::uint32_t bucket_size, Tally& tally) {
+/// Returns the fault in the traced pictures of a scene; empty if none.
+std::string find_fault(const Scene& scene, std::uint32_t bucket_size, Tally& tally) {
   const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
   const software::Tree tree = software::make_tree(scene.tree, software::Shape::written);
   const software::TraceScene traced_scene(scene.tree, scene.geometry, scene.view, tree);
@@ -46,7 +46,7 @@ std::string fault_of(const Scene& scene, std::uint32_t bucket_size, Tally& tally
           const Seen& seen = traced.pixels[i].seen;
           tally.covered += seen.owner != Seen::nothing_seen ? 1U : 0U;
           if (seen.depth == expected[i].depth && seen.owner == expected[i].owner) continue;
-          return fmt::format("{}{}{}: pixel {}, {} has depth {}, owner {} and not {}, {}", row->name,
+          return fmt::format("{}{}{}: pixel {}, {} has depth {} and owner {} instead of {}, {}", row->name,
                              has_mailboxes ? "" : " without mailboxes", has_item_buffer ? " with item buffer" : "",
                              i % traced_scene.width(), i / traced_scene.width(), seen.depth, seen.owner,
                              expected[i].depth, expected[i].owner);
@@ -57,7 +57,7 @@ std::string fault_of(const Scene& scene, std::uint32_t bucket_size, Tally& tally
   return "";
 }
 
-Scene scene_of(const std::string& csg, const view::Camera& camera, std::uint32_t width, std::uint32_t height) {
+Scene build_scene(const std::string& csg, const view::Camera& camera, std::uint32_t width, std::uint32_t height) {
   view::Sampling sampling;
   sampling.width = width;
   sampling.height = height;
@@ -66,11 +66,10 @@ Scene scene_of(const std::string& csg, const view::Camera& camera, std::uint32_t
 
 }  // namespace
 
-TEST_CASE(
-    "ray tracing sees what the rules say in random scenes, by each directory, with mailboxes, an item buffer or not") {
+TEST_CASE("ray tracing matches the rule-based judge in random scenes with all options") {
   Tally tally;
   CHECK(testing::holds_in_random_scenes(tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t seed) {
-    return fault_of(scene, static_cast<std::uint32_t>(1 + seed % 9), tally);
+    return find_fault(scene, static_cast<std::uint32_t>(1 + seed % 9), tally);
   }));
   MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.covered, " pixels covered, ", tally.tested,
           " facets tested, ", tally.loose, " of them loose; ", tally.loose_facets, " of ", tally.facets, " are loose");
@@ -78,18 +77,18 @@ TEST_CASE(
   CHECK(tally.covered > 10'000);
   CHECK(tally.refused < tally.scenes * 3 / 4);
 }
-TEST_CASE("ray tracing sees what the rules say of the thesis's objects, and next to no facet of them is loose") {
+TEST_CASE("ray tracing matches the judge on the thesis's objects with few loose facets") {
   Tally tally;
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
-      CHECK(fault_of(testing::thesis_scene(one, 90, 70), 8, tally) == "");
+      CHECK(find_fault(testing::thesis_scene(one, 90, 70), 8, tally) == "");
     }
   }
   MESSAGE(tally.tested, " facets tested, ", tally.loose, " of them loose; ", tally.loose_facets, " of ", tally.facets);
   CHECK(tally.loose_facets < tally.facets / 20);
 }
-TEST_CASE("what is counted of primary rays is what cells and facets say") {
+TEST_CASE("counts of primary rays equal those of cells and facets") {
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     CAPTURE(one.name);
     const Scene scene = testing::thesis_scene(one, 40, 30);
@@ -126,28 +125,28 @@ TEST_CASE("what is counted of primary rays is what cells and facets say") {
     CHECK(cells == points.cells);
   }
 }
-TEST_CASE("the rays that meet a box alone are held against its six facets, in one cell") {
+TEST_CASE("rays at a lone box are tested against its six facets in one cell") {
   const view::Camera front{{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic};
-  const Scene scene = scene_of("cube(size=[8,8,8],center=true);", front, 64, 64);
+  const Scene scene = build_scene("cube(size=[8,8,8],center=true);", front, 64, 64);
   const software::Tree tree = software::make_tree(scene.tree, software::Shape::written);
   const software::TraceScene traced_scene(scene.tree, scene.geometry, scene.view, tree);
   const auto space = software::directory_of("excell").make(traced_scene.shapes(), {6});
   const software::RaysMet met = software::trace(traced_scene, *space, {}, true).counts.primary;
   CHECK(met.hits > 200);
   CHECK(met.cells >= met.hits);
-  CHECK(met.cells <= met.hits + 4 * 64);  // the cell reaches a little beyond the box
+  CHECK(met.cells <= met.hits + 4 * 64);  // the cell extends slightly beyond the box
   CHECK(met.tested == 6 * met.cells);
   CHECK(met.met == 2 * met.hits);
 }
-TEST_CASE("ray tracing sees nothing of an empty model, and of what is behind the eye") {
+TEST_CASE("ray tracing shows nothing of an empty model or one behind the eye") {
   Tally tally;
   const view::Camera aside{{18, -25, 21}, {0, 0, 0}, view::Projection::perspective};
-  CHECK(fault_of(scene_of("union(){}", aside, 20, 9), 8, tally) == "");
+  CHECK(find_fault(build_scene("union(){}", aside, 20, 9), 8, tally) == "");
   const view::Camera away{{18, -25, 21}, {36, -50, 42}, view::Projection::perspective};
-  CHECK(fault_of(scene_of("cube(size=[4,4,4],center=true);", away, 20, 9), 8, tally) == "");
+  CHECK(find_fault(build_scene("cube(size=[4,4,4],center=true);", away, 20, 9), 8, tally) == "");
   CHECK(tally.covered == 0);
 }
-TEST_CASE("a camera within a solid begins in it") {
+TEST_CASE("rays of a camera inside a solid start inside it") {
   Tally tally;
   view::Sampling sampling;
   sampling.width = 40;
@@ -156,6 +155,6 @@ TEST_CASE("a camera within a solid begins in it") {
   const Scene scene = testing::make_scene(
       read::read_csg_text("difference(){cube(size=[9,9,9],center=true);sphere(r=2,$fn=16);}", "test"),
       {{3.5, 0, 0}, {0, 0.5, 0}, view::Projection::perspective}, sampling);
-  CHECK(fault_of(scene, 4, tally) == "");
+  CHECK(find_fault(scene, 4, tally) == "");
   CHECK(tally.covered > 0);
 }

@@ -1,5 +1,5 @@
-// What a ray takes to go through directories, worked out by hand in clocks of an MC68000 that is programmed in assembly
-// (block_prices_test.cpp has its prices).
+// Costs of a ray's walk through directories, calculated by hand in clocks of an MC68000 programmed in assembly (prices
+// in block_prices_test.cpp).
 
 #include "hw/processors/processor.h"
 #include "sim/software/space/directory.h"
@@ -9,7 +9,7 @@ using namespace csgsim;
 
 namespace {
 
-/// Four squares across the x axis, two and two of them near each other.
+/// Four squares across the x axis, two pairs of close ones.
 software::Facets four_squares() {
   software::Facets facets;
   for (const double x : {0.0, 0.1, 9.9, 10.0}) {
@@ -40,7 +40,7 @@ struct Walk {
   std::uint64_t facets = 0;
 };
 
-/// Along the x axis, beside the walls that halve y and z.
+/// A ray along the x axis, beside the walls that halve y and z.
 Walk walk(const char* directory, std::uint32_t bucket_size) {
   const software::Facets facets = four_squares();
   const software::FacetShapes shapes(facets);
@@ -56,20 +56,20 @@ constexpr double product = 4 * 70 + 3 * 8 + 2 * 4;
 constexpr double quotient = 2 * 140 + 2 * 70 + 2 * 8;
 constexpr double comparison = 16 + 6 + 8;
 
-/// One by each component of the direction.
+/// Reciprocals of the direction's components.
 constexpr double begun = 3 * quotient;
-/// A ray is clipped to the walls of a box: those across it by a product each, the others by comparisons.
+/// A ray is clipped to the walls of a box: those across it take a product each, the others comparisons.
 constexpr double clipped = (3 * 16 + 8 + 2 * 8 + 2 * product + 3 * comparison) + 2 * (3 * 16 + 8 + 2 * comparison);
 constexpr double visited = 18 + 16;
 
 /// A part of space is taken from the stack.
 constexpr double taken = 3 * 16;
-/// A wall that a ray goes through: it is read, the place is worked out, and both sides are put on the stack.
+/// A wall that the ray crosses: it is read, the place is computed, and both sides are pushed.
 constexpr double halved = 3 * 16 + 8 + 8 + product + 2 * comparison + 6 * 16;
 
 }  // namespace
 
-TEST_CASE("a ray through a k-d tree takes what it takes by hand") {
+TEST_CASE("a ray through a k-d tree takes the hand-calculated clocks") {
   constexpr double node = 2 * 16 + 8;
   const Walk one_cell = walk("kd-tree", 8);
   CHECK(one_cell.cells == 1);
@@ -79,7 +79,7 @@ TEST_CASE("a ray through a k-d tree takes what it takes by hand") {
   CHECK(two_cells.facets == 4);
   CHECK(two_cells.clocks == begun + clipped + 3 * (taken + node) + halved + 2 * visited);
 }
-TEST_CASE("a ray through boxes around facets takes what it takes by hand") {
+TEST_CASE("a ray through boxes around facets takes the hand-calculated clocks") {
   constexpr double met = 2 * 16;
   constexpr double node = 2 * 16 + 8;
   const Walk one_box = walk("bvh", 8);
@@ -87,25 +87,25 @@ TEST_CASE("a ray through boxes around facets takes what it takes by hand") {
   CHECK(one_box.clocks == begun + clipped + met + node + visited);
   const Walk two_boxes = walk("bvh", 2);
   REQUIRE(two_boxes.cells == 2);
-  // The second box comes onto a heap that has one; when the first is taken, the heap of the other is put in order.
+  // The second box is pushed onto a heap of one; removing the first restores the heap of the other.
   constexpr double put_on = comparison;
   constexpr double taken_off = 2 * comparison + 2 * 16;
   CHECK(two_boxes.clocks == begun + 3 * (clipped + met + node) + put_on + taken_off + 2 * visited);
 }
-TEST_CASE("a ray through EXCELL, by query points and by halves, takes what it takes by hand") {
-  // The address of a place, three tables put together; its entry, its bucket, and one list of facets.
+TEST_CASE("a ray through EXCELL by points and by halves takes the hand-calculated clocks") {
+  // The address of a place combines three tables; then its entry, its bucket, and one list of facets.
   constexpr double located = 3 * 16 + 2 * 8 + (8 + 2) + 8 + 8 + 16 + 8 + 2 * 12 + 16;
-  // The cell that is left is at level 0 of five halvings an axis: its wall, and how far that is.
+  // The departed cell has level 0 of five halvings per axis: its wall, and the distance to it.
   constexpr double left = 3 * (16 + 8) + (8 + 2 * 5) + 2 * 8 + 2 * product + comparison;
   const Walk by_points = walk("excell", 8);
   CHECK(by_points.cells == 1);
   CHECK(by_points.clocks == begun + clipped + 6 * product + located + left + visited);
-  // By halves the entry is told from a directory, and its level held against the range's.
+  // The walk by halves: the entry is distinguished from a directory, and its level is compared with the range's.
   constexpr double looked = (8 + 2) + 8 + 16 + 12 + 4 + 8;
   const Walk by_halves = walk("excell-recursive", 8);
   CHECK(by_halves.cells == 1);
   CHECK(by_halves.clocks == begun + clipped + taken + looked + 16 + visited);
-  // Of two cells, the first is left through its wall to the next query point, which takes two places of the ray.
+  // The first of two cells is left through its wall to the next query point, which takes two places of the ray.
   const Walk two_points = walk("excell", 2);
   REQUIRE(two_points.cells == 2);
   constexpr double next_left = 3 * (16 + 8) + (8 + 2 * 4) + 2 * 8 + 2 * product + comparison;

@@ -14,7 +14,7 @@ namespace {
 
 using Corners = std::set<std::uint32_t>;
 
-/// A box whose top is bent: two corners of it, across from each other, are lifted.
+/// A box with a bent top: two opposite corners of it are lifted.
 Mesh bent_box(double lift) {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   for (glm::dvec3& point : mesh.points) {
@@ -33,7 +33,7 @@ std::set<Corners> triangles_of(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("a bent face is told of with how far its corners are off, and flat ones stay as they are") {
+TEST_CASE("reports a bent face and its corners' deviation and keeps flat ones") {
   const auto checked = check(bent_box(0.2), solids::printed_tolerance);
   REQUIRE(!checked.defect);
   CHECK(checked.bent.count == 1);
@@ -43,7 +43,7 @@ TEST_CASE("a bent face is told of with how far its corners are off, and flat one
   CHECK(check(bent_box(1e-6), solids::printed_tolerance).bent.count == 0);
 }
 
-TEST_CASE("which diagonal a bent square is cut along depends on how it is turned") {
+TEST_CASE("the diagonal that splits a bent square depends on the orientation") {
   const Mesh mesh = bent_box(0.2);
   std::set<std::set<Corners>> ways;
   for (int quarter = 0; quarter < 4; ++quarter) {
@@ -53,7 +53,7 @@ TEST_CASE("which diagonal a bent square is cut along depends on how it is turned
   CHECK(ways.size() == 2);
 }
 
-TEST_CASE("a solid is nearly convex with dents of less than a tenth of a degree, and not with two shells") {
+TEST_CASE("dents below a tenth of a degree leave a solid nearly convex unlike two shells") {
   const auto dented = [](double depth) {
     Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
     const auto middle = static_cast<std::uint32_t>(mesh.points.size());

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double tolerance = solids::printed_tolerance;
 
-std::string defect_of(const Mesh& mesh) {
+std::string find_defect(const Mesh& mesh) {
   const auto checked = check(mesh, tolerance);
   return checked.defect ? checked.defect->what : "";
 }
@@ -21,7 +21,7 @@ double volume_of(const Mesh& mesh) { return testing::volume_of(mesh.points, mesh
 
 }  // namespace
 
-TEST_CASE("meshes that OpenSCAD wrote have no defect and stay as they are") {
+TEST_CASE("meshes from OpenSCAD have no defect and stay unchanged") {
   for (const char* name : {"gear", "letters", "cup", "bite", "twisted", "hollow"}) {
     CAPTURE(name);
     const Mesh mesh = testing::load_off(name);
@@ -32,7 +32,7 @@ TEST_CASE("meshes that OpenSCAD wrote have no defect and stay as they are") {
   }
 }
 
-TEST_CASE("equal points are one, unused ones go, and so do faces that collapse by that") {
+TEST_CASE("merges equal points and drops unused ones and collapsed faces") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   Mesh apart;
   for (const auto& face : mesh.faces) {
@@ -49,23 +49,23 @@ TEST_CASE("equal points are one, unused ones go, and so do faces that collapse b
   CHECK(joined.mesh.faces.size() == 6);
   CHECK(joined.face_numbers == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});
   for (std::size_t i = 0; i < 8; ++i) CHECK(joined.mesh.points[i] == apart.points[joined.point_numbers[i]]);
-  CHECK(defect_of(apart).empty());
+  CHECK(find_defect(apart).empty());
 }
 
-TEST_CASE("an open mesh is refused, one triangle like two") {
+TEST_CASE("rejects an open mesh of one triangle or two") {
   const Mesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const Mesh two{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}};
-  CHECK(defect_of(one) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
-  CHECK(defect_of(two) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
+  CHECK(find_defect(one) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
+  CHECK(find_defect(two) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
 }
 
-TEST_CASE("a missing face and a turned face are told apart") {
+TEST_CASE("distinguishes a missing face from a reversed one") {
   const Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   Mesh open = mesh;
   open.faces.pop_back();
-  CHECK(defect_of(open).starts_with("the mesh is open: no face joins faces["));
+  CHECK(find_defect(open).starts_with("the mesh is open: no face joins faces["));
   CHECK(check(mesh, tolerance).turned.count == 0);
-  // Whichever are turned, the solid is the box.
+  // The solid is the box, whichever faces are turned.
   for (unsigned which = 1; which < 63; ++which) {
     Mesh wrong = mesh;
     for (std::size_t i = 0; i < 6; ++i) {
@@ -80,7 +80,7 @@ TEST_CASE("a missing face and a turned face are told apart") {
   }
 }
 
-TEST_CASE("a face of a box that shares an edge with another is turned by its other edges") {
+TEST_CASE("a box face that shares an edge with another box is turned by its other edges") {
   Mesh boxes = box(glm::dvec3(0), glm::dvec3(1));
   testing::append(boxes, box(glm::dvec3(1, 1, 0), glm::dvec3(2, 2, 1)));
   for (std::size_t i = 0; i < 12; ++i) {
@@ -94,14 +94,14 @@ TEST_CASE("a face of a box that shares an edge with another is turned by its oth
   }
 }
 
-TEST_CASE("a surface with one side is refused") {
-  // Faces of an octahedron, every other one, and three squares through its middle: closed, with one side.
+TEST_CASE("rejects a one-sided surface") {
+  // Every other face of an octahedron and three squares through its middle: closed, with one side.
   const Mesh surface{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
                      {{0, 1, 2}, {0, 4, 5}, {3, 1, 5}, {3, 4, 2}, {0, 1, 3, 4}, {1, 2, 4, 5}, {2, 0, 5, 3}}};
-  CHECK(defect_of(surface).find(" both run from points[") != std::string::npos);
+  CHECK(find_defect(surface).find(" both run from points[") != std::string::npos);
 }
 
-TEST_CASE("shells are turned so that every other one faces inwards") {
+TEST_CASE("turns shells so that every other one faces inwards") {
   Mesh mesh;
   testing::append(mesh, box(glm::dvec3(0), glm::dvec3(9)));
   testing::append(mesh, box(glm::dvec3(1), glm::dvec3(8)));
@@ -115,13 +115,13 @@ TEST_CASE("shells are turned so that every other one faces inwards") {
   }
 }
 
-TEST_CASE("solids that overlap cross, and solids that touch do not") {
+TEST_CASE("overlapping solids cross and touching solids do not") {
   Mesh touching = box(glm::dvec3(0), glm::dvec3(2));
   testing::append(touching, box(glm::dvec3(2, 0.5, 0.5), glm::dvec3(3)));
-  CHECK(defect_of(touching) == "");
+  CHECK(find_defect(touching) == "");
   Mesh crossing = box(glm::dvec3(0), glm::dvec3(2));
   testing::append(crossing, box(glm::dvec3(1.5, 0.5, 0.5), glm::dvec3(3)));
-  CHECK(defect_of(crossing) == "");
+  CHECK(find_defect(crossing) == "");
   const auto found = check(crossing, tolerance).crossing;
   REQUIRE(found);
   CHECK(found->one < found->other);
@@ -129,27 +129,27 @@ TEST_CASE("solids that overlap cross, and solids that touch do not") {
   CHECK(found->count == 6);
   Mesh barely = box(glm::dvec3(0), glm::dvec3(2));
   testing::append(barely, box(glm::dvec3(2 - 1e-5, 0.5, 0.5), glm::dvec3(3)));
-  CHECK(defect_of(barely) == "");
+  CHECK(find_defect(barely) == "");
   CHECK(!check(barely, tolerance).crossing);
   const auto thin = check(barely, 1e-7).crossing;
   REQUIRE(thin);
   CHECK(thin->depth == doctest::Approx(1e-5).epsilon(1e-3));
 }
 
-TEST_CASE("a face that is folded through a corner that it shares crosses the others there") {
+TEST_CASE("a face folded through a shared corner crosses the others there") {
   // A pyramid whose tip is pulled down through its base.
   const auto pyramid = [](double tip) {
     return Mesh{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {3, 3, tip}, {1, 1, 1}},
                 {{3, 2, 1, 0}, {0, 1, 5}, {2, 3, 5}, {3, 0, 5}, {1, 4, 5}, {4, 2, 5}, {1, 2, 4}}};
   };
-  CHECK(defect_of(pyramid(0.5)).empty());
+  CHECK(find_defect(pyramid(0.5)).empty());
   CHECK(!check(pyramid(0.5), tolerance).crossing);
   CHECK(check(pyramid(-5), tolerance).crossing);
 }
 
-TEST_CASE("corners of others on an edge that nothing joins are given to its face") {
+TEST_CASE("inserts corners that lie on an unmatched edge into its face") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
-  // The top in two halves, which the sides know nothing of.
+  // The top is split into halves; the sides lack the new corners.
   const auto top = std::ranges::find_if(mesh.faces, [&](const auto& face) {
     return std::ranges::all_of(face, [&](std::uint32_t corner) { return mesh.points[corner].z == 1; });
   });
@@ -164,20 +164,20 @@ TEST_CASE("corners of others on an edge that nothing joins are given to its face
   const auto checked = check(mesh, tolerance);
   CHECK(!checked.defect);
   CHECK(volume_of(checked.mesh) == doctest::Approx(1).epsilon(1e-14));
-  // A corner that is off the edge leaves a gap.
+  // A corner off the edge leaves a gap.
   mesh.points[base].z = 0.9;
-  CHECK(defect_of(mesh).starts_with("the mesh is open"));
+  CHECK(find_defect(mesh).starts_with("the mesh is open"));
 }
 
-TEST_CASE("an edge that four faces share is no defect") {
+TEST_CASE("an edge shared by four faces is no defect") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   testing::append(mesh, box(glm::dvec3(1, 1, 0), glm::dvec3(2, 2, 1)));
-  CHECK(defect_of(mesh).empty());
+  CHECK(find_defect(mesh).empty());
 }
 
-TEST_CASE("points that rounding has moved apart are joined where the mesh is open but for them, and nowhere else") {
+TEST_CASE("joins points separated by rounding only where the mesh is otherwise open") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
-  // A corner of its own for one face, and a triangle without area that hangs from it.
+  // A separate corner for one face, and a triangle without area attached to it.
   const std::uint32_t corner = mesh.faces[0][0];
   const auto moved = static_cast<std::uint32_t>(mesh.points.size());
   mesh.points.push_back(mesh.points[corner] + glm::dvec3(1e-5, 0, -1e-5));
@@ -187,25 +187,25 @@ TEST_CASE("points that rounding has moved apart are joined where the mesh is ope
   CHECK(!checked.defect);
   CHECK(checked.mesh.faces.size() == 6);
   CHECK(volume_of(checked.mesh) == doctest::Approx(1).epsilon(1e-4));
-  // The face with the corner is not flat then, and two triangles; the one without area stays.
+  // The face with this corner is no longer flat and becomes two triangles; the one without area stays.
   CHECK(check(mesh, 1e-7).mesh.faces.size() == 8);
   mesh.faces.pop_back();
   CHECK(!check(mesh, tolerance).defect);
   CHECK(check(mesh, 1e-7).defect);
-  // What is closed stays, however near its points are.
+  // A closed mesh stays as it is, however close its points are.
   const Mesh thin = box(glm::dvec3(0), glm::dvec3(1, 1, 1e-5));
   CHECK(check(thin, tolerance).mesh.points.size() == 8);
 }
 
-TEST_CASE("a corner far away joins no points of a small solid") {
+TEST_CASE("a far corner does not cause points of a small solid to be joined") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   mesh.faces.pop_back();
   testing::append(mesh, box(glm::dvec3(3), glm::dvec3(4)));
   mesh.points.back() = glm::dvec3(4e9, 4, 4);
-  CHECK(defect_of(mesh).find("the mesh is open") != std::string::npos);
+  CHECK(find_defect(mesh).find("the mesh is open") != std::string::npos);
 }
 
-TEST_CASE("points far off are joined where they are equal, however small the tolerance") {
+TEST_CASE("joins far points only if equal however small the tolerance") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   mesh.faces.pop_back();
   for (glm::dvec3& point : mesh.points) point = point * 1e-8 + glm::dvec3(1e12, -1e12, 0);
@@ -215,7 +215,7 @@ TEST_CASE("points far off are joined where they are equal, however small the tol
     solids::join_near_points(numbered, near);
     CHECK(numbered.mesh.points.size() == points);
   }
-  // Where doubles are further apart than the tolerance, the next one is not near; where they are not, it is.
+  // If doubles are coarser than the tolerance the next double is not near; elsewhere it is.
   mesh = box(glm::dvec3(1e12, 0, 0), glm::dvec3(1e12 + 1, 1, 1));
   const std::uint32_t corner = mesh.faces[0][0];
   mesh.faces[0][0] = static_cast<std::uint32_t>(mesh.points.size());
@@ -228,14 +228,14 @@ TEST_CASE("points far off are joined where they are equal, however small the tol
   }
 }
 
-TEST_CASE("coordinates of which the squares are beyond doubles are refused") {
+TEST_CASE("rejects coordinates whose squares overflow doubles") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1e12));
-  CHECK(defect_of(mesh).empty());
+  CHECK(find_defect(mesh).empty());
   mesh.points[6].z = -1e300;
-  CHECK(defect_of(mesh) == "points[6] has a coordinate beyond 1e+12; scale the solid down");
+  CHECK(find_defect(mesh) == "points[6] has a coordinate beyond 1e+12; scale the solid down");
 }
 
-TEST_CASE("solids that share a wall are one") {
+TEST_CASE("solids that share a wall are merged") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   testing::append(mesh, box(glm::dvec3(1, 0, 0), glm::dvec3(2, 1, 1)));
   const auto checked = check(mesh, tolerance);

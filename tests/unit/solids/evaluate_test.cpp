@@ -13,7 +13,7 @@ using solids::Pieces;
 
 namespace {
 
-/// Of OpenSCAD's 6 digits, and of what they bend.
+/// Tolerance for OpenSCAD's 6 digits and the bending that they cause.
 constexpr double printed = 1e-4;
 
 Pieces pieces_of(const std::string& text) { return solids::evaluate_pieces(read::read_csg_text(text, "m.csg")); }
@@ -26,7 +26,7 @@ std::string moved(const std::array<double, 3>& by, const std::string& text) {
   return out.str();
 }
 
-/// Turned by degrees about an axis.
+/// Rotated by degrees about an axis.
 std::string turned(int axis, double degrees, const std::string& text) {
   const double c = std::cos(degrees * std::numbers::pi / 180);
   const double s = std::sin(degrees * std::numbers::pi / 180);
@@ -54,7 +54,7 @@ std::string box(double x, double y, double z, bool center = false) {
          "],center=" + (center ? "true" : "false") + ");";
 }
 
-/// Points that are clear of all planes are in a piece if they are within the mesh. The number that were.
+/// Checks that points clear of all planes are in a piece exactly if inside the mesh; returns the number inside.
 int check_union(const solids::Mesh& mesh, const Pieces& pieces) {
   std::mt19937_64 random(11);
   int inside = 0;
@@ -69,7 +69,7 @@ int check_union(const solids::Mesh& mesh, const Pieces& pieces) {
   return inside;
 }
 
-/// Outlines of the paths of an SVG file by OpenSCAD, which has y downwards.
+/// Outlines of the paths of OpenSCAD's SVG file, in which y points down.
 std::vector<flat::Outline> load_svg(const std::string& name) {
   std::ifstream file(std::string(CSGSIM_SOURCE_DIR) + "/tests/models/solids/" + name + ".svg");
   std::vector<flat::Outline> outlines;
@@ -118,7 +118,7 @@ flat::Area projection(const std::string& text, bool cut) {
 
 std::string shadow_model() {
   const std::string drilled = "difference(){" + box(10, 8, 6) + moved({2, 2, -1}, box(3, 3, 20)) + "}";
-  // rotate([30, 20, 0]) turns about x first.
+  // rotate([30, 20, 0]) rotates about x first.
   return turned(1, 20, turned(0, 30, drilled)) + moved({15, 0, 0}, "sphere($fn=16,$fa=12,$fs=2,r=3);");
 }
 
@@ -146,7 +146,7 @@ void check_projection(const std::string& name, bool cut, int holes) {
     wrong += is_in(area.outlines, glm::dvec2(point)) != is_inside ? 1 : 0;
   }
   CHECK(inside > 500);
-  // A point nearer to an outline than its 6 digits say may be on its other side.
+  // A point closer to an outline than the precision of 6 digits may be on its other side.
   CHECK(wrong <= 1);
 }
 
@@ -157,7 +157,7 @@ TEST_CASE("an empty tree has no pieces and no vertices") {
   CHECK(solids::evaluate_vertices({}).empty());
 }
 
-TEST_CASE("the hull of what differences and intersections leave is OpenSCAD's") {
+TEST_CASE("the hull of differences and intersections equals OpenSCAD's") {
   const std::string text = "difference(){" + box(10, 8, 6) + moved({5, 4, 3}, box(10, 10, 10)) +
                            turned(1, 30, box(30, 30, 2, true)) + "} intersection(){" +
                            moved({0, 0, 8}, "sphere($fn=12,$fa=12,$fs=2,r=3);") + moved({-5, -5, 8}, box(9, 9, 9)) +
@@ -176,7 +176,7 @@ TEST_CASE("the vertices of a union are those of its facets") {
   CHECK(vertices.size() == 8 + 8 * 4);
 }
 
-TEST_CASE("the Minkowski sum of solids that are not convex is OpenSCAD's") {
+TEST_CASE("the Minkowski sum of non-convex solids equals OpenSCAD's") {
   const Pieces first = pieces_of("difference(){" + box(10, 8, 3) + moved({4, 3, -1}, box(10, 10, 5)) + "}" +
                                  moved({14, 2, 1}, turned(1, 10, turned(0, 20, box(2, 2, 2)))));
   const Pieces second = pieces_of(box(2, 0.5, 1, true) + turned(2, 90, box(3, 0.5, 0.5, true)));
@@ -185,7 +185,7 @@ TEST_CASE("the Minkowski sum of solids that are not convex is OpenSCAD's") {
   CHECK(check_union(testing::load_off("rounded"), solids::minkowski(solids)) > 200);
 }
 
-TEST_CASE("the Minkowski sum of convex solids is one piece, and of boxes the box of their sizes") {
+TEST_CASE("a Minkowski sum of convex solids is one piece and adds the sizes of boxes") {
   const std::array<Pieces, 2> boxes{pieces_of(box(1, 2, 3)), pieces_of(moved({5, 0, 0}, box(4, 5, 6)))};
   const Pieces sum = solids::minkowski(boxes);
   REQUIRE(sum.size() == 1);
@@ -194,13 +194,13 @@ TEST_CASE("the Minkowski sum of convex solids is one piece, and of boxes the box
   CHECK(testing::volume_of(sum) == doctest::Approx(5 * 7 * 9).epsilon(1e-12));
 }
 
-TEST_CASE("pieces of a Minkowski sum that others hold are left out") {
+TEST_CASE("drops pieces of a Minkowski sum that lie inside others") {
   const std::array<Pieces, 2> solids{pieces_of(box(10, 10, 10) + moved({4, 4, 4}, box(1, 1, 1))),
                                      pieces_of(box(1, 1, 1))};
   CHECK(solids::minkowski(solids).size() == 1);
 }
 
-TEST_CASE("Minkowski sums of too many corners are refused") {
+TEST_CASE("rejects Minkowski sums with too many corners") {
   Pieces many(1);
   many[0].points.resize(5000);
   CHECK(testing::error_of([&] {
@@ -208,12 +208,12 @@ TEST_CASE("Minkowski sums of too many corners are refused") {
         }) == "the Minkowski sum needs more than 20000000 sums of corners; use fewer facets ($fn)");
 }
 
-TEST_CASE("shadows and cuts are OpenSCAD's") {
+TEST_CASE("shadows and cuts equal OpenSCAD's") {
   check_projection("shadow", false, 0);
   check_projection("cut", true, 0);
 }
 
-TEST_CASE("a shadow has the holes that light comes through, and pieces leave no seams in it") {
+TEST_CASE("a shadow keeps through holes and has no seams between pieces") {
   const std::string frame =
       "difference(){" + box(10, 8, 6) + moved({2, 2, -1}, box(3, 3, 20)) + moved({6, 3, -1}, box(1, 1, 20)) + "}";
   for (const bool cut : {false, true}) {
@@ -228,7 +228,7 @@ TEST_CASE("a shadow has the holes that light comes through, and pieces leave no 
   }
 }
 
-TEST_CASE("a face in the plane is cut, and what is above or below is not") {
+TEST_CASE("a cut includes a face in the plane and nothing above or below") {
   for (const double z : {0.0, -1.0, -0.5, 9e-7, -1 - 9e-7}) {
     const flat::Area area = projection(moved({0, 0, z}, box(1, 1, 1)), true);
     REQUIRE(area.outlines.size() == 1);
@@ -239,7 +239,7 @@ TEST_CASE("a face in the plane is cut, and what is above or below is not") {
   CHECK(solids::shadow({}).area.empty());
 }
 
-TEST_CASE("operands that end in the plane are with it in a cut, as OpenSCAD has it") {
+TEST_CASE("operands that end in the plane count in a cut as in OpenSCAD") {
   // Areas are those of OpenSCAD's meshes.
   const auto cut_area = [](const std::string& text) {
     double sum = 0;

@@ -23,7 +23,7 @@ int expected(const Rows& rows) {
   return value.sign();
 }
 
-/// Coordinates of few bits, of many, and of very different sizes.
+/// Coordinates of few bits, of many, and of very different magnitudes.
 class Coordinates {
  public:
   double operator()() {
@@ -44,13 +44,13 @@ class Coordinates {
 
 }  // namespace
 
-TEST_CASE("the sign of a determinant of differences is that of rational numbers, of points in one plane too") {
+TEST_CASE("the sign of a determinant of differences equals rational arithmetic's") {
   Coordinates coordinates;
   int zeros = 0;
   for (int round = 0; round < 20'000; ++round) {
     Rows rows{};
     for (Difference& row : rows) row = {coordinates.point(), coordinates.point()};
-    // The third row is that of the first two, rounded: exactly dependent, or by the last bits not.
+    // The third row is the rounded combination of the first two: exactly dependent, or off by the last bits.
     if (round % 2 == 0) rows[2] = {rows[0].to - rows[0].from + (rows[1].to - rows[1].from), glm::dvec3(0)};
     if (round % 8 == 0) rows[1] = {rows[0].from, rows[0].to};
     const int sign = expected(rows);
@@ -62,7 +62,7 @@ TEST_CASE("the sign of a determinant of differences is that of rational numbers,
   CHECK(zeros < 10'000);
 }
 
-TEST_CASE("what doubles might not hold on the way has no sign, if it is near to 0") {
+TEST_CASE("a value near 0 that doubles might not represent has no sign") {
   const glm::dvec3 origin(0);
   for (const double size : {1e-80, 1e100}) {
     const glm::dvec3 along(size, 0, 0);

@@ -13,7 +13,7 @@ namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
 
-/// Which side of a triangle's plane a point is on, exactly: positive outside.
+/// Side of a triangle's plane on which a point lies, exactly: positive outside.
 int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& point) {
   Rational rows[3][3];
   const glm::dvec3* corners[] = {&b, &c, &point};
@@ -28,7 +28,7 @@ int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const
 
 }  // namespace
 
-TEST_CASE("a hull holds its points exactly, and has no others") {
+TEST_CASE("a hull contains its points exactly and has no others") {
   std::mt19937_64 random(1);
   std::uniform_int_distribution<int> place(-3, 3);
   for (int round = 0; round < 20; ++round) {
@@ -47,7 +47,7 @@ TEST_CASE("a hull holds its points exactly, and has no others") {
   }
 }
 
-TEST_CASE("a hull is the same whatever the order of its points and wherever they are in memory") {
+TEST_CASE("a hull does not depend on the order or addresses of its points") {
   std::mt19937_64 random(3);
   std::uniform_int_distribution<int> place(-3, 3);
   std::vector<std::vector<char>> held;
@@ -61,7 +61,7 @@ TEST_CASE("a hull is the same whatever the order of its points and wherever they
     }));
     for (int again = 0; again < 5; ++again) {
       std::ranges::shuffle(points, random);
-      // Free places of many sizes, in no order.
+      // Fragments the heap with free blocks of many sizes in random order.
       for (int i = 0; i < 100; ++i) held.emplace_back(random() % 5000 + 1);
       std::ranges::shuffle(held, random);
       held.resize(held.size() / 2);
@@ -72,7 +72,7 @@ TEST_CASE("a hull is the same whatever the order of its points and wherever they
   }
 }
 
-TEST_CASE("triangles of a hull that rounding apart are in one plane are one face") {
+TEST_CASE("hull triangles that are coplanar up to rounding are one face") {
   std::mt19937_64 random(2);
   for (int round = 0; round < 20; ++round) {
     const glm::dmat3 turn = testing::random_rotation(random);
@@ -86,7 +86,7 @@ TEST_CASE("triangles of a hull that rounding apart are in one plane are one face
   }
 }
 
-TEST_CASE("points in one plane, on a line, at one place and none have an empty hull") {
+TEST_CASE("coplanar or collinear or equal or no points have an empty hull") {
   const std::vector<glm::dvec3> flat{{0, 0, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 2}, {3, 2, 5}};
   const std::vector<glm::dvec3> line{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}};
   const std::vector<glm::dvec3> same{{1, 2, 3}, {1, 2, 3}};
@@ -96,7 +96,7 @@ TEST_CASE("points in one plane, on a line, at one place and none have an empty h
   }
 }
 
-TEST_CASE("coordinates that are hardly numbers are 0 in a hull") {
+TEST_CASE("subnormal coordinates count as 0 in a hull") {
   for (const double tiny : {1e-320, -1e-320, 0x1p-1074, -0x1p-600, -0.0}) {
     CAPTURE(tiny);
     std::vector<glm::dvec3> points;
@@ -115,7 +115,7 @@ TEST_CASE("coordinates that are hardly numbers are 0 in a hull") {
   }
 }
 
-TEST_CASE("a hull that is thinner than rounding is empty as a piece") {
+TEST_CASE("a hull thinner than rounding yields no piece") {
   std::vector<glm::dvec3> points;
   for (int i = 0; i < 8; ++i) points.emplace_back(i % 2, i / 2 % 2, i / 4 * 1e-14);
   CHECK(hull(points).faces.size() == 12);

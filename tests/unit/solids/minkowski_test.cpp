@@ -15,7 +15,7 @@ model::Polyhedron cube(double side) {
   return *piece;
 }
 
-/// The cube of that side.
+/// Checks that the only piece is a cube with this side.
 void check_only_cube(const solids::Pieces& pieces, double side) {
   REQUIRE(pieces.size() == 1);
   const testing::Extent extent = testing::extent_of(pieces.front().points);
@@ -25,7 +25,7 @@ void check_only_cube(const solids::Pieces& pieces, double side) {
 
 }  // namespace
 
-TEST_CASE("of equal pieces of a Minkowski sum one stays, and of pieces within others none") {
+TEST_CASE("keeps one of equal pieces of a Minkowski sum and none inside others") {
   const solids::Pieces added{cube(1)};
   const model::Polyhedron large = cube(4);
   const model::Polyhedron small = cube(2);
@@ -36,7 +36,7 @@ TEST_CASE("of equal pieces of a Minkowski sum one stays, and of pieces within ot
   }
 }
 
-TEST_CASE("a point in the middle of an edge of a hull is no corner of its form with sorted faces") {
+TEST_CASE("a point in the middle of a hull edge is no corner of its sorted form") {
   solids::Mesh cube{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {1, 0, 0}},
                     {{0, 3, 8},
                      {8, 3, 2},

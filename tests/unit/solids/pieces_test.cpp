@@ -13,7 +13,7 @@ using namespace testing;
 
 namespace {
 
-/// Unit cubes on a grid, joined: only faces between a cube and nothing.
+/// Unit cubes on a grid, merged: only faces between a cube and empty space.
 class Cubes {
  public:
   void add(std::array<int, 3> at) { cubes_[at] = true; }
@@ -76,9 +76,9 @@ Mesh in_single_precision(Mesh mesh, const glm::dmat3& turn) {
 
 }  // namespace
 
-TEST_CASE("no faces are no pieces") { CHECK(convex_pieces({}).empty()); }
+TEST_CASE("no faces yield no pieces") { CHECK(convex_pieces({}).empty()); }
 
-TEST_CASE("a convex mesh is one piece, and its triangles in one plane are one face of it") {
+TEST_CASE("a convex mesh is one piece with coplanar triangles merged") {
   for (const std::uint32_t count : {3U, 7U, 500U}) {
     const Mesh mesh = prism(count);
     const auto pieces = convex_pieces(mesh);
@@ -89,7 +89,7 @@ TEST_CASE("a convex mesh is one piece, and its triangles in one plane are one fa
   }
 }
 
-TEST_CASE("an L is two boxes that say the wall between them in the same numbers") {
+TEST_CASE("an L is two boxes with identical numbers for their common wall") {
   Cubes cubes;
   cubes.add({0, 0, 0});
   cubes.add({1, 0, 0});
@@ -107,11 +107,11 @@ TEST_CASE("an L is two boxes that say the wall between them in the same numbers"
   CHECK(testing::check_pieces(mesh, pieces, 0) > 100);
 }
 
-TEST_CASE("meshes that OpenSCAD wrote fall into pieces that cover them once") {
-  // Coordinates of 6 digits bend faces: what is lost is the rounding times the surface.
+TEST_CASE("meshes from OpenSCAD split into pieces that cover them once") {
+  // Coordinates of 6 digits bend faces: the volume error is the rounding times the surface.
   struct Case {
     std::string name;
-    std::size_t max_pieces;  ///< of the first four, what CGAL's convex_decomposition_3 makes of them
+    std::size_t max_pieces;  ///< for the first four, the number from CGAL's convex_decomposition_3
   };
   for (const auto& known : {Case{"gear", 38}, Case{"letters", 104}, Case{"cup", 178}, Case{"bite", 395},
                             Case{"twisted", 100}, Case{"hollow", 80}}) {
@@ -123,7 +123,7 @@ TEST_CASE("meshes that OpenSCAD wrote fall into pieces that cover them once") {
   }
 }
 
-TEST_CASE("random heaps of cubes, turned, fall into pieces of their volume, whatever edges and corners they touch at") {
+TEST_CASE("random rotated heaps of cubes split into pieces of the same volume") {
   std::mt19937_64 random(3);
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
@@ -144,7 +144,7 @@ TEST_CASE("random heaps of cubes, turned, fall into pieces of their volume, what
 
 namespace {
 
-/// Between z = 0 and 1, above a face of any shape in the x, y plane.
+/// A prism between z = 0 and 1 over a face of any shape in the x, y plane.
 Mesh extruded(const std::vector<glm::dvec2>& points, const std::vector<std::uint32_t>& face) {
   Mesh mesh;
   const auto count = static_cast<std::uint32_t>(points.size());
@@ -170,12 +170,12 @@ Mesh extruded(const std::vector<glm::dvec2>& points, const std::vector<std::uint
 
 }  // namespace
 
-TEST_CASE("faces with reflex corners are cut where they have to be") {
+TEST_CASE("cuts faces at reflex corners where necessary") {
   const Mesh mesh = extruded({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, {0, 1, 2, 3, 4, 5});
   const auto pieces = convex_pieces(mesh);
   CHECK(pieces.size() == 2);
   CHECK(testing::volume_of(pieces) == doctest::Approx(5).epsilon(1e-12));
-  // A star of five points has five reflex corners, of which a cut takes two at most: three cuts.
+  // A star of five points has five reflex corners, at most two of them per cut: three cuts.
   std::vector<glm::dvec2> star;
   std::vector<std::uint32_t> around;
   for (std::uint32_t i = 0; i < 10; ++i) {
@@ -189,7 +189,7 @@ TEST_CASE("faces with reflex corners are cut where they have to be") {
   CHECK(testing::volume_of(points) == doctest::Approx(5 * 3 * std::sin(std::numbers::pi / 5)).epsilon(1e-9));
 }
 
-TEST_CASE("a hole may be joined to its face's outline by an edge that is run along both ways") {
+TEST_CASE("a hole may be joined to its face's outline by an edge run both ways") {
   const Mesh mesh =
       extruded({{0, 0}, {5, 0}, {5, 5}, {0, 5}, {1, 1}, {1, 3}, {3, 3}, {3, 1}}, {0, 1, 2, 3, 0, 4, 5, 6, 7, 4});
   const auto pieces = convex_pieces(mesh);
@@ -197,7 +197,7 @@ TEST_CASE("a hole may be joined to its face's outline by an edge that is run alo
   CHECK(testing::volume_of(pieces) == doctest::Approx(25 - 4).epsilon(1e-12));
 }
 
-TEST_CASE("a shell within a shell is a void, and one in the void is a solid") {
+TEST_CASE("a shell within a shell is a void and one in the void is a solid") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(9));
   Mesh hole = box(glm::dvec3(1), glm::dvec3(8));
   reverse(hole);
@@ -210,7 +210,7 @@ TEST_CASE("a shell within a shell is a void, and one in the void is a solid") {
   CHECK(testing::check_pieces(mesh, pieces, 0) > 10);
 }
 
-TEST_CASE("faces that single precision bends make no more pieces than flat ones") {
+TEST_CASE("faces bent by single precision yield no more pieces than flat ones") {
   const Mesh mesh = testing::load_off("gear");
   std::mt19937_64 random(5);
   const std::size_t flat = convex_pieces(mesh).size();
@@ -222,8 +222,8 @@ TEST_CASE("faces that single precision bends make no more pieces than flat ones"
   }
 }
 
-TEST_CASE("a face that is bent by more than rounding is cut into triangles") {
-  // The top of a cube with one corner lower by half: a ridge, or a valley.
+TEST_CASE("a face bent by more than rounding is cut into triangles") {
+  // The top of a cube with one corner lower by half: a ridge or a valley.
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   for (glm::dvec3& point : mesh.points) {
     if (point == glm::dvec3(1, 1, 1)) point.z = 0.5;
@@ -233,9 +233,9 @@ TEST_CASE("a face that is bent by more than rounding is cut into triangles") {
   CHECK((std::abs(volume - 5.0 / 6) < 1e-12 || std::abs(volume - 11.0 / 12) < 1e-12));
 }
 
-TEST_CASE("a spring of which the turns nearly touch, written with six digits, is whole") {
+TEST_CASE("a spring with nearly touching turns in six digits stays whole") {
   constexpr std::uint32_t sides = 8;
-  constexpr std::uint32_t steps = 40;  // a turn is 16
+  constexpr std::uint32_t steps = 40;  // a turn takes 16
   Mesh mesh;
   const auto printed = [](double value) { return std::stod(fmt::format("{:.6g}", value)); };
   for (std::uint32_t step = 0; step <= steps; ++step) {
@@ -262,7 +262,7 @@ TEST_CASE("a spring of which the turns nearly touch, written with six digits, is
   CHECK(testing::check_pieces(checked.mesh, convex_pieces(checked.mesh), 1e-4) > 5);
 }
 
-TEST_CASE("what is left open, or turned inside out, is refused") {
+TEST_CASE("rejects open or inverted meshes") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   reverse(mesh);
   CHECK(testing::error_of([&] { convex_pieces(mesh); }) ==
@@ -276,7 +276,7 @@ TEST_CASE("what is left open, or turned inside out, is refused") {
   CHECK(testing::error_of([&] { convex_pieces(mesh); }) == "the solid's surface has a hole; close it");
 }
 
-TEST_CASE("more pieces or parts of faces than the limits allow are refused") {
+TEST_CASE("rejects more pieces or face parts than the limits allow") {
   const Mesh mesh = testing::load_off("gear");
   solids::Limits limits;
   limits.max_pieces = 10;
@@ -288,10 +288,10 @@ TEST_CASE("more pieces or parts of faces than the limits allow are refused") {
         "the solid's faces are cut into more than 100 parts; give it fewer faces, or divide it");
 }
 
-TEST_CASE("gathering the faces of planes is work") {
+TEST_CASE("gathering the faces of planes counts as work") {
   const Mesh mesh = testing::load_off("gear");
   solids::Limits limits;
-  // A step or more for each face.
+  // One or more steps per face.
   limits.work = Work(mesh.faces.size());
   CHECK(testing::error_of([&] { convex_pieces(mesh, limits); }).starts_with("gathering the faces of a plane takes"));
 }

@@ -39,7 +39,7 @@ std::string box(double x, double y, double z) { return fmt::format("cube(size=[{
 std::string moved(double x, double y, double z, const std::string& text) {
   return fmt::format("multmatrix([[1,0,0,{}],[0,1,0,{}],[0,0,1,{}],[0,0,0,1]]){{{}}}", x, y, z, text);
 }
-/// About the y axis.
+/// Rotated about the y axis.
 std::string tilted(double degrees, const std::string& text) {
   const double c = std::cos(degrees * std::numbers::pi / 180);
   const double s = std::sin(degrees * std::numbers::pi / 180);
@@ -47,18 +47,18 @@ std::string tilted(double degrees, const std::string& text) {
                      -s, text);
 }
 
-/// The area of a regular polygon in a circle.
+/// Area of a regular polygon in a circle.
 double polygon(double radius, int sides = 32) {
   return 0.5 * sides * radius * radius * std::sin(2 * std::numbers::pi / sides);
 }
 
 doctest::Approx about(double area) { return doctest::Approx(area).epsilon(1e-9); }
-/// An area that is cut with the tolerance of host/convex/clip.h.
+/// An area cut with the tolerance of host/convex/clip.h.
 doctest::Approx cut_about(double area) { return doctest::Approx(area).epsilon(2e-6); }
 
 }  // namespace
 
-TEST_CASE("the shadow of a cone beside a tall cylinder is the cone's, however tall the cylinder is") {
+TEST_CASE("a cone's shadow does not depend on the height of a cylinder next to it") {
   for (const double height : heights) {
     CAPTURE(height);
     CHECK(shadow_of(cylinder(20, 11.3333, 31.3333) + cylinder(height, 1.7325, 1.7325, 16)) == about(polygon(31.3333)));
@@ -68,13 +68,13 @@ TEST_CASE("the shadow of a cone beside a tall cylinder is the cone's, however ta
   }
 }
 
-TEST_CASE("the shadow of what is drilled is the same, however long the drill is") {
+TEST_CASE("the shadow of a drilled solid does not depend on the drill's length") {
   for (const double height : heights) {
     CAPTURE(height);
     const std::string drill = moved(0, 0, -height / 2, cylinder(height, 2));
     CHECK(shadow_of("difference(){" + cylinder(20, 30) + drill + "}") == cut_about(polygon(30) - polygon(2)));
     CHECK(shadow_of("intersection(){" + cylinder(20, 30) + drill + "}") == cut_about(polygon(2)));
-    // The same drill on the slant, 40 long at least: its middle is in the hole's.
+    // The same drill tilted, at least 40 long: its middle is in the hole's middle.
     const std::string slanted = tilted(20, moved(0, 0, -height / 2, cylinder(height, 2)));
     const std::string short_drill = tilted(20, moved(0, 0, -25, cylinder(50, 2)));
     const std::string plate = box(40, 40, 2);
@@ -83,22 +83,22 @@ TEST_CASE("the shadow of what is drilled is the same, however long the drill is"
   }
 }
 
-TEST_CASE("the shadow of a tall solid has what small ones leave of it") {
+TEST_CASE("the shadow of a tall solid minus small ones is that of the remainder") {
   for (const double height : heights) {
     CAPTURE(height);
     const std::string tall = cylinder(height, 30);
-    // What remains is a tall tube upon a disc, and a tall cylinder upon a ring.
+    // A tall tube on a disc and a tall cylinder on a ring remain.
     CHECK(shadow_of("difference(){" + tall + moved(0, 0, 10, cylinder(height, 25)) + "}") == cut_about(polygon(30)));
     CHECK(shadow_of("difference(){" + tall + moved(0, 0, -1, cylinder(11, 25)) + "}") == cut_about(polygon(30)));
     CHECK(shadow_of("difference(){" + tall + moved(0, 0, -1, cylinder(height + 2, 25)) + "}") ==
           cut_about(polygon(30) - polygon(25)));
-    // A disc with a hole, and a tall cylinder beside the hole.
+    // A disc with a hole, and a tall cylinder next to the hole.
     CHECK(shadow_of("difference(){union(){" + cylinder(20, 30) + moved(15, 0, 0, cylinder(height, 4)) + "}" +
                     moved(-10, 0, -1, cylinder(22, 5)) + "}") == cut_about(polygon(30) - polygon(5)));
   }
 }
 
-TEST_CASE("a shadow is no coarser where another one is far off") {
+TEST_CASE("a distant shadow does not make another one coarser") {
   for (const double x : {1e3, 1e6, 1e9, 1e12 - 10}) {
     CAPTURE(x);
     const solids::Projection made = solids::shadow(tree_of(cylinder(1, 10.1) + moved(x, 0, 0, box(4, 2, 1))));
@@ -110,7 +110,7 @@ TEST_CASE("a shadow is no coarser where another one is far off") {
   }
 }
 
-TEST_CASE("a cut is the same, however far what it is cut from reaches") {
+TEST_CASE("a cut does not depend on the height of its solid") {
   for (const double height : heights) {
     CAPTURE(height);
     const std::string tall = moved(0, 0, -height / 2, cylinder(height, 3));
@@ -120,10 +120,10 @@ TEST_CASE("a cut is the same, however far what it is cut from reaches") {
     const std::string wide = box(height, height, 2);
     CHECK(section_of("intersection(){" + tall + wide + "}") == about(polygon(3)));
     CHECK(section_of("difference(){" + tall + moved(height / 2, 0, 0, wide) + "}") == about(polygon(3) / 2));
-    // The side of the wide one runs through the origin, on the slant.
+    // The side of the wide one passes through the origin at an angle.
     CHECK(section_of("difference(){" + tall + tilted(30, moved(height / 2, 0, 0, wide)) + "}") ==
           cut_about(section_of("difference(){" + tall + tilted(30, moved(50, 0, 0, box(100, 100, 2))) + "}")));
-    // What ends a thousandth above the plane is not in it, beside what is tall.
+    // A solid that ends a thousandth above the plane is not in the cut, even next to a tall one.
     CHECK(section_of(tall + moved(20, 0, 1e-3, cylinder(2, 5))) == about(polygon(3)));
     CHECK(section_of(tall + moved(20, 0, 1e-3, cylinder(height, 5))) == about(polygon(3)));
     // A tall cone, near its wide end.
@@ -132,7 +132,7 @@ TEST_CASE("a cut is the same, however far what it is cut from reaches") {
   }
 }
 
-TEST_CASE("an outline that is rounded to more than a millionth of it is reported") {
+TEST_CASE("reports an outline rounded by more than a millionth of its size") {
   const auto framed = [](double size) {
     return "difference(){" + box(size, size, 1) + box(size - 2, size - 2, 2) + "}" + box(2, 1, 1);
   };
@@ -145,7 +145,7 @@ TEST_CASE("an outline that is rounded to more than a millionth of it is reported
   CHECK(solids::section(tree_of(framed(1e9))).coarse_size == doctest::Approx(2).epsilon(0.1));
 }
 
-TEST_CASE("boxes are in one group unless lines along the axes keep them apart") {
+TEST_CASE("boxes are in one group unless axis-parallel lines separate them") {
   const auto flat_box = [](double x, double y, double width, double height) {
     return facet::Box{{x, y, 0}, {x + width, y + height, 0}};
   };
@@ -161,8 +161,8 @@ TEST_CASE("boxes are in one group unless lines along the axes keep them apart") 
   CHECK(groups({flat_box(0, 0, 1, 1), flat_box(1, 1, 1, 1)}) == Groups{{0, 1}});
   CHECK(groups({flat_box(0, 0, 1, 1), flat_box(1.5, 0, 1, 1)}) == Groups{{0}, {1}});
   CHECK(groups({flat_box(0, 0, 1, 1), flat_box(0, 1.5, 1, 1)}) == Groups{{0}, {1}});
-  // Only after the gap along x is there one along y.
+  // Only the gap along x opens one along y.
   CHECK(groups({flat_box(0, 0, 1, 1), flat_box(0, 2, 1, 1), flat_box(5, 0, 1, 4)}) == Groups{{0}, {1}, {2}});
-  // A large one holds the first of two small ones.
+  // A large box contains the first of two small ones.
   CHECK(groups({flat_box(0, 0, 9, 9), flat_box(1, 1, 1, 1), flat_box(20, 1, 1, 1)}) == Groups{{0, 1}, {2}});
 }

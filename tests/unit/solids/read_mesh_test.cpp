@@ -51,8 +51,8 @@ std::string stl_error(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a solid is the same from every format") {
-  // A block of 4 by 3 by 2 without a corner of 2.5 by 1.75.
+TEST_CASE("every format yields the same solid") {
+  // A block of 4 by 3 by 2 minus a corner of 2.5 by 1.75.
   constexpr double volume = 2 * (4 * 3 - 2.5 * 1.75);
   for (const char* name : {"corner.off", "corner.obj", "corner.stl", "corner.amf", "corner_zipped.amf", "corner.3mf"}) {
     CAPTURE(name);
@@ -65,7 +65,7 @@ TEST_CASE("a solid is the same from every format") {
   }
 }
 
-TEST_CASE("a binary STL file, even one that begins with 'solid', has its triangles in single precision") {
+TEST_CASE("a binary STL file may start with 'solid' and has single precision") {
   const Mesh mesh = solids::parse_meshes(bytes_of("bite.off"), model_file("bite.off"))[0];
   std::string bytes = binary_stl(mesh);
   bytes.replace(0, 5, "solid");
@@ -80,7 +80,7 @@ TEST_CASE("a binary STL file, even one that begins with 'solid', has its triangl
   }
 }
 
-TEST_CASE("what is wrong with a binary STL file is said") {
+TEST_CASE("reports errors in a binary STL file") {
   const Mesh mesh = solids::parse_meshes(bytes_of("corner.off"), model_file("corner.off"))[0];
   std::string bytes = binary_stl(mesh);
   CHECK(stl_error(bytes + "x") ==
@@ -93,7 +93,7 @@ TEST_CASE("what is wrong with a binary STL file is said") {
   CHECK(stl_error(bytes) == "m.stl: triangle 4 of 20 has a coordinate that is not finite; correct it");
 }
 
-TEST_CASE("texts of STL are read word by word, in any case, and all of their solids") {
+TEST_CASE("reads STL text word by word in any case with all of its solids") {
   const std::string facet =
       " FACET normal 0 nan 1\n outer loop vertex 0 0 0 vertex +1e0 0 0\r\n vertex 0 1 0 endloop endfacet\n";
   CHECK(solids::parse_stl("solid a b\n" + facet + "endsolid a b\n\nsolid\n" + facet + facet + "endsolid", "m.stl")
@@ -108,7 +108,7 @@ TEST_CASE("texts of STL are read word by word, in any case, and all of their sol
         "m.stl:3:1: expected 'solid' or the end of the file; export it as STL again");
 }
 
-TEST_CASE("an OFF file may have comments, colours and its counts in the first line") {
+TEST_CASE("an OFF file may have comments and colours and counts in its first line") {
   const Mesh mesh = solids::parse_off(
       "COFF 4 4 # a tetrahedron\n0 0 0 255 0 0\n1 0 0 1 1 1\n# here\n0 1 0 0 0 0\n\n0 0 1\n"
       "3 2 1 0 0.5 0.5 0.5\n3 0 1 3\n3 1 2 3\n3 2 0 3",
@@ -118,11 +118,11 @@ TEST_CASE("an OFF file may have comments, colours and its counts in the first li
   CHECK(mesh.faces == std::vector<std::vector<std::uint32_t>>{{2, 1, 0}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
 }
 
-TEST_CASE("what is wrong with an OFF file is said, with its place") {
+TEST_CASE("reports errors in an OFF file with their place") {
   CHECK(off_error("") == "m.off:1:1: an OFF file must start with OFF; export it as OFF again");
   CHECK(off_error("OFF\n-1 0 0") ==
         "m.off:2:1: the number of points must be a whole number from 0 to 1, not '-1'; correct it");
-  // The counts are held against the length of the file before room is made for them.
+  // The counts are compared with the length of the file before memory is reserved.
   CHECK(off_error("OFF\n3 4000000000 0\n").find("the number of faces must be a whole number from 0 to ") !=
         std::string::npos);
   CHECK(off_error("OFF\n1 1 0\n0 0 0\n2 0 0\n") == "m.off:4:1: a face needs at least 3 corners; complete or remove it");
@@ -133,7 +133,7 @@ TEST_CASE("what is wrong with an OFF file is said, with its place") {
         "m.off:3:5: a coordinate must be a finite number, not the end of the file; correct it");
 }
 
-TEST_CASE("corners of an OBJ file are counted from either end, and its looks are passed over") {
+TEST_CASE("counts OBJ corners from either end and ignores appearance") {
   const Mesh mesh = solids::parse_obj(
       "# a tetrahedron\nmtllib a.mtl\no one\nv 0 0 0 1\nv 1 0 0\nvn 0 0 1\nvt 0 0\nv 0 1 0\nusemtl red\ns off\n"
       "f 3/1/1 2//1 1\nv 0 0 1 0.5 0.5 0.5\nf -4 2 \\\n4\nf 2/1 3/1 4/1\r\nf 3 1 -1 # the last",
@@ -143,7 +143,7 @@ TEST_CASE("corners of an OBJ file are counted from either end, and its looks are
   CHECK(mesh.faces == std::vector<std::vector<std::uint32_t>>{{2, 1, 0}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
 }
 
-TEST_CASE("what is wrong with an OBJ file is said, with its place") {
+TEST_CASE("reports errors in an OBJ file with their place") {
   const auto error = [](const std::string& text) { return error_of([&] { solids::parse_obj(text, "m.obj"); }); };
   CHECK(error("v 0 0\n") == "m.obj:1:5: a point needs three coordinates; complete it");
   CHECK(error("v 0 zero 0\n") == "m.obj:1:5: a coordinate must be a finite number, not 'zero'; correct it");
@@ -161,25 +161,25 @@ TEST_CASE("what is wrong with an OBJ file is said, with its place") {
   CHECK(error("").empty());
 }
 
-TEST_CASE("what is wrong with an AMF file is said, with its place") {
+TEST_CASE("reports errors in an AMF file with their place") {
   const auto error = [](const std::string& text) { return error_of([&] { solids::parse_amf(text, "m.amf"); }); };
   CHECK(error("<stl/>") == "m.amf:1:1: no <amf> element; correct it");
   CHECK(error("<amf>\n<object>").starts_with("m.amf:2:"));
   CHECK(error("<amf><object><mesh><vertices>\n <vertex><coordinates><x>1</x><y>q</y><z>0</z></coordinates></vertex>"
               "</vertices></mesh></object></amf>") ==
         "m.amf:2:3: a coordinate must be a finite number, not 'q'; correct it");
-  CHECK(error("<amf><object><mesh><volume>\n  <triangle><v1>0</v1></triangle></volume></mesh></object></amf>") ==
+  CHECK(error("<amf><object><mesh><volume>\n <triangle><v1>0</v1></triangle></volume></mesh></object></amf>") ==
         "m.amf:2:4: a corner must be one of 0 points, not '0'; correct it");
 }
 
-TEST_CASE("damaged packages are refused") {
+TEST_CASE("rejects damaged packages") {
   const auto error = [](const std::string& text) { return error_of([&] { solids::parse_3mf(text, "m.3mf"); }); };
   CHECK(error("<model/>") == "m.3mf: not a 3MF package; export it again");
   CHECK(error("PK\x03\x04 and no more") == "m.3mf: the zip archive is damaged; export it again");
   CHECK(error(bytes_of("corner_zipped.amf")) == "m.3mf: the archive has no _rels/.rels; export it again");
   std::string bytes = bytes_of("corner.3mf");
   CHECK(error(bytes).empty());
-  // Any byte may be wrong: what is read is read whole, or refused.
+  // Any byte may be wrong: the package is either read completely or rejected.
   int refused = 0;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     std::string changed = bytes;
@@ -189,7 +189,7 @@ TEST_CASE("damaged packages are refused") {
   CHECK(refused > 100);
 }
 
-TEST_CASE("other kinds of files, and none, are refused") {
+TEST_CASE("rejects other kinds of files and a missing extension") {
   CHECK(error_of([] { solids::parse_meshes("", "m.ply"); }) ==
         "m.ply: meshes are read from .stl, .off, .obj, .amf and .3mf files; convert it");
 }

@@ -30,7 +30,7 @@ std::string png_error(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("surfaces of numbers and of all kinds of pixels are OpenSCAD's") {
+TEST_CASE("surfaces from numbers and all pixel formats equal OpenSCAD's") {
   for (const char* name : {"numbers.dat", "grey.png", "inverted.png", "white.png", "deep.png", "bits.png", "colour.png",
                            "palette.png", "clear.png", "grey_clear.png"}) {
     CAPTURE(name);
@@ -42,7 +42,7 @@ TEST_CASE("surfaces of numbers and of all kinds of pixels are OpenSCAD's") {
                                     solids::printed_tolerance);
     CHECK(!made.defect);
     CHECK(volume_of(made.mesh) == doctest::Approx(volume_of(expected)).epsilon(1e-5));
-    // OpenSCAD leaves out points of the floor that are on its edges.
+    // OpenSCAD omits points of the floor that are on its edges.
     CHECK(made.mesh.points.size() >= expected.points.size());
     for (const glm::dvec3& point : expected.points) {
       CHECK(std::any_of(made.mesh.points.begin(), made.mesh.points.end(),
@@ -53,27 +53,27 @@ TEST_CASE("surfaces of numbers and of all kinds of pixels are OpenSCAD's") {
   }
 }
 
-TEST_CASE("one row, one column and no heights are an empty mesh") {
+TEST_CASE("one row or one column or no heights yield an empty mesh") {
   CHECK(numbers("").faces.empty());
   CHECK(numbers("1 2 3").faces.empty());
   CHECK(numbers("1\n2\n3\n").faces.empty());
   CHECK(numbers("1 2\n3 4\n").faces.size() == 4 + 4 + 1);
 }
 
-TEST_CASE("what is no number is refused, with its place") {
+TEST_CASE("rejects text that is not a number with its place") {
   CHECK(numbers_error("1 2\n3 4x 5") == "m.dat:2:3: a height must be a finite number, not '4x'; correct it");
   CHECK(numbers_error("1,2\n") == "m.dat:1:1: a height must be a finite number, not '1,2'; correct it");
   CHECK(numbers_error("1 2\n3 inf") == "m.dat:2:3: a height must be a finite number, not 'inf'; correct it");
 }
 
-TEST_CASE("too many heights are refused before there is room made for them") {
+TEST_CASE("rejects too many heights before allocating them") {
   std::string text;
   for (int i = 0; i < 2000; ++i) text += "1 ";
   for (int i = 0; i < 2000; ++i) text += "\n1";
   CHECK(numbers_error(text) == "m.dat: more than 1000000 heights; make the grid coarser");
 }
 
-TEST_CASE("damaged pictures are refused") {
+TEST_CASE("rejects damaged pictures") {
   const std::string bytes = read_file(folder() + "heights_colour.png", {"a file", 1U << 20U, ""});
   CHECK(png_error(bytes).empty());
   CHECK(png_error("").starts_with("m.png: not a PNG file, or damaged ("));
@@ -83,8 +83,8 @@ TEST_CASE("damaged pictures are refused") {
   CHECK(!png_error(changed).empty());
 }
 
-TEST_CASE("a picture of too many pixels is refused before there is room made for them") {
-  // 65536 by 65536, with the checksum that such a header has.
+TEST_CASE("rejects a picture of too many pixels before allocating them") {
+  // 65536 by 65536, with a valid checksum.
   const std::string header("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\x01\0\0\0\x01\0\0\x08\0\0\0\0", 8 + 8 + 13);
   std::uint32_t crc = 0xffffffffU;
   for (std::size_t i = 12; i < header.size(); ++i) {

@@ -7,7 +7,7 @@ using csgsim::solids::tessellate;
 
 namespace {
 
-/// A face as polyhedron() is given it, and the triangles that OpenSCAD made of it (openscad/make.py).
+/// A face as passed to polyhedron(), and the triangles that OpenSCAD made of it (openscad/make.py).
 struct Cut {
   std::vector<glm::vec3> corners;
   std::set<std::set<std::uint32_t>> triangles;
@@ -26,9 +26,9 @@ std::vector<Cut> cuts() {
   return all;
 }
 
-/// Nothing where the face crosses itself as it is seen.
+/// Whether the triangles agree; nothing if the face crosses itself in projection.
 std::optional<bool> agrees(const Cut& cut) {
-  // OpenSCAD turns the faces of polyhedron() around.
+  // OpenSCAD reverses the faces of polyhedron().
   const std::vector<glm::vec3> outline(cut.corners.rbegin(), cut.corners.rend());
   const auto triangles = tessellate(outline);
   if (!triangles) return std::nullopt;
@@ -40,7 +40,7 @@ std::optional<bool> agrees(const Cut& cut) {
 
 }  // namespace
 
-TEST_CASE("faces that are not flat are cut into the triangles that OpenSCAD cuts them into") {
+TEST_CASE("cuts non-planar faces into the same triangles as OpenSCAD") {
   int crossed = 0;
   int others = 0;
   int alike = 0;
@@ -57,12 +57,12 @@ TEST_CASE("faces that are not flat are cut into the triangles that OpenSCAD cuts
   }
   CHECK(crossed == 5);
   CHECK(others == 195);
-  // Where a face has reflex corners the order in which diagonals are turned may be another.
+  // A face with reflex corners: diagonals may be flipped in another order.
   CHECK(alike >= 194);
 }
 
-TEST_CASE("triangles run as their outline does and cover a hole's face but for the hole") {
-  // A square with a square hole, which an edge that is run along both ways joins to the outline.
+TEST_CASE("triangles keep their outline's orientation and spare a hole") {
+  // A square with a square hole, joined to the outline by an edge run both ways.
   const std::vector<glm::vec3> outline{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
                                        {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
   const auto triangles = tessellate(outline);
@@ -77,7 +77,7 @@ TEST_CASE("triangles run as their outline does and cover a hole's face but for t
   CHECK(area == 12);
 }
 
-TEST_CASE("a triangle, and an outline of five corners that crosses itself, are not cut") {
+TEST_CASE("a triangle and a self-crossing outline of five corners are not cut") {
   const std::vector<glm::vec3> bow{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {1, 2, 0}, {0, 2, 0}};
   CHECK(!tessellate(bow));
   CHECK(!tessellate(std::span(bow).first(3)));

@@ -32,15 +32,15 @@ struct Row {
 
 constexpr std::uint32_t width = 26;
 constexpr std::uint32_t height = 20;
-constexpr unsigned models = 9;   // a row
-constexpr unsigned pixels = 36;  // a model
+constexpr unsigned models = 9;   // per row
+constexpr unsigned pixels = 36;  // per model
 
-/// Room for the depths of all primitives of a model.
+/// Enlarges memory for the depths of all primitives of a model.
 std::string with_more_memory(const std::string& machine) {
   return machine + (machine.starts_with("scan-line") ? "+cells.words=24" : "+array.memory_bits=768");
 }
 
-/// Every strategy on every machine whose host divides, and the strategy of the dividers on those that have one.
+/// Every strategy on every host-divided machine, and the dividers' strategy on machines with dividers.
 std::vector<Row> rows() {
   using emit::Colouring;
   using emit::Strategy;
@@ -90,7 +90,7 @@ Drawn draw(const Row& row, std::uint64_t seed) {
   return {{std::move(tree), std::move(scene), std::move(view), std::move(program)}, camera, std::move(machine)};
 }
 
-/// The instruction of that number, by counting.
+/// Returns the instruction with this number, counted over segments.
 const isa::Instruction& instruction(const isa::Program& program, std::uint64_t number) {
   std::size_t segment = 0;
   while (number >= program.segments[segment].instructions.size())
@@ -98,7 +98,7 @@ const isa::Instruction& instruction(const isa::Program& program, std::uint64_t n
   return program.segments[segment].instructions[number];
 }
 
-/// What was stored in that field in the end.
+/// Returns the depth last stored in the field.
 std::int64_t stored_depth(const isa::Program& program, const story::Story& story, isa::Field field) {
   std::int64_t depth = -1;
   for (const story::Event& event : story.events) {
@@ -110,7 +110,7 @@ std::int64_t stored_depth(const isa::Program& program, const story::Story& story
   return depth;
 }
 
-/// The depth at which the instruction that is said to have put the owner's surface there puts it.
+/// Returns the depth that the instruction credited with the owner's surface computes.
 std::int64_t depth_by(const isa::Program& program, const story::Story& story, std::uint64_t number) {
   const isa::Instruction& put = instruction(program, number);
   if (put.opcode == isa::Opcode::copy) return stored_depth(program, story, put.fields[1]);
@@ -139,7 +139,7 @@ void check_cause(const isa::Program& program, const story::Story& story) {
 
 }  // namespace
 
-TEST_CASE("owner and depth are the judges' at 10,000 random pixels of random models, every strategy, every machine") {
+TEST_CASE("owner and depth equal the judges' at 10000 random pixels on every machine") {
   std::minstd_rand random(7);
   unsigned judged = 0;
   unsigned covered = 0;

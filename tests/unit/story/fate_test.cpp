@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::uint32_t side = 24;
 
-/// Depths that a primitive fills along a pixel's ray, by its planes alone.
+/// Depths that a primitive fills along a pixel's ray, from its planes alone.
 struct Interval {
   std::int64_t front = 0;
   std::int64_t back = 0;
@@ -55,7 +55,7 @@ Interval interval_of(const testing::Compiled& compiled, std::uint32_t primitive,
   return all;
 }
 
-/// A pixel by the rules of the tree.
+/// A pixel evaluated by the rules of the tree.
 struct Rules {
   Rules(const testing::Compiled& compiled, std::uint32_t x, std::uint32_t y)
       : tree(compiled.tree), nothing((std::int64_t{1} << compiled.view.sampling.z_bits) - 1) {
@@ -63,7 +63,7 @@ struct Rules {
       intervals.push_back(interval_of(compiled, p, x, y));
   }
 
-  /// The depth of the primitive's surface, if it has one.
+  /// Depth of the primitive's surface, if it has one.
   [[nodiscard]] std::optional<std::int64_t> surface(std::uint32_t p) const {
     const Interval& own = intervals[p];
     if (own.front >= own.back) return std::nullopt;
@@ -83,7 +83,7 @@ struct Rules {
 
 bool is_merged(Fate fate) { return fate == Fate::covered || fate == Fate::seen; }
 
-/// What becomes of each primitive's surface, one after another in tree order.
+/// Checks the fate of each primitive's surface in tree order.
 void check_fates(const story::Story& story, const Rules& rules) {
   std::int64_t nearest = rules.nothing;
   for (std::uint32_t p = 0; p < rules.intervals.size(); ++p) {
@@ -107,7 +107,7 @@ void check_fates(const story::Story& story, const Rules& rules) {
   }
 }
 
-/// Whether the primitive's surface is shown for no state of the primitives that it is compared with but that one.
+/// Whether one compared primitive's state alone hides the surface, whatever the states of the others.
 bool decides_alone(const Rules& rules, std::uint32_t primitive, std::uint32_t alone,
                    std::vector<std::uint32_t> compared, std::vector<bool> held) {
   std::erase(compared, alone);
@@ -128,7 +128,7 @@ std::vector<std::uint32_t> compared_with(const isa::Program& program, std::uint3
   return all;
 }
 
-/// Each comparison is right, and one that is said to decide by itself does. Returns how many were.
+/// Checks each comparison and each one reported as decisive; returns the number of the latter.
 unsigned check_comparisons(const isa::Program& program, const story::Story& story, const Rules& rules) {
   unsigned alone = 0;
   for (const story::Attempt& attempt : story.attempts) {
@@ -157,7 +157,7 @@ unsigned check_comparisons(const isa::Program& program, const story::Story& stor
 
 }  // namespace
 
-TEST_CASE("what became of each surface, and each comparison on the way, is what the rules of the tree say") {
+TEST_CASE("each surface's fate and comparisons follow the rules of the tree") {
   using emit::Strategy;
   std::minstd_rand random(11);
   unsigned alone = 0;

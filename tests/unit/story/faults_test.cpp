@@ -28,11 +28,11 @@ testing::Compiled compile(const std::string& csg) {
   return testing::compile_text(csg, setup);
 }
 
-story::Story tell(const isa::Program& program, std::uint32_t x, std::uint32_t y) {
+story::Story explain_pixel(const isa::Program& program, std::uint32_t x, std::uint32_t y) {
   return story::Teller(program, testing::machine_of(program.shape)).story_of(x, y);
 }
 
-/// The surface that is seen, if one is.
+/// Returns the visible surface, if any.
 std::optional<story::Event> seen_surface(const story::Story& story) {
   for (const story::Attempt& attempt : story.attempts)
     if (attempt.fate == Fate::seen) return story.events[attempt.first_event];
@@ -49,21 +49,21 @@ const char* const notched =
 
 }  // namespace
 
-TEST_CASE("a plane that is a step too far is pointed at by the depth that it decides") {
+TEST_CASE("a plane one step too far is identified by the depth that it decides") {
   CHECK(rc::check([] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     testing::Compiled compiled = compile(testing::random_model(seed, 1 + static_cast<unsigned>(seed % 7)));
     const auto x = static_cast<std::uint32_t>(*rc::gen::inRange(0, 20));
     const auto y = static_cast<std::uint32_t>(*rc::gen::inRange(0, 20));
-    const story::Story right = tell(compiled.program, x, y);
+    const story::Story right = explain_pixel(compiled.program, x, y);
     const auto surface = seen_surface(right);
     if (!surface || !surface->decision || surface->decision->instruction.linear.width == 0) return;
     const std::uint64_t fault = surface->decision->number;
     isa::Linear& plane = instruction(compiled.program, fault).linear;
-    // Toward the extreme that is looked for, so that the plane still decides.
+    // Shifted towards the extreme, so that the plane still decides.
     const std::int64_t step = surface->decision->instruction.opcode == Opcode::keep_min ? -1 : 1;
     plane.c += step * (std::int64_t{1} << plane.shift);
-    const story::Story wrong = tell(compiled.program, x, y);
+    const story::Story wrong = explain_pixel(compiled.program, x, y);
     if (wrong.depth == right.depth || wrong.owner != right.owner) return;
     const auto pointed = seen_surface(wrong);
     RC_ASSERT(pointed.has_value() && pointed->decision.has_value());
@@ -72,10 +72,10 @@ TEST_CASE("a plane that is a step too far is pointed at by the depth that it dec
   }));
 }
 
-TEST_CASE("a comparison that is the wrong way round is pointed at where it takes a surface out") {
+TEST_CASE("an inverted comparison is identified where it removes a surface") {
   testing::Compiled compiled = compile(notched);
   isa::Program& program = compiled.program;
-  // The back of the notch is inside the cube; the first comparison with a plane of the cube says so.
+  // The back of the notch is inside the cube; the first comparison with a plane of the cube shows it.
   const auto& instructions = program.segments[0].instructions;
   const auto found = std::find_if(instructions.begin(), instructions.end(), [](const isa::Instruction& one) {
     return one.origin.purpose == isa::Purpose::classify && one.origin.primitive == 1 && one.origin.node == 0 &&
@@ -86,10 +86,10 @@ TEST_CASE("a comparison that is the wrong way round is pointed at where it takes
   unsigned pointed = 0;
   for (std::uint32_t y = 0; y < side; ++y) {
     for (std::uint32_t x = 0; x < side; ++x) {
-      if (tell(program, x, y).owner != 1) continue;
+      if (explain_pixel(program, x, y).owner != 1) continue;
       isa::Program faulty = program;
       instruction(faulty, fault).opcode = Opcode::linear_le;
-      const story::Story story = tell(faulty, x, y);
+      const story::Story story = explain_pixel(faulty, x, y);
       REQUIRE(story.owner == observe::no_owner);
       const story::Attempt& notch = story.attempts.back();
       REQUIRE(notch.primitive == 1);
@@ -104,7 +104,7 @@ TEST_CASE("a comparison that is the wrong way round is pointed at where it takes
   CHECK(pointed > 10);
 }
 
-TEST_CASE("a depth test with its fields exchanged is pointed at where it refuses what is nearer") {
+TEST_CASE("a depth test with exchanged fields is identified where it rejects a nearer one") {
   testing::Compiled compiled = compile(notched);
   isa::Program& program = compiled.program;
   const auto& instructions = program.segments[0].instructions;
@@ -114,10 +114,10 @@ TEST_CASE("a depth test with its fields exchanged is pointed at where it refuses
   const auto fault = static_cast<std::uint64_t>(found - instructions.begin());
   const std::uint32_t x = 9;
   std::uint32_t y = 0;
-  while (y < side && tell(program, x, y).owner != 0) ++y;
+  while (y < side && explain_pixel(program, x, y).owner != 0) ++y;
   REQUIRE(y < side);
   std::swap(instruction(program, fault).fields[0], instruction(program, fault).fields[1]);
-  const story::Story wrong = tell(program, x, y);
+  const story::Story wrong = explain_pixel(program, x, y);
   CHECK(wrong.owner == observe::no_owner);
   REQUIRE_FALSE(wrong.attempts.empty());
   CHECK(wrong.attempts.front().fate == Fate::refused);
@@ -126,15 +126,15 @@ TEST_CASE("a depth test with its fields exchanged is pointed at where it refuses
   CHECK(cut->number == fault);
 }
 
-TEST_CASE("a width that is too small for a pixel is told") {
+TEST_CASE("reports a width too small for a pixel") {
   testing::Compiled compiled = compile("cube(size=[8,8,8],center=true);");
-  const auto surface = seen_surface(tell(compiled.program, 10, 10));
+  const auto surface = seen_surface(explain_pixel(compiled.program, 10, 10));
   REQUIRE(surface.has_value());
   REQUIRE(surface->decision.has_value());
   CHECK_FALSE(surface->misfit.has_value());
   instruction(compiled.program, surface->decision->number).linear.width = 22;
   instruction(compiled.program, surface->decision->number).linear.shift = 0;
-  const story::Story wrong = tell(compiled.program, 10, 10);
+  const story::Story wrong = explain_pixel(compiled.program, 10, 10);
   REQUIRE_FALSE(wrong.attempts.empty());
   const auto& misfit = wrong.events[wrong.attempts.front().first_event].misfit;
   REQUIRE(misfit.has_value());

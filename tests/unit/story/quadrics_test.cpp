@@ -68,7 +68,7 @@ observe::Frame frame_of(const Drawn& drawn) {
   return std::move(frame).frame();
 }
 
-/// The instruction of that number, by counting.
+/// Returns the instruction with this number, counted over segments.
 const isa::Instruction& instruction(const isa::Program& program, std::uint64_t number) {
   std::size_t segment = 0;
   while (number >= program.segments[segment].instructions.size())
@@ -76,7 +76,7 @@ const isa::Instruction& instruction(const isa::Program& program, std::uint64_t n
   return program.segments[segment].instructions[number];
 }
 
-/// The working of a depth again, by the coefficients of the instructions that it names.
+/// Recomputes a depth from the coefficients of the instructions that it names.
 void check_working(const Drawn& drawn, const story::Story& story, const story::QuadricDepth& depth) {
   const isa::Region& region = drawn.program.segments[story.segments.at(0).segment].region;
   const std::int64_t x = story.x - region.x;
@@ -110,8 +110,7 @@ constexpr const char* bowl =
 
 }  // namespace
 
-TEST_CASE(
-    "of random models with quadrics a pixel's owner and depth are the picture's, and its quadric's working is right") {
+TEST_CASE("owner and depth and working of random quadric models equal the picture's") {
   const std::vector<Row> rows{
       {"pixel-powers+array.memory_bits=200"},
       {"pixel-powers+array.memory_bits=200", emit::Strategy::products},
@@ -168,7 +167,7 @@ TEST_CASE(
   CHECK(by_plane > 100);
 }
 
-TEST_CASE("text and JSON tell which quadric is seen, by which side, and which bits its root is in") {
+TEST_CASE("text and JSON name the visible quadric and its side and root bits") {
   const Drawn drawn = draw({"pixel-powers"}, bowl, view::Projection::orthographic);
   const story::HalfspaceFinder finder(drawn.tree, drawn.scene, drawn.view);
   const story::Subject subject{drawn.program, &finder};
@@ -190,14 +189,14 @@ TEST_CASE("text and JSON tell which quadric is seen, by which side, and which bi
   CHECK(decision["worked_out"]["side"] == "far");
   const auto& root = decision["worked_out"]["root"];
   CHECK(text.find("root " + std::to_string(root["value"].get<std::uint64_t>()) + " in ") != std::string::npos);
-  // The field in which the root is taken has twice its bits and one, and is the one that the instruction names.
+  // The field of the root has twice its bits plus one, and is the one that the instruction names.
   CHECK(root["width"].get<unsigned>() % 2 == 1);
   const isa::Field field = instruction(drawn.program, root["instruction"]).fields[0];
   CHECK(field.base == root["base"]);
   CHECK(field.width == root["width"]);
 }
 
-TEST_CASE("a pixel beside a curved outline is cut out by the discriminant, squares and all") {
+TEST_CASE("a pixel outside a curved outline is removed by the discriminant with its squares") {
   const Drawn drawn = draw({"pixel-powers"}, "sphere($fn=40,$fa=12,$fs=2,r=4);", view::Projection::orthographic);
   const story::HalfspaceFinder finder(drawn.tree, drawn.scene, drawn.view);
   const story::Subject subject{drawn.program, &finder};

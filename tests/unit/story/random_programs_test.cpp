@@ -29,7 +29,7 @@ machines::Machine quadratic_machine(const isa::ArrayShape& array) {
   return machine;
 }
 
-/// What an instruction of a run of the whole array leaves at one pixel.
+/// State of one pixel after an instruction of a run of the whole array.
 struct Left {
   std::uint32_t segment = 0;
   std::uint32_t index = 0;
@@ -72,7 +72,7 @@ class PixelObserver final : public engine::Observer {
 
 }  // namespace
 
-TEST_CASE("a pixel by itself is at every instruction of random Programs what it is in the whole array") {
+TEST_CASE("a single pixel equals the whole array after every instruction of random Programs") {
   CHECK(rc::check([] {
     const isa::Program program = *test::arbitrary_program(shape, 40, 2);
     const auto x = static_cast<std::uint32_t>(*rc::gen::inRange(0, 9));
@@ -92,7 +92,7 @@ TEST_CASE("a pixel by itself is at every instruction of random Programs what it 
   }));
 }
 
-TEST_CASE("of any Program a story can be told, as text and as JSON") {
+TEST_CASE("a story of any Program can be written as text and as JSON") {
   CHECK(rc::check([] {
     const isa::Program program = *test::arbitrary_program(shape, 40, 2);
     const story::Subject subject{program, nullptr};

@@ -30,13 +30,13 @@ using testing::box_text;
 
 namespace {
 
-/// Seen along +y, 8 columns and 6 rows: pixel (x, y) looks through the model's (x + 0.5, any, -y - 0.5). All models
-/// here reach from y = 0 to y = 5, so that a point at y has depth 1 + (2^20 - 4) y / 5, rounded down.
+/// A view along +y of 8 columns and 6 rows: pixel (x, y) looks through the model's (x + 0.5, any, -y - 0.5). All models
+/// extend from y = 0 to y = 5, so that a point at y has depth 1 + (2^20 - 4) y / 5, rounded down.
 constexpr std::uint32_t at_1 = 209715;
 constexpr std::uint32_t at_2 = 419429;
 constexpr std::uint32_t at_3 = 629144;
 
-/// Far left, for the range of depths.
+/// A box at the far left that sets the range of depths.
 const std::string first = box_text({0, 0, -6}, {0.75, 5, -5.25});
 
 const std::string big = box_text({1, 2, -5}, {5, 4.5, -1});
@@ -44,7 +44,7 @@ const std::string near_box = box_text({3, 1, -4}, {7, 1.5, -2});
 const std::string blind_hole = "difference(){" + big + box_text({2, 0.5, -4}, {4, 3, -2}) + "}";
 const std::string through_hole = "difference(){" + big + box_text({2, 0.5, -4}, {4, 4.75, -2}) + "}";
 
-struct Told {
+struct PixelCase {
   testing::Compiled compiled;
   machines::Machine machine;
   std::uint32_t x = 0;
@@ -53,7 +53,8 @@ struct Told {
   [[nodiscard]] story::Story story() const { return story::Teller(compiled.program, machine).story_of(x, y); }
 };
 
-Told tell(const std::string& csg, std::uint32_t x, std::uint32_t y, emit::Strategy strategy = emit::Strategy::stack) {
+PixelCase draw_case(const std::string& csg, std::uint32_t x, std::uint32_t y,
+                    emit::Strategy strategy = emit::Strategy::stack) {
   testing::Setup setup = testing::front_view(8, 6, {});
   setup.options.strategy = strategy;
   testing::Compiled compiled = testing::compile_text("union(){" + first + csg + "}", setup);
@@ -61,23 +62,23 @@ Told tell(const std::string& csg, std::uint32_t x, std::uint32_t y, emit::Strate
   return {std::move(compiled), std::move(machine), x, y};
 }
 
-/// The attempt to draw that primitive.
-const story::Attempt& attempt_of(const story::Story& story, std::uint32_t primitive) {
+/// Returns the attempt to draw a primitive.
+const story::Attempt& find_attempt(const story::Story& story, std::uint32_t primitive) {
   const auto found = std::find_if(story.attempts.begin(), story.attempts.end(),
                                   [&](const story::Attempt& one) { return one.primitive == primitive; });
   REQUIRE(found != story.attempts.end());
   return *found;
 }
 
-/// The first event of the attempt that does that.
-const story::Event& event_of(const story::Story& story, const story::Attempt& attempt, What what) {
+/// Returns the first event of this kind in the attempt.
+const story::Event& find_event(const story::Story& story, const story::Attempt& attempt, What what) {
   for (std::size_t i = attempt.first_event; i <= attempt.last_event; ++i)
     if (story.events[i].what == what) return story.events[i];
-  FAIL("no such event");
+  FAIL("the attempt has no such event");
   return story.events.front();
 }
 
-/// Two pixels, on which a surface is drawn, and what else there is to do.
+/// Story of one of two pixels on which a surface is drawn, followed by more instructions.
 story::Story by_hand(const std::string& more, std::uint32_t x) {
   const isa::Program program = isa::parse(
       ".array width=2 height=1 memory_bits=64\n.frame colour_base=16 colour_bits=6\n"
@@ -93,7 +94,7 @@ story::Story by_hand(const std::string& more, std::uint32_t x) {
 
 std::string glass(const std::string& csg) { return testing::tinted({0.2, 0.5, 0.9}, 0.4, csg); }
 
-/// The one surface whose fate is to be seen.
+/// Returns the only visible surface.
 nlohmann::json seen_surface(const nlohmann::json& story) {
   std::vector<nlohmann::json> seen;
   for (const nlohmann::json& one : story["surfaces"])
@@ -106,33 +107,33 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 }  // namespace
 
-TEST_CASE("of two boxes the nearer one that comes later is merged over the other") {
-  const Told told = tell(big + near_box, 4, 2);
-  const story::Story story = told.story();
+TEST_CASE("a nearer box drawn later is merged over the farther one") {
+  const PixelCase pixel = draw_case(big + near_box, 4, 2);
+  const story::Story story = pixel.story();
   CHECK(story.owner == 2);
   CHECK(story.depth == at_1);
-  const story::Attempt& far = attempt_of(story, 1);
+  const story::Attempt& far = find_attempt(story, 1);
   CHECK(far.fate == Fate::covered);
   CHECK(story.events[far.deciding_event].origin.primitive == 2);
-  const story::Event& surface = event_of(story, far, What::surface);
+  const story::Event& surface = find_event(story, far, What::surface);
   REQUIRE(surface.decision.has_value());
   CHECK(surface.decision->value == at_2);
-  const story::Attempt& near = attempt_of(story, 2);
+  const story::Attempt& near = find_attempt(story, 2);
   CHECK(near.fate == Fate::seen);
-  const story::Event& merge = event_of(story, near, What::merge);
+  const story::Event& merge = find_event(story, near, What::merge);
   CHECK(merge.owner_before == 1);
   CHECK(merge.owner_after == 2);
-  const story::Change* const z2 = merge.change_of(told.compiled.program, isa::FieldRole::depth);
+  const story::Change* const z2 = merge.change_of(pixel.compiled.program, isa::FieldRole::depth);
   REQUIRE(z2 != nullptr);
   CHECK(z2->before == at_2);
   CHECK(z2->after == at_1);
 }
 
-TEST_CASE("of two boxes the farther one that comes later loses the depth test, both depths told") {
-  const Told told = tell(near_box + big, 4, 2);
-  const story::Story story = told.story();
+TEST_CASE("a farther box drawn later fails the depth test and both depths are reported") {
+  const PixelCase pixel = draw_case(near_box + big, 4, 2);
+  const story::Story story = pixel.story();
   CHECK(story.owner == 1);
-  const story::Attempt& far = attempt_of(story, 2);
+  const story::Attempt& far = find_attempt(story, 2);
   REQUIRE(far.fate == Fate::behind);
   const story::Event& test = story.events[far.deciding_event];
   REQUIRE(test.decision.has_value());
@@ -141,20 +142,19 @@ TEST_CASE("of two boxes the farther one that comes later loses the depth test, b
   CHECK(test.owner_before == 1);
 }
 
-TEST_CASE(
-    "through a hole nothing is seen: the front is in what is taken away, whose back is outside what it is taken from") {
+TEST_CASE("through a hole nothing is seen: front and back of the hole are removed") {
   for (const emit::Strategy strategy : emit::default_strategies()) {
     CAPTURE(emit::name_of(strategy));
-    const story::Story story = tell(through_hole, 3, 2, strategy).story();
+    const story::Story story = draw_case(through_hole, 3, 2, strategy).story();
     CHECK(story.owner == observe::no_owner);
     CHECK(story.depth == (1U << 20U) - 1);
-    const story::Attempt& front = attempt_of(story, 1);
+    const story::Attempt& front = find_attempt(story, 1);
     REQUIRE(front.fate == Fate::classified);
     REQUIRE(front.deciding_comparison.has_value());
     const story::Event& comparison = story.events[*front.deciding_comparison];
     CHECK(comparison.origin.node == 2);
     CHECK_FALSE(comparison.cut.has_value());
-    const story::Attempt& back = attempt_of(story, 2);
+    const story::Attempt& back = find_attempt(story, 2);
     REQUIRE(back.fate == Fate::classified);
     REQUIRE(back.deciding_comparison.has_value());
     CHECK(story.events[*back.deciding_comparison].origin.node == 1);
@@ -162,18 +162,18 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("in a blind hole the back of what is taken away is seen, inside what it is taken from") {
-  const Told told = tell(blind_hole, 3, 2);
-  const story::Story story = told.story();
+TEST_CASE("in a blind hole the back of the subtracted solid is seen") {
+  const PixelCase pixel = draw_case(blind_hole, 3, 2);
+  const story::Story story = pixel.story();
   CHECK(story.owner == 2);
   CHECK(story.depth == at_3);
-  CHECK(attempt_of(story, 1).fate == Fate::classified);
-  const story::Attempt& wall = attempt_of(story, 2);
+  CHECK(find_attempt(story, 1).fate == Fate::classified);
+  const story::Attempt& wall = find_attempt(story, 2);
   CHECK(wall.fate == Fate::seen);
-  const story::Event& surface = event_of(story, wall, What::surface);
+  const story::Event& surface = find_event(story, wall, What::surface);
   REQUIRE(surface.decision.has_value());
-  const story::HalfspaceFinder finder(told.compiled.tree, told.compiled.scene, told.compiled.view);
-  const auto found = finder.find(surface.decision->instruction, told.compiled.program.segments[0].region);
+  const story::HalfspaceFinder finder(pixel.compiled.tree, pixel.compiled.scene, pixel.compiled.view);
+  const auto found = finder.find(surface.decision->instruction, pixel.compiled.program.segments[0].region);
   REQUIRE(found.has_value());
   CHECK(found->primitive == 2);
   CHECK(found->count == 6);
@@ -181,52 +181,53 @@ TEST_CASE("in a blind hole the back of what is taken away is seen, inside what i
   CHECK(found->distance == doctest::Approx(3));
 }
 
-TEST_CASE("a pixel beside a box is cut out by the side that it is beyond, before it has a depth") {
-  const Told told = tell(big, 6, 2);
-  const story::Story story = told.story();
+TEST_CASE("a pixel beside a box is removed by the side that it is beyond") {
+  const PixelCase pixel = draw_case(big, 6, 2);
+  const story::Story story = pixel.story();
   CHECK(story.owner == observe::no_owner);
-  const story::Attempt& beside = attempt_of(story, 1);
+  const story::Attempt& beside = find_attempt(story, 1);
   CHECK(beside.fate == Fate::outside);
   const story::Event& surface = story.events[beside.first_event];
   REQUIRE(surface.cut.has_value());
-  // Columns 1 to 4: 4 - x is not negative there, and is -2 here.
+  // Columns 1 to 4: 4 - x is not negative there and is -2 here.
   CHECK(surface.cut->instruction.linear.a == -1);
   CHECK(surface.cut->value == -2);
 }
 
-TEST_CASE("why not: merged and covered, behind, taken away, beside, seen, and no instruction at all") {
-  const auto answer = [](const Told& told, std::uint32_t primitive) {
-    const story::HalfspaceFinder finder(told.compiled.tree, told.compiled.scene, told.compiled.view);
-    const story::Subject subject{told.compiled.program, &finder};
-    const story::Story story = told.story();
+TEST_CASE("why-not explains each fate and a primitive without instructions") {
+  const auto answer = [](const PixelCase& pixel, std::uint32_t primitive) {
+    const story::HalfspaceFinder finder(pixel.compiled.tree, pixel.compiled.scene, pixel.compiled.view);
+    const story::Subject subject{pixel.compiled.program, &finder};
+    const story::Story story = pixel.story();
     return text_of(subject, story, story::why_not(subject, story, primitive));
   };
-  CHECK(contains(answer(tell(big + near_box, 4, 2), 1), "p2 cube@3:56 was merged over it"));
-  CHECK(contains(answer(tell(near_box + big, 4, 2), 2), "behind p1 cube"));
-  CHECK(contains(answer(tell(through_hole, 3, 2), 1), "classified out: it is in p2 cube"));
-  CHECK(contains(answer(tell(through_hole, 3, 2), 2), "classified out: it is out of p1 cube"));
-  CHECK(contains(answer(tell(through_hole, 3, 2), 2), "normal (0, 1, 0), distance 4.5"));
-  CHECK(contains(answer(tell(big, 6, 2), 1), "outside it by i"));
-  CHECK(contains(answer(tell(big, 2, 2), 1), "is what the pixel shows"));
+  CHECK(contains(answer(draw_case(big + near_box, 4, 2), 1), "p2 cube@3:56 was merged over it"));
+  CHECK(contains(answer(draw_case(near_box + big, 4, 2), 2), "behind p1 cube"));
+  CHECK(contains(answer(draw_case(through_hole, 3, 2), 1), "classified out: it is in p2 cube"));
+  CHECK(contains(answer(draw_case(through_hole, 3, 2), 2), "classified out: it is out of p1 cube"));
+  CHECK(contains(answer(draw_case(through_hole, 3, 2), 2), "normal (0, 1, 0), distance 4.5"));
+  CHECK(contains(answer(draw_case(big, 6, 2), 1), "outside it by i"));
+  CHECK(contains(answer(draw_case(big, 2, 2), 1), "is what the pixel shows"));
   const std::string beyond = box_text({20, 1, -4}, {21, 2, -3});
-  CHECK(contains(answer(tell(big + beyond, 2, 2), 2), "nowhere in the picture"));
+  CHECK(contains(answer(draw_case(big + beyond, 2, 2), 2), "nowhere in the picture"));
 }
 
-TEST_CASE("a primitive that pruning leaves out is told to be without instructions") {
-  // The wide box fills its rectangle and hides one that is smaller and behind it.
-  const Told told = tell(box_text({1, 1, -5.5}, {7.5, 1.5, -0.5}) + box_text({4.25, 2, -3.25}, {5.75, 3, -2.75}), 5, 2);
-  const story::Subject subject{told.compiled.program, nullptr};
-  const story::Story story = told.story();
+TEST_CASE("reports that a pruned primitive has no instructions") {
+  // The wide box fills its rectangle and hides a smaller one behind it.
+  const PixelCase pixel =
+      draw_case(box_text({1, 1, -5.5}, {7.5, 1.5, -0.5}) + box_text({4.25, 2, -3.25}, {5.75, 3, -2.75}), 5, 2);
+  const story::Subject subject{pixel.compiled.program, nullptr};
+  const story::Story story = pixel.story();
   const story::WhyNot answer = story::why_not(subject, story, 2);
   CHECK_FALSE(answer.is_broadcast);
   CHECK(contains(text_of(subject, story, answer), "no instruction of segment 0 draws p2"));
 }
 
-TEST_CASE("boxes that an intersection joins are one solid, and the facet's box owns the pixel") {
-  const Told told = tell("intersection(){" + big + box_text({2, 1.5, -4}, {4, 3.5, -2}) + "}", 3, 2);
-  const story::HalfspaceFinder finder(told.compiled.tree, told.compiled.scene, told.compiled.view);
-  const story::Subject subject{told.compiled.program, &finder};
-  const story::Story story = told.story();
+TEST_CASE("intersecting boxes are one solid and the facet's box owns the pixel") {
+  const PixelCase pixel = draw_case("intersection(){" + big + box_text({2, 1.5, -4}, {4, 3.5, -2}) + "}", 3, 2);
+  const story::HalfspaceFinder finder(pixel.compiled.tree, pixel.compiled.scene, pixel.compiled.view);
+  const story::Subject subject{pixel.compiled.program, &finder};
+  const story::Story story = pixel.story();
   CHECK(story.owner == 1);
   CHECK(story.depth == at_2);
   const story::WhyNot answer = story::why_not(subject, story, 2);
@@ -235,29 +236,28 @@ TEST_CASE("boxes that an intersection joins are one solid, and the facet's box o
   CHECK(contains(text_of(subject, story, answer), "the facet visible here belongs to p1"));
 }
 
-TEST_CASE("of boxes that an intersection joins JSON names the one whose facet is seen, and with which it is drawn") {
-  const Told told = tell("intersection(){" + box_text({2, 1.5, -4}, {4, 3.5, -2}) + big + "}", 3, 2);
-  const story::Subject subject{told.compiled.program, nullptr};
-  const nlohmann::json json = story::to_json(subject, told.story());
+TEST_CASE("JSON names the intersecting box whose facet is seen and its partners") {
+  const PixelCase pixel = draw_case("intersection(){" + box_text({2, 1.5, -4}, {4, 3.5, -2}) + big + "}", 3, 2);
+  const story::Subject subject{pixel.compiled.program, nullptr};
+  const nlohmann::json json = story::to_json(subject, pixel.story());
   CHECK(json["owner"]["index"] == 2);
   const nlohmann::json seen = seen_surface(json);
   CHECK(seen["primitive"] == json["owner"]);
   CHECK(seen["drawn_as"]["index"] == 1);
-  CHECK(contains(story::text_of(subject, told.story()), "drawn with p1 cube"));
+  CHECK(contains(story::text_of(subject, pixel.story()), "drawn with p1 cube"));
 }
 
-TEST_CASE(
-    "before an opaque box the glass is what a pixel shows, at its own depth, and the box what is seen through it") {
+TEST_CASE("a pixel shows glass at its depth and the box seen through it") {
   const std::string pane = box_text({3, 1, -4}, {7, 1.5, -2});
   const std::string behind = box_text({3, 1.75, -4}, {7, 1.8, -2});
-  const Told told = tell(big + glass(pane) + glass(behind), 4, 2);
-  const story::Subject subject{told.compiled.program, nullptr};
-  const story::Story story = told.story();
+  const PixelCase pixel = draw_case(big + glass(pane) + glass(behind), 4, 2);
+  const story::Subject subject{pixel.compiled.program, nullptr};
+  const story::Story story = pixel.story();
   CHECK(story.owner == 2);
   CHECK(story.depth == at_1);
   CHECK(story.opaque_owner == 1);
   CHECK(story.opaque_depth == at_2);
-  CHECK(attempt_of(story, 1).fate == Fate::blended);
+  CHECK(find_attempt(story, 1).fate == Fate::blended);
   CHECK(std::count_if(story.attempts.begin(), story.attempts.end(),
                       [](const story::Attempt& one) { return one.fate == Fate::blended && one.primitive == 3; }) == 1);
   const nlohmann::json json = story::to_json(subject, story);
@@ -268,25 +268,25 @@ TEST_CASE(
   CHECK(seen_surface(json)["primitive"] == json["owner"]);
   const std::string text = story::text_of(subject, story);
   CHECK(contains(text, "shows p2 cube"));
-  CHECK(contains(text, "through   p1 cube"));
+  CHECK(contains(text, "through p1 cube"));
   CHECK(contains(text, "merged; this is the visible surface"));
   const story::WhyNot why_not = story::why_not(subject, story, 1);
   CHECK_FALSE(why_not.is_seen);
   CHECK(contains(text_of(subject, story, why_not), "contributes to the colour, but is not the nearest"));
 }
 
-TEST_CASE("a pixel that glass alone is seen at shows the glass, with nothing behind it") {
-  const Told told = tell(glass(near_box), 4, 2);
-  const story::Story story = told.story();
+TEST_CASE("a pixel of glass alone shows the glass with nothing behind it") {
+  const PixelCase pixel = draw_case(glass(near_box), 4, 2);
+  const story::Story story = pixel.story();
   CHECK(story.owner == 1);
   CHECK(story.depth == at_1);
   CHECK(story.opaque_owner == observe::no_owner);
-  const story::Subject subject{told.compiled.program, nullptr};
+  const story::Subject subject{pixel.compiled.program, nullptr};
   CHECK(story::to_json(subject, story)["opaque"]["owner"].is_null());
-  CHECK(contains(story::text_of(subject, story), "through   nothing"));
+  CHECK(contains(story::text_of(subject, story), "through nothing"));
 }
 
-TEST_CASE("one surface is seen at each pixel, the owner's, through glass, in mirrors and by samples") {
+TEST_CASE("each pixel has one visible surface with glass or mirrors or samples") {
   const std::string models = "union(){" + first + big + "intersection(){" + box_text({1, 1.5, -5}, {4, 3.5, -2}) +
                              box_text({2, 1, -6}, {6, 4, -1}) + "}" + glass(near_box) +
                              glass(box_text({0, 0.5, -5}, {5, 0.75, -3})) + "}";
@@ -315,13 +315,13 @@ TEST_CASE("one surface is seen at each pixel, the owner's, through glass, in mir
   }
 }
 
-TEST_CASE("clocks are those in which the pixel carries the instructions out, one event after another") {
-  const Told told = tell(blind_hole + near_box, 3, 2);
-  const story::Story story = told.story();
-  const isa::Program& program = told.compiled.program;
-  const machines::RunRecord record = story::record_of(program, told.machine);
-  const machines::Timeline timeline = machines::timeline(program, told.machine, record.outcome());
-  const auto clocks = machines::at_pixel(timeline, program, told.machine, 0, 3, 2);
+TEST_CASE("clocks are those in which the pixel executes the instructions in order") {
+  const PixelCase pixel = draw_case(blind_hole + near_box, 3, 2);
+  const story::Story story = pixel.story();
+  const isa::Program& program = pixel.compiled.program;
+  const machines::RunRecord record = story::record_of(program, pixel.machine);
+  const machines::Timeline timeline = machines::timeline(program, pixel.machine, record.outcome());
+  const auto clocks = machines::at_pixel(timeline, program, pixel.machine, 0, 3, 2);
   std::uint64_t last = 0;
   for (const story::Event& event : story.events) {
     if (event.what == What::skip) continue;
@@ -333,7 +333,7 @@ TEST_CASE("clocks are those in which the pixel carries the instructions out, one
   CHECK(last > 0);
 }
 
-TEST_CASE("one pixel by itself has the memory, enable and picture that the whole array gives it, effects included") {
+TEST_CASE("a single pixel equals the whole array including effects") {
   const std::string models = "union(){" + first + blind_hole + near_box + "color([0.2,0.5,0.9,0.4]){" +
                              box_text({0.5, 0.25, -3}, {6, 0.75, -1.5}) + "}}";
   testing::Setup setup = testing::front_view(
@@ -358,13 +358,13 @@ TEST_CASE("one pixel by itself has the memory, enable and picture that the whole
   }
 }
 
-TEST_CASE("the text begins with the owner, its line and its plane, and JSON says the same") {
-  const Told told = tell(big + near_box, 4, 2);
-  const story::HalfspaceFinder finder(told.compiled.tree, told.compiled.scene, told.compiled.view);
-  const story::Subject subject{told.compiled.program, &finder};
-  const story::Story story = told.story();
+TEST_CASE("text and JSON start with the owner and its line and its plane") {
+  const PixelCase pixel = draw_case(big + near_box, 4, 2);
+  const story::HalfspaceFinder finder(pixel.compiled.tree, pixel.compiled.scene, pixel.compiled.view);
+  const story::Subject subject{pixel.compiled.program, &finder};
+  const story::Story story = pixel.story();
   const std::string text = text_of(subject, story);
-  CHECK(text.starts_with("pixel 4,2 shows p2 cube@3:56, line 3 of test\n  depth     209715 steps, "));
+  CHECK(text.starts_with("pixel 4,2 shows p2 cube@3:56, line 3 of test\n depth 209715 steps, "));
   CHECK(contains(text, "normal (0, -1, 0), distance -1\n"));
   CHECK(contains(text, "over p1 cube@2:56"));
   const nlohmann::ordered_json json = story::to_json(subject, story);
@@ -375,10 +375,10 @@ TEST_CASE("the text begins with the owner, its line and its plane, and JSON says
   CHECK(json["surfaces"].back()["fate"] == "seen");
 }
 
-TEST_CASE("of planes at one depth the first decides, since the others change nothing") {
+TEST_CASE("among planes at one depth the first decides") {
   const story::Story left = by_hand("", 0);
   const story::Story right = by_hand("", 1);
-  // i4 is 5 at x = 0, as i3 is, and 6 at x = 1.
+  // i4 is 5 at x = 0, like i3, and 6 at x = 1.
   CHECK(left.attempts.front().fate == Fate::seen);
   CHECK(left.events[left.attempts.front().first_event].decision->number == 3);
   CHECK(left.depth == 5);
@@ -386,7 +386,7 @@ TEST_CASE("of planes at one depth the first decides, since the others change not
   CHECK(right.depth == 6);
 }
 
-TEST_CASE("what a question skips is left out at a pixel too, if no other pixel is enabled") {
+TEST_CASE("instructions skipped by a question are skipped at a pixel as well") {
   const std::string nowhere = "edge_negative 0 (w1); classify p0\n";
   const std::string right_alone = "edge_negative -x (w3); classify p0\n";
   const std::string question =
@@ -405,8 +405,8 @@ TEST_CASE("what a question skips is left out at a pixel too, if no other pixel i
                      [](const story::Event& event) { return event.what == What::skip; }));
 }
 
-TEST_CASE("a pixel that the picture does not have is refused") {
-  const Told told = tell(big, 8, 2);
-  CHECK(contains(testing::error_of([&] { static_cast<void>(told.story()); }),
+TEST_CASE("rejects a pixel outside the picture") {
+  const PixelCase pixel = draw_case(big, 8, 2);
+  CHECK(contains(testing::error_of([&] { static_cast<void>(pixel.story()); }),
                  "there is no pixel 8,2 in a picture of 8 x 6"));
 }

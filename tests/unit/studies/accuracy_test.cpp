@@ -45,7 +45,7 @@ const char* const bitten_cube = "difference(){cube(size=14,center=true);sphere($
 
 }  // namespace
 
-TEST_CASE("the Pareto front has what no other point beats in clocks and in wrong pixels") {
+TEST_CASE("the Pareto front has the points not beaten in clocks and wrong pixels") {
   const std::vector<studies::Measurement> all{point("d", 40, 2), point("a", 10, 90), point("c", 30, 50),
                                               point("b", 20, 50), point("e", 50, 2)};
   std::string names;
@@ -65,7 +65,7 @@ TEST_CASE("halvings go from each point to the cheapest with at most half its wro
   CHECK(steps[2].from.value + steps[2].to.value == "de");
 }
 
-TEST_CASE("more bits of depth cost clocks and leave no more wrong pixels beyond the stated bounds") {
+TEST_CASE("more depth bits cost clocks and do not add wrong pixels beyond the bounds") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   studies::Meter meter(tree, studies::turned_views(camera, 3), small_machine(), {});
   std::uint64_t clocks = 0;
@@ -85,7 +85,7 @@ TEST_CASE("more bits of depth cost clocks and leave no more wrong pixels beyond 
   }
 }
 
-TEST_CASE("counts of a measurement are sums over its views, and depths those of the worst of them") {
+TEST_CASE("counts are sums over the views and depth errors are the worst of them") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   const std::vector<view::Camera> views = studies::turned_views(camera, 2);
   studies::Settings settings{"z-bits", "8", {}, small_sampling()};
@@ -109,7 +109,7 @@ TEST_CASE("counts of a measurement are sums over its views, and depths those of 
   CHECK(first.depth_max != second.depth_max);
 }
 
-TEST_CASE("a tighter faceting tolerance brings the picture nearer to the curved surface, for more half-spaces") {
+TEST_CASE("a tighter faceting tolerance improves the picture for more half-spaces") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   studies::Meter meter(tree, {camera}, small_machine(), {});
   double error = 1e300;
@@ -125,7 +125,7 @@ TEST_CASE("a tighter faceting tolerance brings the picture nearer to the curved 
   }
 }
 
-TEST_CASE("the cheapest settings with few enough wrong pixels are chosen, and fit the machine") {
+TEST_CASE("chooses the cheapest settings that fit the machine and the wrong-pixel limit") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   studies::Meter meter(tree, {camera}, small_machine(), {});
   const std::vector<studies::Settings> grid = studies::grid(small_sampling(), {});
@@ -154,7 +154,7 @@ studies::Measurement faceted(const char* knob, const char* value, std::uint64_t 
 
 }  // namespace
 
-TEST_CASE("facets as right as curved surfaces are those of the fewest clocks with no more pixels off") {
+TEST_CASE("facets as accurate as curves are the cheapest with as few pixels off") {
   std::vector<studies::Measurement> rows{faceted("fn", "8", 10, 90),          faceted("fn", "64", 70, 5),
                                          faceted("tolerance", "0.1", 60, 4),  faceted("tolerance", "0.01", 90, 0),
                                          faceted("curves", "facets", 30, 40), faceted("curves", "exact", 20, 5),
@@ -174,7 +174,7 @@ TEST_CASE("facets as right as curved surfaces are those of the fewest clocks wit
   CHECK(studies::equally_accurate_facets(std::vector{rows[5]}).empty());
 }
 
-TEST_CASE("curved surfaces without facets are right to the arithmetic, where facets are off by their tolerance") {
+TEST_CASE("exact curves are limited by arithmetic and facets by their tolerance") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   machines::Machine machine = kinds::load("pixel-powers");
   machine.array = {96, 96, session::ample_memory_bits};
@@ -198,7 +198,7 @@ TEST_CASE("curved surfaces without facets are right to the arithmetic, where fac
   CHECK(row("exact").halfspaces < row("facets").halfspaces);
 }
 
-TEST_CASE("only the knobs that are named are turned, each to its values") {
+TEST_CASE("varies only the named knobs with their values") {
   studies::Knobs knobs{{"tolerance", "size"}, {0.5, 0.25}, {}};
   std::vector<std::string> points;
   for (const studies::Settings& one : studies::points(small_sampling(), {}, knobs))
@@ -207,7 +207,7 @@ TEST_CASE("only the knobs that are named are turned, each to its values") {
                                            "tolerance 0.25"});
 }
 
-TEST_CASE("a line of a comparison has a cell for each thing that a point takes, below its name") {
+TEST_CASE("a comparison row has a cell below each column name") {
   studies::ComparisonRow row;
   row.point = {"a machine", 1001, 1002, 1003, "an ideal"};
   row.inputs = {"a model", "a hash", "a build"};

@@ -61,7 +61,7 @@ AdviceRow row(std::uint32_t bits, std::uint64_t wrong, std::uint64_t interval, u
   return one;
 }
 
-/// Two values or more on each axis; ALU widths together.
+/// Two or more values on each axis, with ALU widths grouped.
 std::vector<DesignPoint> small_points() {
   std::vector<DesignPoint> points;
   const studies::DesignGrid grid({}, {{"z-bits", {"12", "16"}},
@@ -80,7 +80,7 @@ std::vector<DesignPoint> small_points() {
   return points;
 }
 
-/// Rows by the ALU width of their machine.
+/// Jobs by the ALU width of their machine.
 struct AdviceJobs {
   std::map<unsigned, studies::Job> jobs;
 
@@ -129,26 +129,26 @@ Rows measured(const AdviceJobs& choices, const std::vector<DesignPoint>& points,
   return rows;
 }
 
-/// The point alone, as what is recommended is drawn again.
+/// Measures the point alone, as a recommended design is redrawn.
 AdviceRow drawn(const AdviceJobs& choices, const DesignPoint& point) {
   return AdviceRow(studies::DesignMeter({.colour_bits = {point.colour_bits}}).measure(point, choices.at(point)));
 }
 
-/// As csgsim sweep measures it.
+/// Measures the point as csgsim sweep does.
 studies::SweepRow swept(const AdviceJobs& choices, const DesignPoint& point, std::uint32_t memory_bits) {
   studies::Job job = choices.at(point);
   job.machine.array.memory_bits = memory_bits;
   return studies::SweepRow(measure_picture({}, job, true));
 }
 
-/// As csgsim accuracy judges it.
+/// Wrong pixels as counted by csgsim accuracy.
 std::uint64_t judged(const AdviceJobs& choices, const DesignPoint& point) {
   const studies::Job job = choices.at(point);
   studies::Meter meter(job.subject->tree, {job.camera}, job.machine, choices.front().options);
   return meter.measure({"together", "", {}, job.sampling}).wrong;
 }
 
-/// Is the first as good in everything?
+/// Whether the first is at least as good in every respect.
 bool beats_or_equals(const AdviceRow& a, const AdviceRow& b) {
   const bool is_as_fast =
       a.interval_clocks < b.interval_clocks || (a.interval_clocks == b.interval_clocks && a.clocks <= b.clocks);
@@ -161,7 +161,7 @@ const Requirement every_wish[] = {Requirement::bits, Requirement::wrong_pixels, 
 
 }  // namespace
 
-TEST_CASE("points of advice are every combination once, ALU widths together") {
+TEST_CASE("points of advice are all combinations once with ALU widths grouped") {
   const std::vector<DesignPoint> points = small_points();
   CHECK(points.size() == 2 * 2 * 2 * 2 * 4 * 2);
   CHECK(studies::point_cells<AdviceRow>(points[0]) == "12,2,24,rebroadcast,stack,0,1");
@@ -173,7 +173,7 @@ TEST_CASE("points of advice are every combination once, ALU widths together") {
   CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
 }
 
-TEST_CASE("advice's front has what no other choice beats, colours and the ALU counted too, and equals once") {
+TEST_CASE("advice's front has each unbeaten choice once and includes colours and ALU") {
   const Rows rows{row(66, 0, 100),    row(62, 9, 100), row(66, 0, 100), row(66, 0, 90, 24, 2),
                   row(54, 0, 95, 12), row(66, 1, 100), row(70, 0, 110), row(62, 9, 100, 12)};
   const Rows front = studies::advice_front(rows);
@@ -190,7 +190,7 @@ TEST_CASE("a choice without a Program is neither on the front nor recommended") 
   CHECK(studies::nearest_choices(rows, requirements, 9) == Rows{rows[1]});
 }
 
-TEST_CASE("each recommendation is the best by its wish of those that meet the others") {
+TEST_CASE("each recommendation is the best by its wish among those that meet the others") {
   // 1e7 / 400,000 is 25 frames a second.
   const studies::Requirements requirements{64, 10, 25, 24};
   const Rows rows{row(60, 8, 390'000), row(64, 2, 400'000), row(64, 9, 300'000),    row(58, 11, 390'000),
@@ -205,7 +205,7 @@ TEST_CASE("each recommendation is the best by its wish of those that meet the ot
   for (const studies::Recommendation& one : all) CHECK(one.miss == 0);
 }
 
-TEST_CASE("where nothing meets all wishes, a recommendation says by how much its wish is missed") {
+TEST_CASE("if no choice meets all wishes a recommendation states the shortfall") {
   const Rows rows{row(70, 3, 300'000), row(64, 30, 300'000), row(60, 3, 500'000), row(50, 500, 600'000, 3)};
   const studies::Requirements requirements{64, 10, 25, 24};
   const std::vector<studies::Recommendation> all = studies::recommend(rows, requirements);
@@ -216,20 +216,20 @@ TEST_CASE("where nothing meets all wishes, a recommendation says by how much its
   CHECK(all[1].miss == 20);
   CHECK(all[2].row == rows[2]);
   CHECK(all[2].miss == doctest::Approx(5));
-  // 6 of 64 bits are a smaller part than 20 of 10 pixels and 5 of 25 frames.
+  // 6 of 64 bits are a smaller fraction than 20 of 10 pixels and 5 of 25 frames.
   CHECK(studies::nearest_choices(rows, requirements, 2) == Rows{rows[0], rows[2]});
   CHECK(std::none_of(rows.begin(), rows.end(),
                      [&](const AdviceRow& one) { return studies::meets_all(one, requirements); }));
 }
 
-TEST_CASE("where no wrong pixel is wished, choices that miss it and another wish are told apart by both") {
+TEST_CASE("with no wrong pixels allowed nearest choices weigh both shortfalls") {
   const studies::Requirements requirements{60, 0, 0, 0};
-  // 1 pixel and 6 of 60 bits are nearer than 3 pixels and 1 of 60 bits, though more bits are dearer.
+  // 1 pixel and 6 of 60 bits are nearer than 3 pixels and 1 of 60 bits, though more bits are more expensive.
   const Rows rows{row(61, 3, 100), row(66, 1, 100)};
   CHECK(studies::nearest_choices(rows, requirements, 2) == Rows{rows[1], rows[0]});
 }
 
-TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and its answers with a plain search") {
+TEST_CASE("advice agrees with sweep and accuracy and an exhaustive search on a grid") {
   const AdviceJobs job({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
   const std::vector<DesignPoint> points = small_points();
   const Rows rows = measured(job, points, 2);
@@ -277,7 +277,7 @@ TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and i
   }
 }
 
-TEST_CASE("the plot of advice has a staircase for each limit of wrong pixels that buys more than a stricter one") {
+TEST_CASE("the plot of advice has a staircase per useful wrong-pixel limit") {
   const Rows rows{row(72, 0, 50'000), row(64, 7, 50'000), row(80, 0, 25'000), row(90, 3, 20'000), row(70, 800, 10'000)};
   const studies::Requirements requirements{
       .max_bits = 80, .max_wrong_pixels = 5, .min_fps = 300, .min_colour_bits = 12};
@@ -288,7 +288,7 @@ TEST_CASE("the plot of advice has a staircase for each limit of wrong pixels tha
     for (const plots::Point& point : chart.series.at(series).points) points.emplace_back(point.x, point.y);
     return points;
   };
-  REQUIRE(chart.series.size() == 5);  // the wishes of bits and of frames are the last two
+  REQUIRE(chart.series.size() == 5);  // the last two are the limits of bits and of frames
   CHECK(chart.series[0].name == "no wrong pixel");
   CHECK(steps(0) == std::vector<std::pair<double, double>>{{72, 200}, {80, 400}});
   CHECK(chart.series[1].name == "at most 5 wrong pixels");
@@ -297,7 +297,7 @@ TEST_CASE("the plot of advice has a staircase for each limit of wrong pixels tha
   CHECK(steps(2) == std::vector<std::pair<double, double>>{{64, 200}, {80, 400}, {90, 500}});
 }
 
-TEST_CASE("advice does not depend on threads, nor on which points are measured together") {
+TEST_CASE("advice depends neither on threads nor on grouping of points") {
   const AdviceJobs job({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
   const std::vector<DesignPoint> points = small_points();
   const Rows rows = measured(job, points, 1);
@@ -305,14 +305,14 @@ TEST_CASE("advice does not depend on threads, nor on which points are measured t
   for (std::size_t i = 0; i < rows.size(); i += 7) CHECK(drawn(job, rows[i].point) == rows[i]);
 }
 
-TEST_CASE("memory that shows one picture while the next is drawn counts among a choice's bits") {
+TEST_CASE("memory of a second frame buffer counts among a choice's bits") {
   const DesignPoint point = point_of_bits(16, 6, 24, "rebroadcast", "stack", 0, 1);
   const AdviceRow one = drawn(AdviceJobs({"pixel-planes-4"}), point);
   const AdviceRow two = drawn(AdviceJobs({"pixel-planes-4+scan_out.buffers=2"}), point);
   CHECK(two.used_bits == one.used_bits + 24);
 }
 
-TEST_CASE("the error of colours is found in whichever channel it is, and is half a step of it at most") {
+TEST_CASE("the colour error is found in any channel and is at most half a step") {
   emit::Options before_black;
   before_black.scene.background.colour = {0, 0, 0};
   for (const char* const colour : {"0.9,0,0", "0,0.9,0", "0,0,0.9"}) {
@@ -320,14 +320,14 @@ TEST_CASE("the error of colours is found in whichever channel it is, and is half
     const std::string model = std::string("color([") + colour + ",1]){cube(size=14,center=true);}";
     const AdviceJobs job({"pixel-planes-4"}, before_black, model);
     CHECK(drawn(job, point_of_bits(16, 6, 24, "rebroadcast", "stack", 0, 1)).colour_error == 0);
-    // Of 12 bits a channel has 4, which are 17 of 255 apart.
+    // With 12 bits a channel has 4, whose levels are 17 of 255 apart.
     const AdviceRow row = drawn(job, point_of_bits(16, 6, 12, "rebroadcast", "stack", 0, 1));
     CHECK(row.colour_error > 0);
     CHECK(row.colour_error <= 8);
   }
 }
 
-TEST_CASE("a choice that needs more memory than any may take is a row that says so") {
+TEST_CASE("a choice that exceeds the memory limit is a row with the reason") {
   const std::string many = [] {
     std::string text = "intersection(){cube(size=14,center=true);union(){";
     for (int i = 0; i < 600; ++i)
@@ -343,7 +343,7 @@ TEST_CASE("a choice that needs more memory than any may take is a row that says 
   CHECK(drawn(job, point_of_bits(16, 6, 24, "rebroadcast", "list", 0, 1)).compiled());
 }
 
-TEST_CASE("a Program fitted to its memory is the same whatever was guessed") {
+TEST_CASE("a Program fitted to its memory does not depend on the guess") {
   const AdviceJobs job({"pixel-planes-4"});
   const view::View view =
       view::make_view(job.front().subject->scene, job.front().subject->tree, job.front().camera, job.front().sampling);
@@ -364,7 +364,7 @@ TEST_CASE("a Program fitted to its memory is the same whatever was guessed") {
                   InputError);
 }
 
-TEST_CASE("a timer tells of every machine what a run of its own tells, though it runs a Program once") {
+TEST_CASE("a timer that runs a Program once equals separate runs on every machine") {
   const AdviceJobs job({"pixel-planes-4"});
   const view::View view =
       view::make_view(job.front().subject->scene, job.front().subject->tree, job.front().camera, job.front().sampling);
@@ -384,7 +384,7 @@ TEST_CASE("a timer tells of every machine what a run of its own tells, though it
   CHECK(skips);
 }
 
-TEST_CASE("a line of a table of advice reads back as it was") {
+TEST_CASE("a line of an advice table survives a round trip") {
   AdviceRow one = row(66, 3, 411'000, 18, 4);
   one.inputs = {"0123456789abcdef", "fedcba9876543210", "0.1.0"};
   one.colour_error = 2;

@@ -24,8 +24,8 @@ using Words = std::vector<std::string>;
 
 const char* const bitten_cube = "difference(){cube(size=14,center=true);sphere($fn=24,$fa=12,$fs=2,r=9);}";
 
-/// The points that a command asks for, as the first cells of their rows.
-Words points_asked(const Words& words) {
+/// Points that a command requests, as the first cells of their rows.
+Words requested_points(const Words& words) {
   session::OptionList list("compare");
   const auto command = studies::describe(list, studies::compare_row);
   list.give_words(std::span(words).subspan(1));
@@ -37,7 +37,7 @@ Words points_asked(const Words& words) {
 
 }  // namespace
 
-TEST_CASE("a point of a comparison is what the Program's run is at the level of reference") {
+TEST_CASE("a comparison point equals the Program's reference-level run") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   studies::ComparisonJob job;
   job.point = {"pixel-planes-4", 24, 20, 0, {}};
@@ -69,9 +69,9 @@ TEST_CASE("a point of a comparison is what the Program's run is at the level of 
   CHECK(row.frames_per_second * static_cast<double>(result.interval_clocks) == doctest::Approx(hz));
 }
 
-TEST_CASE("a comparison asks for each point once: a side that is the picture's own is no other point") {
+TEST_CASE("a comparison requests each point once even if a side equals the picture's") {
   const std::string model = testing::model_path("thesis_fig_2_3");
-  const Words points = points_asked(
+  const Words points = requested_points(
       {"compare", model, "--machines", "scan-line", "--size", "32x32", "--sides", "16,32", "--fragments", "5"});
   CHECK(points == Words{"scan-line,32,32,0,", "scan-line,32,32,5,", "scan-line,16,16,0,"});
 }

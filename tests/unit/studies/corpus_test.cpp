@@ -15,7 +15,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("what a machine does not draw has a reason in place of counts, and a size") {
+TEST_CASE("an undrawable machine has a reason and a size instead of counts") {
   model::Tree tree = read::read_csg_text("cube(size=14,center=true);", "test");
   facet::Geometry scene = facet::make_geometry(tree);
   const auto subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
@@ -38,7 +38,7 @@ TEST_CASE("what a machine does not draw has a reason in place of counts, and a s
   CHECK(row.used_bits == 0);
 }
 
-TEST_CASE("the page of a corpus has a table of distributions for each machine, with a row for each column") {
+TEST_CASE("the corpus page has a distribution table per machine and a row per column") {
   const report::Json data = report::Json::parse(
       R"({"distributions": {"m": {"clocks": {"count": 3, "minimum": 5, "median": 7, "maximum": 1234, "total": 1246},
                                   "used_bits": {"count": 3, "minimum": 66, "median": 66, "maximum": 70}},

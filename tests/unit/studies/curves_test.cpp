@@ -39,7 +39,7 @@ const studies::CurvesChoice& choice(emit::Curves curves) {
   return *found;
 }
 
-/// As curved surfaces are asked for in place of `base`.
+/// Settings that request curved surfaces instead of `base`.
 studies::Settings drawn_as(emit::Curves curves, const facet::Faceting& base = {}) {
   return {"curves", std::string(emit::name_of(curves)), choice(curves).faceting(base), sampling()};
 }
@@ -54,7 +54,7 @@ std::optional<std::string> why_not(emit::Curves curves, const std::string& csg, 
 
 }  // namespace
 
-TEST_CASE("fast spheres are held against the true ones: outlines are right, edges where they meet and depths are not") {
+TEST_CASE("fast spheres have true outlines and edges but other depths") {
   const model::Tree tree = read::read_csg_text(joined_balls, "test");
   studies::Meter meter(tree, studies::turned_views(camera, 2), machine_of("pixel-planes-4"), {});
   const studies::Measurement facets = meter.measure(drawn_as(emit::Curves::facets));
@@ -65,12 +65,12 @@ TEST_CASE("fast spheres are held against the true ones: outlines are right, edge
   CHECK(fast.wrong_silhouette <= 2);
   CHECK(fast.wrong_owner > 20);
   CHECK(fast.facet_wrong >= fast.wrong_owner);
-  // Off by 0.3 of the greater radius at most; at the deepest place by 0.2 of it at least.
+  // Off by at most 0.3 of the greater radius; at the deepest place by at least 0.2 of it.
   CHECK(fast.facet_depth_p999 < 0.3 * 9);
   CHECK(fast.facet_depth_p999 > 0.2 * 9);
 }
 
-TEST_CASE("a sphere that does not fit the machine's numbers is in facets among fast ones") {
+TEST_CASE("a sphere beyond the machine's numbers is faceted among fast ones") {
   const std::string small = "sphere($fn=16,$fa=12,$fs=2,r=5);";
   const std::string cut = "intersection(){cube(size=20,center=true);sphere($fn=16,$fa=12,$fs=2,r=20000);}";
   const auto halfspaces = [&](const std::string& csg, emit::Curves curves) {
@@ -84,7 +84,7 @@ TEST_CASE("a sphere that does not fit the machine's numbers is in facets among f
   CHECK(halfspaces(small + cut, emit::Curves::fast) == halfspaces(small + cut, emit::Curves::facets) - of_small + 1);
 }
 
-TEST_CASE("pictures of the same size are not mixed up where other solids are faceted") {
+TEST_CASE("pictures of equal size with different faceting are not confused") {
   const model::Tree tree = read::read_csg_text(joined_balls, "test");
   studies::Meter meter(tree, {camera}, machine_of("pixel-powers"), {});
   for (const emit::Curves curves : {emit::Curves::fast, emit::Curves::exact}) {
@@ -98,7 +98,7 @@ TEST_CASE("pictures of the same size are not mixed up where other solids are fac
   }
 }
 
-TEST_CASE("what curves are turned to does not depend on how the user draws the other points") {
+TEST_CASE("varied curves do not depend on the user's setting for other points") {
   facet::Faceting fast = drawn_as(emit::Curves::fast).faceting;
   fast.faceted = {true};
   const facet::Faceting exact = drawn_as(emit::Curves::exact, fast).faceting;
@@ -111,7 +111,7 @@ TEST_CASE("what curves are turned to does not depend on how the user draws the o
   CHECK(drawn_as(emit::Curves::fast, exact).faceting.fast_spheres);
 }
 
-TEST_CASE("fast spheres are left out with the reason where none can be drawn") {
+TEST_CASE("omits fast spheres with a reason if none can be drawn") {
   const std::string ball = "sphere($fn=16,$fa=12,$fs=2,r=9);";
   const std::string ellipsoid = "multmatrix([[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){" + ball + "}";
   const view::Camera near{camera.eye, camera.centre, view::Projection::perspective};

@@ -1,4 +1,4 @@
-// Which designs csgsim explore asks for: what its options say, at their limits, and the order of samples.
+// Tests of the designs that csgsim explore requests: options at their limits and the order of samples.
 
 #include <doctest/doctest.h>
 
@@ -31,7 +31,7 @@ std::vector<Cell> sampled(const std::vector<std::size_t>& sizes, std::uint64_t s
   return cells;
 }
 
-/// What the UsageError says that designs end with; empty if there is none.
+/// Returns the UsageError message for designs; empty if there is none.
 std::string design_error(const session::ModelRequest& base, const std::vector<Dimension>& dimensions,
                          const studies::GridChoice& choice = {}) {
   try {
@@ -46,7 +46,7 @@ std::string dimension_error(const std::string& text) {
   return testing::error_of([&] { static_cast<void>(studies::parse_dimension(text)); });
 }
 
-/// Of numbers from `first` on.
+/// Consecutive numbers as texts.
 Texts numbers_from(unsigned first, std::size_t count) {
   Texts texts;
   for (std::size_t i = 0; i < count; ++i) texts.push_back(std::to_string(first + i));
@@ -65,7 +65,7 @@ std::string option_error(const std::string& key, const std::string& value) {
   return "";
 }
 
-/// Nine times a hundred values.
+/// Nine dimensions of a hundred values.
 std::vector<Dimension> nine_hundreds() {
   std::vector<Dimension> dimensions{
       {"size", Texts(100, "8x8")}, {"pruning", Texts(100, "all")}, {"curves", Texts(100, "auto")}};
@@ -77,10 +77,10 @@ std::vector<Dimension> nine_hundreds() {
 
 }  // namespace
 
-// The cells below were worked out by a script of its own, with 60 digits: steps are the powers of 1 / 1.618034 (the
-// root of x^2 = x + 1), 1 / 1.324718 (x^3 = x + 1) and 1 / 1.220744 (x^4 = x + 1) in 32 bits, places begin at
-// SplitMix64 (SplitMix64 (seed) + axis); the first number of its seed 0 is the published e220a8397b1dcdaf.
-TEST_CASE("a sample is the additive recurrence of its axes, from the place of its seed") {
+// The expected cells come from an independent script with 60 digits: steps are the powers of 1 / 1.618034 (the root of
+// x^2 = x + 1), 1 / 1.324718 (x^3 = x + 1) and 1 / 1.220744 (x^4 = x + 1) in 32 bits; the sequence starts at SplitMix64
+// (SplitMix64 (seed) + axis); the first number of its seed 0 is the published e220a8397b1dcdaf.
+TEST_CASE("a sample is the additive recurrence of its axes from the seed's start") {
   CHECK(sampled({1000}, 1, 8) == std::vector<Cell>{{986}, {604}, {222}, {840}, {458}, {76}, {694}, {312}});
   CHECK(sampled({1000}, 2, 8) == std::vector<Cell>{{10}, {628}, {246}, {864}, {482}, {100}, {718}, {336}});
   CHECK(sampled({7, 11}, 1, 8) == std::vector<Cell>{{0, 1}, {6, 7}, {4, 2}, {2, 8}, {0, 4}, {6, 10}, {4, 5}, {2, 0}});
@@ -89,9 +89,9 @@ TEST_CASE("a sample is the additive recurrence of its axes, from the place of it
         std::vector<Cell>{{0, 0, 1}, {0, 3, 4}, {2, 2, 1}, {1, 0, 4}, {1, 3, 2}, {0, 2, 0}, {0, 0, 2}, {2, 3, 0}});
 }
 
-TEST_CASE("after 64 cells in a row that were told, the rest comes in the order of the grid") {
-  // By the same script: the 177th cell is the 64th that is tried after the one before; a new one is found by 64 tries
-  // three times more, and then no more.
+TEST_CASE("after 64 repeated cells in a row the rest follows in grid order") {
+  // Results of the same script: the 177th cell is the 64th tried after its predecessor; 64 tries find a new one three
+  // more times, and then none.
   const std::vector<Cell> cells = sampled({10, 10, 2}, 8, 200);
   const std::vector<Cell> found{cells.begin() + 175, cells.begin() + 180};
   CHECK(found == std::vector<Cell>{{2, 0, 0}, {7, 0, 1}, {8, 4, 0}, {9, 7, 0}, {1, 8, 1}});
@@ -99,12 +99,12 @@ TEST_CASE("after 64 cells in a row that were told, the rest comes in the order o
   CHECK(cells[181] == Cell{0, 2, 0});
   CHECK(cells[182] == Cell{0, 5, 1});
   CHECK(cells.back() == Cell{9, 3, 0});
-  // Here 64 tries find none where a 65th would have: the cell of the grid's order comes before that one.
+  // Here 64 tries find none where a 65th would: the cell of the grid's order precedes that one.
   const std::vector<Cell> others = sampled({8, 8, 4}, 42, 249);
   CHECK(std::vector<Cell>{others.begin() + 246, others.end()} == std::vector<Cell>{{6, 0, 0}, {0, 5, 0}, {0, 5, 3}});
 }
 
-TEST_CASE("a range has both its ends, from 0 to 2,000,000,000, and 1,000 values at most") {
+TEST_CASE("a range includes both ends and has at most 1000 values") {
   CHECK(studies::parse_dimension("a=0..2").values == Texts{"0", "1", "2"});
   CHECK(studies::parse_dimension("a=5..5").values == Texts{"5"});
   CHECK(studies::parse_dimension("a=2000000000..2000000000").values == Texts{"2000000000"});
@@ -116,13 +116,13 @@ TEST_CASE("a range has both its ends, from 0 to 2,000,000,000, and 1,000 values 
   CHECK(studies::parse_dimension("a=1..600,601..1000").values.size() == 1000);
   CHECK(studies::parse_dimension("a=1..600,500..1000").values.size() == 1000);
   CHECK(dimension_error("a=1..600,601..1001") == "a has more than 1000 values");
-  // What is no range of whole numbers is a value as it stands.
+  // Text that is not a range of whole numbers is a value as it stands.
   CHECK(studies::parse_dimension("a=..5,1.5,a..b,7..x").values == Texts{"..5", "1.5", "a..b", "7..x"});
   CHECK(dimension_error("a=1...3") != "");
   CHECK(dimension_error("a=1..") != "");
 }
 
-TEST_CASE("what is varied needs a key and an equals sign, and the first of these ends the key") {
+TEST_CASE("a varied dimension needs a key that ends at the first equals sign") {
   const std::string words = " has no values; use KEY=a,b,c, as in alu.bits=1,2,4";
   for (const char* const text : {"", "alu.bits", "=1", "=a=1"})
     CHECK(dimension_error(text) == "'" + std::string(text) + "'" + words);
@@ -131,7 +131,7 @@ TEST_CASE("what is varied needs a key and an equals sign, and the first of these
   CHECK(studies::parse_dimension("z-bits=8..10,9,16") == Dimension{"z-bits", {"8", "9", "10", "16"}});
 }
 
-TEST_CASE("each option of render takes its own values, up to its limits") {
+TEST_CASE("each option of render takes its own values up to its limits") {
   struct Row {
     const char* key;
     Texts right;
@@ -154,7 +154,7 @@ TEST_CASE("each option of render takes its own values, up to its limits") {
   CHECK(option_error("memory-bits", "1,2") == "'1,2' is not a number");
 }
 
-TEST_CASE("each option of render is given its value, and any other key is a figure of the machine") {
+TEST_CASE("assigns values to render's options and takes other keys as machine figures") {
   session::ModelRequest options;
   const std::vector<std::pair<std::string, std::string>> values{
       {"size", "9x7"},       {"memory-bits", "70"}, {"z-bits", "11"},    {"fraction-bits", "5"},
@@ -176,14 +176,14 @@ TEST_CASE("each option of render is given its value, and any other key is a figu
                                       "stack-bits", "colouring", "curves", "pruning"});
 }
 
-TEST_CASE("figures of the memory of a pixel are four, and no others") {
+TEST_CASE("exactly four figures set the memory of a pixel") {
   for (const char* const key : {"array.memory_bits", "pixel.memory_bits", "cells.words", "cells.word_bits"})
     CHECK(studies::is_memory_figure(key));
   for (const char* const key : {"", "memory_bits", "memory.reads", "node.memory_words", "memory-bits"})
     CHECK_FALSE(studies::is_memory_figure(key));
 }
 
-TEST_CASE("whoever says nothing else has all designs, or the sample of seed 1") {
+TEST_CASE("the default is all designs or the sample of seed 1") {
   const std::vector<Dimension> dimensions{{"z-bits", numbers_from(4, 27)}};
   CHECK(studies::GridChoice{}.points == 0);
   CHECK(studies::GridChoice{}.seed == 1);
@@ -195,18 +195,18 @@ TEST_CASE("whoever says nothing else has all designs, or the sample of seed 1") 
   ten.points = 10;
   Texts drawn;
   for (const Cell& cell : sampled({27}, 1, 10)) drawn.push_back(std::to_string(4 + cell[0]));
-  Texts asked;
+  Texts listed;
   const studies::DesignGrid grid({}, dimensions, ten);
-  for (const session::ModelRequest& one : grid.designs()) asked.push_back(std::to_string(one.z_bits));
-  CHECK(asked == drawn);
+  for (const session::ModelRequest& one : grid.designs()) listed.push_back(std::to_string(one.z_bits));
+  CHECK(listed == drawn);
 }
 
-TEST_CASE("a grid may have 10,000 cells, and one more has to be sampled") {
+TEST_CASE("a grid may have 10000 cells and a larger one must be sampled") {
   CHECK(studies::max_designs == 10'000);
   const Texts tens(10, "20");
   std::vector<Dimension> dimensions{
       {"z-bits", tens}, {"fraction-bits", tens}, {"colour-bits", tens}, {"stack-bits", tens}};
-  CHECK(studies::DesignGrid({}, dimensions, {}).designs().size() == 1);  // all draw alike
+  CHECK(studies::DesignGrid({}, dimensions, {}).designs().size() == 1);  // all draw the same picture
   dimensions[3].values.emplace_back("21");
   CHECK(design_error({}, dimensions) ==
         "--vary: the grid has 11000 designs, the maximum is 10,000; use --points N to sample them");
@@ -215,13 +215,13 @@ TEST_CASE("a grid may have 10,000 cells, and one more has to be sampled") {
 
 TEST_CASE("a grid of 10^18 cells may be sampled") { CHECK(design_error({}, nine_hundreds(), {1, 1}) == ""); }
 
-TEST_CASE("a grid of more than 10^18 cells may not be sampled") {
+TEST_CASE("rejects a sample of a grid of more than 10^18 cells") {
   std::vector<Dimension> dimensions = nine_hundreds();
   dimensions[8].values.emplace_back("field");
   CHECK(design_error({}, dimensions, {1, 1}) == "--vary: the grid has more than 10^18 designs; vary fewer parameters");
 }
 
-TEST_CASE("an unknown key is told with the options there are, and the nearest of figures and options") {
+TEST_CASE("rejects an unknown key and lists options and the nearest figure") {
   const std::string options =
       "size, memory-bits, z-bits, fraction-bits, colour-bits, strategy, stack-bits, colouring, curves, pruning";
   CHECK(design_error({}, {{"array.widt", {"1"}}}) ==
@@ -232,8 +232,8 @@ TEST_CASE("an unknown key is told with the options there are, and the nearest of
         "--vary: 'alu.bits' is given twice; list all its values once");
 }
 
-TEST_CASE("a value is wrong if it is possible neither by itself nor with the last values of other figures") {
-  // The trees of pixel-planes-4 bring a bit a clock, and its ALU takes one: neither may be 4 without the other.
+TEST_CASE("a value is wrong if impossible alone and with the last values of other figures") {
+  // The trees of pixel-planes-4 deliver one bit per clock, and its ALU takes one: neither may be 4 without the other.
   const Dimension alu{"alu.bits", {"1", "4"}};
   const Dimension trees{"evaluator.bits", {"1", "4"}};
   CHECK(design_error({}, {trees, alu}) == "");
@@ -248,7 +248,7 @@ TEST_CASE("a value is wrong if it is possible neither by itself nor with the las
   CHECK(design_error({}, {{"pruning", {"al"}}}).starts_with("--vary pruning: "));
 }
 
-TEST_CASE("a figure that an option says otherwise is refused, for size and memory each, and as it says is not") {
+TEST_CASE("rejects a figure that conflicts with an option and accepts an equal one") {
   const auto error = [](const char* key, const char* value) {
     return std::string("--vary: an option overrides ") + key + "=" + value + "; omit --size or --memory-bits";
   };
@@ -261,16 +261,16 @@ TEST_CASE("a figure that an option says otherwise is refused, for size and memor
   remembered.memory_bits = 80;
   CHECK(design_error(remembered, {{"array.memory_bits", {"80"}}}) == "");
   CHECK(design_error(remembered, {{"array.memory_bits", {"80", "81"}}}) == error("array.memory_bits", "81"));
-  // What is varied is an option, too: its first value is taken.
+  // A varied key is also an option: its first value is used.
   CHECK(design_error({}, {{"array.memory_bits", {"90"}}, {"memory-bits", {"90", "91"}}}) == "");
   CHECK(design_error({}, {{"array.memory_bits", {"91"}}, {"memory-bits", {"90", "91"}}}) ==
         error("array.memory_bits", "91"));
 }
 
-TEST_CASE("neighbours are asked for in the order of their keys, the value before first, and known ones not again") {
-  // z bits 10 to 14 times fraction bits 2 to 6: of the middle four neighbours, of what was known none again.
+TEST_CASE("neighbours follow key order with the lower value first and no repetition") {
+  // z bits 10 to 14 times fraction bits 2 to 6: four neighbours of the middle, none of them already known.
   const std::vector<Dimension> dimensions{{"z-bits", numbers_from(10, 5)}, {"fraction-bits", numbers_from(2, 5)}};
-  const auto told = [](const studies::DesignGrid& grid) {
+  const auto listed = [](const studies::DesignGrid& grid) {
     std::vector<std::pair<unsigned, unsigned>> all;
     for (const session::ModelRequest& one : grid.designs()) all.emplace_back(one.z_bits, one.fraction_bits);
     return all;
@@ -279,7 +279,7 @@ TEST_CASE("neighbours are asked for in the order of their keys, the value before
   std::size_t corners = 0;
   for (std::uint32_t seed = 1; seed <= 30; ++seed) {
     studies::DesignGrid grid({}, dimensions, {1, seed});
-    const auto [z, fraction] = told(grid).front();
+    const auto [z, fraction] = listed(grid).front();
     Pairs expected{{z, fraction}};
     if (z > 10) expected.emplace_back(z - 1, fraction);
     if (z < 14) expected.emplace_back(z + 1, fraction);
@@ -288,14 +288,14 @@ TEST_CASE("neighbours are asked for in the order of their keys, the value before
     corners += expected.size() == 3 ? 1U : 0U;
     const std::array<std::size_t, 1> first{0};
     grid.add_neighbours(first, 0);
-    CHECK(told(grid).size() == 1);
+    CHECK(listed(grid).size() == 1);
     grid.add_neighbours(first, 2);
-    CHECK(told(grid) == Pairs{expected[0], expected[1], expected[2]});
+    CHECK(listed(grid) == Pairs{expected[0], expected[1], expected[2]});
     grid.add_neighbours(first, 100);
-    CHECK(told(grid) == expected);
+    CHECK(listed(grid) == expected);
     grid.add_neighbours(first, 100);
-    CHECK(told(grid) == expected);
-    // Of the second: the first is known.
+    CHECK(listed(grid) == expected);
+    // Neighbours of the second: the first is known.
     const std::size_t before = expected.size();
     const std::array<std::size_t, 1> second{1};
     grid.add_neighbours(second, 1);

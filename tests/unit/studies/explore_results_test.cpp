@@ -1,4 +1,4 @@
-// csgsim explore as a study of its own: what it makes of rows that are made up here, and what it refuses.
+// Tests of the explore study with made-up rows: results, and rows that it rejects.
 
 #include <doctest/doctest.h>
 
@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// A row as explore.csv has it.
+/// A row as in explore.csv.
 ExploreRow made_row(const std::string& model, const std::string& machine, double fps, std::uint32_t used_bits) {
   ExploreRow one;
   one.point.model = model;
@@ -53,7 +53,7 @@ Texts lines_of(const std::vector<ExploreRow>& rows) {
   return lines;
 }
 
-/// What the study says to these rows in the end.
+/// Returns the study's error for these rows.
 std::string refusal_of(const std::vector<ExploreRow>& rows, bool are_read = false) {
   const Explored explored({"m.csg", "n.csg", "--vary", "z-bits=20"});
   explored.study().take(lines_of(rows), are_read);
@@ -72,8 +72,7 @@ std::string usage_error(const Texts& words) {
 
 }  // namespace
 
-TEST_CASE(
-    "rows that show a fault are refused: nothing drawn, a wrong pixel that nothing explains, a model without rows") {
+TEST_CASE("rejects rows without drawings or with unexplained wrong pixels") {
   std::vector<ExploreRow> rows{made_row("m.csg", "a", 10, 60), made_row("m.csg", "b", 10, 60)};
   CHECK(refusal_of(rows) == "");
   rows[0].reason = "no memory";
@@ -88,7 +87,7 @@ TEST_CASE(
   CHECK(refusal_of(rows).starts_with(fault));
   CHECK(refusal_of(rows, true).starts_with(fault));
   CHECK(refusal_of(rows, true) != refusal_of(rows, false));
-  // Of two models one that is not drawn is named, and so are both.
+  // If one of two models is not drawn it is named; if neither is, both are named.
   rows = {made_row("m.csg", "a", 10, 60), made_row("n.csg", "a", 10, 60)};
   rows[1].reason = "no";
   CHECK(refusal_of(rows).find("n.csg") != std::string::npos);
@@ -97,10 +96,10 @@ TEST_CASE(
   CHECK(refusal_of(rows).find("explore.csv") != std::string::npos);
 }
 
-TEST_CASE("the knee's commands draw it on each model that it draws, with memory for all, and say what is not usual") {
+TEST_CASE("the knee's commands draw it on each model with all non-default options") {
   const Explored explored({"m.csg", "a b.csg", "--vary", "z-bits=20", "--camera", "1,2,3,0,0,0", "--view-all", "--set",
                            "background.colour=0,0,1", "--set", "alu.bits=2"});
-  // Of m the memory that the Program takes, of the other one what was said.
+  // Model m has the memory that its Program takes, the other model the given memory.
   std::vector<ExploreRow> rows{made_row("m.csg", "pixel-planes-4+alu.bits=2", 10, 60),
                                made_row("a b.csg", "pixel-planes-4+alu.bits=2", 10, 70)};
   const auto commands = [&](std::size_t group) {
@@ -121,7 +120,7 @@ TEST_CASE("the knee's commands draw it on each model that it draws, with memory 
   CHECK(commands(2) == Texts{draw("m.csg", "70", "", "m-knee.png"), draw("'a b.csg'", "70", "", "'a b-knee.png'")});
   for (ExploreRow& row : rows) row.point.memory_bits = row.point.model == "m.csg" ? 200 : 90;
   CHECK(commands(0) == Texts{draw("m.csg", "200", "", "m-knee.png")});
-  // The clock of a process is a figure; stack bits, curves and prunings are told where they are not usual.
+  // The clock of a process is a figure; stack bits, curves and prunings are printed if they are not the defaults.
   rows = {made_row("m.csg", "pixel-planes-4+alu.bits=2", 10, 60)};
   rows[0].clock_hz = 123;
   CHECK(commands(0) == Texts{draw("m.csg", "60", "", "m-knee.png")});
@@ -137,21 +136,21 @@ TEST_CASE("the knee's commands draw it on each model that it draws, with memory 
   CHECK(commands(0) == Texts{expected});
 }
 
-TEST_CASE("a knee that only one of two models draws has a command of it alone") {
+TEST_CASE("a knee drawn by one of two models has a command for that model only") {
   const Explored explored({"m.csg", "n.csg", "--vary", "z-bits=20"});
   std::vector<ExploreRow> rows{made_row("m.csg", "a", 10, 60), made_row("m.csg", "b", 20, 50),
                                made_row("n.csg", "a", 10, 60), made_row("n.csg", "b", 5, 90)};
   explored.study().take(lines_of(rows), false);
   const Json fronts = Json::parse(explored.study().json("t"))["fronts"];
   REQUIRE(fronts.size() == 3);
-  // m's knee is b, n's a; of both a takes 200 ms and 60 bits, b 250 ms and 90 bits.
+  // The knee of m is b and that of n is a; over both models a takes 200 ms and 60 bits, b 250 ms and 90 bits.
   CHECK(fronts[0]["knee"]["commands"].size() == 1);
   CHECK(fronts[0]["knee"]["commands"][0].get<std::string>().find("--machine b ") != std::string::npos);
   CHECK(fronts[1]["knee"]["commands"][0].get<std::string>().find("--machine a ") != std::string::npos);
   CHECK(fronts[2]["knee"]["commands"].size() == 2);
 }
 
-TEST_CASE("a page has a table of each front with its knee, and one of the commands") {
+TEST_CASE("a page has a table of each front with its knee and one of commands") {
   const Explored explored({"m.csg", "n.csg", "--vary", "z-bits=20", "--axes", "time,memory"});
   std::vector<ExploreRow> rows{made_row("m.csg", "p+alu.bits=1", 10, 10), made_row("m.csg", "p+alu.bits=4", 20, 40),
                                made_row("n.csg", "p+alu.bits=1", 50, 30), made_row("n.csg", "p+alu.bits=4", 40, 40)};
@@ -186,14 +185,14 @@ TEST_CASE("a page has a table of each front with its knee, and one of the comman
   CHECK(commands[3][0] == "all");
   CHECK(commands[3][1] == data["fronts"][2]["knee"]["commands"][1]);
   CHECK(table(3).is_list);
-  // Nothing drawn, no fronts.
+  // If nothing is drawn there are no fronts.
   for (ExploreRow& row : rows) row.reason = "no";
   explored.study().take(lines_of(rows), false);
   data = Json::parse(explored.study().json("t"));
   CHECK(explored.study().sections(data).empty());
 }
 
-TEST_CASE("options that contradict each other are refused by name") {
+TEST_CASE("rejects contradictory options by name") {
   const Models models;
   const std::string cube = models / "cube.csg";
   CHECK(usage_error({cube, "--vary", "alu.bits=1,2", "--set", "alu.bits=4"}) ==
@@ -220,7 +219,7 @@ TEST_CASE("options that contradict each other are refused by name") {
   CHECK(usage_error({"--vary", "alu.bits=1"}) != "");
 }
 
-TEST_CASE("designs are held against each other by four axes, in a process by five, or by those asked for") {
+TEST_CASE("compares designs on four axes or five with a process or requested ones") {
   studies::ExploreOptions options;
   CHECK(options.requested_axes() == "time,area,memory,wrong");
   CHECK_FALSE(options.loaded_process());

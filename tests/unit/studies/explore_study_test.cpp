@@ -1,4 +1,4 @@
-// The study of csgsim explore: the points that it asks for, and what it measures at each.
+// Tests of the explore study: the points that it requests and their measurements.
 
 #include <doctest/doctest.h>
 
@@ -33,7 +33,7 @@ using testing::row_in;
 using testing::Texts;
 namespace fs = std::filesystem;
 
-TEST_CASE("a point of each model and design is asked for once, models first, with everything it depends on") {
+TEST_CASE("requests each model and design once with all its inputs and models first") {
   const Models models;
   const std::string cube = models / "cube.csg";
   const std::string two = models / "two.csg";
@@ -68,7 +68,7 @@ TEST_CASE("a point of each model and design is asked for once, models first, wit
     }
   }
   CHECK(explored.ask() == expected);
-  // Of one model the inputs differ by the machine alone.
+  // The inputs for one model differ in the machine only.
   CHECK(explored.asked[0].inputs == explored.asked[1].inputs);
   CHECK(explored.asked[0].inputs.machine_hash != explored.asked[2].inputs.machine_hash);
   CHECK(explored.asked[0].inputs.model_hash == explored.asked[2].inputs.model_hash);
@@ -76,7 +76,7 @@ TEST_CASE("a point of each model and design is asked for once, models first, wit
   CHECK(explored.asked[0].inputs.machine_hash == explored.asked[4].inputs.machine_hash);
 }
 
-TEST_CASE("a point has its memory if the user set it: by the option, a varied key, or a figure") {
+TEST_CASE("a point has memory if an option or a varied key or a figure sets it") {
   const Models models;
   const std::string cube = models / "cube.csg";
   const auto memory = [&](const Texts& words) {
@@ -95,26 +95,26 @@ TEST_CASE("a point has its memory if the user set it: by the option, a varied ke
   CHECK(memory({"--vary", "alu.bits=1", "--set", "array.memory_bits=82"}) == Texts{"82"});
 }
 
-TEST_CASE("a process is part of each point, and every figure of it of what was measured from") {
+TEST_CASE("a process is part of each point and its figures are inputs") {
   const Models models;
-  const auto asked = [&](const Texts& words) {
+  const auto requested = [&](const Texts& words) {
     Texts all{models / "cube.csg", "--size", "16x12", "--vary", "z-bits=12"};
     all.insert(all.end(), words.begin(), words.end());
     Explored explored(all);
     explored.ask();
     return explored.asked.front();
   };
-  const studies::PointRequest plain = asked({});
-  const studies::PointRequest made = asked({"--process", "nmos-3um"});
+  const studies::PointRequest plain = requested({});
+  const studies::PointRequest made = requested({"--process", "nmos-3um"});
   CHECK(studies::split_cells(plain.cells).at(2).empty());
   CHECK(studies::split_cells(made.cells).at(2) == "nmos-3um");
   CHECK(plain.inputs.machine_hash != made.inputs.machine_hash);
-  CHECK(made.inputs.machine_hash != asked({"--process", "cmos-45nm"}).inputs.machine_hash);
-  CHECK(made.inputs == asked({"--process", "nmos-3um"}).inputs);
+  CHECK(made.inputs.machine_hash != requested({"--process", "cmos-45nm"}).inputs.machine_hash);
+  CHECK(made.inputs == requested({"--process", "nmos-3um"}).inputs);
   CHECK(made.inputs.model_hash == plain.inputs.model_hash);
 }
 
-TEST_CASE("a design whose figures do not fit each other, or a model that cannot be read, says why in its row") {
+TEST_CASE("reports inconsistent figures and unreadable models in the row") {
   const Models models;
   Explored explored({models / "cube.csg", "--size", "16x12", "--vary", "evaluator.bits=1,4", "--vary", "alu.bits=1,4"});
   const Texts cells = explored.ask();
@@ -143,7 +143,7 @@ TEST_CASE("a design whose figures do not fit each other, or a model that cannot 
         }).find("wrong.csg:1:") != std::string::npos);
 }
 
-TEST_CASE("what lets light through is not held against an exact picture, on any design") {
+TEST_CASE("transparent models are not compared with exact pictures on any design") {
   const Models models;
   models.write("glass.csg", "color([1, 0, 0, 0.5]) { cube(size = [8, 6, 4]); }\n");
   Explored explored({models / "glass.csg", models / "cube.csg", "--size", "16x12", "--vary", "z-bits=12,13"});
@@ -156,19 +156,19 @@ TEST_CASE("what lets light through is not held against an exact picture, on any 
   }
 }
 
-TEST_CASE("a row has the Program's and the run's figures, and wrong pixels, of the machine with just its memory") {
+TEST_CASE("a row has the figures and wrong pixels of a machine with just enough memory") {
   const Models models;
   const Texts words{models / "two.csg", "--size", "16x12", "--z-bits", "12"};
-  Texts asked = words;
-  asked.insert(asked.end(), {"--vary", "alu.bits=1,2", "--process", "cmos-45nm"});
-  Explored explored(asked);
+  Texts requested = words;
+  requested.insert(requested.end(), {"--vary", "alu.bits=1,2", "--process", "cmos-45nm"});
+  Explored explored(requested);
   explored.ask();
   const Texts rows = explored.measure();
   const process::Process process = process::load_process("cmos-45nm");
   for (std::size_t i = 0; i < 2; ++i) {
     const ExploreRow row = row_in(rows[i]);
     REQUIRE(row.compiled());
-    // The same by render's own way.
+    // The same measured by render's own code.
     Texts render = words;
     render.insert(render.end(), {"--machine", row.point.machine, "--memory-bits", std::to_string(row.used_bits)});
     const session::ModelRequest options = session::model_request_in(render);
@@ -208,7 +208,7 @@ TEST_CASE("a row has the Program's and the run's figures, and wrong pixels, of t
   CHECK(narrow.pixel_transistors < wide.pixel_transistors);
 }
 
-TEST_CASE("without a process a machine has the clock of its description, and no price in silicon") {
+TEST_CASE("without a process a machine has its described clock and no silicon cost") {
   const Models models;
   Explored explored({models / "cube.csg", "--size", "16x12", "--vary", "memory-bits=100,120"});
   explored.ask();
@@ -220,14 +220,14 @@ TEST_CASE("without a process a machine has the clock of its description, and no 
     CHECK_FALSE(row.machine_mm2);
     CHECK_FALSE(row.frame_joules);
     CHECK(row.halfspaces == 6);
-    // As much memory as was said, of which less is used.
+    // The given memory; less is used.
     CHECK(row.machine_memory_bits == std::uint64_t{16 * 12} * (i == 0 ? 100 : 120));
     CHECK(row.used_bits < 100);
   }
   CHECK(row_in(rows[0]).used_bits == row_in(rows[1]).used_bits);
 }
 
-TEST_CASE("designs measured together have what each has alone: one thing changed, each in turn") {
+TEST_CASE("designs measured together equal separate measurements") {
   const std::string house = testing::model_path("rietveld_house");
   const Texts common{"--size", "40x32", "--camera", "3430,-2900,1950,590,230,220", "--z-bits", "9"};
   std::set<std::uint64_t> wrong;
@@ -260,8 +260,7 @@ TEST_CASE("designs measured together have what each has alone: one thing changed
   CHECK(wrong.size() > 3);
 }
 
-TEST_CASE(
-    "the study reads its models, its scene, and the files of machine and process, and varies what its points say") {
+TEST_CASE("lists models and scene and machine and process files as inputs") {
   const Explored explored({"a.csg", "b.csg", "--vary", "z-bits=12"});
   CHECK(explored.study().inputs() == std::vector<fs::path>{"a.csg", "b.csg"});
   const Models models;
@@ -287,7 +286,7 @@ TEST_CASE(
   CHECK(Explored({"a.csg", "a.csg", "--vary", "z-bits=12"}).study().page_subject().name.empty());
 }
 
-TEST_CASE("a search asks for neighbours of the front, round after round, until it has its number or there are none") {
+TEST_CASE("a search requests neighbours of the front until its limit or exhaustion") {
   const Models models;
   const auto counts = [&](const char* most) {
     Explored explored({models / "cube.csg", "--size", "12x8", "--vary", "z-bits=10..14", "--vary", "alu.bits=1,2,4",
@@ -305,13 +304,13 @@ TEST_CASE("a search asks for neighbours of the front, round after round, until i
   };
   const auto [one, first] = counts("1");
   CHECK(one == std::vector<std::size_t>{1, 1});
-  // At least two neighbours, at most four, are of the only design of the front.
+  // The only design of the front has two to four neighbours.
   const auto [three, cells] = counts("3");
   CHECK(three.front() == 1);
   CHECK(std::accumulate(three.begin(), three.end(), std::size_t{0}) == 1 + 3);
   CHECK(std::set<std::string>(cells.begin(), cells.end()).size() == cells.size());
   CHECK(first == Texts{cells[0], cells[1]});
-  // All 15 designs at most; there is an end without --search's number.
+  // All 15 designs or fewer; the search also ends without --search's limit.
   const auto [all, of_all] = counts("100");
   const std::size_t total = std::accumulate(all.begin(), all.end(), std::size_t{0});
   CHECK(total > 4);
@@ -320,14 +319,14 @@ TEST_CASE("a search asks for neighbours of the front, round after round, until i
   CHECK(counts("0").first == std::vector<std::size_t>{1});
 }
 
-TEST_CASE("neighbours are of the front of all models, and are asked for each of them") {
+TEST_CASE("neighbours of the joint front are requested for each model") {
   const Models models;
   Explored explored({models / "cube.csg", models / "two.csg", "--size", "12x8", "--vary", "z-bits=10..14", "--points",
                      "1", "--search", "9", "--axes", "time"});
   REQUIRE(explored.ask().size() == 2);
   explored.measure();
   const std::vector<studies::PointRequest> more = explored.study().more();
-  // One or two z bits beside, of either model.
+  // One or two adjacent z bits of either model.
   CHECK(more.size() % 2 == 0);
   CHECK(more.size() >= 2);
   CHECK(more.size() <= 4);

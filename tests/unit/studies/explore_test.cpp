@@ -37,7 +37,7 @@ std::vector<Cell> cells_of(const std::vector<std::size_t>& sizes, std::uint64_t 
   return cells;
 }
 
-/// By the words alone: each is held against each other one.
+/// Judge by definition: compares each candidate with every other.
 bool is_dominated(const std::vector<Values>& all, std::size_t one) {
   for (const Values& other : all) {
     bool is_nowhere_worse = true;
@@ -66,7 +66,7 @@ ExploreRow row(const std::string& model, const std::string& machine, double fps,
 
 }  // namespace
 
-TEST_CASE("the front is what no other beats, as holding each against each finds it") {
+TEST_CASE("the front equals that of pairwise comparison") {
   CHECK(rc::check([] {
     const auto axes = *rc::gen::inRange<std::size_t>(1, 5);
     const auto candidates = *rc::gen::container<std::vector<Values>>(
@@ -77,7 +77,7 @@ TEST_CASE("the front is what no other beats, as holding each against each finds 
   }));
 }
 
-TEST_CASE("the knee is the one nearest to the best of each axis, in logarithms stretched over the front") {
+TEST_CASE("the knee is nearest to each axis's best in stretched logarithms") {
   const std::vector<studies::ExploreAxis> time_memory = studies::parse_axes("time,memory");
   // Logarithms to base 10: (0, 3), (1, 1), (3, 0), stretched to (0, 1), (1/3, 1/3), (1, 0).
   const std::vector<Values> candidates{{1, 1000}, {10, 10}, {1000, 1}, {1, 1e9}};
@@ -85,7 +85,7 @@ TEST_CASE("the knee is the one nearest to the best of each axis, in logarithms s
   CHECK(front == std::vector<bool>{true, true, true, false});
   CHECK(studies::knee_of(candidates, front, time_memory) == 1);
   CHECK(studies::knee_of({}, {}, time_memory) == std::nullopt);
-  // What is the same all over the front does not matter, and of equals it is the first.
+  // An axis that is constant over the front does not count, and among equals the first is chosen.
   const std::vector<Values> alike{{5, 7}, {5, 7}};
   CHECK(studies::knee_of(alike, studies::pareto_of(alike), time_memory) == 0);
   // 0 wrong pixels: log(1 + n) is 0, log 10, log 100.
@@ -97,7 +97,7 @@ TEST_CASE("the knee is the one nearest to the best of each axis, in logarithms s
   CHECK(studies::knee_of(near, studies::pareto_of(near), time_wrong) == 2);
 }
 
-TEST_CASE("the knee is on the front, wherever it is, and units do not matter to it") {
+TEST_CASE("the knee is on the front and does not depend on units") {
   CHECK(rc::check([] {
     const auto axes = studies::parse_axes("time,memory,area");
     const auto candidates = *rc::gen::nonEmpty(rc::gen::container<std::vector<Values>>(
@@ -109,7 +109,7 @@ TEST_CASE("the knee is on the front, wherever it is, and units do not matter to 
     std::vector<Values> scaled = candidates;
     for (Values& values : scaled) values[1] *= 1024;
     const std::optional<std::size_t> again = studies::knee_of(scaled, front, axes);
-    // Rounding may choose another of some that are as near.
+    // Rounding may choose another of several equally near ones.
     const auto distance = [&](std::size_t one) {
       double sum = 0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -130,7 +130,7 @@ TEST_CASE("the knee is on the front, wherever it is, and units do not matter to 
   }));
 }
 
-TEST_CASE("a sample has no cell twice, a longer one begins with it, and the longest has all") {
+TEST_CASE("a sample has no repeated cell and longer ones extend it up to the whole grid") {
   CHECK(rc::check([] {
     const auto axes = *rc::gen::inRange<std::size_t>(1, 6);
     const auto sizes = *rc::gen::container<std::vector<std::size_t>>(axes, rc::gen::inRange<std::size_t>(1, 6));
@@ -150,7 +150,7 @@ TEST_CASE("a sample has no cell twice, a longer one begins with it, and the long
   }));
 }
 
-TEST_CASE("a sample has each value of each axis about as often, and another seed has other cells") {
+TEST_CASE("a sample covers each axis evenly and another seed has other cells") {
   const std::vector<std::size_t> sizes{8, 5, 6, 10, 4};
   const std::vector<Cell> cells = cells_of(sizes, 1, 240);
   for (std::size_t axis = 0; axis < sizes.size(); ++axis) {
@@ -165,13 +165,13 @@ TEST_CASE("a sample has each value of each axis about as often, and another seed
   CHECK(cells_of(sizes, 1, 240) == cells);
 }
 
-TEST_CASE("grids are in the order of their axes, the last fastest") {
+TEST_CASE("grids follow the order of their axes with the last fastest") {
   CHECK(studies::grid_cell({2, 3}, 0) == Cell{0, 0});
   CHECK(studies::grid_cell({2, 3}, 1) == Cell{0, 1});
   CHECK(studies::grid_cell({2, 3}, 5) == Cell{1, 2});
 }
 
-TEST_CASE("designs are all combinations, in order, and those that draw alike are one") {
+TEST_CASE("designs are all combinations in order and equal drawings are merged") {
   const std::vector<studies::Dimension> dimensions{
       {"alu.bits", {"1", "2"}}, {"strategy", {"stack", "bits"}}, {"stack-bits", {"3", "4", "5"}}};
   const std::vector<session::ModelRequest> all = studies::DesignGrid({}, dimensions, {}).designs();
@@ -186,7 +186,7 @@ TEST_CASE("designs are all combinations, in order, and those that draw alike are
   CHECK(studies::DesignGrid({}, dimensions, {500, 1}).designs().size() == 8);
 }
 
-TEST_CASE("designs that differ in any one option, or in one figure, are two") {
+TEST_CASE("designs that differ in one option or figure are distinct") {
   const std::vector<studies::Dimension> pairs{{"size", {"32x32", "48x48"}},   {"memory-bits", {"72", "96"}},
                                               {"z-bits", {"12", "20"}},       {"fraction-bits", {"2", "12"}},
                                               {"colour-bits", {"12", "24"}},  {"strategy", {"list", "products"}},
@@ -203,7 +203,7 @@ TEST_CASE("designs that differ in any one option, or in one figure, are two") {
   CHECK(studies::DesignGrid({}, {{"alu.bits", {"1", "2"}}}, {}).designs().size() == 2);
 }
 
-TEST_CASE("what has no price on an axis is on no front, and what none has a price on is no axis") {
+TEST_CASE("unpriced designs are on no front and an axis without prices is dropped") {
   const std::vector<ExploreRow> rows{row("m", "a", 10, 100, 0), row("m", "b", 20, 50, 0, std::nullopt),
                                      row("m", "c", 5, 200, 0)};
   std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::parse_axes("time,area,memory"));
@@ -220,7 +220,7 @@ TEST_CASE("what has no price on an axis is on no front, and what none has a pric
   CHECK(groups[0].front == std::vector<bool>{true, true});
 }
 
-TEST_CASE("of all models times and wrong pixels add up, and what is built is the largest; one refused, all refused") {
+TEST_CASE("over models times and wrong pixels add up while sizes take the maximum") {
   std::vector<ExploreRow> rows{row("m", "a", 10, 100, 1), row("m", "b", 20, 50, 2), row("m", "c", 1000, 1, 0),
                                row("n", "a", 50, 300, 4), row("n", "b", 5, 20, 8),  row("n", "c", 1000, 1, 0)};
   rows[5].reason = "it does not fit";
@@ -240,7 +240,7 @@ TEST_CASE("of all models times and wrong pixels add up, and what is built is the
   CHECK(all.values[1][2] == 10);
 }
 
-TEST_CASE("a plot has every design once a panel, on the front or not, the front of its two axes, and the knee") {
+TEST_CASE("a plot has every design once per panel and the two-axis front and the knee") {
   const std::vector<ExploreRow> rows{row("a/m.csg", "a", 10, 100, 0), row("a/m.csg", "b", 20, 200, 4),
                                      row("a/m.csg", "c", 5, 300, 0), row("a/m.csg", "d", 40, 150, 9)};
   std::vector<studies::ShownGroup> shown;
@@ -260,7 +260,7 @@ TEST_CASE("a plot has every design once a panel, on the front or not, the front 
     return found;
   };
   using Points = std::vector<std::pair<double, double>>;
-  // d is faster and smaller than b, but more wrong; c is beaten by a.
+  // d is faster and smaller than b, but has more wrong pixels; a beats c.
   CHECK(points("Pareto front", 0) == Points{{100, 100}, {50, 200}, {25, 150}});
   CHECK(points("dominated", 0) == Points{{200, 300}});
   CHECK(points("front of the two axes", 0) == Points{{25, 150}, {100, 100}});

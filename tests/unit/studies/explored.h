@@ -22,7 +22,7 @@ namespace csgsim::testing {
 
 using Texts = std::vector<std::string>;
 
-/// A folder with small models, which is deleted with the object.
+/// A folder with small models that the destructor deletes.
 struct Models {
   std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("csgsim-explore-study-" + std::to_string(::getpid()));
@@ -41,7 +41,7 @@ struct Models {
   [[nodiscard]] std::string operator/(const std::string& name) const { return folder / name; }
 };
 
-/// A study that these words of a command line ask for.
+/// The study requested by the words of a command line.
 struct Explored {
   session::OptionList list{"explore"};
   std::shared_ptr<studies::StudyCommand> command = studies::describe_for_caller(list, studies::explore_row);
@@ -64,7 +64,7 @@ struct Explored {
     return all;
   }
 
-  /// Measures every point that was asked for.
+  /// Measures every requested point.
   Texts measure() {
     std::vector<std::size_t> points(asked.size());
     std::iota(points.begin(), points.end(), std::size_t{0});

@@ -23,7 +23,7 @@ fs::path fresh_folder(const std::string& name) {
   return folder;
 }
 
-/// What gathering two shards says, of which the second has that many points and those columns.
+/// Returns the error of gathering two shards if the second has this number of points and these columns.
 std::string refusal(const std::string& name, std::size_t points, const std::string& columns) {
   const fs::path folder = fresh_folder(name);
   studies::ShardHeader header{{1, 2}, 2, {"model", "machine", "csgsim"}, {"sweep"}};
@@ -39,18 +39,17 @@ std::string refusal(const std::string& name, std::size_t points, const std::stri
   return error;
 }
 
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
-TEST_CASE(
-    "shards of other numbers of points, or of other columns, are not of the same study, and the message says so") {
+TEST_CASE("rejects shards with different point counts or columns and names the difference") {
   CHECK(refusal("alike", 2, "a,b").empty());
-  CHECK(holds(refusal("points", 3, "a,b"), "not of the same study: the number of points changed between them"));
-  CHECK(holds(refusal("columns", 2, "a,c"), "not of the same study: the columns changed between them"));
+  CHECK(contains(refusal("points", 3, "a,b"), "not of the same study: the number of points changed between them"));
+  CHECK(contains(refusal("columns", 2, "a,c"), "not of the same study: the columns changed between them"));
 }
 
-TEST_CASE("two processes of one shard, each of which has measured some of it, are gathered") {
+TEST_CASE("gathers partial results of one shard from two processes") {
   const fs::path folder = fresh_folder("twice");
   const studies::ShardHeader header{{1, 1}, 3, {"model", "machine", "csgsim"}, {"sweep"}};
   studies::ShardWriter one(folder, header, "a,b");

@@ -18,7 +18,7 @@ constexpr std::size_t many = 64;
 
 }  // namespace
 
-TEST_CASE("every point of a study is measured once and handed on once") {
+TEST_CASE("every point of a study is measured once and delivered once") {
   std::set<std::size_t> handed_on;
   studies::measure_each(
       many, 4, [](std::size_t i) { return i; }, [&](std::size_t i) { handed_on.insert(i); });
@@ -26,7 +26,7 @@ TEST_CASE("every point of a study is measured once and handed on once") {
   CHECK(*handed_on.rbegin() == many - 1);
 }
 
-TEST_CASE("nobody is handed a result after the receiver has failed, however the threads meet") {
+TEST_CASE("no result is delivered after the receiver has failed in any interleaving") {
   for (int round = 0; round < 2000; ++round) {
     int calls = 0;
     const auto fails = [&](std::size_t) {
@@ -40,7 +40,7 @@ TEST_CASE("nobody is handed a result after the receiver has failed, however the 
   }
 }
 
-TEST_CASE("a point that throws ends the others, and its exception comes out") {
+TEST_CASE("a point that throws ends the others and its exception is rethrown") {
   std::atomic<int> measured = 0;
   const auto throws_at_once = [&](std::size_t i) {
     ++measured;
@@ -51,7 +51,7 @@ TEST_CASE("a point that throws ends the others, and its exception comes out") {
   CHECK(measured == 1);
 }
 
-TEST_CASE("threads that share work are interrupted with the one that shares it out") {
+TEST_CASE("interrupting the coordinating thread interrupts its workers") {
   std::stop_source source;
   const Interruptible looks_for(source.get_token());
   std::atomic<unsigned> begun = 0;

@@ -52,7 +52,7 @@ plots::Chart chart_named(const std::vector<plots::Plot>& all, const std::string&
 
 }  // namespace
 
-TEST_CASE("a sweep's x axis is what it varies most, numbers before names, and the strategy where only it varies") {
+TEST_CASE("a sweep's x axis is its most varied parameter with numbers before names") {
   using Rows = std::vector<studies::SweepRow>;
   const Rows stack_bits{row(point("stack", 0), 1), row(point("bits", 3), 2), row(point("bits", 4), 3)};
   CHECK(tick_texts(studies::SweepAxis(stack_bits).axis()) == Words{"3", "4"});
@@ -70,7 +70,7 @@ TEST_CASE("a sweep's x axis is what it varies most, numbers before names, and th
   CHECK(studies::SweepAxis(both).axis().title.starts_with("m, "));
 }
 
-TEST_CASE("machines of a sweep stand side by side, each by its name") {
+TEST_CASE("machines of a sweep are side by side with their names") {
   studies::DesignPoint other = point("stack", 0);
   other.machine = "alu-4.toml";
   const std::vector<studies::SweepRow> rows{row(point("stack", 0), 100), row(other, 50)};
@@ -81,7 +81,7 @@ TEST_CASE("machines of a sweep stand side by side, each by its name") {
   CHECK(chart.series[0].points[1].y == 50);
 }
 
-TEST_CASE("prunings are called as they were asked for, also where one begins as another does") {
+TEST_CASE("prunings keep their requested names even if one is a prefix of another") {
   studies::DesignPoint space = point("stack", 0);
   space.pruning = "space";
   studies::DesignPoint both = point("stack", 0);
@@ -90,7 +90,7 @@ TEST_CASE("prunings are called as they were asked for, also where one begins as 
   CHECK(tick_texts(studies::SweepAxis(rows).axis()) == Words{"space", "space+hidden"});
 }
 
-TEST_CASE("a strategy without stack bits is a level, and lines that would cover each other are one") {
+TEST_CASE("a strategy without stack bits is a level and coincident lines are merged") {
   const std::vector<studies::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 7),
                                             row(point("bits", 4), 8), row(point("bits", 3), 9)};
   const std::vector<plots::Plot> all = studies::plots_of_sweep(rows, "a");
@@ -105,7 +105,7 @@ TEST_CASE("a strategy without stack bits is a level, and lines that would cover 
 TEST_CASE("lines of one name look alike in all plots of a sweep") {
   std::vector<studies::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 8), row(point("bits", 3), 9),
                                       row(point("bits", 4), 6)};
-  rows[1].rendered = 5;  // so that its line is not that of the stack
+  rows[1].rendered = 5;  // so that its line differs from that of the stack
   const std::vector<plots::Plot> all = studies::plots_of_sweep(rows, "a");
   std::map<std::string, std::set<std::size_t>> looks;
   for (const char* const name : {"a_scan_conversions", "a_clocks", "a_bits"}) {
@@ -120,7 +120,7 @@ TEST_CASE("lines of one name look alike in all plots of a sweep") {
   for (const auto& [name, of_name] : looks) CHECK(of_name.size() == 1);
 }
 
-TEST_CASE("points of a sweep have one bar of memory only where they lay it out alike and have as much of it") {
+TEST_CASE("points of a sweep share a memory bar only for equal layouts and sizes") {
   std::vector<studies::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 8), row(point("bits", 3), 9),
                                       row(point("bits", 4), 6)};
   rows[2].point.memory_bits = 96;
@@ -149,7 +149,7 @@ TEST_CASE("points that cannot be compiled are in no plot") {
   CHECK(studies::plots_of_sweep(rows, "a").empty());
 }
 
-TEST_CASE("a knob's values are across, where they belong") {
+TEST_CASE("a knob's values are at their places across") {
   std::vector<studies::Measurement> rows(5);
   const Words values{"1/4", "1/16", "128x64", "0.125", "12"};
   const Words knobs{"edge-on", "edge-on", "size", "tolerance", "z-bits"};
@@ -172,7 +172,7 @@ TEST_CASE("a knob's values are across, where they belong") {
   CHECK(chart_named(all, "z-bits").series[0].points[0].x == 12);
 }
 
-TEST_CASE("facets and curved surfaces stand in one plot, clocks across and pixels off the true surfaces upwards") {
+TEST_CASE("facets and curves share a plot of clocks and pixels off the true surfaces") {
   std::vector<studies::Measurement> rows(5);
   const Words knobs{"tolerance", "tolerance", "fn", "curves", "curves"};
   const Words values{"0.1", "0.5", "16", "facets", "exact"};
@@ -196,7 +196,7 @@ TEST_CASE("facets and curved surfaces stand in one plot, clocks across and pixel
   CHECK(chart.series[3].points.front().y == 40);
 }
 
-TEST_CASE("a comparison plots what varies: machines, half-spaces, pixels") {
+TEST_CASE("a comparison plots the varying machines or half-spaces or pixels") {
   std::vector<studies::ComparisonRow> rows(2);
   for (studies::ComparisonRow& one : rows) {
     one.point = {"scan-line", 64, 64, 0, {}};
@@ -220,7 +220,7 @@ TEST_CASE("a comparison plots what varies: machines, half-spaces, pixels") {
   CHECK(names() == Words{"compare_machines", "compare_halfspaces", "compare_pixels"});
 }
 
-TEST_CASE("machines that differ by a figure are called by it, and transistors are shown where all have some") {
+TEST_CASE("machines that differ in a figure are named by it") {
   std::vector<studies::ComparisonRow> rows(3);
   const Words machines{"pixel-planes-4", "pixel-planes-4+alu.bits=2", "pixel-planes-4+alu.bits=2+array.memory_bits=96"};
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -236,13 +236,13 @@ TEST_CASE("machines that differ by a figure are called by it, and transistors ar
   CHECK(chart_named(studies::plots_of_comparison(rows, {64, 64}, "a"), "compare_machines").panels.size() == 3);
 }
 
-TEST_CASE("a comparison shows the time from frame to frame first, and that of drawing alone beside it") {
+TEST_CASE("a comparison shows the frame interval first and the drawing time next to it") {
   std::vector<studies::ComparisonRow> rows(4);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].point = {i % 2 == 0 ? "pixel-planes-4" : "pixel-square", 64, 64, i < 2 ? 0.0 : 8.0, {}};
     rows[i].halfspaces = i < 2 ? 100 : 50;
   }
-  // The first draws faster, and shows slower.
+  // The first draws faster but has the longer frame interval.
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].simulated_seconds = i % 2 == 0 ? 0.003 : 0.004;
     rows[i].frames_per_second = i % 2 == 0 ? 64 : 200;
@@ -265,8 +265,7 @@ TEST_CASE("a comparison shows the time from frame to frame first, and that of dr
   }
 }
 
-TEST_CASE(
-    "a corpus shows clocks from frame to frame first, and those of drawing alone beside them, in the same colours") {
+TEST_CASE("a corpus shows frame intervals first and drawing clocks in the same colours") {
   std::vector<studies::CorpusRow> rows(2);
   rows[0].point = {"a.csg", "pixel-planes-4"};
   rows[1].point = {"a.csg", "pixel-square"};
@@ -287,7 +286,7 @@ TEST_CASE(
   CHECK(clocks.looks == chart_named(all, "corpus_frames").looks);
 }
 
-TEST_CASE("what accuracy adds up over views is said to be a sum, and a percentile is called one") {
+TEST_CASE("labels accuracy's totals over views as sums and percentiles as such") {
   std::vector<studies::Measurement> rows(4);
   const Words knobs{"z-bits", "together", "curves", "tolerance"};
   const Words values{"12", "12/4", "facets", "0.1"};

@@ -11,7 +11,7 @@
 using namespace csgsim;
 using studies::Shard;
 
-TEST_CASE("a shard is read as k/n and told in the same way") {
+TEST_CASE("reads and prints a shard as k/n") {
   CHECK(studies::parse_shard("1/1") == Shard{1, 1});
   CHECK(studies::parse_shard("3/16") == Shard{3, 16});
   CHECK(studies::to_text({3, 16}) == "3/16");
@@ -20,7 +20,7 @@ TEST_CASE("a shard is read as k/n and told in the same way") {
     CHECK_THROWS_AS(studies::parse_shard(text), InputError);
 }
 
-TEST_CASE("each point is in one shard, and shards differ by one point at most") {
+TEST_CASE("each point is in one shard and shards differ by at most one point") {
   for (const std::size_t points : {0U, 1U, 2U, 7U, 64U, 1000U}) {
     for (const unsigned shards : {1U, 2U, 3U, 16U, 999U}) {
       CAPTURE(points);
@@ -35,19 +35,19 @@ TEST_CASE("each point is in one shard, and shards differ by one point at most") 
   }
 }
 
-TEST_CASE("points are dealt out in the order of SplitMix64, whatever csgsim they are measured with") {
-  // Worked out by another implementation of it: shards of a study that has begun must not change.
+TEST_CASE("points are distributed by SplitMix64 in every csgsim version") {
+  // Results of an independent implementation: shards of a study in progress must not change.
   CHECK(studies::shard_of_each(10, 3) == std::vector<unsigned>{2, 3, 1, 1, 2, 2, 3, 1, 1, 3});
 }
 
-TEST_CASE("a study in which every tenth point is dear has no shard of ten with dear points only") {
+TEST_CASE("expensive points at every tenth place are spread over ten shards") {
   const std::vector<unsigned> shard_of = studies::shard_of_each(160, 10);
-  std::vector<std::size_t> dear(10);
-  for (std::size_t i = 0; i < shard_of.size(); i += 10) ++dear.at(shard_of[i] - 1);
-  CHECK(std::ranges::max(dear) <= 5);
+  std::vector<std::size_t> expensive(10);
+  for (std::size_t i = 0; i < shard_of.size(); i += 10) ++expensive.at(shard_of[i] - 1);
+  CHECK(std::ranges::max(expensive) <= 5);
 }
 
-TEST_CASE("numbers of shards are told by ranges") {
+TEST_CASE("prints shard numbers as ranges") {
   CHECK(studies::compact({}).empty());
   CHECK(studies::compact({3}) == "3");
   CHECK(studies::compact({1, 3, 4, 5, 9, 10}) == "1,3-5,9-10");

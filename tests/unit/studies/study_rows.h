@@ -2,7 +2,7 @@
 
 #include "sim/studies/study.h"
 
-/// Studies that tests run by themselves.
+/// Studies that tests run separately.
 namespace csgsim::studies {
 
 extern const StudyRow compare_row;

@@ -53,13 +53,13 @@ studies::SweepRow row_of(const studies::DesignPoint& point, const std::string& p
 
 const char* const bitten_cube = "difference(){cube(size=14,center=true);sphere($fn=24,$fa=12,$fs=2,r=9);}";
 
-/// A point with what it is made from.
+/// A point with its job.
 struct Drawn {
   studies::DesignPoint point;
   studies::Job job;
 };
 
-/// Points of one model under strategies that all fit.
+/// Points of one model with strategies that all fit.
 std::vector<Drawn> drawn_points() {
   model::Tree tree = read::read_csg_text(bitten_cube, "test");
   facet::Geometry scene = facet::make_geometry(tree);
@@ -84,7 +84,7 @@ studies::SweepRow measured(const Drawn& one, bool is_drawn) {
 
 }  // namespace
 
-TEST_CASE("numbers are lists and ranges, in the order given, none twice") {
+TEST_CASE("numbers are lists and ranges in the given order without repetition") {
   CHECK(session::parse_numbers("7", 3, 9) == Numbers{7});
   CHECK(session::parse_numbers("3..6", 3, 9) == Numbers{3, 4, 5, 6});
   CHECK(session::parse_numbers("9,3,5", 3, 9) == Numbers{9, 3, 5});
@@ -92,7 +92,7 @@ TEST_CASE("numbers are lists and ranges, in the order given, none twice") {
   CHECK(session::parse_numbers("8..8", 3, 9) == Numbers{8});
 }
 
-TEST_CASE("what is no list of numbers is refused") {
+TEST_CASE("rejects text that is not a list of numbers") {
   for (const char* const text :
        {"", ",", "3,", "3..", "..3", "3...5", "a", "3-5", "3..x", "-3", "3 ", "8..3", "2..5", "3..10", "99999999999"}) {
     CAPTURE(text);
@@ -100,7 +100,7 @@ TEST_CASE("what is no list of numbers is refused") {
   }
 }
 
-TEST_CASE("an unknown name is told with the nearest known one, if any is like it") {
+TEST_CASE("rejects an unknown name and suggests a similar one") {
   const Words known{"stack", "list", "bits"};
   CHECK(session::parse_names("list,stack,list", "strategy", known) == Words{"list", "stack"});
   CHECK_THROWS_WITH_AS(session::parse_names("stack,lst", "strategy", known),
@@ -111,7 +111,7 @@ TEST_CASE("an unknown name is told with the nearest known one, if any is like it
   CHECK_THROWS_AS(session::parse_names("", "level", known), InputError);
 }
 
-TEST_CASE("the product has a point for each combination, and stack bits only where they matter") {
+TEST_CASE("the product has a point per combination and varies only effective stack bits") {
   const std::vector<studies::DesignPoint> points = small_points();
   REQUIRE(points.size() == 2 * 2 * 3);
   CHECK(studies::point_cells<studies::SweepRow>(points[0]) == "a.csg,pixel-planes-4,,16,all,rebroadcast,stack,0,auto");
@@ -122,10 +122,10 @@ TEST_CASE("the product has a point for each combination, and stack bits only whe
   for (std::size_t i = 0; i < points.size(); ++i) CHECK(std::count(points.begin(), points.end(), points[i]) == 1);
 }
 
-TEST_CASE("a row comes back from a table as it was, commas and quotes included") {
+TEST_CASE("a row survives a table round trip with commas and quotes") {
   studies::SweepRow row = row_of(small_points()[1], "");
   row.point.model = "a \"model\", of mine.csg";
-  row.point.fraction_bits = row.point.colour_bits = 0;  // no columns of a sweep
+  row.point.fraction_bits = row.point.colour_bits = 0;  // not columns of a sweep
   row.reason = "needs 90 bits, has 72; take \"list\"";
   row.memory_map = {{"Z2", 0, 20}, {"stack", 65, 3}};
   row.simulated_seconds = 0.1;
@@ -133,7 +133,7 @@ TEST_CASE("a row comes back from a table as it was, commas and quotes included")
   CHECK_THROWS_AS(studies::to_cell(std::string("two\nlines")), InputError);
 }
 
-TEST_CASE("a row that was measured comes back from a table with all that was counted") {
+TEST_CASE("a measured row survives a table round trip with all its counts") {
   const std::vector<Drawn> all = drawn_points();
   const studies::SweepRow row = measured(all.front(), true);
   CHECK(row.rendered > 0);
@@ -142,23 +142,23 @@ TEST_CASE("a row that was measured comes back from a table with all that was cou
   CHECK(studies::from_line<studies::SweepRow>(studies::to_line(row)) == row);
 }
 
-TEST_CASE("a memory map comes back from a table, whatever its names hold but blanks and equals signs") {
+TEST_CASE("a memory map survives a table round trip with any names except blanks and =") {
   studies::SweepRow row;
   row.memory_map = {{"a,b", 0, 20}, {"\"c\"", 20, 1}};
   const std::string line = studies::to_line(row);
   CHECK(studies::from_line<studies::SweepRow>(line) == row);
 }
 
-TEST_CASE("a line of a table that an editor ended with CR LF is refused") {
+TEST_CASE("rejects a table line that an editor ended with CR LF") {
   const std::string line = studies::to_line(row_of(small_points()[1], "")) + "\r";
   CHECK_THROWS_WITH_AS(studies::from_line<studies::SweepRow>(line),
                        "the line contains a line break, perhaps from an editor that ends lines with CR LF", InputError);
 }
 
-TEST_CASE("names of points say what varies") {
+TEST_CASE("names of points state what varies") {
   std::vector<studies::SweepRow> rows;
   for (const studies::DesignPoint& point : small_points()) rows.push_back(row_of(point, ""));
-  rows.resize(6);  // of the first model
+  rows.resize(6);  // only those of the first model
   const studies::PointNames names(rows);
   CHECK(names.name(rows[0].point) == "stack, z 16");
   CHECK(names.name(rows[5].point) == "bits 5, z 20");
@@ -166,7 +166,7 @@ TEST_CASE("names of points say what varies") {
   CHECK(studies::PointNames(std::span(rows).first(3)).conditions(rows[0].point).empty());
 }
 
-TEST_CASE("pictures are compared within a model, size and z bits, and overflows are told") {
+TEST_CASE("compares pictures of equal model and size and z bits and reports overflows") {
   std::vector<studies::SweepRow> rows;
   for (const studies::DesignPoint& point : small_points())
     rows.push_back(row_of(point, point.model + std::to_string(point.z_bits)));
@@ -182,7 +182,7 @@ TEST_CASE("pictures are compared within a model, size and z bits, and overflows 
   CHECK(wrong[1].point == rows[9].point);
 }
 
-TEST_CASE("points measured in parallel are those measured one by one, with the same picture") {
+TEST_CASE("points measured in parallel equal those measured one by one") {
   const std::vector<Drawn> all = drawn_points();
   std::vector<studies::SweepRow> rows;
   studies::measure_each(
@@ -201,7 +201,7 @@ TEST_CASE("points measured in parallel are those measured one by one, with the s
   CHECK(measured(all.front(), false).picture.empty());
 }
 
-TEST_CASE("the colour of a second buffer takes its bits' transistors, once") {
+TEST_CASE("a second buffer's colour takes the transistors of its bits once") {
   Drawn point = drawn_points().front();
   const studies::SweepRow one = measured(point, false);
   point.job.machine = kinds::load("pixel-planes-4+scan_out.buffers=2+array.memory_bits=128");
@@ -211,7 +211,7 @@ TEST_CASE("the colour of a second buffer takes its bits' transistors, once") {
   CHECK(two.pixel_transistors == machines::pixel_transistors(point.job.machine, one.used_bits + 24));
 }
 
-TEST_CASE("a point that does not fit says why, and its neighbours are measured") {
+TEST_CASE("a point that does not fit states why and its neighbours are measured") {
   std::vector<Drawn> all = drawn_points();
   all[1].job.machine.array.memory_bits = 40;
   CHECK(measured(all[0], false).compiled());
@@ -219,7 +219,7 @@ TEST_CASE("a point that does not fit says why, and its neighbours are measured")
   CHECK(measured(all[2], false).compiled());
 }
 
-TEST_CASE("the page of a sweep of several models tells how many they are, and of one its name") {
+TEST_CASE("the page of a sweep counts its models or names the only one") {
   const auto subject = [](Words words) {
     words.insert(words.begin(), "sweep");
     words.insert(words.end(), {"--output", "out"});

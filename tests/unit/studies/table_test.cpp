@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using Numbers = std::vector<std::size_t>;
 using Rows = std::vector<std::string>;
 
-/// A row of a study of nothing: which point it is, and a number.
+/// A row of a test study: its point and a number.
 struct TestRow {
   static constexpr std::size_t point_columns = 2;
 
@@ -45,7 +45,7 @@ std::string row(const std::string& value, double number, const studies::Inputs& 
   return studies::to_line(TestRow{"a, b", value, inputs, number});
 }
 
-studies::PointRequest asked(const std::string& value, const studies::Inputs& inputs = TestRow().inputs) {
+studies::PointRequest requested(const std::string& value, const studies::Inputs& inputs = TestRow().inputs) {
   return {"\"a, b\"," + value, inputs};
 }
 
@@ -67,20 +67,20 @@ std::string content(const fs::path& path) {
 
 }  // namespace
 
-TEST_CASE("a table goes on where it was interrupted, even in the middle of a line") {
+TEST_CASE("a table resumes after an interruption even within a line") {
   const fs::path path = fresh("table_interrupted.csv");
   table_at(path).add(Rows{row("10/2", 0.1234567890123456789), row("12/2", 2)});
   std::ofstream(path, std::ios::app) << "\"a, b\",14/2,99";
   studies::Table table = table_at(path);
   REQUIRE(table.rows() == Rows{row("10/2", 0.1234567890123456789), row("12/2", 2)});
-  const std::array points{asked("12/2"), asked("14/2")};
+  const std::array points{requested("12/2"), requested("14/2")};
   CHECK(table.missing(points) == Numbers{1});
   table.add(Rows{row("14/2", 3)});
   CHECK(table.missing(points).empty());
   CHECK(table_at(path).rows().size() == 3);
 }
 
-TEST_CASE("a table of another study is refused and kept") {
+TEST_CASE("rejects and keeps a table of another study") {
   const fs::path path = fresh("table_other.csv");
   table_at(path, "one study").add(Rows{row("10/2", 1)});
   const std::string before = content(path);
@@ -88,19 +88,19 @@ TEST_CASE("a table of another study is refused and kept") {
   CHECK(content(path) == before);
 }
 
-TEST_CASE("a table with a broken line says which") {
+TEST_CASE("a table with a broken line names it") {
   for (const std::size_t before : {0U, 1U, 2U}) {
     CAPTURE(before);
     const fs::path path = fresh("table_broken.csv");
     table_at(path).add(Rows(before, row("10/2", 1)));
     std::ofstream(path, std::ios::app) << "a,12/2,model,machine,0.1.0,many\n";
-    // Behind the names of the columns.
+    // Lines after the header.
     const std::string place = "table_broken.csv:" + std::to_string(2 + before) + ":1: 'many'";
     CHECK(testing::error_of([&] { table_at(path); }).find(place) != std::string::npos);
   }
 }
 
-TEST_CASE("a table that was cut off in its first lines begins anew") {
+TEST_CASE("a table cut off in its first lines starts anew") {
   for (const char* const left : {"# a st", "name,val", ""}) {
     const fs::path path = fresh("table_cut.csv");
     std::ofstream(path) << left;
@@ -110,20 +110,20 @@ TEST_CASE("a table that was cut off in its first lines begins anew") {
   }
 }
 
-TEST_CASE("a table is plain CSV, and the file beside it says of what it is") {
+TEST_CASE("a table is plain CSV and a file beside it names its study") {
   const fs::path path = fresh("table_plain.csv");
   table_at(path, "one study").add(Rows{row("10/2", 1)});
   CHECK(content(path) == plain_header + row("10/2", 1) + "\n");
   CHECK(content(fs::path(path).replace_extension(".study")) == "one study\n");
   fs::remove(fs::path(path).replace_extension(".study"));
-  CHECK_THROWS_AS(table_at(path, "one study"), InputError);  // nobody knows what its rows are of
-  // Without rows there is nothing to be mixed up.
+  CHECK_THROWS_AS(table_at(path, "one study"), InputError);  // the study of its rows is unknown
+  // If there are no rows nothing can be confused.
   std::ofstream(path) << plain_header;
   CHECK(table_at(path, "another study").rows().empty());
   CHECK(content(fs::path(path).replace_extension(".study")) == "another study\n");
 }
 
-TEST_CASE("a table with a comment above, as they used to be, goes on and is made plain") {
+TEST_CASE("a table with an old-style comment is continued and converted") {
   const fs::path path = fresh("table_commented.csv");
   fs::remove(fs::path(path).replace_extension(".study"));
   const std::string commented = "# a study\n" + plain_header + row("10/2", 1) + "\n" + row("12/2", 2) + "\n";
@@ -135,60 +135,61 @@ TEST_CASE("a table with a comment above, as they used to be, goes on and is made
   CHECK(table_at(path).rows().size() == 2);
 }
 
-TEST_CASE("a point counts as measured only for the same model, machine and program, by a row that serves") {
+TEST_CASE("a point counts as measured only with equal model and machine and build") {
   const fs::path path = fresh("table_wanted.csv");
   studies::Table table =
       table_at(path, "a study", [](std::size_t, const std::string& one) { return one.ends_with(",2"); });
   table.add(Rows{row("x", 1)});
-  const std::array point{asked("x")};
+  const std::array point{requested("x")};
   CHECK(table.missing(point) == Numbers{0});
   table.add(Rows{row("x", 2)});
   CHECK(table.missing(point).empty());
   CHECK(table.in_order(point) == Rows{row("x", 2)});
-  CHECK(table.rows() == Rows{row("x", 2)});  // the row that served nobody is gone
+  CHECK(table.rows() == Rows{row("x", 2)});  // the row that serves no point is deleted
   for (std::string studies::Inputs::*const input :
        {&studies::Inputs::model_hash, &studies::Inputs::machine_hash, &studies::Inputs::csgsim}) {
     studies::Inputs others = TestRow().inputs;
     others.*input = "another";
-    CHECK(table.missing(std::array{asked("x", others)}) == Numbers{0});
+    CHECK(table.missing(std::array{requested("x", others)}) == Numbers{0});
   }
 }
 
-TEST_CASE("rows of wanted points that were measured from other inputs are deleted, and what changed is told") {
+TEST_CASE("deletes rows of requested points with outdated inputs and reports changes") {
   const fs::path path = fresh("table_stale.csv");
   studies::Table table = table_at(path);
   table.add(Rows{row("x", 1), row("y", 2), row("z", 3)});
-  CHECK(table.drop_stale(std::array{asked("x")}, false).empty());
+  CHECK(table.drop_stale(std::array{requested("x")}, false).empty());
   CHECK(table.rows().size() == 3);
   studies::Inputs now = TestRow().inputs;
   now.machine_hash = "of an edited file";
-  CHECK(table.drop_stale(std::array{asked("x", now), asked("z", now)}, false) == std::set<std::string>{"the machine"});
+  CHECK(table.drop_stale(std::array{requested("x", now), requested("z", now)}, false) ==
+        std::set<std::string>{"the machine"});
   CHECK(table_at(path).rows() == Rows{row("y", 2)});
-  // Where all of a table is of one model on one machine, no row of others stays.
+  // A table for one model on one machine keeps no rows of others.
   now.model_hash = "of another file";
-  CHECK(table.drop_stale(std::array{asked("x", now)}, true) == std::set<std::string>{"the machine", "the model"});
+  CHECK(table.drop_stale(std::array{requested("x", now)}, true) == std::set<std::string>{"the machine", "the model"});
   CHECK(table_at(path).rows().empty());
 }
 
-TEST_CASE("rows stand in the order of the points asked for, before those of others") {
+TEST_CASE("rows follow the order of requested points before those of others") {
   const fs::path path = fresh("table_order.csv");
   studies::Table table = table_at(path);
   table.add(Rows{row("other", 0), row("y", 2), row("x", 1)});
-  const std::array points{asked("x"), asked("y")};
+  const std::array points{requested("x"), requested("y")};
   CHECK(table.in_order(points) == Rows{row("x", 1), row("y", 2)});
   CHECK(table_at(path).rows() == Rows{row("x", 1), row("y", 2), row("other", 0)});
 }
 
-TEST_CASE("a table without a file keeps rows as long as it lives") {
+TEST_CASE("a table without a file keeps rows in memory") {
   studies::Table table(studies::format_of<TestRow>());
-  const std::array points{asked("x"), asked("y")};
+  const std::array points{requested("x"), requested("y")};
   table.add(Rows{row("y", 2)});
   CHECK(table.missing(points) == Numbers{0});
   table.add(Rows{row("x", 1)});
   CHECK(table.in_order(points) == Rows{row("x", 1), row("y", 2)});
 }
 
-TEST_CASE("seconds have four digits, and no powers of ten where there are many of them") {
+TEST_CASE("seconds have four digits and no exponents for large values") {
   CHECK(studies::seconds_text(0.0217777) == "0.02178");
   CHECK(studies::seconds_text(56.0) == "56");
   CHECK(studies::seconds_text(999.94) == "999.9");

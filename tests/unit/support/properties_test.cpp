@@ -8,7 +8,7 @@ using namespace csgsim;
 
 namespace {
 
-/// The numbers that a property draws now.
+/// Returns the numbers that a property draws now.
 std::vector<int> drawn(const std::string& description = "") {
   std::vector<int> numbers;
   REQUIRE(rc::check(
@@ -16,7 +16,7 @@ std::vector<int> drawn(const std::string& description = "") {
   return numbers;
 }
 
-/// RC_PARAMS as the object finds it is there again afterwards.
+/// Sets RC_PARAMS and restores it in the destructor.
 class Parameters {
  public:
   explicit Parameters(const char* now) : before_(std::getenv("RC_PARAMS")) { ::setenv("RC_PARAMS", now, 1); }
@@ -30,7 +30,7 @@ class Parameters {
 
 }  // namespace
 
-TEST_CASE("properties draw the same numbers in each process, and each its own") {
+TEST_CASE("properties draw the same numbers in each process and differ from each other") {
   testing::begin_case("one");
   const std::vector<int> first = drawn();
   const std::vector<int> second = drawn();
@@ -44,7 +44,7 @@ TEST_CASE("properties draw the same numbers in each process, and each its own") 
   CHECK(drawn("what holds") == described);
 }
 
-TEST_CASE("the suite's seed is fixed, and one that RC_PARAMS names is kept") {
+TEST_CASE("the suite's seed is fixed and a seed in RC_PARAMS is kept") {
   CHECK(testing::parameter("seed") != "");
   {
     const Parameters none("");
@@ -66,7 +66,7 @@ TEST_CASE("the suite's seed is fixed, and one that RC_PARAMS names is kept") {
   CHECK_FALSE(testing::draws_from_fixed_seed());
 }
 
-TEST_CASE("the seed of a property is another with every seed, case, description and number") {
+TEST_CASE("a property's seed depends on suite seed and case and description and number") {
   std::set<std::uint64_t> seeds;
   for (const std::uint64_t seed : {1U, 2U}) {
     for (const char* const name : {"a", "b"}) {

@@ -18,7 +18,7 @@ std::string text_of(const std::string& path) {
   return text;
 }
 
-/// What follows `name = ` in the text, up to the bracket or comma that ends it; empty if there is none.
+/// Returns the text after `name = ` up to the enclosing bracket or comma; empty if absent.
 std::string value(const std::string& text, const std::string& name) {
   const std::size_t found = text.find(name + " = ");
   if (found == std::string::npos) return {};
@@ -32,7 +32,7 @@ std::string value(const std::string& text, const std::string& name) {
   return text.substr(begin, end - begin);
 }
 
-/// Numbers in brackets in brackets, by the inner brackets.
+/// Returns the numbers of nested brackets, grouped by the inner brackets.
 std::vector<std::vector<double>> rows(std::string text) {
   std::vector<std::vector<double>> result;
   if (text.empty() || text == "undef") return result;

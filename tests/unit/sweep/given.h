@@ -10,7 +10,7 @@
 
 namespace csgsim::testing {
 
-/// A sweep as OpenSCAD reads it from tests/unit/sweep/data/shapes.scad, and the surface that it makes.
+/// A sweep as OpenSCAD evaluates it from tests/unit/sweep/data/shapes.scad, and its surface.
 struct Given {
   flat::Area area;
   std::variant<solids::LinearExtrude, solids::RotateExtrude> sweep;
@@ -19,7 +19,7 @@ struct Given {
 
 Given read_given(const std::string& name);
 
-/// csgsim's pieces of it.
+/// Returns csgsim's pieces of the sweep.
 std::vector<model::Polyhedron> swept(const Given& given);
 
 }  // namespace csgsim::testing

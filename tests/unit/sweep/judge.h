@@ -8,14 +8,14 @@
 
 namespace csgsim::testing {
 
-/// Of what a closed surface bounds, by the divergence theorem; below 0 if its faces run the other way round.
+/// Volume enclosed by a closed surface, by the divergence theorem; negative if its faces are reversed.
 double volume(const Mesh& mesh);
 double volume(const model::Polyhedron& piece);
 
-/// How often a closed surface winds around a point: the solid angle that it is seen under (van Oosterom and Strackee).
+/// Winding number of a closed surface around a point, by the solid angle (van Oosterom and Strackee).
 double winding(const Mesh& mesh, const glm::dvec3& point);
 
-/// The distance to the nearest of a piece's planes, and whether all of them hold the point.
+/// Distance to the nearest of a piece's planes, and whether the point is inside all of them.
 struct Membership {
   double nearest = 0;
   bool inside = false;
@@ -23,8 +23,8 @@ struct Membership {
 
 Membership membership(const model::Polyhedron& piece, const glm::dvec3& point);
 
-/// What makes the piece no convex polyhedron that is closed, runs counter-clockwise and has its corners on the planes
-/// that it says; empty if nothing does.
+/// Returns why the piece is not a closed convex polyhedron with counter-clockwise faces and corners on its stated
+/// planes; empty if it is.
 std::string fault(const model::Polyhedron& piece);
 
 }  // namespace csgsim::testing

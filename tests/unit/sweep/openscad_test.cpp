@@ -13,7 +13,7 @@ using namespace csgsim;
 
 namespace {
 
-/// OpenSCAD writes surfaces with 6 digits.
+/// Tolerance: OpenSCAD writes surfaces with 6 digits.
 constexpr double printed = 1e-4;
 
 const std::vector<std::string>& shapes() {
@@ -50,7 +50,7 @@ glm::dvec3 random_point(std::mt19937& random, const Box& box) {
   return box.low + share * (box.high - box.low);
 }
 
-/// Those whose sides cross each other, so that they enclose space twice or from the wrong side.
+/// Shapes with crossing sides, which enclose space twice or from the wrong side.
 const std::vector<std::string>& crossed() {
   static const std::vector<std::string> names = {"quad_crossed", "frame_crossed"};
   return names;
@@ -68,14 +68,14 @@ void for_each(const std::vector<std::string>& names, const Check& check) {
 
 }  // namespace
 
-TEST_CASE("each piece is a closed convex polyhedron on the planes that it says") {
+TEST_CASE("each piece is a closed convex polyhedron on its stated planes") {
   for_each(shapes(), [](const testing::Given&, const std::vector<model::Polyhedron>& pieces) {
     CHECK(!pieces.empty());
     for (const model::Polyhedron& piece : pieces) CHECK(testing::fault(piece) == "");
   });
 }
 
-TEST_CASE("the pieces have the volume of OpenSCAD's solid together") {
+TEST_CASE("the pieces' volumes add up to that of OpenSCAD's solid") {
   for_each(shapes(), [](const testing::Given& given, const std::vector<model::Polyhedron>& pieces) {
     double sum = 0;
     for (const model::Polyhedron& piece : pieces) sum += testing::volume(piece);
@@ -84,7 +84,7 @@ TEST_CASE("the pieces have the volume of OpenSCAD's solid together") {
   });
 }
 
-TEST_CASE("the pieces have the bounding box of OpenSCAD's solid, and a corner at each of its corners") {
+TEST_CASE("the pieces have the bounding box and all corners of OpenSCAD's solid") {
   for_each(shapes(), [](const testing::Given& given, const std::vector<model::Polyhedron>& pieces) {
     const auto* linear = std::get_if<solids::LinearExtrude>(&given.sweep);
     Box box;
@@ -95,7 +95,7 @@ TEST_CASE("the pieces have the bounding box of OpenSCAD's solid, and a corner at
     const Box expected = box_of(given.surface);
     CHECK(glm::length(box.low - expected.low) < printed);
     CHECK(glm::length(box.high - expected.high) < printed);
-    // Slices of what does not bend have corners within its sides, and the sides below a line fold back on each other.
+    // Slices of an unbent shape have corners inside its sides, and the sides below a line fold back on each other.
     const bool to_line =
         linear != nullptr && linear->scale.x * linear->scale.y == 0.0 && linear->scale.x != linear->scale.y;
     const auto is_between = [&](const glm::dvec3& point) {
@@ -120,7 +120,7 @@ namespace {
 void check_points(const testing::Given& given, const std::vector<model::Polyhedron>& pieces) {
   std::mt19937 random(1);
   const Box box = box_of(given.surface);
-  int looked_at = 0;
+  int tested = 0;
   for (int i = 0; i < 2000; ++i) {
     const glm::dvec3 point = random_point(random, box);
     int times = 0;
@@ -131,21 +131,21 @@ void check_points(const testing::Given& given, const std::vector<model::Polyhedr
       nearest = std::min(nearest, membership.nearest);
     }
     if (nearest < printed) continue;
-    ++looked_at;
+    ++tested;
     CHECK(times == (std::lround(testing::winding(given.surface, point)) == 0 ? 0 : 1));
   }
-  CHECK(looked_at > 1000);
+  CHECK(tested > 1000);
 }
 
 }  // namespace
 
-TEST_CASE("a point that OpenSCAD's surface winds around is in exactly one piece, and any other in none") {
+TEST_CASE("a point inside OpenSCAD's surface is in exactly one piece and others in none") {
   for_each(shapes(), check_points);
 }
 
-TEST_CASE("so it is where sides cross each other") { for_each(crossed(), check_points); }
+TEST_CASE("pieces match OpenSCAD's surface where its sides cross") { for_each(crossed(), check_points); }
 
-TEST_CASE("a wall between pieces is the same plane on both sides, in the same numbers") {
+TEST_CASE("a wall between pieces is the identical plane on both sides") {
   for_each(shapes(), [](const testing::Given&, const std::vector<model::Polyhedron>& pieces) {
     for (const model::Polyhedron& piece : pieces) {
       for (std::size_t i = 0; i < piece.faces.size(); ++i) {

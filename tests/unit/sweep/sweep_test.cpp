@@ -18,31 +18,31 @@ const flat::Area& square() {
 
 }  // namespace
 
-TEST_CASE("an extrusion whose height is not above 0 is nothing") {
+TEST_CASE("an extrusion of a height of 0 or less is empty") {
   CHECK(pieces_of("l_none") == 0);
   CHECK(solids::linear_extrude(square(), {0}).empty());
   CHECK(solids::linear_extrude({}, {1}).empty());
 }
 
-TEST_CASE("what is convex is one piece") {
+TEST_CASE("a convex sweep is one piece") {
   CHECK(pieces_of("box_wide") == 1);       // scaled along its sides
   CHECK(pieces_of("box_one_slice") == 1);  // twisted, all diagonals bulge out
 }
 
-TEST_CASE("an untwisted extrusion has a piece a convex part") {
+TEST_CASE("an untwisted extrusion has one piece per convex part") {
   CHECK(pieces_of("l_prism") == 2);
   CHECK(pieces_of("l_center") == 2);  // slices do not bend it
 }
 
-TEST_CASE("what stands on the axis turns as one") {
+TEST_CASE("a part that touches the axis is revolved as one piece") {
   CHECK(pieces_of("pawn_full") == 5);
   CHECK(pieces_of("pawn_quarter") == 5);
   CHECK(pieces_of("pawn_most") == 2 * 5);
 }
 
-TEST_CASE("what does not stand on the axis is a wedge a fragment") { CHECK(pieces_of("ring_full") == 9); }
+TEST_CASE("a part away from the axis becomes one wedge per fragment") { CHECK(pieces_of("ring_full") == 9); }
 
-TEST_CASE("a profile on both sides of the axis is refused in OpenSCAD's words") {
+TEST_CASE("rejects a profile on both sides of the axis with OpenSCAD's message") {
   const flat::Area area{{{{-1, 0}, {2, 0}, {2, 1}, {-1, 1}}}};
   CHECK_THROWS_WITH_AS(solids::rotate_extrude(area, {}),
                        "all points for rotate_extrude() must have the same X coordinate sign (range is -1.00 -> 2.00); "
@@ -50,12 +50,12 @@ TEST_CASE("a profile on both sides of the axis is refused in OpenSCAD's words") 
                        InputError);
 }
 
-TEST_CASE("no turn, and half a turn of one fragment, are nothing") {
+TEST_CASE("a revolution of 0 degrees or of half a turn in one fragment is empty") {
   CHECK(solids::rotate_extrude(square(), {0, {}}).empty());
   CHECK(solids::rotate_extrude(square(), {180, {3, 12, 2}}).empty());
 }
 
-TEST_CASE("too many slices, fragments or pieces are refused") {
+TEST_CASE("rejects too many slices or fragments or pieces") {
   CHECK_THROWS_AS(solids::linear_extrude(square(), {10, false, 1e9}), InputError);
   CHECK_THROWS_AS(solids::linear_extrude(square(), {10, false, 10, 400'000}), InputError);
   CHECK_THROWS_AS(solids::linear_extrude(square(), {10, false, 10, 4'000'000}), InputError);

@@ -11,19 +11,18 @@ using namespace swept;
 
 namespace {
 
-// What things take, by hand, in additions (halves are some, too), products, quotients and roots:
-// the normal of three points and its length are two differences of points, a cross product (6 products, 3 additions)
-// and a dot product (3 and 2); the tolerance is multiplied by the length; then a difference and a dot product for each
-// of two points.
+// Operation counts by hand, in additions (including halvings), products, quotients and roots. The normal of three
+// points and its length take two differences of points, a cross product (6 products, 3 additions) and a dot product (3
+// and 2); the tolerance is multiplied by the length; then each of two points takes a difference and a dot product.
 constexpr Arithmetic flat_price{2 * 3 + 3 + 2 + 2 * (3 + 2), 6 + 3 + 1 + 2 * 3, 0, 1};
-// A point against a line: two differences of points, two dot products, their quotient, the difference from the nearest
-// point (3 products), its square, and the comparison with the tolerance.
+// A point compared with a line: two differences of points, two dot products, their quotient, the difference from the
+// nearest point (3 products), its square, and the comparison with the tolerance.
 constexpr Arithmetic line_price{2 * 3 + 2 * 2 + 3 + 2 + 1, 2 * 3 + 3 + 3, 1, 0};
-// A contour's point in a section: the origin and two axes times a number each.
+// A contour point in a section: the origin plus two axes times a number each.
 constexpr Arithmetic point_price{6, 6, 0, 0};
 constexpr Arithmetic section_price{40, 60, 6, 2};
 
-/// Halving a curve works out half of degree (degree + 1) points, each coordinate by an addition and a halving.
+/// Halving a curve computes degree (degree + 1) / 2 points, each coordinate by an addition and a halving.
 Arithmetic halves_price(std::uint64_t degree, std::uint64_t coordinates) {
   return {degree * (degree + 1) / 2 * coordinates * 2, 0, 0, 0};
 }
@@ -55,7 +54,7 @@ SubdivisionCounts counts_of(swept::Surface& surface, std::size_t column, const s
   return counts;
 }
 
-/// Of the height u v / 2, whose fourth corner is 1/2 off the plane of the others; of a quarter, 1/8.
+/// A surface of height u v / 2: its fourth corner is 1/2 off the plane of the others, that of a quarter 1/8.
 swept::Net saddle() {
   swept::Net net;
   for (int row = 0; row < 4; ++row) {
@@ -83,9 +82,9 @@ Curve square_of_two() { return {1, true, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-
 
 }  // namespace
 
-TEST_CASE("a patch of a net: the points, tests and operations of one element, and of five nodes, by hand") {
-  // A middle: five cubics are halved, of three coordinates each. Two points against a plane; of each side, two inner
-  // coefficients against a line.
+TEST_CASE("a net patch takes the hand-counted operations for one and for five nodes") {
+  // A middle halves five cubics of three coordinates each. Two points are compared with a plane, and two inner
+  // coefficients of each side with a line.
   const Arithmetic middle = times(5, halves_price(3, 3));
   struct Row {
     double tolerance;
@@ -109,14 +108,14 @@ TEST_CASE("a patch of a net: the points, tests and operations of one element, an
     CHECK(counts.tests == 2 * row.nodes + row.lines);
     CHECK(counts.halvings == row.halvings);
     CHECK(counts.sections == 0);
-    // A halving is of four cubics.
+    // A halving splits four cubics.
     check_equal(counts.arithmetic, sum_of({times(row.nodes, middle), times(row.nodes, flat_price),
                                            times(row.lines, line_price), times(4 * row.halvings, halves_price(3, 3))}));
     CHECK(work.done() == 100 * row.nodes);
   }
 }
 
-TEST_CASE("an element of a sweep: its tests, points and operations by the degrees of contour and trajectory") {
+TEST_CASE("a sweep element takes operations by the degrees of contour and trajectory") {
   for (std::uint32_t degree = 1; degree <= 3; ++degree) {
     for (std::uint32_t along = 1; along <= 3; ++along) {
       CAPTURE(degree);
@@ -125,7 +124,8 @@ TEST_CASE("an element of a sweep: its tests, points and operations by the degree
       const SubdivisionCounts counts = counts_of(*surface, 0, {100});
       CHECK(counts.nodes == 1);
       CHECK(counts.elements == 1);
-      // Two inner coefficients' points a contour's, in two sections; the middles of two sides; the trajectory's own.
+      // The points of a contour's two inner coefficients in two sections, the middles of two sides, and the
+      // trajectory's own.
       const std::uint64_t lines = 2 * (degree - 1) + 2 + (along - 1);
       CHECK(counts.tests == 2 + lines);
       CHECK(counts.points == 4 + 1 + 2);
@@ -140,7 +140,7 @@ TEST_CASE("an element of a sweep: its tests, points and operations by the degree
   }
 }
 
-TEST_CASE("halving a patch of a sweep halves its contour and its trajectory, which the next patch finds done") {
+TEST_CASE("halving a sweep patch halves contour and trajectory once for all patches") {
   // An eighth of the contour is some 0.2 off its chord, half of it a quarter of that.
   for (std::uint32_t degree = 2; degree <= 3; ++degree) {
     for (std::uint32_t along = 1; along <= 3; ++along) {
@@ -165,14 +165,14 @@ TEST_CASE("halving a patch of a sweep halves its contour and its trajectory, whi
         check_equal(counts.arithmetic, sum_of(parts));
         CHECK(work.done() == 5 * 100 + (is_first ? 2 * 2000 : 0));
       }
-      // Asked again, all is there.
+      // A repeated request takes no operations.
       CHECK(counts_of(*surface, 0, {0.1, swept::Flatness::plane}).halvings == 0);
     }
   }
 }
 
-TEST_CASE("a twisted side is four elements where one is as far off as a quarter of it is not") {
-  // Turned by 0.1, the fourth corner is 2 sin 0.1 = 0.2 off the plane of the others, that of a quarter 0.05.
+TEST_CASE("a twisted side has four elements if a quarter's deviation is acceptable") {
+  // Rotated by 0.1, the fourth corner is 2 sin 0.1 = 0.2 off the plane of the others, that of a quarter 0.05.
   swept::Sweep sweep{square_of_two(), straight(1)};
   sweep.rotation = {1, false, {{0, 0, 0}, {18 / std::numbers::pi, 0, 0}}};
   const auto surface = swept::surface_of(sweep);
@@ -185,8 +185,8 @@ TEST_CASE("a twisted side is four elements where one is as far off as a quarter 
                                          halves_price(1, 2), halves_price(1, 3), times(2, section_price)}));
 }
 
-TEST_CASE("a trajectory that swings to both sides of its line is halved, though its middle is on it") {
-  // By 4/3 of the tolerance its inner coefficients may be off.
+TEST_CASE("a trajectory that swings to both sides is halved though its middle is on line") {
+  // Its inner coefficients may be off by 4/3 of the tolerance.
   for (const double off : {0.13, 0.14}) {
     const Curve swing{3, false, {{0, 0, 0}, {off, 0, 10.0 / 3}, {-off, 0, 20.0 / 3}, {0, 0, 10}}};
     const auto surface = swept::surface_of(swept::Sweep{square_of_two(), swing});

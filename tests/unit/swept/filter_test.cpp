@@ -14,12 +14,12 @@ using namespace swept;
 
 namespace {
 
-/// Nodes by a DF-expression, each corner at a height that a function of its place tells.
-class Written : public swept::Stream {
+/// Nodes from a DF-expression; a function of its place gives each corner's height.
+class WrittenStream : public swept::Stream {
  public:
   using Height = double (*)(double x, double y);
 
-  Written(std::string_view expression, Height height) : expression_(expression), height_(height), waiting_{{}} {}
+  WrittenStream(std::string_view expression, Height height) : expression_(expression), height_(height), waiting_{{}} {}
 
   std::optional<swept::Node> next() override {
     if (waiting_.empty()) return std::nullopt;
@@ -85,7 +85,7 @@ double off_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b
   return glm::length(glm::cross(p - a, p - b)) / glm::distance(a, b);
 }
 
-/// Corners of leaves that are on the side of another one, but off its line: each against each.
+/// Counts corners of leaves that are on the side of another leaf but off its line, by pairwise comparison.
 int cracks(const std::vector<Element>& leaves) {
   int count = 0;
   constexpr std::array<std::size_t, 4> around{0, 1, 3, 2};
@@ -106,7 +106,7 @@ int cracks(const std::vector<Element>& leaves) {
   return count;
 }
 
-/// Where a vertex of a random net is: its x and y are even in the parameters, and on lines they stay so.
+/// Parameters of a vertex of a random net: its x and y are linear in the parameters, and remain so on lines.
 Place place_of(const glm::dvec3& point) {
   const auto place = [](double value) {
     return static_cast<std::uint32_t>(std::lround((value - 10) / 10 * swept::whole_side));
@@ -114,10 +114,10 @@ Place place_of(const glm::dvec3& point) {
   return {place(point.x), place(point.y)};
 }
 
-/// Elements with the corners that a repair has left them; and, in order, what each has on its sides.
+/// Elements with their corners after a repair, and then the vertices on their sides in order.
 std::vector<Element> leaves_of(const Record& record) {
   std::vector<Element> leaves;
-  for (const Record::Taken& taken : record.elements) {
+  for (const Record::RecordedElement& taken : record.elements) {
     Element& leaf = leaves.emplace_back();
     leaf.square = taken.square;
     for (const std::uint32_t number : taken.corners) {
@@ -132,8 +132,8 @@ std::vector<Element> leaves_of(const Record& record) {
   return leaves;
 }
 
-/// What is held after each element, found anew from all that have come: elements that reach something that has not; the
-/// vertices of these, and those that may still move.
+/// Recomputes from all preceding elements what is held after each: elements that touch a missing one, and their
+/// vertices and those that may still move.
 class Recount {
  public:
   explicit Recount(std::vector<Element> leaves) : leaves_(std::move(leaves)) {
@@ -148,7 +148,7 @@ class Recount {
   [[nodiscard]] std::size_t vertices() const { return vertices_.size(); }
 
  private:
-  /// The leaf of a unit square; nothing outside.
+  /// The leaf of a unit square; none outside.
   [[nodiscard]] std::size_t leaf_at(std::int64_t x, std::int64_t y) const {
     for (std::size_t i = 0; i < leaves_.size(); ++i) {
       const Square& square = leaves_[i].square;
@@ -157,7 +157,8 @@ class Recount {
     return leaves_.size();
   }
 
-  /// Is there a border between the leaves of two unit squares: one has come, the other has not, or is behind the patch?
+  /// Whether there is a border between the leaves of two unit squares: one is present, the other is missing or outside
+  /// the patch.
   [[nodiscard]] bool is_border(std::int64_t x, std::int64_t y, std::int64_t to_x, std::int64_t to_y,
                                std::size_t count) const {
     if (x < 0 || y < 0) return false;
@@ -186,7 +187,7 @@ class Recount {
     return false;
   }
 
-  /// Can it still move?
+  /// Whether the vertex can still move.
   [[nodiscard]] bool is_open(const Place& place, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i) {
       const auto places = corner_places(leaves_[i].square);
@@ -227,10 +228,10 @@ class Recount {
   std::set<Place> vertices_;
 };
 
-/// Faces by the places of their vertices and where these are, which numbers do not matter to.
+/// Faces by the parameters and positions of their vertices, independent of vertex numbers.
 std::set<std::vector<std::array<double, 3>>> faces_of(const Record& record) {
   std::set<std::vector<std::array<double, 3>>> faces;
-  for (const Record::Taken& taken : record.elements) {
+  for (const Record::RecordedElement& taken : record.elements) {
     std::vector<std::array<double, 3>> face;
     for (const std::uint32_t number : taken.corners) {
       const glm::dvec3& point = record.points.at(number);
@@ -243,9 +244,9 @@ std::set<std::vector<std::array<double, 3>>> faces_of(const Record& record) {
 
 }  // namespace
 
-TEST_CASE("the vertex of the thesis's figure 3.4 is put on the line of the larger element that comes before it") {
+TEST_CASE("the vertex of thesis figure 3.4 moves to the line of the larger element before") {
   // (LLL(LLLL: 41 and 42 above 2, 41 and 43 beside 3.
-  Written stream("(LLL(LLLL", bowl);
+  WrittenStream stream("(LLL(LLLL", bowl);
   Repaired repaired;
   repair(stream, swept::filter, repaired);
   CHECK(repaired.record.elements.size() == 7);
@@ -263,8 +264,8 @@ TEST_CASE("the vertex of the thesis's figure 3.4 is put on the line of the large
   CHECK(repaired.counts.vertices == 14);
 }
 
-TEST_CASE("a larger element that comes after smaller ones has their vertices on its line") {
-  Written stream("((LLLLLLL", bowl);
+TEST_CASE("a larger element after smaller ones takes their vertices onto its line") {
+  WrittenStream stream("((LLLLLLL", bowl);
   Repaired repaired;
   repair(stream, swept::filter, repaired);
   std::set<std::array<double, 3>> points;
@@ -275,21 +276,21 @@ TEST_CASE("a larger element that comes after smaller ones has their vertices on 
   CHECK(repaired.counts.snaps == 2);
 }
 
-TEST_CASE("elements are put out when nothing touches them any more") {
-  Written stream("(LLL(LLLL", bowl);
+TEST_CASE("elements are emitted once no missing element touches them") {
+  WrittenStream stream("(LLL(LLLL", bowl);
   Repaired repaired;
   repair(stream, swept::filter, repaired);
   const auto order = [&](std::size_t i) {
     const Square square = repaired.record.elements[i].square;
     return std::array{square.x * 4 / swept::whole_side, square.y * 4 / swept::whole_side};
   };
-  // 1 once 2 and 3 have come, 41 once 42 and 43 have; all others are at the patch's edge.
+  // 1 is complete after 2 and 3, 41 after 42 and 43; all others are at the patch's edge.
   CHECK(order(0) == std::array{0U, 0U});
   CHECK(order(1) == std::array{2U, 2U});
   CHECK(repaired.counts.most_elements == 5);
 }
 
-TEST_CASE("no vertex is off a side after the repair, and many are before") {
+TEST_CASE("after the repair no vertex is off a side although many were") {
   int before = 0;
   CHECK(rc::check([&] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
@@ -303,16 +304,15 @@ TEST_CASE("no vertex is off a side after the repair, and many are before") {
   CHECK((!testing::draws_usual_cases() || before > 500));
 }
 
-TEST_CASE(
-    "each vertex is in all elements that it is on a side of: a repaired mesh is closed but for the patch's edge") {
+TEST_CASE("each vertex is in all elements it touches: the mesh is closed within the patch") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
     Repaired repaired;
     repair(*surface, {0.5}, swept::filter, repaired);
-    // A face behind the patch's edge closes it.
+    // A face outside the patch's edge closes it.
     std::vector<std::vector<std::uint32_t>> faces;
     std::map<std::pair<std::uint32_t, std::uint32_t>, bool> edges;
-    for (const Record::Taken& taken : repaired.record.elements) {
+    for (const Record::RecordedElement& taken : repaired.record.elements) {
       faces.push_back(taken.corners);
       for (std::size_t i = 0; i < taken.corners.size(); ++i)
         edges[{taken.corners[i], taken.corners[(i + 1) % taken.corners.size()]}] = true;
@@ -329,7 +329,7 @@ TEST_CASE(
   }));
 }
 
-TEST_CASE("the most elements and vertices held are those that a recount from all that has come finds") {
+TEST_CASE("peak counts of held elements and vertices equal a recount") {
   std::size_t cases = 0;
   CHECK(rc::check([&] {
     const auto surface = swept::surface_of(random_net(4, 4, 30));
@@ -347,7 +347,7 @@ TEST_CASE("the most elements and vertices held are those that a recount from all
   CHECK((!testing::draws_usual_cases() || cases > 30));
 }
 
-TEST_CASE("the quadtree with its neighbours makes the same mesh, and holds all of it") {
+TEST_CASE("the quadtree makes the same mesh and holds all of it") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
     const swept::Accuracy accuracy{0.5};
@@ -364,7 +364,7 @@ TEST_CASE("the quadtree with its neighbours makes the same mesh, and holds all o
   }));
 }
 
-TEST_CASE("between patches no vertex is on a side that does not have it, by either repair") {
+TEST_CASE("between patches no side lacks a vertex in either repair") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(5, 6, 40));
     const auto way = *rc::gen::element(swept::Repair::filter, swept::Repair::quadtree);
@@ -387,7 +387,7 @@ TEST_CASE("between patches no vertex is on a side that does not have it, by eith
     }
     RC_ASSERT(outer >= 10U);
     RC_ASSERT(made.repair.vertices == made.points.size());
-    // Three in a row on a side are on a line.
+    // Three vertices in a row on a side are on a line.
     for (const auto& element : made.elements) {
       for (std::size_t i = 0; i < element.size(); ++i) {
         const glm::dvec3& a = made.points[element[i]];
@@ -397,7 +397,7 @@ TEST_CASE("between patches no vertex is on a side that does not have it, by eith
         RC_ASSERT(!is_side || off_segment(b, a, c) < 1e-9);
       }
     }
-    // Euler: faces, edges and vertices of a disc.
+    // Euler characteristic: faces, edges and vertices of a disc.
     const auto sides = static_cast<std::int64_t>((edges.size() + outer) / 2);
     RC_ASSERT(static_cast<std::int64_t>(made.points.size() + made.elements.size()) - sides == 1);
   }));

@@ -21,8 +21,8 @@ bool is_flat(const FlatCase& one) {
   return swept::is_flat(one.corners, one.middle, 0.125, counts);
 }
 
-/// A net of one patch over u and v from -1/2 to 1/2, whose height is `by_v(v)` times u^2 - 1/4: a function of degree 2
-/// in u, of control points u^2 - 1/3 - 1/4, and of one in v by its own control points. `is_turned` exchanges u and v.
+/// A net of one patch over u and v from -1/2 to 1/2, with height `by_v(v)` times u^2 - 1/4: of degree 2 in u, with
+/// control points u^2 - 1/3 - 1/4, and in v by its own control points. `is_turned` exchanges u and v.
 swept::Net bent_net(const std::array<double, 4>& by_v, bool is_turned) {
   constexpr std::array<double, 4> places{-1.5, -0.5, 0.5, 1.5};
   swept::Net net;
@@ -43,7 +43,7 @@ std::size_t leaves_of(const swept::Net& net, const swept::Accuracy& accuracy) {
 
 }  // namespace
 
-TEST_CASE("how far a point is off a line ends with the line") {
+TEST_CASE("a point's distance from a line is limited by the line's ends") {
   struct Row {
     glm::dvec3 point;
     glm::dvec3 from;
@@ -62,7 +62,7 @@ TEST_CASE("how far a point is off a line ends with the line") {
   }
 }
 
-TEST_CASE("how far a point is off a plane, and off the longest line where three points are on one") {
+TEST_CASE("a point's distance from a plane uses the longest line for collinear points") {
   using Three = std::array<glm::dvec3, 3>;
   const Three level{{{0, 0, 1}, {4, 0, 1}, {0, 2, 1}}};
   CHECK(swept::distance_to_plane({7, 9, 4}, level) == doctest::Approx(3));
@@ -70,7 +70,7 @@ TEST_CASE("how far a point is off a plane, and off the longest line where three 
   // x + y + z = 3, from (3, 3, 3).
   CHECK(swept::distance_to_plane({3, 3, 3}, {{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}}}) ==
         doctest::Approx(6 / std::sqrt(3.0)));
-  // On the x axis from 0 to 4, in each order of the three: 3 above its end, 2 behind it.
+  // Points on the x axis from 0 to 4, in each order of the three: 3 above its end, 2 behind it.
   for (const Three& line : {Three{{{0, 0, 0}, {4, 0, 0}, {2, 0, 0}}}, Three{{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}},
                             Three{{{4, 0, 0}, {2, 0, 0}, {0, 0, 0}}}, Three{{{2, 0, 0}, {0, 0, 0}, {4, 0, 0}}},
                             Three{{{2, 0, 0}, {4, 0, 0}, {0, 0, 0}}}, Three{{{0, 0, 0}, {4, 0, 0}, {4, 0, 0}}}}) {
@@ -82,20 +82,20 @@ TEST_CASE("how far a point is off a plane, and off the longest line where three 
   }
 }
 
-TEST_CASE("three points are on a line where their triangle is a billionth as high as it is long") {
-  // In the plane z = 0 the point is on it; off the line it is 5.
+TEST_CASE("three points are collinear if their triangle is 1e-9 as high as long") {
+  // The point is in the plane z = 0; it is 5 off the line.
   const auto off = [](const glm::dvec3& one, const glm::dvec3& other) {
     return swept::distance_to_plane({0, 5, 0}, {{{0, 0, 0}, one, other}});
   };
   CHECK(off({1, 0, 0}, {1, 2e-9, 0}) == 0);
   CHECK(off({1, 0, 0}, {1, 0.5e-9, 0}) == doctest::Approx(5));
-  // Twice the area is 1e-4, against the square of the longer side: 1e-9 times 1e6.
+  // Twice the area is 1e-4, compared with the square of the longer side: 1e-9 times 1e6.
   CHECK(off({1, 0, 0}, {1000, 1e-4, 0}) == doctest::Approx(5));
   CHECK(off({1000, 1e-4, 0}, {1, 0, 0}) == doctest::Approx(5));
   CHECK(off({1, 0, 0}, {1000, 2e-3, 0}) == 0);
 }
 
-TEST_CASE("an element is flat up to the tolerance exactly, by the plane of the corners that its tip leaves") {
+TEST_CASE("an element is flat up to exactly the tolerance by the plane without its tip") {
   for (const FlatCase& one :
        std::vector<FlatCase>{{{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0.125}}}, {2, 2, 0}, true},
                              {{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0.126}}}, {2, 2, 0}, false},
@@ -116,10 +116,10 @@ TEST_CASE("an element is flat up to the tolerance exactly, by the plane of the c
   }
 }
 
-TEST_CASE("a patch is divided for each of its sides that is bent, and for none by the thesis's test") {
-  // Heights at the sides of v: control points v^2 - 1/3 - v/2 are of v (v - 1/2), which is 1/2 in the south and 0 in
-  // the north and in the middle. With 1/4 of u^2 - 1/4 the side is 1/8 of the factor off its line, the corners and the
-  // middle are not.
+TEST_CASE("a patch is divided for each bent side and for none by the thesis's test") {
+  // Heights at the sides of v: control points v^2 - 1/3 - v/2 give v (v - 1/2), which is 1/2 in the south and 0 in the
+  // north and in the middle. Times u^2 - 1/4, at most 1/4, the side is 1/8 of the factor off its line; the corners and
+  // the middle are not.
   for (const bool is_turned : {false, true}) {
     for (const bool is_mirrored : {false, true}) {
       CAPTURE(is_turned);
@@ -137,7 +137,7 @@ TEST_CASE("a patch is divided for each of its sides that is bent, and for none b
   }
 }
 
-TEST_CASE("a patch is halved at most twelve times by default, and sixteen on request") {
+TEST_CASE("a patch is halved at most twelve times by default and sixteen on request") {
   const auto halved = [](const swept::Accuracy& accuracy) {
     return testing::error_of([&] { leaves_of(bent_net({1, 0, 0, 0}, false), accuracy); });
   };

@@ -14,7 +14,7 @@ Curve square(double half) {
   return {1, true, {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}};
 }
 
-/// A closed cubic near a circle.
+/// A closed cubic close to a circle.
 Curve circle(double radius, std::size_t points, bool in_xz = false) {
   Curve curve{3, true, {}};
   const double out = radius * 3 / (2 + std::cos(2 * std::numbers::pi / static_cast<double>(points)));
@@ -29,7 +29,7 @@ Curve circle(double radius, std::size_t points, bool in_xz = false) {
 
 Curve line(double length) { return {1, false, {{0, 0, 0}, {0, 0, length}}}; }
 
-/// A function of one value, such as a rotation.
+/// A function with one value, such as a rotation.
 Curve function(std::uint32_t degree, const std::vector<double>& values) {
   Curve curve{degree, false, {}};
   for (const double value : values) curve.points.emplace_back(value, 0, 0);
@@ -46,7 +46,7 @@ std::size_t leaves_of(const Sweep& sweep, std::size_t column, const swept::Accur
   return swept_test::leaves_of(*swept::surface_of(sweep), column, 0, accuracy).size();
 }
 
-Net net_of(std::size_t rows, std::size_t columns) {
+Net make_net(std::size_t rows, std::size_t columns) {
   Net net;
   for (std::size_t row = 0; row < rows; ++row) {
     std::vector<glm::dvec3>& points = net.rows.emplace_back();
@@ -58,7 +58,7 @@ Net net_of(std::size_t rows, std::size_t columns) {
 
 }  // namespace
 
-TEST_CASE("a fault of each curve of a sweep names it") {
+TEST_CASE("a fault in a curve of a sweep names the curve") {
   const Curve bad{4, false, {}};
   const std::string what = ": degree 4 is above 3; use 0 (constant), 1, 2 or 3";
   Sweep sweep = block();
@@ -75,7 +75,7 @@ TEST_CASE("a fault of each curve of a sweep names it") {
   CHECK(swept::fault_of(sweep) == "the scale" + what);
 }
 
-TEST_CASE("a sweep refuses a point for a contour and for a trajectory, and closed functions, one by one") {
+TEST_CASE("rejects a point as contour or trajectory and closed functions") {
   Sweep sweep = block();
   sweep.contour = {0, true, {{1, 1, 0}}};
   CHECK(swept::fault_of(sweep).find("the contour") == 0);
@@ -89,7 +89,7 @@ TEST_CASE("a sweep refuses a point for a contour and for a trajectory, and close
   }
 }
 
-TEST_CASE("a scale below 0 is refused along u and along v, at each of its points, and 0 is not") {
+TEST_CASE("rejects a negative scale along u or v at any point and accepts 0") {
   for (const glm::dvec3& point : {glm::dvec3{-0.1, 1, 0}, glm::dvec3{1, -0.1, 0}}) {
     for (const bool is_last : {false, true}) {
       Sweep sweep = block();
@@ -122,19 +122,19 @@ TEST_CASE("the limits on points and patches are exact") {
   CHECK(swept::fault_of(sweep) == "contour and trajectory make more than 100000 patches; remove points");
 }
 
-TEST_CASE("a net needs four rows and four points a row, equal rows, and 100,000 patches are the most") {
-  CHECK(swept::fault_of(net_of(4, 4)).empty());
-  CHECK(swept::fault_of(net_of(3, 4)) == "a patch needs at least 4 rows of points, not 3");
-  CHECK(swept::fault_of(net_of(4, 3)) == "a row of a patch needs at least 4 points, not 3");
-  Net uneven = net_of(4, 5);
+TEST_CASE("a net needs four equal rows of four points and at most 100000 patches") {
+  CHECK(swept::fault_of(make_net(4, 4)).empty());
+  CHECK(swept::fault_of(make_net(3, 4)) == "a patch needs at least 4 rows of points, not 3");
+  CHECK(swept::fault_of(make_net(4, 3)) == "a row of a patch needs at least 4 points, not 3");
+  Net uneven = make_net(4, 5);
   uneven.rows[3].pop_back();
   CHECK(swept::fault_of(uneven) == "rows of a patch have 5 and 4 points; make them equally long");
-  CHECK(swept::fault_of(net_of(103, 1003)).empty());
-  CHECK(swept::fault_of(net_of(104, 1003)) == "more than 100000 patches; remove points");
-  CHECK(swept::fault_of(net_of(103, 1004)) == "more than 100000 patches; remove points");
+  CHECK(swept::fault_of(make_net(103, 1003)).empty());
+  CHECK(swept::fault_of(make_net(104, 1003)) == "more than 100000 patches; remove points");
+  CHECK(swept::fault_of(make_net(103, 1004)) == "more than 100000 patches; remove points");
 }
 
-TEST_CASE("where the trajectory closes, the scale along u and along v has to, and the rotation") {
+TEST_CASE("on a closed trajectory the scale along u and v and the rotation must close") {
   const std::string open =
       "the contour does not match itself where the trajectory closes; change the rotation to a multiple of "
       "360 degrees in total, and end the scale at its initial value";
@@ -150,7 +150,7 @@ TEST_CASE("where the trajectory closes, the scale along u and along v has to, an
   }
 }
 
-TEST_CASE("a trajectory that stands still is refused at its start, in its middle and at its end") {
+TEST_CASE("rejects a trajectory that stands still at its start or middle or end") {
   for (const std::size_t segment : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
     std::vector<glm::dvec3> points{{0, 0, 0}, {0, 0, 3}, {0, 0, 6}};
     points.insert(points.begin() + static_cast<std::ptrdiff_t>(segment), points[segment]);
@@ -159,7 +159,7 @@ TEST_CASE("a trajectory that stands still is refused at its start, in its middle
   }
 }
 
-TEST_CASE("turning to and fro counts both ways: up to a right angle ends and middle tell how a part is turned") {
+TEST_CASE("rotation to and fro counts both ways up to a right angle") {
   const auto is_short = [](const Curve& rotation) {
     Sweep sweep = block();
     sweep.rotation = rotation;
@@ -169,15 +169,15 @@ TEST_CASE("turning to and fro counts both ways: up to a right angle ends and mid
   CHECK(is_short(function(1, {90, 0})));
   CHECK(!is_short(function(1, {0, 90.5})));
   CHECK(!is_short(function(1, {90.5, 0})));
-  // A parabola to 50 and back turns by 100, one to 40 by 80.
+  // A parabola to 50 and back rotates by 100, one to 40 by 80.
   CHECK(!is_short(function(2, {0, 100, 0})));
   CHECK(!is_short(function(2, {0, -100, 0})));
   CHECK(is_short(function(2, {0, 80, 0})));
   CHECK(is_short(function(2, {0, -80, 0})));
 }
 
-TEST_CASE("a twist to one side and back to the other within a segment is not taken for none") {
-  // At both ends and in the middle the rotation is 0.
+TEST_CASE("a twist to one side and back within a segment is not mistaken for none") {
+  // The rotation is 0 at both ends and in the middle.
   Sweep sweep = block();
   sweep.rotation = function(3, {0, 300, -300, 0});
   const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.05});
@@ -193,9 +193,9 @@ TEST_CASE("a twist to one side and back to the other within a segment is not tak
   CHECK(most < 0.1);
 }
 
-TEST_CASE("the rims of cones are within the tolerance, whether they open or close along the trajectory") {
+TEST_CASE("rims of cones are within tolerance in both directions of the trajectory") {
   // A side between corners 22.5 degrees apart is 0.058 off the circle, and the upper half of a patch three quarters of
-  // that in its middle: the rim alone is beyond the tolerance.
+  // that in its middle: only the rim is beyond the tolerance.
   constexpr double tolerance = 0.05;
   for (const bool opens : {true, false}) {
     CAPTURE(opens);
@@ -216,16 +216,16 @@ TEST_CASE("the rims of cones are within the tolerance, whether they open or clos
   }
 }
 
-TEST_CASE("a patch of which one side is bent is subdivided, whichever side that is") {
-  // In the plane of the trajectory, from it to a point that the scale moves along a parabola: 4 off a line, of which an
-  // eighth in length is 1/16 off.
+TEST_CASE("a patch with one bent side is subdivided whichever side it is") {
+  // A side in the plane of the trajectory, from it to a point that the scale moves along a parabola: 4 off a line; an
+  // eighth of its length is 1/16 off.
   Sweep sweep{{1, true, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}}, line(10)};
   sweep.scale = {2, false, {{1, 1, 0}, {3, 3, 0}, {1, 1, 0}}};
   CHECK(leaves_of(sweep, 0, {0.1}) >= 8);  // to the point on its eastern side
   CHECK(leaves_of(sweep, 2, {0.1}) >= 8);  // from it on its western side
 }
 
-TEST_CASE("the levels, the elements and the work of a surface are limited exactly") {
+TEST_CASE("the limits on levels and elements and work of a surface are exact") {
   Sweep sweep{circle(3, 8), line(10)};
   sweep.scale = {2, false, {{1, 1, 0}, {3, 3, 0}, {1, 1, 0}}};
   const std::unique_ptr<swept::Surface> surface = swept::surface_of(sweep);
@@ -236,7 +236,7 @@ TEST_CASE("the levels, the elements and the work of a surface are limited exactl
   REQUIRE(levels > 2);
   const auto subdividing = [&](const swept::Accuracy& accuracy, std::uint64_t elements) {
     return testing::error_of([&] {
-      // Nothing of an earlier subdivision is kept.
+      // No results of an earlier subdivision are kept.
       const std::unique_ptr<swept::Surface> anew = swept::surface_of(sweep);
       swept::SubdivisionCounts counts;
       counts.elements = elements;

@@ -12,7 +12,7 @@ using namespace csgsim::swept_test;
 namespace {
 
 double to_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  // The nearest of a lattice of its points: coarse, but it shares nothing with what it judges.
+  // Distance to the nearest point of a lattice on it: coarse, but independent of the judged code.
   constexpr int steps = 12;
   double nearest = glm::distance(p, a);
   for (int i = 0; i <= steps; ++i) {
@@ -48,7 +48,7 @@ TEST_CASE("corners of a patch's elements are points of the surface") {
   }));
 }
 
-TEST_CASE("leaves come in the order south-west, south-east, north-west, north-east, and cover the patch") {
+TEST_CASE("leaves cover the patch in south-west to north-east order") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
     double covered = 0;
@@ -68,7 +68,7 @@ TEST_CASE("leaves come in the order south-west, south-east, north-west, north-ea
   }));
 }
 
-TEST_CASE("points of the surface are as near to their element as the tolerance and a lattice say") {
+TEST_CASE("surface points are within the tolerance of their element") {
   CHECK(rc::check([] {
     const swept::Net net = random_net(4, 4, 20);
     const auto surface = swept::surface_of(net);
@@ -89,7 +89,7 @@ TEST_CASE("points of the surface are as near to their element as the tolerance a
   }));
 }
 
-TEST_CASE("an element is flat where its fourth corner and its midpoint are near the plane of the three others") {
+TEST_CASE("an element is flat if its fourth corner and midpoint are near the others' plane") {
   swept::SubdivisionCounts counts;
   const auto is_flat = [&](double fourth, double middle) {
     return swept::is_flat({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, fourth}}}, {2, 2, middle}, 0.1, counts);
@@ -98,12 +98,12 @@ TEST_CASE("an element is flat where its fourth corner and its midpoint are near 
   CHECK(!is_flat(0.11, 0.0275));
   CHECK(!is_flat(0, -0.11));
   CHECK(counts.tests == 6);
-  // Where two corners are one, of the other three.
+  // Two corners are equal: the plane is that of the other three.
   CHECK(!swept::is_flat({{{0, 0, 0}, {0, 0, 0}, {0, 4, 0}, {4, 4, 0}}}, {2, 2, 0.11}, 0.1, counts));
   CHECK(swept::is_flat({{{0, 0, 0}, {0, 0, 0}, {0, 4, 0}, {4, 4, 0}}}, {2, 2, 0.09}, 0.1, counts));
 }
 
-TEST_CASE("a tolerance that the levels do not suffice for is an error that says so") {
+TEST_CASE("rejects a tolerance that the levels cannot reach") {
   const auto surface = swept::surface_of({{{{0, 0, 0}, {1, 0, 9}, {2, 0, 0}, {3, 0, 9}},
                                            {{0, 1, 0}, {1, 1, 0}, {2, 1, 9}, {3, 1, 0}},
                                            {{0, 2, 9}, {1, 2, 0}, {2, 2, 0}, {3, 2, 0}},
@@ -115,7 +115,7 @@ TEST_CASE("a tolerance that the levels do not suffice for is an error that says 
         "smoother curve");
 }
 
-TEST_CASE("nets that are none say what to do") {
+TEST_CASE("reports invalid nets with a fix") {
   CHECK(swept::fault_of(swept::Net{}) == "a patch needs at least 4 rows of points, not 0");
   const std::vector<glm::dvec3> row(4);
   CHECK(swept::fault_of(swept::Net{{row, row, row, {}}}) == "a row of a patch needs at least 4 points, not 0");

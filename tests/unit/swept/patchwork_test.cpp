@@ -14,7 +14,7 @@ using namespace swept;
 
 namespace {
 
-/// Nodes by a DF-expression over a square of the plane that is 4 wide; the height of a point is x^2 + y^2.
+/// Nodes from a DF-expression over a square of the plane of side 4; the height of a point is x^2 + y^2.
 class DrawnStream : public swept::Stream {
  public:
   DrawnStream(std::string_view expression, const glm::dvec2& low, swept::SubdivisionCounts& counts)
@@ -69,8 +69,8 @@ Patchwork patchwork(std::size_t columns, const std::vector<std::string>& patches
 
 using Ring = std::vector<std::array<double, 3>>;
 
-/// The places of an element's vertices, from the least on.
-std::set<Ring> rings_of(const Patchwork& made) {
+/// Positions of an element's vertices, starting at the least.
+std::set<Ring> vertex_rings(const Patchwork& made) {
   std::set<Ring> rings;
   for (const std::vector<std::uint32_t>& element : made.elements) {
     Ring ring;
@@ -86,7 +86,7 @@ std::set<Ring> rings_of(const Patchwork& made) {
 
 constexpr std::array both_repairs{Repair::filter, Repair::quadtree};
 
-/// The counts of repairs of one patch without a wire frame.
+/// Counts of a repair of one patch without a wire frame.
 RepairCounts repaired(const std::string& expression, Repair repair) {
   swept::SubdivisionCounts counts;
   DrawnStream stream(expression, {0, 0}, counts);
@@ -101,7 +101,7 @@ RepairCounts repaired(const std::string& expression, Repair repair) {
 
 }  // namespace
 
-TEST_CASE("the filter looks at two edges an element, and at one more for each that it merges") {
+TEST_CASE("the filter visits two edges per element and one more per merge") {
   struct Row {
     const char* expression;
     std::uint64_t elements;
@@ -109,9 +109,9 @@ TEST_CASE("the filter looks at two edges an element, and at one more for each th
     std::uint64_t merges;
     std::uint64_t most_edges;
   };
-  // The border begins with two edges; it gets one more by each split, one less by each merge. In the last but one,
-  // the four small elements split both edges twice; 2 merges those beside it, 3 those below. In the last, 41 splits
-  // the sides of 2 and 3 besides the two of the patch.
+  // The border starts with two edges; each split adds one, each merge removes one. In the last but one, the four small
+  // elements split both edges twice; 2 merges those beside it, 3 those below. In the last, 41 splits the sides of 2 and
+  // 3 as well as the two of the patch.
   for (const Row& row : {Row{"L", 1, 0, 0, 2}, Row{"(LLLL", 4, 2, 0, 4}, Row{"((LLLLLLL", 7, 4, 2, 6},
                          Row{"(LLL(LLLL", 7, 4, 0, 6}, Row{"((LLLL(LLLLLL", 10, 5, 2, 7}}) {
     CAPTURE(row.expression);
@@ -124,13 +124,13 @@ TEST_CASE("the filter looks at two edges an element, and at one more for each th
   }
 }
 
-TEST_CASE("the quadtree: nodes that are looked at for neighbours, and what it holds") {
-  // A leaf alone asks at each corner across two sides for whom else that is, then at each side who is beside it, twice:
-  // it looks at itself each time. A quarter looks at itself for a neighbour within the square, and at the whole for one
-  // outside. South-west gives its corners, in order: 4, then 1 and, by its neighbour, 3, and 2; the same; and in the
-  // middle 1, around by 1, 1, 1, 1, 2 at the three others, and 1. South-east is left with 4 and, at its
-  // north-east, 2, 1 and 3; north-west with as much; north-east with 4. At sides a quarter looks at 1 + 1 + 2 + 2,
-  // twice.
+TEST_CASE("the quadtree's neighbour visits and held nodes equal the hand counts") {
+  // A lone leaf searches at each corner across two sides for other leaves, then at each side for its neighbour, twice:
+  // it visits itself each time. A quarter visits itself for a neighbour within the square, and the whole for one
+  // outside. The south-west quarter emits its corners in order: 4, then 1 and, by its neighbour, 3, and 2; the same;
+  // and in the middle 1, around by 1, 1, 1, 1, 2 at the three others, and 1. The south-east quarter is left with 4 and,
+  // at its north-east, 2, 1 and 3; the north-west one with the same; the north-east one with 4. At sides a quarter
+  // visits 1 + 1 + 2 + 2, twice.
   struct Row {
     const char* expression;
     std::uint64_t nodes;
@@ -153,8 +153,9 @@ TEST_CASE("the quadtree: nodes that are looked at for neighbours, and what it ho
   }
 }
 
-TEST_CASE("a larger patch has the vertex of a smaller one beside it on its side, whichever side that is") {
-  // Whole beside quarters: the common edge is one segment, from the ends; the vertex in its middle is on the line.
+TEST_CASE("a larger patch gets the vertex of a smaller neighbour on its common side") {
+  // A whole patch next to quarters: the common edge is one segment between its ends; the vertex in its middle is on the
+  // line.
   struct Row {
     std::size_t columns;
     bool is_small_first;
@@ -192,12 +193,12 @@ TEST_CASE("a larger patch has the vertex of a smaller one beside it on its side,
       }
       CHECK(on_edge == 1);
       if (repair == Repair::filter) {
-        // Behind the large one, the first quarter splits the segment that they have in common.
+        // Beyond the large one, the first quarter splits their common segment.
         CHECK(made.repair.splits == (row.is_small_first ? 0 : 1));
         CHECK(made.repair.merges == 0);
         CHECK(made.repair.edges_visited == 2 * 5);
-        // The small patch: two edges each of west and south; its quarters 2, 3 and 4 at the end, without the one vertex
-        // of 1 alone.
+        // The small patch: two edges each of west and south; its quarters 2, 3 and 4 at the end, without the vertex
+        // that belongs only to 1.
         CHECK(made.repair.most_edges == 4);
         CHECK(made.repair.most_elements == 3);
         CHECK(made.repair.most_vertices == 8);
@@ -210,8 +211,8 @@ TEST_CASE("a larger patch has the vertex of a smaller one beside it on its side,
   }
 }
 
-TEST_CASE("edges of patches are of segments as large as the larger of two elements, by both repairs alike") {
-  // Expressions that are divided in one corner or another, beside each other in both directions.
+TEST_CASE("both repairs split patch edges into segments of the larger elements") {
+  // Expressions divided in different corners, next to each other in both directions.
   const std::vector<std::string> kinds{"L",         "(LLLL",     "((LLLLLLL",    "(LL(LLLLL",
                                        "(L(LLLLLL", "(LLL(LLLL", "((LLLL(LLLLLL"};
   for (std::size_t i = 0; i < kinds.size(); ++i) {
@@ -222,13 +223,13 @@ TEST_CASE("edges of patches are of segments as large as the larger of two elemen
         CAPTURE(columns);
         const Patchwork filtered = patchwork(columns, {kinds[i], kinds[k], kinds[k], kinds[i]}, Repair::filter);
         const Patchwork kept = patchwork(columns, {kinds[i], kinds[k], kinds[k], kinds[i]}, Repair::quadtree);
-        CHECK(rings_of(filtered) == rings_of(kept));
+        CHECK(vertex_rings(filtered) == vertex_rings(kept));
         CHECK(filtered.wire_vertices == kept.wire_vertices);
         CHECK(filtered.repair.vertices == filtered.points.size());
         CHECK(kept.repair.vertices == kept.points.size());
         CHECK(filtered.repair.snaps == kept.repair.snaps);
         CHECK(filtered.repair.edges_visited == 2 * filtered.repair.elements + filtered.repair.merges);
-        // Every element is closed, and edges run once each way but for those of the outside.
+        // Every element is closed, and edges run once in each direction except the outer ones.
         std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
         for (const auto& element : filtered.elements) {
           for (std::size_t at = 0; at < element.size(); ++at)
@@ -247,9 +248,9 @@ TEST_CASE("edges of patches are of segments as large as the larger of two elemen
   }
 }
 
-TEST_CASE("vertices that wait on lines of lines, between patches too, are where the larger lines have them") {
-  // West: quarters of quarters at the common edge; east: quarters. Segments of the edge are halves, (4, 0, 16) to
-  // (4, 2, 20) to (4, 4, 32), on which the vertices at 1 and 3 are half-way.
+TEST_CASE("vertices on nested lines and between patches end up on the larger lines") {
+  // West: quarters of quarters at the common edge; east: quarters. Segments of the edge are halves, (4, 0, 16) to (4,
+  // 2, 20) to (4, 4, 32), with the vertices at 1 and 3 half-way.
   for (const Repair repair : both_repairs) {
     const Patchwork made = patchwork(2, {"(L(LLLLL(LLLL", "(LLLL"}, repair);
     const auto has = [&](const glm::dvec3& point) {
@@ -258,7 +259,8 @@ TEST_CASE("vertices that wait on lines of lines, between patches too, are where 
     CHECK(has({4, 1, 18}));
     CHECK(has({4, 3, 26}));
     CHECK(has({4, 2, 20}));
-    // Within the west patch, above and below no one: on the surface; beside the quarters in its west, on their lines.
+    // Within the west patch: on the surface where no larger element is above or below; next to the quarters in its
+    // west, on their lines.
     CHECK(has({3, 1, 10}));
     CHECK(has({2, 1, 6}));
     CHECK(has({2, 3, 14}));
@@ -266,7 +268,7 @@ TEST_CASE("vertices that wait on lines of lines, between patches too, are where 
   }
 }
 
-TEST_CASE("one patch has no wire frame; several have their corners' vertices in it") {
+TEST_CASE("one patch has no wire frame while several share one with their corners") {
   for (const Repair repair : both_repairs) {
     const Patchwork alone = patchwork(1, {"(LLLL"}, repair);
     CHECK(alone.wire_vertices == 0);
@@ -283,7 +285,7 @@ TEST_CASE("one patch has no wire frame; several have their corners' vertices in 
   }
 }
 
-TEST_CASE("a block's patches share their vertices around and, where the trajectory closes, along") {
+TEST_CASE("a block's patches share vertices around it and along a closed trajectory") {
   const swept::Curve square{1, true, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
   const swept::SweptSolid block =
       swept::make_swept_solid({square, {1, false, {{0, 0, 0}, {0, 0, 3}, {0, 0, 7}}}}, {0.1});
@@ -299,9 +301,9 @@ TEST_CASE("a block's patches share their vertices around and, where the trajecto
   CHECK(swept_test::open_edge(frame.mesh.faces).empty());
 }
 
-TEST_CASE("a bent element of four corners is cut along its shorter diagonal") {
-  // The sides of a square block that is twisted by an angle a: to the left, the diagonal from the south-east corner is
-  // shorter, by the root of 4 - 4 sin a + h^2; to the right, the other.
+TEST_CASE("a bent element of four corners is split along its shorter diagonal") {
+  // The sides of a square block twisted by an angle a: for positive a, the diagonal from the south-east corner is
+  // shorter, the root of 4 - 4 sin a + h^2; for negative a, the other.
   for (const double degrees : {20.0, -20.0}) {
     CAPTURE(degrees);
     swept::Sweep sweep{{1, true, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}, {1, false, {{0, 0, 0}, {0, 0, 3}}}};
@@ -317,9 +319,9 @@ TEST_CASE("a bent element of four corners is cut along its shorter diagonal") {
         longest = std::max(longest, glm::distance(solid.mesh.points[face[i]], solid.mesh.points[face[(i + 1) % 3]]));
     }
     CHECK(longest == doctest::Approx(std::sqrt(4 - 4 * std::sin(std::numbers::pi / 9) + 9)));
-    // A prismatoid: the middle section is an octagon between squares, four corners a side's middles and four
-    // diagonals'. Simpson's rule is exact for it: h / 6 times 4 + 4 + 4 times its area, half of what its corners go
-    // around.
+    // A prismatoid: its middle section is an octagon between squares, with four corners from the sides' middles and
+    // four from the diagonals'. Simpson's rule is exact for it: h / 6 times (4 + 4 + 4 times its area), the area from
+    // its corners by the shoelace formula.
     std::vector<glm::dvec2> section;
     const double turn = degrees * std::numbers::pi / 180;
     for (int k = 0; k < 4; ++k) {

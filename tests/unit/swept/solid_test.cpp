@@ -13,7 +13,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A closed cubic through a circle about the origin, but for some millionths: its points are as much farther out.
+/// A closed cubic through a circle about the origin up to some millionths: its control points are further out
+/// accordingly.
 Curve circle(double radius, std::size_t points, bool in_xz = false) {
   Curve curve{3, true, {}};
   const double out = radius * 3 / (2 + std::cos(2 * pi / static_cast<double>(points)));
@@ -46,7 +47,7 @@ double volume_of(const Sweep& sweep, double tolerance) {
 
 }  // namespace
 
-TEST_CASE("a square along a line is a block, whichever way its contour runs") {
+TEST_CASE("a square along a line is a block for either contour direction") {
   Sweep sweep{square(2), line({0, 0, 1}, {0, 0, 6})};
   CHECK(volume_of(sweep, 0.1) == doctest::Approx(80));
   std::ranges::reverse(sweep.contour.points);
@@ -54,7 +55,7 @@ TEST_CASE("a square along a line is a block, whichever way its contour runs") {
   CHECK(swept::make_swept_solid(sweep, {0.1}).mesh.faces.size() == 6);
 }
 
-TEST_CASE("a contour along the z axis is as it is drawn: u is x, v is y") {
+TEST_CASE("a contour along the z axis keeps its drawn orientation: u is x and v is y") {
   const Sweep sweep{{1, true, {{1, 0, 0}, {5, 0, 0}, {5, 2, 0}}}, line({0, 0, 0}, {0, 0, 1})};
   const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.1});
   const auto has = [&](const glm::dvec3& point) {
@@ -65,7 +66,7 @@ TEST_CASE("a contour along the z axis is as it is drawn: u is x, v is y") {
   CHECK(has({5, 0, 0}));
 }
 
-TEST_CASE("along the y axis v points back, as on a trajectory that rises towards it; the other way forth") {
+TEST_CASE("along the rising y axis v points backwards and otherwise forwards") {
   for (const double up : {1.0, -1.0}) {
     const Sweep sweep{{1, true, {{0, 0, 0}, {1, 0, 0}, {0, 3, 0}}}, line({0, 0, 0}, {0, up, 0})};
     const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.1});
@@ -76,7 +77,7 @@ TEST_CASE("along the y axis v points back, as on a trajectory that rises towards
   }
 }
 
-TEST_CASE("a scale that ends at 0 makes a cone, with a third of the volume and one vertex at its tip") {
+TEST_CASE("a scale that ends at 0 makes a cone with a third of the volume and one tip") {
   Sweep sweep{square(3), line({0, 0, 0}, {0, 0, 5})};
   sweep.scale = {1, false, {{1, 1, 0}, {0, 0, 0}}};
   CHECK(volume_of(sweep, 0.1) == doctest::Approx(60));
@@ -91,7 +92,7 @@ TEST_CASE("a twisted square keeps its volume") {
   CHECK(volume_of(sweep, 0.002) == doctest::Approx(16).epsilon(0.002));
 }
 
-TEST_CASE("whole turns within one segment are not taken for none, nor scales that come back to where they began") {
+TEST_CASE("whole turns within a segment and scales that return are not mistaken for none") {
   Sweep sweep{square(1), line({0, 0, 0}, {0, 0, 40})};
   sweep.rotation = {1, false, {{0, 0, 0}, {720, 0, 0}}};
   CHECK(swept::make_swept_solid(sweep, {0.1}).mesh.points.size() > 100);
@@ -101,7 +102,7 @@ TEST_CASE("whole turns within one segment are not taken for none, nor scales tha
   CHECK(volume_of(sweep, 0.02) == doctest::Approx(160 * 7.0 / 3).epsilon(0.01));
 }
 
-TEST_CASE("turned and scaled evenly along a line, points are on the contour when they are turned and scaled back") {
+TEST_CASE("points of an evenly rotated and scaled sweep map back to the contour") {
   Sweep sweep{circle(1, 12), line({0, 0, 0}, {0, 0, 9})};
   for (glm::dvec3& point : sweep.contour.points) point.x *= 3;
   sweep.rotation = {1, false, {{0, 0, 0}, {120, 0, 0}}};
@@ -121,7 +122,7 @@ TEST_CASE("turned and scaled evenly along a line, points are on the contour when
   CHECK(volume(solid.mesh) == doctest::Approx(pi * 3 * 9 * (1 + 1.5 + 2.0 / 3)).epsilon(0.005));
 }
 
-TEST_CASE("rotation and scale go by the length of the trajectory, not by its parameter") {
+TEST_CASE("rotation and scale follow the trajectory's length and not its parameter") {
   Sweep sweep{square(1), {1, false, {{0, 0, 0}, {0, 0, 1}, {0, 0, 10}}}};
   sweep.scale = {1, false, {{1, 1, 0}, {2, 2, 0}}};
   const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.01});
@@ -129,13 +130,12 @@ TEST_CASE("rotation and scale go by the length of the trajectory, not by its par
     CHECK(std::max(std::abs(point.x), std::abs(point.y)) == doctest::Approx(1 + point.z / 10));
 }
 
-TEST_CASE(
-    "a frame of a closed trajectory with corners is mitred: the volume is that of the outer less the inner block") {
+TEST_CASE("a closed trajectory is mitred at corners: outer block minus inner block") {
   const Sweep sweep{square(1), {1, true, {{10, 0, 0}, {0, 0, 0}, {0, 0, 8}, {10, 0, 8}}}};
   CHECK(volume_of(sweep, 0.1) == doctest::Approx(2 * (12 * 10 - 8 * 6)));
 }
 
-TEST_CASE("a straight part along the y axis is turned over evenly, as the rule has it, and does not cross itself") {
+TEST_CASE("a straight part along the y axis is rotated evenly without crossing itself") {
   const Sweep sweep{square(1), {1, true, {{14, 14, 0}, {-14, 14, 0}, {-14, -14, 0}, {14, -14, 0}}}};
   const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.02});
   CHECK(fault_of(solid) == "");
@@ -143,7 +143,7 @@ TEST_CASE("a straight part along the y axis is turned over evenly, as the rule h
   CHECK(volume(solid.mesh) == doctest::Approx(4 * 4 * 28).epsilon(0.02));
 }
 
-TEST_CASE("a circle along a circle is a torus: its volume, and how far points are off it, are within the tolerance") {
+TEST_CASE("a circle along a circle is a torus in volume and distance within tolerance") {
   const Sweep sweep{circle(2, 16), circle(7, 24, true)};
   for (const double tolerance : {0.2, 0.05, 0.01}) {
     const swept::SweptSolid solid = swept::make_swept_solid(sweep, {tolerance});
@@ -166,9 +166,9 @@ TEST_CASE("a circle along a circle is a torus: its volume, and how far points ar
   }
 }
 
-TEST_CASE("the thesis's test takes the flat side of a ring for one element a patch; that of its sides does not") {
+TEST_CASE("the thesis's test leaves a ring's flat side undivided unlike the side test") {
   const Sweep ring{square(1), circle(8, 8, true)};
-  // How far vertices are inside the hole, whose radius is 7.
+  // Depth of vertices inside the hole, whose radius is 7.
   const auto inside = [&](swept::Flatness flatness) {
     double most = 0;
     for (const glm::dvec3& point : swept::make_swept_solid(ring, {0.01, flatness}).mesh.points)
@@ -179,13 +179,13 @@ TEST_CASE("the thesis's test takes the flat side of a ring for one element a pat
   CHECK(inside(swept::Flatness::sides) < 0.02);
 }
 
-TEST_CASE("a trajectory that passes the y axis is turned over where it does, and stays a solid") {
+TEST_CASE("a trajectory through the y axis direction is rotated there and stays solid") {
   const Sweep sweep{{3, true, {{1, 0, 0}, {0, 0.4, 0}, {-1, 0, 0}, {0, -0.4, 0}}},
                     {3, false, {{-8, 0, 0}, {-8, 6, 0}, {0, 12, 0}, {8, 6, 1}, {8, 0, 0}}}};
   CHECK(fault_of(swept::make_swept_solid(sweep, {0.05})) == "");
 }
 
-TEST_CASE("a ring that stands up is turned over at both places where it runs along the y axis, and keeps its volume") {
+TEST_CASE("an upright ring is rotated at both places along the y axis and keeps its volume") {
   Sweep sweep{circle(1, 12), circle(9, 16)};
   for (glm::dvec3& point : sweep.contour.points) point.x *= 0.5;
   const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.02});
@@ -194,7 +194,7 @@ TEST_CASE("a ring that stands up is turned over at both places where it runs alo
   CHECK(volume(solid.mesh) == doctest::Approx(2 * pi * 9 * pi * 0.5).epsilon(0.02));
 }
 
-TEST_CASE("any sweep is closed and runs outwards, and its elements are the quadtree's too") {
+TEST_CASE("any sweep is closed and oriented outwards and equals the quadtree's elements") {
   CHECK(rc::check([] {
     Sweep sweep;
     sweep.contour = circle(1 + 0.01 * *rc::gen::inRange(0, 100), *rc::gen::inRange<std::size_t>(4, 9));
@@ -224,7 +224,7 @@ TEST_CASE("any sweep is closed and runs outwards, and its elements are the quadt
   }));
 }
 
-TEST_CASE("sweeps that cannot be say what to do") {
+TEST_CASE("reports invalid sweeps with a fix") {
   const Sweep good{square(1), line({0, 0, 0}, {0, 0, 4})};
   CHECK(swept::fault_of(good) == "");
   Sweep open = good;

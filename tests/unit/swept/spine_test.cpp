@@ -13,7 +13,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// A polyline as a path.
-Path path_of(const std::vector<glm::dvec3>& points, bool is_closed = false) {
+Path make_path(const std::vector<glm::dvec3>& points, bool is_closed = false) {
   return {swept::bernstein_segments({1, is_closed, points}), is_closed, true};
 }
 
@@ -38,13 +38,13 @@ const double half_root = std::sqrt(0.5);
 TEST_CASE("the slope of a segment of each degree is that of its polynomial") {
   CHECK(swept::slope({0, {{{3, 4, 5}}}}, 0.5) == glm::dvec3(0));
   CHECK(swept::slope({1, {{{1, 1, 1}, {3, 0, 5}}}}, 0.25) == glm::dvec3(2, -1, 4));
-  // x = t^2 and y = 2 t: 2 t and 2.
+  // x = t^2 and y = 2 t have slopes 2 t and 2.
   CHECK(swept::slope({2, {{{0, 0, 0}, {0, 1, 0}, {1, 2, 0}}}}, 0.25) == glm::dvec3(0.5, 2, 0));
-  // x = t^3: 3 t^2.
+  // x = t^3 has slope 3 t^2.
   CHECK(swept::slope({3, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}}}}, 0.5) == glm::dvec3(0.75, 0, 0));
 }
 
-TEST_CASE("a segment leaves its start towards the first of its points that is elsewhere, and comes to its end so") {
+TEST_CASE("a segment's end directions skip coincident points") {
   const glm::dvec3 a(1, 1, 1);
   const glm::dvec3 b(1, 4, 5);
   for (const Segment& segment : {Segment{1, {a, b}}, Segment{2, {a, a, b}}, Segment{2, {a, b, b}},
@@ -56,12 +56,12 @@ TEST_CASE("a segment leaves its start towards the first of its points that is el
   const Segment bend{2, {{{0, 0, 0}, {3, 4, 0}, {3, 9, 0}}}};
   CHECK(are_same(smooth({bend}).leaving(0), {0.6, 0.8, 0}));
   CHECK(are_same(smooth({bend}).arriving(0), {0, 1, 0}));
-  // Also by short steps.
+  // The same for short steps.
   const Segment small{2, {{{0, 0, 0}, {0.3, 0.4, 0}, {0.3, 0.9, 0}}}};
   CHECK(are_same(smooth({small}).leaving(0), {0.6, 0.8, 0}));
   CHECK(are_same(smooth({small}).arriving(0), {0, 1, 0}));
   CHECK(are_same(smooth({small}).tangent(0.5), glm::normalize(glm::dvec3(0.3, 0.9, 0))));
-  // Not even a place is left between three points that are one.
+  // Three equal points have no direction.
   for (const auto which : {0, 1}) {
     CHECK(testing::error_of([&] {
             const Path path = smooth({bend, {2, {a, a, a}}});
@@ -70,71 +70,72 @@ TEST_CASE("a segment leaves its start towards the first of its points that is el
   }
 }
 
-TEST_CASE("the tangent of a path: within a segment its slope's, at a joint half-way, at open ends one segment's") {
-  const Path open = path_of({{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {4, 2, 6}});
+TEST_CASE("a path's tangent bisects joints and follows the only segment at open ends") {
+  const Path open = make_path({{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {4, 2, 6}});
   CHECK(are_same(open.tangent(0), {1, 0, 0}));
   CHECK(are_same(open.tangent(0.5), {1, 0, 0}));
   CHECK(are_same(open.tangent(1), {half_root, half_root, 0}));
   CHECK(are_same(open.tangent(1.25), {0, 1, 0}));
   CHECK(are_same(open.tangent(2), {0, half_root, half_root}));
   CHECK(are_same(open.tangent(3), {0, 0, 1}));
-  const Path closed = path_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}, true);
+  const Path closed = make_path({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}, true);
   CHECK(are_same(closed.tangent(0), glm::normalize(glm::dvec3(1 - half_root, -half_root, 0))));
   CHECK(are_same(closed.tangent(3), closed.tangent(0)));
   CHECK(are_same(closed.tangent(2), glm::normalize(glm::dvec3(-half_root, 1 - half_root, 0))));
   CHECK(are_same(closed.tangent(2.5), {-half_root, -half_root, 0}));
   CHECK(are_same(closed.tangent(3.5), {1, 0, 0}));
-  // Half-way, x and y of t^2 and t^3 have slopes; at t = 1/2 of x = (2 t - 1)^3 there is none.
+  // Half-way, x and y of t^2 and t^3 have slopes; x = (2 t - 1)^3 has none at t = 1/2.
   CHECK(are_same(smooth({{2, {{{0, 0, 0}, {0, 1, 0}, {1, 2, 0}}}}}).tangent(0.5), glm::normalize(glm::dvec3(1, 2, 0))));
   CHECK(are_same(smooth({{3, {{{-1, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {1, 0, 0}}}}}).tangent(0.5), {1, 0, 0}));
 }
 
-TEST_CASE("a trajectory turns back where what comes and what goes differ from opposites by less than 0.02") {
-  // Directions opposite but for an angle a add up to 2 sin(a / 2).
+TEST_CASE("a trajectory turns back if its directions are opposite within 0.02") {
+  // Unit directions that are opposite except for an angle a sum to length 2 sin(a / 2).
   for (const bool is_near : {true, false}) {
     const double angle = is_near ? 0.0199 : 0.0201;
-    const Path path = path_of({{0, 0, 0}, {1, 0, 0}, {1 - std::cos(angle), std::sin(angle), 0}});
+    const Path path = make_path({{0, 0, 0}, {1, 0, 0}, {1 - std::cos(angle), std::sin(angle), 0}});
     CHECK(testing::error_of([&] { static_cast<void>(path.tangent(1)); }) ==
           (is_near ? "the trajectory reverses at the end of its segment 1; move that point" : ""));
   }
 }
 
-TEST_CASE("v points along the y axis' projection on the contour's plane") {
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {5, 0, 0}}), 0.5), {0, 1, 0}));
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {3, 4, 0}}), 0), {-0.8, 0.6, 0}));
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {0, -4, 3}}), 1), {0, 0.6, 0.8}));
-  // Up to 5.7 degrees from the axis, whose projection is 0.1 long then.
+TEST_CASE("v follows the y axis projected on the contour's plane") {
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {5, 0, 0}}), 0.5), {0, 1, 0}));
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {3, 4, 0}}), 0), {-0.8, 0.6, 0}));
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, -4, 3}}), 1), {0, 0.6, 0.8}));
+  // The limit is 5.7 degrees from the axis, where its projection has length 0.1.
   for (const double sine : {0.101, 0.099}) {
     const double cosine = std::sqrt(1 - sine * sine);
-    CHECK(are_same(up_at(path_of({{0, 0, 0}, {sine, cosine, 0}}), 0.5),
+    CHECK(are_same(up_at(make_path({{0, 0, 0}, {sine, cosine, 0}}), 0.5),
                    sine > 0.1 ? glm::dvec3(-cosine, sine, 0) : glm::normalize(glm::dvec3(0, 0, -1))));
   }
 }
 
-TEST_CASE("all along the y axis v points against z upwards, along z downwards, across the trajectory") {
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {0, 5, 0}}), 0.5), {0, 0, -1}));
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {0, -5, 0}}), 1), {0, 0, 1}));
-  // Leaning towards z by a little: less of z that is along it.
+TEST_CASE("along the y axis v points to -z upwards and to z downwards") {
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, 5, 0}}), 0.5), {0, 0, -1}));
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, -5, 0}}), 1), {0, 0, 1}));
+  // Leaning slightly towards z removes the part of z along the tangent.
   const glm::dvec3 leaning = glm::normalize(glm::dvec3(0, 1, 0.05));
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, leaning}), 0), glm::normalize(glm::dvec3(0, 0, -1) + leaning.z * leaning)));
+  CHECK(
+      are_same(up_at(make_path({{0, 0, 0}, leaning}), 0), glm::normalize(glm::dvec3(0, 0, -1) + leaning.z * leaning)));
   const Path wave = smooth({{3, {{{0, 0, 0}, {0.05, 1, 0}, {-0.05, 2, 0}, {0, 3, 0}}}}});
   CHECK(are_same(up_at(wave, 0), {0, 0, -1}));
   CHECK(are_same(up_at(wave, 1), {0, 0, -1}));
 }
 
-TEST_CASE("at an end along the y axis v is carried there from where it is known") {
-  // In the plane of x and y: left of the tangent where it goes up to the right, or down to the left.
+TEST_CASE("at an end along the y axis v is carried over from the nearest known place") {
+  // The plane of x and y: left of the tangent where it rises to the right or falls to the left.
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {0, 5, 0}, {5, 10, 0}}}}}), 0), {-1, 0, 0}));
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {0, 5, 0}, {-5, 10, 0}}}}}), 0), {1, 0, 0}));
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {5, 5, 0}, {5, 10, 0}}}}}), 1), {-1, 0, 0}));
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {-5, 5, 0}, {-5, 10, 0}}}}}), 1), {1, 0, 0}));
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {5, -5, 0}, {5, -10, 0}}}}}), 1), {1, 0, 0}));
-  // Of a polyline, from the next corner or the one before.
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {0, 5, 0}, {5, 5, 0}}), 0), {-1, 0, 0}));
-  CHECK(are_same(up_at(path_of({{0, 0, 0}, {5, 0, 0}, {5, 5, 0}}), 2), {-1, 0, 0}));
+  // A polyline takes its orientation from the next or the previous corner.
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, 5, 0}, {5, 5, 0}}), 0), {-1, 0, 0}));
+  CHECK(are_same(up_at(make_path({{0, 0, 0}, {5, 0, 0}, {5, 5, 0}}), 2), {-1, 0, 0}));
 }
 
-TEST_CASE("where a smooth trajectory passes the y axis v is turned over evenly, from 5.7 degrees to 5.7 degrees") {
+TEST_CASE("where a smooth trajectory passes the y axis v rotates evenly within 5.7 degrees") {
   // x' / y' = 1 - 2 t, from 45 degrees to the right to 45 to the left.
   const Path arch = smooth({{2, {{{0, 0, 0}, {5, 5, 0}, {0, 10, 0}}}}});
   const double tangens = 0.1 / std::sqrt(0.99);
@@ -145,7 +146,7 @@ TEST_CASE("where a smooth trajectory passes the y axis v is turned over evenly, 
     const double place = from + part * tangens;
     const glm::dvec3 tangent = arch.tangent(place);
     const glm::dvec3 v = orientation.upward(place, tangent);
-    // Left of the tangent at first, right of it at last.
+    // Left of the tangent at first, right of it at the end.
     const glm::dvec3 left(-tangent.y, tangent.x, 0);
     CHECK(glm::dot(v, left) == doctest::Approx(std::cos(part * pi)).epsilon(1e-6));
     CHECK(std::abs(v.z) == doctest::Approx(std::sin(part * pi)).epsilon(1e-6));
@@ -157,20 +158,20 @@ TEST_CASE("where a smooth trajectory passes the y axis v is turned over evenly, 
   CHECK(are_same(up_at(arch, behind), glm::dvec3(arch.tangent(behind).y, -arch.tangent(behind).x, 0)));
 }
 
-TEST_CASE("between corners along the y axis v is turned over evenly from the corner before to the one behind") {
+TEST_CASE("between corners along the y axis v rotates evenly from one to the next") {
   const glm::dvec3 y(0, 1, 0);
-  // To the right both times: carried, without a turn. From the right to the left: half of 180 degrees.
-  const Path step = path_of({{-5, 0, 0}, {0, 0, 0}, {0, 5, 0}, {0, 10, 0}, {5, 10, 0}});
+  // Both ends to the right: v is carried along without rotation. One right, one left: half of 180 degrees.
+  const Path step = make_path({{-5, 0, 0}, {0, 0, 0}, {0, 5, 0}, {0, 10, 0}, {5, 10, 0}});
   CHECK(are_same(Orientation(step).upward(2, y), {-1, 0, 0}));
   CHECK(are_same(Orientation(step).upward(1.5, y), {-1, 0, 0}));
-  const Path bow = path_of({{-5, 0, 0}, {0, 0, 0}, {0, 5, 0}, {0, 10, 0}, {-5, 10, 0}});
+  const Path bow = make_path({{-5, 0, 0}, {0, 0, 0}, {0, 5, 0}, {0, 10, 0}, {-5, 10, 0}});
   const Orientation turned(bow);
   CHECK(std::abs(turned.upward(2, y).z) == doctest::Approx(1));
   CHECK(turned.upward(1.5, y).x == doctest::Approx(-half_root));
   CHECK(std::abs(turned.upward(1.5, y).z) == doctest::Approx(half_root));
   CHECK(turned.upward(2.5, y).x == doctest::Approx(half_root));
-  // Closed, over its start.
-  const Path closed = path_of({{0, 0, 0}, {0, 5, 0}, {-5, 5, 0}, {-5, -5, 0}, {0, -5, 0}}, true);
+  // A closed trajectory, across its start.
+  const Path closed = make_path({{0, 0, 0}, {0, 5, 0}, {-5, 5, 0}, {-5, -5, 0}, {0, -5, 0}}, true);
   const Orientation over(closed);
   CHECK(std::abs(over.upward(0, y).z) == doctest::Approx(1));
   CHECK(std::abs(over.upward(5, y).z) == doctest::Approx(1));
@@ -179,21 +180,21 @@ TEST_CASE("between corners along the y axis v is turned over evenly from the cor
   CHECK(over.upward(4.5, y).x == doctest::Approx(-over.upward(0.5, y).x));
 }
 
-TEST_CASE("the part of the length: of lines and of a parabola") {
+TEST_CASE("computes the fraction of length for lines and for a parabola") {
   const Spine lines(along({1, false, {{0, 0, 0}, {0, 0, 1}, {0, 0, 10}}}));
   CHECK(lines.length_fraction(0, 0) == 0);
   CHECK(lines.length_fraction(0, 0.5) == doctest::Approx(0.05));
   CHECK(lines.length_fraction(1, 0) == doctest::Approx(0.1));
   CHECK(lines.length_fraction(1, 0.5) == doctest::Approx(0.55));
   CHECK(lines.length_fraction(1, 1) == doctest::Approx(1));
-  // y = x^2 up to x is x / 2 times the root of 1 + 4 x^2, and a quarter of arsinh 2 x.
+  // y = x^2 up to x has length x / 2 times the root of 1 + 4 x^2, plus a quarter of arsinh 2 x.
   const Spine parabola(along({2, false, {{0, 0, 0}, {0.5, 0, 0}, {1, 1, 0}}}));
   const auto length = [](double x) { return x / 2 * std::sqrt(1 + 4 * x * x) + std::asinh(2 * x) / 4; };
   for (const double x : {0.125, 0.5, 0.75, 1.0})
     CHECK(parabola.length_fraction(0, x) == doctest::Approx(length(x) / length(1)).epsilon(1e-11));
 }
 
-TEST_CASE("a part is short that is no longer than a piece of either function, and turns by 90 degrees at most") {
+TEST_CASE("a part is short if within one piece of each function and 90 degrees of turn") {
   const auto is_short = [](const Curve& rotation, const Curve& scale, double from, double to) {
     swept::Sweep sweep = along({1, false, {{0, 0, 0}, {0, 0, 8}}});
     sweep.rotation = rotation;
@@ -217,7 +218,7 @@ TEST_CASE("a part is short that is no longer than a piece of either function, an
   CHECK(is_short(none, four_scales, 0.5, 0.75));
   CHECK(!is_short(none, four_scales, 0.5, 0.8125));
   CHECK(!is_short(two_turns, four_scales, 0, 0.5));
-  // To half of the height and back, of which the eighths have the top; within a part, by its own length.
+  // A rise to half of the height and back; its eighths contain the peak; within a part, by its own length.
   const auto parabola = [](double height) { return Curve{2, false, {{0, 0, 0}, {height, 0, 0}, {0, 0, 0}}}; };
   CHECK(is_short(parabola(89.9), one, 0, 1));
   CHECK(!is_short(parabola(90.1), one, 0, 1));
@@ -226,7 +227,7 @@ TEST_CASE("a part is short that is no longer than a piece of either function, an
   CHECK(!is_short(line, one, 0.25, 0.7501));
 }
 
-TEST_CASE("a contour is turned from u to v and scaled along each, by the part of the length") {
+TEST_CASE("a contour is rotated from u to v and scaled along each by the length fraction") {
   swept::Sweep sweep = along({1, false, {{0, 0, 0}, {0, 0, 8}}});
   sweep.rotation = {1, false, {{0, 0, 0}, {90, 0, 0}}};
   sweep.scale = {1, false, {{1, 2, 0}, {3, 4, 0}}};
@@ -246,8 +247,8 @@ TEST_CASE("a contour is turned from u to v and scaled along each, by the part of
   CHECK(!swept::Section{{0, 0, 0}, {0, 0, 0}, {0, 1, 0}}.is_point());
 }
 
-TEST_CASE("a corner is mitred, an open end is not, and between them a section leans evenly") {
-  // From along x to along -z: v is up, u is across. At the corner the plane halves the angle: u is 1 / cos 45 long.
+TEST_CASE("corners but not open ends are mitred and sections between lean evenly") {
+  // A corner from x to -z: v is up, u is across. At the corner the plane bisects the angle: u has length 1 / cos 45.
   const Spine spine(along({1, false, {{0, 0, 0}, {4, 0, 0}, {4, 0, -4}}}));
   const double length = std::sqrt(2.0);
   CHECK(are_same(spine.joint(0).u, {0, 0, -1}));
@@ -257,37 +258,37 @@ TEST_CASE("a corner is mitred, an open end is not, and between them a section le
     CHECK(are_same(spine.joint(joint).v, {0, 1, 0}));
   CHECK(are_same(spine.section(0, 0.5, {2, 0, 0}).u, {-0.5, 0, -1}));
   CHECK(are_same(spine.section(1, 0.25, {4, 0, -1}).u, {-1, 0, -0.75}));
-  // By 60 degrees, 1 / cos 30.
+  // A corner of 60 degrees gives 1 / cos 30.
   const Spine sharp(along({1, false, {{0, 0, 0}, {4, 0, 0}, {6, 0, -2 * std::sqrt(3.0)}}}));
   CHECK(glm::length(sharp.joint(1).u) == doctest::Approx(2 / std::sqrt(3.0)));
-  // Straight on.
+  // A straight joint.
   const Spine straight(along({1, false, {{0, 0, 0}, {4, 0, 0}, {6, 0, 0}}}));
   CHECK(are_same(straight.joint(1).u, {0, 0, -1}));
 }
 
-TEST_CASE("a smooth trajectory has no corner of more than a thousandth, where points of it are the same") {
-  // Two points of a curve of degree 2 that are one are a corner: it comes along x and leaves at an angle.
+TEST_CASE("a smooth trajectory has no corner above a thousandth at repeated points") {
+  // Two equal points of a curve of degree 2 form a corner: it arrives along x and leaves at an angle.
   const auto bent = [](double angle, bool is_closed) {
     const glm::dvec3 next(std::cos(angle), std::sin(angle), 0);
     Curve curve{2, is_closed, {{-1, 0, 0}, {0, 0, 0}, {0, 0, 0}, next}};
     if (is_closed) curve.points = {{0, 0, 0}, next, {0, 3, 0}, {-3, 0, 0}, {-1, 0, 0}, {0, 0, 0}};
     return making_spine(along(curve));
   };
-  const auto told = [](int segment) {
+  const auto error_at = [](int segment) {
     return "the trajectory has a corner where its segment " + std::to_string(segment) +
            " starts; move coincident points apart, or use degree 1";
   };
   CHECK(bent(0.0009, false) == "");
-  CHECK(bent(0.0011, false) == told(2));
-  CHECK(bent(1, false) == told(2));
+  CHECK(bent(0.0011, false) == error_at(2));
+  CHECK(bent(1, false) == error_at(2));
   CHECK(bent(0, true) == "");
-  CHECK(bent(1, true) == told(6));
-  // Where the last point of a closed one is the next to last.
+  CHECK(bent(1, true) == error_at(6));
+  // The last point of a closed curve equals the one before it.
   Curve first{2, true, {{0, 0, 0}, {0, 0, 0}, {1, 1, 0}, {0, 3, 0}, {-3, 0, 0}}};
-  CHECK(making_spine(along(first)) == told(1));
+  CHECK(making_spine(along(first)) == error_at(1));
 }
 
-TEST_CASE("a closed trajectory may turn its contour once around, also where that is of no height") {
+TEST_CASE("a closed trajectory may rotate its contour by a full turn even at height 0") {
   Curve ring{2, true, {}};
   for (int i = 0; i < 8; ++i) ring.points.emplace_back(9 * std::cos(i * pi / 4), 0, 9 * std::sin(i * pi / 4));
   swept::Sweep sweep = along(ring);

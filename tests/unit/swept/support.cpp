@@ -11,7 +11,7 @@ namespace csgsim::swept_test {
 
 namespace {
 
-/// Knots of a curve: of a closed one whole numbers, of an open one these between, and its ends degree + 1 times.
+/// Knots of a curve: integers if closed; if open, the ends are repeated degree + 1 times.
 double knot_of(const swept::Curve& curve, int i) {
   const int degree = static_cast<int>(curve.degree);
   const int spans = static_cast<int>(curve.points.size()) - (curve.closed ? 0 : degree);

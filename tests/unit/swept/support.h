@@ -13,24 +13,23 @@
 
 namespace csgsim::swept_test {
 
-/// A B-spline by the sum of its basis functions, as Cox and de Boor define them, at a parameter from 0 to the number of
-/// its spans.
+/// A B-spline as the sum of its basis functions (Cox and de Boor) at a parameter from 0 to its number of spans.
 glm::dvec3 by_basis(const swept::Curve& curve, double parameter);
 
-/// A point of a net's patch by the same.
+/// A point of a net's patch, by the same method.
 glm::dvec3 by_basis(const swept::Net& net, double u, double v);
 
-/// Points around the origin, each a height of their own.
+/// A net around the origin with random heights.
 swept::Net random_net(std::uint32_t rows, std::uint32_t columns, double height);
 
 /// The leaves of a patch in their order.
 std::vector<swept::Element> leaves_of(swept::Surface& surface, std::size_t column, std::size_t row,
                                       const swept::Accuracy& accuracy);
 
-/// Takes what a repair puts out.
+/// Records the output of a repair.
 class Record : public swept::Output {
  public:
-  struct Taken {
+  struct RecordedElement {
     swept::Square square;
     std::vector<std::uint32_t> corners;
   };
@@ -42,14 +41,15 @@ class Record : public swept::Output {
   }
 
   std::map<std::uint32_t, glm::dvec3> points;
-  std::vector<Taken> elements;
-  std::string fault;  ///< a vertex that came twice
+  std::vector<RecordedElement> elements;
+  std::string fault;  ///< description of a repeated vertex
 
  private:
   std::uint32_t next_ = 0;
 };
 
-/// What keeps faces from being closed and oriented: an edge that does not run once each way; empty if there is none.
+/// Returns an edge that does not occur once in each direction, so that faces are not closed and oriented; empty if
+/// none.
 std::string open_edge(const std::vector<std::vector<std::uint32_t>>& faces);
 
 double volume(const solids::Mesh& mesh);

@@ -30,18 +30,18 @@ system::ChildEnd run_shell(const std::string& commands, const system::ChildLimit
 
 }  // namespace
 
-TEST_CASE("a program reads its input, and all that it writes is there at its end") {
-  const std::string much(std::size_t{3} << 18U, 'x');
-  const system::ChildEnd ended = run_shell("tee /dev/stderr; exit 3", usual, much);
-  CHECK(ended.output == much);
-  CHECK(ended.errors == much);
+TEST_CASE("a program reads its input and all of its output is available at its end") {
+  const std::string large_text(std::size_t{3} << 18U, 'x');
+  const system::ChildEnd ended = run_shell("tee /dev/stderr; exit 3", usual, large_text);
+  CHECK(ended.output == large_text);
+  CHECK(ended.errors == large_text);
   CHECK(ended.exceeded == system::Exceeded::nothing);
   CHECK(WEXITSTATUS(ended.status) == 3);
   CHECK_FALSE(system::is_done(ended));
   CHECK(system::is_done(run_shell("true")));
 }
 
-TEST_CASE("a program may write as much as its limits, and not a byte more") {
+TEST_CASE("a program may write exactly up to its limits") {
   const std::string exact = "head -c 1048576 /dev/zero";
   CHECK(system::is_done(run_shell(exact)));
   CHECK(system::is_done(run_shell(exact + " >&2")));
@@ -54,7 +54,7 @@ TEST_CASE("a program may write as much as its limits, and not a byte more") {
   }
 }
 
-TEST_CASE("a program that is not done in its time is ended, with what it has begun") {
+TEST_CASE("terminates a program at its time limit including its children") {
   system::ChildLimits limits = usual;
   limits.time = std::chrono::seconds(1);
   const system::ChildEnd ended = run_shell("sleep 300 & echo $!; wait", limits);
@@ -63,13 +63,13 @@ TEST_CASE("a program that is not done in its time is ended, with what it has beg
   CHECK(::kill(std::stoi(ended.output), 0) != 0);
 }
 
-TEST_CASE("what a program leaves behind is ended with it, and not waited for") {
+TEST_CASE("terminates children that a program leaves behind without waiting for them") {
   const system::ChildEnd ended = run_shell("sleep 300 & echo $!");
   CHECK(system::is_done(ended));
   CHECK(::kill(std::stoi(ended.output), 0) != 0);
 }
 
-TEST_CASE("the most memory of a program's processes is told") {
+TEST_CASE("reports the peak memory of a program's processes") {
   constexpr std::size_t held = 64 * mib;
   const system::ChildEnd ended = run_shell("head -c 64M /dev/zero | tail -c 64M > /dev/null");
   CHECK(system::is_done(ended));
@@ -78,19 +78,19 @@ TEST_CASE("the most memory of a program's processes is told") {
   CHECK(run_shell("true").memory < held);
 }
 
-TEST_CASE("a program that a signal ends is told as such") {
+TEST_CASE("reports a program terminated by a signal") {
   const system::ChildEnd ended = run_shell("kill -SEGV $$");
   CHECK(system::why_failed(ended, usual) == "it was killed by a signal: Segmentation fault");
 }
 
-TEST_CASE("a program that is not there is told from one that fails") {
+TEST_CASE("distinguishes a nonexistent program from a failing one") {
   const system::MemoryFile none("none");
   CHECK_FALSE(system::run_child(std::vector<std::string>{"there/is/none"}, none, usual).has_value());
   CHECK_FALSE(system::run_child(std::vector<std::string>{"csgsim-is-none"}, none, usual).has_value());
   CHECK(system::why_failed(run_shell("echo why >&2; exit 1"), usual) == "why");
 }
 
-TEST_CASE("ends a program, with what it has begun, when this thread's work is to stop") {
+TEST_CASE("terminates a program and its children on a stop request to this thread") {
   std::stop_source stop;
   const Interruptible interruptible(stop.get_token());
   const std::string number = "/tmp/csgsim-child-" + std::to_string(::getpid());
@@ -109,7 +109,7 @@ TEST_CASE("ends a program, with what it has begun, when this thread's work is to
   std::filesystem::remove(number);
 }
 
-TEST_CASE("ends a program at once when this thread's work was to stop before") {
+TEST_CASE("terminates a program at once if a stop was requested before") {
   std::stop_source stop;
   const Interruptible interruptible(stop.get_token());
   stop.request_stop();

@@ -18,19 +18,19 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 }  // namespace
 
-TEST_CASE("a folder is kept for one process at a time, which the others are told") {
+TEST_CASE("a folder is locked by one process at a time and others report the holder") {
   const Scratch scratch;
   {
     const system::FolderLock lock(scratch.path(), "sweep");
-    const std::string told = error_of([&] { system::FolderLock(scratch.path(), "compare"); });
-    CHECK(contains(told, scratch.path().string()));
-    CHECK(contains(told, "process " + std::to_string(::getpid()) + ", sweep"));
+    const std::string message = error_of([&] { system::FolderLock(scratch.path(), "compare"); });
+    CHECK(contains(message, scratch.path().string()));
+    CHECK(contains(message, "process " + std::to_string(::getpid()) + ", sweep"));
   }
   CHECK(scratch.files() == 0);
   CHECK(error_of([&] { system::FolderLock(scratch.path(), "compare"); }).empty());
 }
 
-TEST_CASE("the lock of a process that was killed keeps nobody out") {
+TEST_CASE("the lock of a killed process blocks no other process") {
   const Scratch scratch;
   std::array<int, 2> ready{};
   REQUIRE(::pipe(ready.data()) == 0);

@@ -31,7 +31,7 @@ model::Tree sphere(double radius, const glm::dmat4& place) {
   return tree;
 }
 
-/// A sphere somewhere, and where doubles see it: column and row, radius in pixels, middle and radius in depth steps.
+/// A random sphere and its picture in doubles: column and row, radius in pixels, middle and radius in depth steps.
 struct Subject {
   facet::Geometry scene;
   view::View view;
@@ -75,7 +75,7 @@ struct Depths {
   std::int64_t far;
 };
 
-/// By the rule of host/view/screen_quadric.h.
+/// Depths by the rule of host/view/screen_quadric.h.
 Depths depths_at(const view::View& view, const view::ScreenQuadric& quadric, std::int64_t value) {
   const std::int64_t middle = quadric.middle.c >> view.sampling.fraction_bits;
   const unsigned shift = quadric.discriminant_shift + quadric.factor.fraction();
@@ -85,7 +85,7 @@ Depths depths_at(const view::View& view, const view::ScreenQuadric& quadric, std
 
 }  // namespace
 
-TEST_CASE("a fast sphere is a circle within a 256th of a pixel, and 0.3 of the radius within the sphere") {
+TEST_CASE("a fast sphere is a circle within 1/256 pixel and 0.3 radius of the true sphere") {
   int fit = 0;
   int disc = 0;
   double worst = 0;
@@ -110,12 +110,12 @@ TEST_CASE("a fast sphere is a circle within a 256th of a pixel, and 0.3 of the r
         const double true_half = subject.half_depth * std::sqrt(1.0 - away * away / subject.radius / subject.radius);
         const auto [near, far] = depths_at(subject.view, quadric, value);
         RC_ASSERT(near < far);
-        // The floor of the middle, a depth's, and the one that keeps it within.
+        // Rounding of the middle, rounding of a depth, and the step that keeps it inside.
         RC_ASSERT(static_cast<double>(near) >= subject.middle - subject.half_depth - 1e-6 * subject.half_depth - 1.0);
         RC_ASSERT(static_cast<double>(far) <= subject.middle + subject.half_depth + 1e-6 * subject.half_depth + 1.0);
         const double behind = static_cast<double>(near) - (subject.middle - true_half);
         const double before = subject.middle + true_half - static_cast<double>(far);
-        // Where the sphere is a few steps deep alone, that is all that is left of it.
+        // A sphere only a few steps deep may lose all of its depth.
         RC_ASSERT(std::max(behind, before) <= 0.3 * subject.half_depth + 4.0);
         RC_ASSERT(std::min(behind, before) >= -4.0);
         if (subject.half_depth > 1e4) worst = std::max(worst, behind / subject.half_depth);
@@ -127,8 +127,7 @@ TEST_CASE("a fast sphere is a circle within a 256th of a pixel, and 0.3 of the r
   CHECK((!testing::draws_usual_cases() || worst > 0.2));
 }
 
-TEST_CASE(
-    "of fast spheres ranges are just their depths, blocks are rightly in or out, and extents hold all that is in") {
+TEST_CASE("ranges and blocks and extents of fast spheres contain their depths") {
   int in_blocks = 0;
   int out_blocks = 0;
   for (int round = 0; round < 5; ++round) {
@@ -181,8 +180,7 @@ TEST_CASE(
   CHECK((!testing::draws_usual_cases() || out_blocks > 50));
 }
 
-TEST_CASE(
-    "rotations, reflections and uniform scales keep balls, as far as OpenSCAD writes them, and other matrices do not") {
+TEST_CASE("rotations and reflections and uniform scales to 6 digits keep balls") {
   CHECK(rc::check([] {
     glm::dmat4 place = glm::translate(glm::dmat4(1.0), vector(20));
     place = glm::rotate(place, real(0, 6.28), glm::normalize(vector(1) + glm::dvec3(1e-3)));
@@ -202,7 +200,7 @@ TEST_CASE(
   }));
 }
 
-TEST_CASE("of curved solids only round balls become fast spheres, and in perspective none") {
+TEST_CASE("only round balls in orthographic views become fast spheres") {
   const glm::dmat4 longer = glm::scale(glm::dmat4(1.0), {1, 1, 2});
   CHECK(facet::make_geometry(sphere(1, glm::dmat4(1.0)), fast()).quadrics.quadrics().size() == 1);
   CHECK(facet::make_geometry(sphere(1, longer), fast()).quadrics.quadrics().empty());

@@ -8,7 +8,7 @@
 
 namespace csgsim::test {
 
-/// Whether a solid holds a place, by the integers of its planes and quadrics.
+/// Whether a solid contains a place, by the integers of its planes and quadrics.
 inline bool is_held(const view::View& view, const facet::Convex& solid, std::int32_t x, std::int32_t y,
                     std::int64_t z) {
   for (const facet::Halfspace halfspace : solid.halfspaces) {

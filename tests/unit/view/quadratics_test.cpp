@@ -5,7 +5,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("bounds of a quadratic over a rectangle hold its values, and are met at the sides") {
+TEST_CASE("a quadratic's bounds over a rectangle contain its values and are tight at sides") {
   CHECK(rc::check([] {
     const auto coefficient = [](std::int64_t most) { return *rc::gen::inRange<std::int64_t>(-most, most + 1); };
     const std::int64_t size = *rc::gen::element<std::int64_t>(3, 1000, std::int64_t{1} << 40U);
@@ -45,7 +45,7 @@ TEST_CASE("bounds of a quadratic over a rectangle hold its values, and are met a
   }));
 }
 
-TEST_CASE("bounds of a narrow ridge or valley at a slant hold a pixel that it passes between its sides") {
+TEST_CASE("bounds of a narrow slanted ridge or valley include its inner pixels") {
   CHECK(rc::check([] {
     const std::int64_t a = *rc::gen::inRange(1, 50);
     const std::int64_t b = *rc::gen::inRange(-50, 50);
@@ -61,7 +61,7 @@ TEST_CASE("bounds of a narrow ridge or valley at a slant hold a pixel that it pa
   }));
 }
 
-TEST_CASE("roots are rounded down, exactly") {
+TEST_CASE("roots are rounded down exactly") {
   CHECK(view::floor_root(0) == 0);
   CHECK(rc::check([] {
     const std::int64_t root = *rc::gen::inRange<std::int64_t>(1, std::int64_t{1} << 30U);

@@ -11,7 +11,7 @@ using namespace csgsim::test;
 
 namespace {
 
-/// The scene that a subject is, with what is seen of it.
+/// A subject's scene and view.
 struct Seen {
   facet::Geometry scene;
   view::View view;
@@ -21,7 +21,7 @@ struct Seen {
         view(view::make_view(scene, subject.tree, subject.camera, subject.sampling)) {}
 };
 
-/// Whether middle and discriminant at a pixel are those of the scene's quadric, but for their bounds.
+/// Whether middle and discriminant at a pixel are those of the scene's quadric within their bounds.
 bool are_within_bounds(const Seen& seen, std::int32_t x, std::int32_t y) {
   const view::ScreenQuadric& quadric = seen.view.quadrics[0];
   const view::Sampling& sampling = seen.view.sampling;
@@ -32,8 +32,8 @@ bool are_within_bounds(const Seen& seen, std::int32_t x, std::int32_t y) {
                             -static_cast<int>(sampling.fraction_bits));
   const Real d = ldexp(Real(view::value_at(quadric.discriminant, x, y)), -static_cast<int>(quadric.discriminant_shift));
   const Real true_d = ldexp(truth.discriminant, -2 * static_cast<int>(quadric.unit));
-  // Numbers of 113 bits lose 2^-113 of each term. Terms of the eye's place in the quadric, some 1e8 where it is far
-  // away, leave a difference of 1e-6 or more: D, which is divided by its square, is below 2^60.
+  // Numbers of 113 bits lose 2^-113 of each term. Terms of the eye's place in the quadric, some 1e8 if it is far away,
+  // leave a difference of 1e-6 or more: D, which is divided by its square, is below 2^60.
   const Real size = sqrt(abs(true_d)) + abs(truth.middle) + isa::depth_steps(sampling.z_bits);
   const Real noise = size * 1e-18;
   return abs(middle - truth.middle) <= quadric.middle_error + noise &&
@@ -42,7 +42,7 @@ bool are_within_bounds(const Seen& seen, std::int32_t x, std::int32_t y) {
 
 }  // namespace
 
-TEST_CASE("middle and discriminant are within their bounds of the truth") {
+TEST_CASE("middle and discriminant are within their bounds of the true values") {
   int fit = 0;
   int inside = 0;
   const auto bounded = [&] {
@@ -64,10 +64,9 @@ TEST_CASE("middle and discriminant are within their bounds of the truth") {
   CHECK((!testing::draws_usual_cases() || inside > 0));
 }
 
-// The quadric's value at the eye, which everything is divided by, is 1e-9 of what it is the difference of, so that D
-// would be another one by 20,000 if the model's last binary digits were others: its bound is relative to the scene's
-// quadric.
-TEST_CASE("middle and discriminant are within their bounds where the eye is near the surface") {
+// The quadric's value at the eye, the common divisor, is 1e-9 of the terms whose difference it is, so that D would
+// change by 20,000 with the model's last binary digits: its bound is relative to the scene's quadric.
+TEST_CASE("middle and discriminant are within their bounds if the eye is near the surface") {
   glm::dmat4 place(1.0);
   place[0] = {-0.30222739025581363, 0.40350680047607401, -2.9425074762668277, 0};
   place[1] = {-2.25547666596781, -1.9555056512303737, -0.036497104244834308, 0};

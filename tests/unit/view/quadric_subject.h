@@ -68,7 +68,7 @@ struct Subject {
   view::Sampling sampling;
 };
 
-/// Shapes of many sizes and places, seen from outside and from inside, from far and near, with few and many bits.
+/// Shapes of many sizes and places, seen from outside and inside, from far and near, with few and many bits.
 inline Subject random_subject() {
   const double size = std::pow(10.0, real(-3, 3));
   const glm::dvec3 squeeze(std::pow(10.0, real(-1, 1)), std::pow(10.0, real(-1, 1)), 1.0);
@@ -135,7 +135,7 @@ struct Ray {
   Vec direction;
 };
 
-/// The ray of a pixel in model space, counted from an origin.
+/// The ray of a pixel in model space relative to an origin.
 inline Ray ray_of(const view::EyeSpace& space, double x, double y, const Vec& origin) {
   const Real right = (Real(x) - space.middle_x) * space.pixel;
   const Real up = (Real(space.middle_y) - y) * space.pixel;
@@ -149,7 +149,7 @@ inline Ray ray_of(const view::EyeSpace& space, double x, double y, const Vec& or
   return ray;
 }
 
-/// The scene's quadric itself, whose doubles are taken as exact.
+/// The scene's quadric itself, with its doubles taken as exact.
 inline Met meet(const facet::Quadric& quadric, const glm::dvec3& centre, const view::EyeSpace& space, double x,
                 double y) {
   const Ray ray =
@@ -198,7 +198,7 @@ inline Met meet(const Subject& subject, double x, double y) {
   return met;
 }
 
-/// Middle and discriminant in depth steps; nothing where the coefficient of the depth's square is 0.
+/// Middle and discriminant in depth steps; nothing if the coefficient of the depth's square is 0.
 struct Truth {
   Real middle;
   Real discriminant;
@@ -225,7 +225,7 @@ inline Real distance_at(const view::View& view, double depth) {
   return near + part * (far - near);
 }
 
-/// Whether a place on a ray is in the shape, its planes included.
+/// Whether a place on a ray is in the shape, including its planes.
 inline bool is_in(const Subject& subject, const Met& met, const Real& distance) {
   const model::Primitive& primitive = subject.tree.primitives[0];
   const auto at = [&](std::size_t axis) -> Real { return met.start[axis] + distance * met.direction[axis]; };

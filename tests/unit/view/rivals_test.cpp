@@ -12,7 +12,7 @@ namespace {
 
 std::int64_t between(std::int64_t low, std::int64_t high) { return *rc::gen::inRange<std::int64_t>(low, high + 1); }
 
-/// Functions that are hard to tell apart, or cross in many ways.
+/// Functions that are nearly equal or cross in many ways.
 std::vector<FixedLinear> functions(std::size_t count, const view::PixelRect& rect) {
   const int kind = *rc::gen::inRange(0, 7);
   const std::int64_t slope = *rc::gen::element<std::int64_t>(1, 9, 300, std::int64_t{1} << 30U);
@@ -25,9 +25,9 @@ std::vector<FixedLinear> functions(std::size_t count, const view::PixelRect& rec
     const std::int64_t times = between(-slope, slope);
     switch (kind) {
       case 0: made.push_back({between(-slope, slope), between(-slope, slope), between(-20 * slope, 20 * slope)}); break;
-      // Touch a bowl.
+      // Tangents of a bowl.
       case 1: made.push_back({2 * slope * x, 2 * slope * y, -slope * (x * x + y * y)}); break;
-      // Through one edge.
+      // All through one edge.
       case 2: made.push_back({base.a + times * edge.a, base.b + times * edge.b, base.c + times * edge.c}); break;
       case 3: made.push_back(base); break;
       case 4: made.push_back({0, 0, between(-slope, slope)}); break;
@@ -45,7 +45,7 @@ struct Drawn {
   unsigned shift = 0;
 };
 
-/// Moves backs and edges so that at a pixel the solid is there, or just so.
+/// Moves backs and edges so that the solid exists at a pixel, possibly just so.
 void open_at(Drawn& drawn, std::int64_t x, std::int64_t y) {
   Boundary& boundary = drawn.boundary;
   const auto value = [&](const FixedLinear& one) { return one.a * x + one.b * y + one.c; };
@@ -80,7 +80,7 @@ Numbers all_of(const std::vector<FixedLinear>& functions) {
   return numbers;
 }
 
-/// What a boundary is at one pixel, in plain integers.
+/// Values of a boundary at one pixel in plain integers.
 struct AtPixel {
   std::int32_t x;
   std::int32_t y;
@@ -175,7 +175,7 @@ void require_right(const Drawn& drawn, Tally& tally) {
     for (std::int32_t x = drawn.rect.x0; x <= drawn.rect.x1; ++x) require_ends(AtPixel(drawn, x, y), found, all, tally);
 }
 
-/// Planes that touch a bowl, side * side of them.
+/// Planes tangent to a bowl, side * side of them.
 Boundary bowl(std::int64_t side, std::int32_t width) {
   Boundary boundary;
   for (std::int64_t i = 0; i < side; ++i) {
@@ -191,7 +191,7 @@ Boundary bowl(std::int64_t side, std::int32_t width) {
 
 }  // namespace
 
-TEST_CASE("a front or back is where the solid begins or ends at a pixel if it is among its rivals, in hard cases") {
+TEST_CASE("rivals include each front or back where the solid begins or ends in hard cases") {
   Tally tally;
   CHECK(rc::check([&] {
     for (int i = 0; i < 10; ++i) require_right(draw(), tally);
@@ -202,7 +202,7 @@ TEST_CASE("a front or back is where the solid begins or ends at a pixel if it is
   CHECK(tally.left_out > 100'000);
 }
 
-TEST_CASE("faces that are spread over the picture have few rivals, however many they are") {
+TEST_CASE("faces spread over the picture have few rivals however many they are") {
   for (const std::int64_t side : {10, 50, 200}) {
     CAPTURE(side);
     const Boundary boundary = bowl(side, 1024);
@@ -213,7 +213,7 @@ TEST_CASE("faces that are spread over the picture have few rivals, however many 
   }
 }
 
-TEST_CASE("a few functions are all rivals of each other, and without pixels there are none") {
+TEST_CASE("a few functions are all rivals of each other if there are pixels") {
   const Boundary boundary = bowl(3, 64);
   const view::AllRivals found = view::rivals(boundary, {0, 0, 63, 63}, 0);
   CHECK(found.of_fronts[4].fronts == Numbers{0, 1, 2, 3, 5, 6, 7, 8});

@@ -18,8 +18,7 @@ namespace {
 
 enum class Around : std::uint8_t { all_in, all_out, both };
 
-/// What is in the shape around a place, column, row and depth, as far as that: at so many places each way, and between
-/// these in depth.
+/// Samples the shape around a place (column, row and depth) within `reach`, at `steps` places each way, finer in depth.
 Around look_around(const Subject& subject, const view::View& view, const glm::dvec3& place, const glm::dvec3& reach,
                    int steps) {
   bool is_in_somewhere = false;
@@ -29,7 +28,7 @@ Around look_around(const Subject& subject, const view::View& view, const glm::dv
       const Met met = meet(subject, place.x + reach.x * i / steps, place.y + reach.y * j / steps);
       for (int k = -2 * steps; k <= 2 * steps; ++k) {
         const Real distance = distance_at(view, place.z + reach.z * k / (2 * steps));
-        // Orthographic views show what is behind the eye too.
+        // Orthographic views include places behind the eye.
         const bool is_seen = distance > 0 || !view.depth.perspective;
         const bool is_here = is_in(subject, met, distance) && is_seen;
         (is_here ? is_in_somewhere : is_out_somewhere) = true;
@@ -42,7 +41,7 @@ Around look_around(const Subject& subject, const view::View& view, const glm::dv
 
 }  // namespace
 
-TEST_CASE("what the integers hold is what the shape holds, but for rounding, from every eye and on every nappe") {
+TEST_CASE("integer tests agree with the shape up to rounding from every viewpoint") {
   std::array<int, 4> roles{};
   int ins = 0;
   int unfit = 0;
@@ -64,19 +63,19 @@ TEST_CASE("what the integers hold is what the shape holds, but for rounding, fro
         const std::int32_t y = *rc::gen::inRange(quadric.pixels.y0, quadric.pixels.y1 + 1);
         const std::int64_t z = *rc::gen::inRange<std::int64_t>(1, top - 2);
         const bool by_integers = test::is_held(view, scene.solids[0], x, y, z);
-        // Around the place, as far as rounding may reach: all in, or all out, or it is too near to say.
+        // The neighbourhood within rounding is all inside or all outside, or else too close to decide.
         const double sideways = 2.0 * subject.sampling.edge_on_fraction + 0.02;
         const Around around = look_around(subject, view, {x, y, static_cast<double>(z)}, {sideways, sideways, step}, 1);
         if (around != (by_integers ? Around::all_out : Around::all_in)) {
           ins += around == Around::all_in ? 1 : 0;
         } else {
-          // What is thinner than the places looked at are apart may be there, or be missing, between them.
+          // Features thinner than the sampling may be missed between samples.
           constexpr int close = 20;
           RC_ASSERT(look_around(subject, view, {x, y, static_cast<double>(z)}, {sideways, sideways, step}, close) ==
                     Around::both);
         }
         if (by_integers && z >= 1) {
-          // Outside the rectangle of its own it is nothing by rule; within it the extent holds it.
+          // Outside its own rectangle the shape is empty by rule; within it the extent contains it.
           RC_ASSERT(x >= extent.pixels.x0);
           RC_ASSERT(x <= extent.pixels.x1);
           RC_ASSERT(y >= extent.pixels.y0);
@@ -93,13 +92,13 @@ TEST_CASE("what the integers hold is what the shape holds, but for rounding, fro
   CHECK((!testing::draws_usual_cases() || ins > 100));
 }
 
-TEST_CASE("a cylinder seen along its axis is an edge test of its circle, and from a slant far below a pixel too") {
+TEST_CASE("a cylinder seen along its axis or at a tiny slant becomes an edge test") {
   for (const double slant : {0.0, 1e-7}) {
     const model::Tree tree = single(model::Cylinder{4, 10, 10, false, {}}, glm::dmat4(1.0));
     const facet::Geometry scene = facet::make_geometry(tree, exact());
     view::Sampling sampling;
     sampling.width = sampling.height = 64;
-    // 200 tan(11.25 degrees) / 64 model units a pixel: the axis is at column and row 31.5.
+    // 200 tan(11.25 degrees) / 64 model units per pixel: the axis is at column and row 31.5.
     const view::Camera camera{{slant * 100, 0, 100}, {0, 0, 0}, view::Projection::orthographic};
     const view::View view = view::make_view(scene, tree, camera, sampling);
     REQUIRE(view.quadrics[0].kind == view::ScreenQuadricKind::edge);
@@ -115,7 +114,7 @@ TEST_CASE("a cylinder seen along its axis is an edge test of its circle, and fro
   }
 }
 
-TEST_CASE("a sheared cylinder seen exactly from its side is no edge test, whatever rounding makes of its section") {
+TEST_CASE("a sheared cylinder seen from its side never becomes an edge test") {
   int seen = 0;
   for (int i = 0; i < 343; ++i) {
     const glm::dvec3 other(i % 7 - 3, i / 7 % 7 - 3, i / 49 - 3);
@@ -139,7 +138,7 @@ TEST_CASE("a sheared cylinder seen exactly from its side is no edge test, whatev
   CHECK((!testing::draws_usual_cases() || seen > 1000));
 }
 
-TEST_CASE("a cylinder seen from a slant of pixels is two roots again, to a unit that is less than an edge's width") {
+TEST_CASE("a cylinder slanted by pixels has two roots again to within an edge's width") {
   const model::Tree tree = single(model::Cylinder{4, 10, 10, false, {}}, glm::dmat4(1.0));
   const facet::Geometry scene = facet::make_geometry(tree, exact());
   view::Sampling sampling;
@@ -159,7 +158,7 @@ TEST_CASE("a cylinder seen from a slant of pixels is two roots again, to a unit 
   CHECK(coarse > 0);
 }
 
-TEST_CASE("a cone whose apex is the eye is an edge test, unless both nappes are in the picture") {
+TEST_CASE("a cone with its apex at the eye is an edge test unless both nappes are visible") {
   view::Sampling sampling;
   sampling.width = sampling.height = 64;
   glm::dmat4 place(1.0);
@@ -184,7 +183,7 @@ TEST_CASE("a cone whose apex is the eye is an edge test, unless both nappes are 
   CHECK(both.quadrics[0].kind == view::ScreenQuadricKind::unfit);
 }
 
-TEST_CASE("an eye on a quadric, and a cone seen along a generator, fit no numbers") {
+TEST_CASE("an eye on a quadric and a cone seen along a generator are not representable") {
   view::Sampling sampling;
   sampling.width = sampling.height = 64;
   const model::Tree ball = single(model::Sphere{1, {}}, glm::dmat4(1.0));
@@ -197,7 +196,7 @@ TEST_CASE("an eye on a quadric, and a cone seen along a generator, fit no number
         view::ScreenQuadricKind::unfit);
 }
 
-TEST_CASE("a sphere's depths and pixels are its own, not its hull's") {
+TEST_CASE("a sphere's depths and pixels are its own and not its hull's") {
   const model::Tree tree = single(model::Sphere{10, {}}, glm::dmat4(1.0));
   const facet::Geometry scene = facet::make_geometry(tree, exact());
   const view::Camera camera{{0, 0, 100}, {0, 0, 0}, view::Projection::orthographic};
@@ -210,7 +209,7 @@ TEST_CASE("a sphere's depths and pixels are its own, not its hull's") {
   CHECK(view.extents[0].pixels == view::PixelRect{first, first, 511 - first, 511 - first});
 }
 
-TEST_CASE("an extent's depths hold the back of a solid too, whose depth is no longer in it") {
+TEST_CASE("an extent's depths include the back of a solid") {
   const model::Tree tree = single(model::Sphere{3, {}}, glm::dmat4(1.0));
   const facet::Geometry scene = facet::make_geometry(tree, exact());
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
@@ -226,7 +225,7 @@ TEST_CASE("an extent's depths hold the back of a solid too, whose depth is no lo
   }
 }
 
-TEST_CASE("equal surfaces of different solids are the same integers") {
+TEST_CASE("equal surfaces of different solids have the same integers") {
   model::Tree tree = single(model::Cylinder{4, 5, 5, false, {}}, rotated_by_a_third());
   tree.primitives.push_back({model::Cylinder{9, 5, 5, true, {}}, rotated_by_a_third() * turn_about(2, 1.0), {}, {}});
   tree.nodes.push_back({true, model::Operator::unite, 1, {}});

@@ -46,7 +46,7 @@ TEST_CASE("numbers become the nearest fixed-point integer") {
   CHECK(view::to_fixed(-2.5, 0) == -3);
 }
 
-TEST_CASE("numbers that fit no integer are refused") {
+TEST_CASE("rejects numbers that fit no integer") {
   CHECK_FALSE(view::to_fixed(1e30, 12).has_value());
   CHECK_FALSE(view::to_fixed(std::numeric_limits<double>::infinity(), 0).has_value());
   CHECK_FALSE(view::to_fixed(std::nan(""), 0).has_value());
@@ -71,7 +71,7 @@ TEST_CASE("ranges over rectangles are the extremes at their corners") {
   }));
 }
 
-TEST_CASE("the picture's axes are right, up and forward as OpenSCAD's camera has them") {
+TEST_CASE("the picture's axes are right and up and forward like OpenSCAD's camera") {
   const view::Basis from_front = view::basis({{0, -10, 0}, {0, 0, 0}, view::Projection::orthographic});
   CHECK(from_front.right == glm::dvec3(1, 0, 0));
   CHECK(from_front.up == glm::dvec3(0, 0, 1));
@@ -81,7 +81,7 @@ TEST_CASE("the picture's axes are right, up and forward as OpenSCAD's camera has
   CHECK(from_above.up == glm::dvec3(0, 1, 0));
 }
 
-TEST_CASE("the default view is OpenSCAD's: tilted by 55 degrees about x, then turned by 25 about z, orthographic") {
+TEST_CASE("the default view is OpenSCAD's orthographic one tilted by 55 and 25 degrees") {
   const view::Camera camera = view::default_camera({{-1, 2, 3}, {5, 4, 9}}, 640, 480);
   CHECK(camera.projection == view::Projection::orthographic);
   const glm::dvec3 toward_eye = glm::normalize(camera.eye - camera.centre);
@@ -90,7 +90,7 @@ TEST_CASE("the default view is OpenSCAD's: tilted by 55 degrees about x, then tu
   CHECK(std::atan2(toward_eye.x, -toward_eye.y) / degree == doctest::Approx(25.0).epsilon(1e-9));
 }
 
-TEST_CASE("a camera without a direction is refused") {
+TEST_CASE("rejects a camera without a direction") {
   CHECK_THROWS_AS(view::basis({{1, 2, 3}, {1, 2, 3}, view::Projection::orthographic}), InputError);
   CHECK_THROWS_AS(view::basis({{1, 2, std::nan("")}, {0, 0, 0}, view::Projection::orthographic}), InputError);
 }
@@ -105,8 +105,7 @@ TEST_CASE("view-all shows the whole bounding sphere in both projections") {
   CHECK(view::half_height(camera) >= radius);
 }
 
-TEST_CASE(
-    "surface planes meet the pixel rays where geometry says, within a depth step and the rounding of the slopes") {
+TEST_CASE("surface planes meet pixel rays within a depth step and slope rounding") {
   CHECK(rc::check([] {
     const model::Tree tree = box_at({real(-3, 3), real(-3, 3), real(-3, 3)}, {real(1, 5), real(1, 5), real(1, 5)});
     const facet::Geometry scene = facet::make_geometry(tree);
@@ -119,7 +118,7 @@ TEST_CASE(
     const view::View view = view::make_view(scene, tree, camera, sampling);
     const int x = *rc::gen::inRange(0, static_cast<int>(sampling.width));
     const int y = *rc::gen::inRange(0, static_cast<int>(sampling.height));
-    // Half an ulp of the coefficients for each pixel from the middle, and the step that floor takes away.
+    // Half an ulp of the coefficients per pixel from the middle, and the step that floor removes.
     const double bound = 1.0 + (2.0 + sampling.width / 2.0 + sampling.height / 2.0) * std::ldexp(0.5, -12);
     for (std::size_t i = 0; i < view.planes.size(); ++i) {
       const view::ScreenPlane& plane = view.planes[i];
@@ -132,7 +131,7 @@ TEST_CASE(
   }));
 }
 
-TEST_CASE("view-all moves farther away for a picture higher than wide, and not nearer for a wide one") {
+TEST_CASE("view-all moves away for a tall picture and not closer for a wide one") {
   const facet::Box box{{-1, -1, -1}, {1, 1, 1}};
   const view::Camera from{{10, -20, 30}, {0, 0, 0}, view::Projection::perspective};
   const auto distance = [&](std::uint32_t width, std::uint32_t height) {
@@ -140,12 +139,12 @@ TEST_CASE("view-all moves farther away for a picture higher than wide, and not n
     return glm::length(camera.eye - camera.centre);
   };
   CHECK(distance(400, 100) == distance(100, 100));
-  // Half the width has to hold the bounding sphere.
+  // Half the width must contain the bounding sphere.
   CHECK(view::half_height(view::view_all(from, box, 100, 400)) / 4.0 >= std::sqrt(3.0));
   CHECK(distance(100, 400) > 3.9 * distance(100, 100));
 }
 
-TEST_CASE("a near plane behind the whole model is refused") {
+TEST_CASE("rejects a near plane behind the whole model") {
   const model::Tree tree = box_at({0, 0, 0}, {1, 1, 1});
   const facet::Geometry scene = facet::make_geometry(tree);
   const auto see = [&](double near, view::Projection projection) {
@@ -157,7 +156,7 @@ TEST_CASE("a near plane behind the whole model is refused") {
   CHECK_THROWS_AS(see(100, view::Projection::perspective), InputError);
 }
 
-TEST_CASE("depth steps and distances are each other's inverse") {
+TEST_CASE("depth steps and distances are inverse to each other") {
   for (const isa::DepthScale& scale : {isa::DepthScale{false, -3, 17}, isa::DepthScale{true, 0.5, 128}}) {
     for (const std::uint32_t step : {1U, 2U, 77U, 4000U, 65533U}) {
       CHECK(isa::depth_of(scale, 16, isa::distance_of(scale, 16, step)) == doctest::Approx(step).epsilon(1e-9));
@@ -168,7 +167,7 @@ TEST_CASE("depth steps and distances are each other's inverse") {
   }
 }
 
-TEST_CASE("faces seen edge-on become edge tests, and opposite sides share each of their zeros") {
+TEST_CASE("faces seen edge-on become edge tests and opposite sides share their zeros") {
   const model::Tree tree = box_at({0, 0, 0}, {2, 2, 2});
   const facet::Geometry scene = facet::make_geometry(tree);
   const view::View view = view::make_view(scene, tree, {{0, -9, 0}, {0, 0, 0}, view::Projection::orthographic}, {});
@@ -181,9 +180,7 @@ TEST_CASE("faces seen edge-on become edge tests, and opposite sides share each o
   CHECK(edges == 4);
 }
 
-TEST_CASE(
-    "what a thick solid can touch hardly grows by rounding, and what a thin one can touch is still bounded by its "
-    "planes") {
+TEST_CASE("rounding hardly enlarges a thick solid's extent and planes bound a thin one's") {
   const view::Camera camera{{0, -40, 0}, {0, 0, 0}, view::Projection::orthographic};
   const auto extent_of = [&](const model::Tree& tree, const view::Sampling& sampling) {
     return view::make_view(facet::make_geometry(tree), tree, camera, sampling).extents[0];
@@ -207,9 +204,9 @@ TEST_CASE(
   CHECK(thin.z_high < 8);
 }
 
-TEST_CASE("what the near plane cuts is bounded from its cap at depth 0 on, where only its tip is left, too") {
+TEST_CASE("the extent of a solid cut by the near plane starts at its cap at depth 0") {
   model::Tree tree = box_at({-5, 19, -5}, {10, 1, 10});
-  // A pyramid whose tip points away from the eye: depths up to 3.4 of 64 are left of it.
+  // A pyramid whose tip points away from the eye: depths up to 3.4 of 64 remain of it.
   const glm::dmat4 away(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, -1, 0), glm::dvec4(0, 1, 0, 0),
                         glm::dvec4(0, 9, 0, 1));
   tree.primitives.push_back({model::Cylinder{1.2, 2, 0, false, {4, 12, 2}}, away, std::nullopt, {}});
@@ -231,7 +228,7 @@ TEST_CASE("what the near plane cuts is bounded from its cap at depth 0 on, where
   CHECK(std::abs(nearest) < 1e-9);
 }
 
-TEST_CASE("the depth step of a view is what the coarsest of its steps is in model units") {
+TEST_CASE("the depth step of a view is its coarsest step in model units") {
   const model::Tree tree = box_at({-5, -5, -5}, {10, 10, 10});
   const facet::Geometry scene = facet::make_geometry(tree);
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
@@ -247,14 +244,14 @@ TEST_CASE("the depth step of a view is what the coarsest of its steps is in mode
   }
 }
 
-TEST_CASE("a model behind the eye is nowhere in a perspective picture") {
+TEST_CASE("a model behind the eye is absent from a perspective picture") {
   const model::Tree tree = box_at({0, 0, 0}, {1, 1, 1});
   const facet::Geometry scene = facet::make_geometry(tree);
   const view::View view = view::make_view(scene, tree, {{0, 9, 0}, {0, 19, 0}, view::Projection::perspective}, {});
   CHECK(view.extents[0].empty());
 }
 
-TEST_CASE("an eye inside the model puts the near plane before it") {
+TEST_CASE("an eye inside the model puts the near plane in front of the eye") {
   const model::Tree tree = box_at({-5, -5, -5}, {10, 10, 10});
   const facet::Geometry scene = facet::make_geometry(tree);
   const view::View view = view::make_view(scene, tree, {{0, 0, 0}, {0, 1, 0}, view::Projection::perspective}, {});
@@ -266,7 +263,7 @@ TEST_CASE("an eye inside the model puts the near plane before it") {
         0.5);
 }
 
-TEST_CASE("samplings that cannot be are refused") {
+TEST_CASE("rejects invalid samplings") {
   const model::Tree tree = box_at({0, 0, 0}, {1, 1, 1});
   const facet::Geometry scene = facet::make_geometry(tree);
   const view::Camera camera{{0, -9, 3}, {0, 0, 0}, view::Projection::orthographic};

@@ -1,4 +1,4 @@
-// What a session answers to each question, beside what other files test: by hand for a box, and by how work ends.
+// Tests of a session's answers to each request that other files do not cover: by hand for a box, and the end of work.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@
 #include "sim/viewer/knobs.h"
 #include "sim/viewer/session.h"
 #include "tests/support/test.h"
-#include "tests/unit/viewer/asked.h"
+#include "tests/unit/viewer/served.h"
 
 using namespace csgsim;
 using testing::Answer;
@@ -27,12 +27,12 @@ namespace {
 
 const std::string figure = CSGSIM_SOURCE_DIR "/tests/models/thesis_fig_2_3.csg";
 
-/// Seen along y from 50 before it, 33 x 25 pixels, with 1.2568 pixels to a unit: 25 / (2 * 50 * tan 11.25 deg). A box
+/// A view along y from 50 in front: 33 x 25 pixels, with 1.2568 pixels per unit: 25 / (2 * 50 * tan 11.25 deg). A box
 /// of 8 x 6 x 4 about the origin covers columns 16 - 5.03 to 16 + 5.03 and rows 12 - 2.51 to 12 + 2.51.
 const Json front{{"size", "33x25"}, {"camera", "0,-50,0,0,0,0"}};
 const std::string box = "cube(size=[8,6,4],center=true);";
 
-/// By so much along x and z.
+/// Moved along x and z.
 std::string moved(const char* by, const std::string& what) {
   const std::string shift = by;
   const std::size_t comma = shift.find(',');
@@ -48,7 +48,7 @@ viewer::Session figure_session(viewer::SessionOptions options = {}) {
 
 std::string as_text(const Answer& answer) { return std::to_string(answer.status) + " " + answer.json.dump(); }
 
-/// Answers a question that records wires by doing this.
+/// Options with a recorder that calls `does` and answers "recorded".
 viewer::SessionOptions recording(std::function<void()> does) {
   return {.recorder = [does = std::move(does)](const isa::Program&, std::span<const std::string>) {
     does();
@@ -58,7 +58,7 @@ viewer::SessionOptions recording(std::function<void()> does) {
 
 }  // namespace
 
-TEST_CASE("a picture comes with its size, its camera, the command that draws it, and how long it took") {
+TEST_CASE("a picture comes with its size and camera and drawing command and duration") {
   viewer::Session session({figure, {"--fraction-bits", "10"}, Json::object()});
   const Json answer = ask(session, "draw", box_wish()).json;
   CHECK(answer["width"] == 33);
@@ -80,7 +80,7 @@ TEST_CASE("a picture comes with its size, its camera, the command that draws it,
                                  "alu.bits=4 --set 'background.colour=[0, 0, 1]'");
 }
 
-TEST_CASE("two pictures differ at the pixels of the box that only one has; the first is its upper left") {
+TEST_CASE("reports the pixels of a box that only one of two pictures has") {
   viewer::Session session = figure_session();
   const Json nothing = box_wish(moved("0,90", "cube(size=[1,1,1]);"));
   const auto two = [&](const Json& a, const Json& b) { return ask(session, "two", {{"a", a}, {"b", b}}); };
@@ -94,11 +94,11 @@ TEST_CASE("two pictures differ at the pixels of the box that only one has; the f
   CHECK(same.json["pixels"] == 0);
   CHECK(same.json["first"].is_null());
   CHECK(same.json["instruction"].is_null());
-  // A unit wider to the right, to 16 + 5 * 1.2568 = 22.3: one column more.
+  // One unit wider to the right, to 16 + 5 * 1.2568 = 22.3: one more column.
   const Answer wider = two(box_wish(moved("0.5,0", "cube(size=[9,6,4],center=true);")), box_wish());
   CHECK(wider.json["first"] == Json{22, 10});
   CHECK(wider.json["pixels"] == 5);
-  // By width alone, and by height alone.
+  // Different widths only, and different heights only.
   for (const char* const size : {"34x25", "33x26"}) {
     Json other = box_wish();
     other["knobs"]["size"] = size;
@@ -107,25 +107,25 @@ TEST_CASE("two pictures differ at the pixels of the box that only one has; the f
   }
 }
 
-TEST_CASE("the first different instruction is reported with both texts, or with the end of the shorter Program") {
+TEST_CASE("reports the first different instruction with both texts or a Program's end") {
   viewer::Session session = figure_session();
   const Json plain = box_wish();
   Json other = box_wish();
   other["knobs"]["set"] = {"background.colour=[0, 0, 1]"};
-  const Json told = ask(session, "two", {{"a", plain}, {"b", other}}).json["instruction"];
-  const auto number = told["number"].get<std::uint64_t>();
+  const Json difference = ask(session, "two", {{"a", plain}, {"b", other}}).json["instruction"];
+  const auto number = difference["number"].get<std::uint64_t>();
   for (const char* const side : {"a", "b"}) {
     Json wish = side == std::string("a") ? plain : other;
     wish["number"] = number;
     const Json instant = ask(session, "instant", wish).json;
     bool is_listed = false;
     for (const Json& one : instant["instructions"])
-      is_listed = is_listed || (one["number"] == number && one["text"] == told[side]);
+      is_listed = is_listed || (one["number"] == number && one["text"] == difference[side]);
     CHECK(is_listed);
   }
 }
 
-TEST_CASE("a pixel is explained by its place, and a primitive that is not seen there where that is asked") {
+TEST_CASE("explains a pixel by its place and an unseen primitive on request") {
   viewer::Session session = figure_session();
   Json wish = box_wish();
   wish["pixel"] = "16,12";
@@ -143,7 +143,7 @@ TEST_CASE("a pixel is explained by its place, and a primitive that is not seen t
   }
 }
 
-TEST_CASE("an instant is the beginning, if nothing is said, and has the active tree of the surface that is drawn") {
+TEST_CASE("an instant defaults to the start and has the drawn surface's active tree") {
   viewer::Session session = figure_session();
   const std::string source = "difference(){" + box + "sphere(r=3);}";
   const Json begin = ask(session, "instant", box_wish(source)).json;
@@ -165,7 +165,7 @@ TEST_CASE("an instant is the beginning, if nothing is said, and has the active t
   CHECK(ask(session, "instant", wish).status == 422);
 }
 
-TEST_CASE("a verdict counts wrong pixels, and advice lists the knobs to turn") {
+TEST_CASE("a verdict counts wrong pixels and advice lists the knobs to turn") {
   viewer::Session session = figure_session();
   const Json verdict = ask(session, "verdict", box_wish()).json;
   CHECK(verdict["accuracy"]["wrong"] == 0);
@@ -175,7 +175,7 @@ TEST_CASE("a verdict counts wrong pixels, and advice lists the knobs to turn") {
   CHECK(advice["knobs"].size() > 3);
 }
 
-TEST_CASE("the page begins with the model, its first options, and the available machines and settings") {
+TEST_CASE("the page starts with the model and its options and the available machines") {
   viewer::Session session({figure, {}, {{"size", "40x30"}}});
   const viewer::Reply reply = session.answer({.method = "GET"}, "about");
   CHECK(reply.status == 200);
@@ -194,14 +194,14 @@ TEST_CASE("the page begins with the model, its first options, and the available 
     viewer::Session begun({figure, {}, {{"machine", begun_with}}});
     return Json::parse(begun.answer({.method = "GET"}, "about").body)["machines"];
   };
-  // One of csgsim's own is there already, another comes first.
+  // csgsim's own policy already has one; another one precedes it.
   CHECK(machines("scan-line") == about["machines"]);
   const Json more = machines("pixel-planes-4+alu.bits=2");
   CHECK(more.size() == 10);
   CHECK(more[0] == "pixel-planes-4+alu.bits=2");
 }
 
-TEST_CASE("the report is of what was drawn last, and there is none of what was only compiled") {
+TEST_CASE("the report is of the last drawing and absent after a mere compilation") {
   viewer::Session session = figure_session();
   CHECK(session.answer({.method = "GET"}, "report").status == 400);
   CHECK(ask(session, "tree", box_wish()).status == 200);
@@ -216,7 +216,7 @@ TEST_CASE("the report is of what was drawn last, and there is none of what was o
   CHECK(report.body.find("--size 33x25") != std::string::npos);
 }
 
-TEST_CASE("a message that begins with the model's place has its line and column, and any other one has none") {
+TEST_CASE("only a message that starts with the model's place has a line and column") {
   viewer::Session session = figure_session();
   const auto place = [&](const std::string& source) {
     const Answer answer = ask(session, "draw", box_wish(source));
@@ -235,7 +235,7 @@ TEST_CASE("a message that begins with the model's place has its line and column,
   CHECK_FALSE(other.json.contains("column"));
 }
 
-TEST_CASE("brackets in brackets and values have limits, and a wish is an object") {
+TEST_CASE("limits nesting and values and requires requests to be objects") {
   viewer::Session session = figure_session();
   const auto status = [&](const std::string& body) {
     return session.answer({.method = "POST", .body = body}, "tree").status;
@@ -258,7 +258,7 @@ TEST_CASE("brackets in brackets and values have limits, and a wish is an object"
   CHECK(status("{") == 400);
 }
 
-TEST_CASE("a wish that is refused reports what is wrong with it") {
+TEST_CASE("a rejected request reports its fault") {
   viewer::Session session({figure, {}, {{"machine", "own.toml"}}});
   const auto error = [&](const Json& knobs) {
     const Answer answer = ask(session, "tree", {{"knobs", knobs}});
@@ -271,24 +271,24 @@ TEST_CASE("a wish that is refused reports what is wrong with it") {
   CHECK(error({{"machine", "other.toml"}}) ==
         "400 machine: other.toml is a file; start csgsim view with --machine other.toml");
   CHECK(error({{"machine", "other.toml+alu.bits=2"}}).starts_with("400 "));
-  // The one that the session began with is read, if there is one.
+  // The machine that the session started with is read if it exists.
   CHECK(error({{"machine", "own.toml"}}).starts_with("422 "));
   CHECK(error({{"machine", "own.toml+alu.bits=2"}}).starts_with("422 "));
   CHECK(error({{"machine", "pixel-planes-4"}}) == "200 ");
   CHECK(testing::error_of([] { const viewer::Session none({"/nosuch.csg", {}, Json::object()}); }) != "");
 }
 
-TEST_CASE("any question that is cancelled by its name reports that it was cancelled") {
-  viewer::Session* asked = nullptr;
+TEST_CASE("any request cancelled by its name reports the cancellation") {
+  viewer::Session* running = nullptr;
   Json progress;
   viewer::Session session = figure_session(recording([&] {
-    progress = ask(*asked, "progress", {{"evaluation", "mine"}}).json;
-    CHECK(ask(*asked, "cancel", {{"evaluation", "other"}}).json == Json::object());
+    progress = ask(*running, "progress", {{"evaluation", "mine"}}).json;
+    CHECK(ask(*running, "cancel", {{"evaluation", "other"}}).json == Json::object());
     end_if_interrupted();
-    CHECK(ask(*asked, "cancel", {{"evaluation", "mine"}}).status == 200);
+    CHECK(ask(*running, "cancel", {{"evaluation", "mine"}}).status == 200);
     end_if_interrupted();
   }));
-  asked = &session;
+  running = &session;
   Json wish = box_wish();
   wish["evaluation"] = "mine";
   const Answer cancelled = ask(session, "wave", wish);
@@ -296,17 +296,17 @@ TEST_CASE("any question that is cancelled by its name reports that it was cancel
   CHECK(cancelled.json == Json{{"error", figure + ": cancelled"}, {"cancelled", true}});
   CHECK(progress["doing"] == "drawing");
   CHECK(progress["seconds"].get<double>() >= 0);
-  // It is over, and nothing is left of it.
+  // The evaluation has ended and left nothing behind.
   CHECK(ask(session, "progress", {{"evaluation", "mine"}}).json == Json::object());
 }
 
-TEST_CASE("a session that ends takes back what is asked, and what is asked from then on") {
-  viewer::Session* asked = nullptr;
+TEST_CASE("a closed session cancels pending and later requests") {
+  viewer::Session* running = nullptr;
   viewer::Session session = figure_session(recording([&] {
-    asked->close();
+    running->close();
     end_if_interrupted();
   }));
-  asked = &session;
+  running = &session;
   for (int i = 0; i < 2; ++i) {
     const Answer answer = ask(session, "wave", box_wish());
     CHECK(answer.status == 503);
@@ -314,7 +314,7 @@ TEST_CASE("a session that ends takes back what is asked, and what is asked from 
   }
 }
 
-TEST_CASE("a model whose evaluation takes too long is refused with the limit") {
+TEST_CASE("rejects a model whose evaluation exceeds the time limit") {
   viewer::Session session = figure_session({.evaluation_time = std::chrono::milliseconds(1500)});
   CHECK(Json::parse(session.answer({.method = "GET"}, "about").body)["evaluation_time"] == 1.5);
   viewer::Session hasty({CSGSIM_SOURCE_DIR "/tests/models/carburettor.csg", {}, Json::object()},
@@ -323,7 +323,7 @@ TEST_CASE("a model whose evaluation takes too long is refused with the limit") {
   std::thread watch([&] {
     while (!is_done) hasty.end_overdue();
   });
-  // Seconds of work, so that the other thread gets its turn before the end.
+  // Seconds of work, so that the other thread runs before the end.
   std::string slow;
   for (int i = 0; i < 2000; ++i)
     slow += fmt::format("multmatrix([[1,0,0,{}],[0,1,0,{}],[0,0,1,0],[0,0,0,1]]) {{ sphere(r=3,$fn=60); }}\n", i % 50,
@@ -337,7 +337,7 @@ TEST_CASE("a model whose evaluation takes too long is refused with the limit") {
                            "model, or start csgsim view with a longer --evaluation-time SECONDS"}});
 }
 
-TEST_CASE("what is recorded is asked for by the pixel, the window and the probes, and none where there are none") {
+TEST_CASE("a recording passes on the pixel and the window and any probes") {
   std::vector<std::string> words;
   viewer::SessionOptions options;
   options.recorder = [&](const isa::Program&, std::span<const std::string> all) {
@@ -357,7 +357,7 @@ TEST_CASE("what is recorded is asked for by the pixel, the window and the probes
   CHECK(words == std::vector<std::string>{"--pixel=1,2", "--window=i1:i2", "--probe=a", "--probe=b"});
 }
 
-TEST_CASE("a drawing that several wish for at a time is evaluated once, and the latest is the one asked for last") {
+TEST_CASE("a drawing requested several times at once is evaluated once") {
   viewer::Drawings drawings({CSGSIM_SOURCE_DIR "/tests/models/carburettor.csg", {}, Json::object()});
   CHECK(drawings.latest() == nullptr);
   viewer::Evaluations evaluations(std::chrono::hours(1));

@@ -12,7 +12,7 @@ struct Answer {
   viewer::Json json;
 };
 
-/// The answer to a question that the page asks by a POST.
+/// Returns the answer to a POST request of the page.
 inline Answer ask(viewer::Session& session, std::string_view what, const viewer::Json& wish) {
   const viewer::Reply reply = session.answer({.method = "POST", .body = wish.dump()}, what);
   return {reply.status, viewer::Json::parse(reply.body)};

@@ -24,7 +24,7 @@ bool is_interrupted() {
 
 }  // namespace
 
-TEST_CASE("an evaluation that is cancelled by its name ends its thread's work, and no other") {
+TEST_CASE("cancelling an evaluation by name ends only its thread's work") {
   viewer::Evaluations all(1h);
   viewer::Evaluation one(all, "one");
   all.cancel("two");
@@ -42,7 +42,7 @@ TEST_CASE("an evaluation that is cancelled by its name ends its thread's work, a
   }).join();
 }
 
-TEST_CASE("only evaluating has a limit of time, and each evaluation has it anew") {
+TEST_CASE("only evaluating has a time limit and each evaluation restarts it") {
   viewer::Evaluations all(20ms);
   viewer::Evaluation one(all, "one");
   const auto is_overdue_after = [&](Doing doing, std::chrono::milliseconds time) {
@@ -58,12 +58,12 @@ TEST_CASE("only evaluating has a limit of time, and each evaluation has it anew"
   CHECK_FALSE(is_interrupted());
   CHECK(is_overdue_after(Doing::evaluating, 40ms));
   CHECK(is_interrupted());
-  // The first reason stays.
+  // The first reason is kept.
   all.cancel("one");
   CHECK(one.ended() == Ended::overdue);
 }
 
-TEST_CASE("a session that ends leaves no work, neither what has begun nor what begins") {
+TEST_CASE("a closed session ends current and later work") {
   viewer::Evaluations all(1h);
   {
     const viewer::Evaluation before(all, "");
@@ -76,7 +76,7 @@ TEST_CASE("a session that ends leaves no work, neither what has begun nor what b
   CHECK(is_interrupted());
 }
 
-TEST_CASE("the progress of an evaluation is what it does, for how long, and of how much") {
+TEST_CASE("progress reports the activity and its duration and the limit") {
   viewer::Evaluations all(4s);
   CHECK(all.progress("one") == viewer::Json::object());
   viewer::Evaluation one(all, "one");

@@ -36,7 +36,7 @@ Subject subject(const std::string& machine, const std::string& size = "48x40") {
 
 std::string as_url(const std::string& png) { return "data:image/png;base64," + report::base64(png); }
 
-/// Of a grey picture, or one in colours.
+/// URL of a grey or coloured picture.
 std::string url_of(const observe::Picture& picture) {
   std::vector<std::uint8_t> bytes;
   for (const std::uint8_t byte : picture.bytes) bytes.insert(bytes.end(), picture.channels == 3 ? 1 : 3, byte);
@@ -45,7 +45,7 @@ std::string url_of(const observe::Picture& picture) {
 
 }  // namespace
 
-TEST_CASE("after the last instruction the picture is the one that is drawn, on each machine") {
+TEST_CASE("after the last instruction the picture is the drawn one on each machine") {
   for (const std::string_view name : kinds::built_in_names()) {
     CAPTURE(name);
     const Subject of = subject(std::string(name));
@@ -57,7 +57,7 @@ TEST_CASE("after the last instruction the picture is the one that is drawn, on e
   }
 }
 
-TEST_CASE("fields at an instant are those that the reference has there, forwards and backwards") {
+TEST_CASE("fields at an instant equal the reference's forwards and backwards") {
   const Subject of = subject("pixel-planes-4");
   viewer::Instants instants(of.program, of.machine);
   const std::vector<isa::Instruction>& all = of.program.segments.front().instructions;
@@ -80,11 +80,11 @@ TEST_CASE("fields at an instant are those that the reference has there, forwards
   }
 }
 
-TEST_CASE("enabled pixels are tinted, and no others") {
+TEST_CASE("tints exactly the enabled pixels") {
   const Subject of = subject("pixel-planes-4", "16x12");
   viewer::Instants instants(of.program, of.machine);
   const auto at = [&](bool is_tinted) { return instants.at({.number = 0, .field = {}, .is_tinted = is_tinted}); };
-  CHECK(at(false)["picture"] == at(true)["picture"]);  // before the first instruction none is
+  CHECK(at(false)["picture"] == at(true)["picture"]);  // no pixel is enabled before the first instruction
   const auto differs = [&](std::uint64_t number) {
     return instants.at({.number = number, .field = "Z1", .is_tinted = true})["picture"] !=
            instants.at({.number = number, .field = "Z1"})["picture"];
@@ -113,7 +113,7 @@ TEST_CASE("a primitive's first instruction is the first whose origin names it") 
         }).starts_with("there is no field 'Z3'; the fields are E, "));
 }
 
-TEST_CASE("clocks at an instant are those in which the instruction is issued, or why there are none") {
+TEST_CASE("clocks at an instant are those of its instruction or a reason for their absence") {
   for (const std::string_view name : kinds::built_in_names()) {
     CAPTURE(name);
     const Subject of = subject(std::string(name));
@@ -125,7 +125,7 @@ TEST_CASE("clocks at an instant are those in which the instruction is issued, or
   }
 }
 
-TEST_CASE("the listing has up to 12 instructions before an instant, and up to 24 from it on") {
+TEST_CASE("the listing has up to 12 instructions before an instant and 24 from it on") {
   const Subject of = subject("pixel-planes-4");
   viewer::Instants instants(of.program, of.machine);
   const std::uint64_t count = of.program.segments.front().instructions.size();
@@ -148,7 +148,7 @@ TEST_CASE("the listing has up to 12 instructions before an instant, and up to 24
 
 namespace {
 
-/// Where each instruction is, in the order of their numbers.
+/// Places of the instructions in the order of their numbers.
 std::vector<engine::Place> places_of(const isa::Program& program) {
   std::vector<engine::Place> places;
   for (std::uint32_t segment = 0; segment < program.segments.size(); ++segment) {
@@ -162,7 +162,7 @@ const isa::Instruction& instruction_at(const isa::Program& program, engine::Plac
   return program.segments[place.segment].instructions[place.index];
 }
 
-/// As three channels.
+/// Converted to three channels.
 std::vector<std::uint8_t> rgb_of(const observe::Picture& picture) {
   std::vector<std::uint8_t> bytes;
   for (const std::uint8_t byte : picture.bytes) bytes.insert(bytes.end(), picture.channels == 3 ? 1 : 3, byte);
@@ -171,12 +171,12 @@ std::vector<std::uint8_t> rgb_of(const observe::Picture& picture) {
 
 }  // namespace
 
-TEST_CASE("a tinted picture has half of the mark's colour where the enable registers are on, wherever the region is") {
+TEST_CASE("tinting mixes half the mark's colour into enabled pixels in any region") {
   struct Row {
     const char* machine;
     const char* size;
   };
-  // Regions of the whole picture, with more than 64 pixels a row; of 128 x 128 pixels; of a row; of 16 x 16 pixels.
+  // Regions: the whole picture with more than 64 pixels a row, 128 x 128 pixels, a row, 16 x 16 pixels.
   for (const Row& row : {Row{"pixel-planes-4", "70x40"}, Row{"pixel-planes-5", "140x140"}, Row{"scan-line", "40x30"},
                          Row{"pixel-square", "40x40"}}) {
     CAPTURE(row.machine);
@@ -209,7 +209,7 @@ TEST_CASE("a tinted picture has half of the mark's colour where the enable regis
   }
 }
 
-TEST_CASE("an instant has the next instruction, its primitive, its segment, and the instructions around it") {
+TEST_CASE("an instant has its next instruction with primitive and segment and context") {
   for (const char* const machine : {"pixel-planes-4", "scan-line", "pixel-square"}) {
     CAPTURE(machine);
     const Subject of = subject(machine);
@@ -239,7 +239,7 @@ TEST_CASE("an instant has the next instruction, its primitive, its segment, and 
       }
     }
     CHECK(compared > 0);
-    // Of several segments, the first instruction of all that serves a primitive.
+    // The first instruction that serves a primitive, over all segments.
     for (std::uint64_t primitive = 0; primitive < facts.primitives.size(); ++primitive) {
       const auto first = std::ranges::find_if(places, [&](engine::Place place) {
         const std::uint32_t piece = instruction_at(of.program, place).origin.primitive;
@@ -252,7 +252,7 @@ TEST_CASE("an instant has the next instruction, its primitive, its segment, and 
   }
 }
 
-TEST_CASE("a clock belongs to the first instruction that is not completely issued") {
+TEST_CASE("a clock belongs to the first instruction not yet completely issued") {
   const Subject of = subject("pixel-planes-4");
   viewer::Instants instants(of.program, of.machine);
   const auto number_at_clock = [&](std::uint64_t clock) {
@@ -270,8 +270,7 @@ TEST_CASE("a clock belongs to the first instruction that is not completely issue
   }
 }
 
-TEST_CASE(
-    "fields are the enable registers and those of the Program, by their names, and the scale says what is shown") {
+TEST_CASE("fields are listed by name and the scale describes the displayed values") {
   const Subject of = subject("pixel-planes-4");
   viewer::Instants instants(of.program, of.machine);
   std::vector<std::string> names{"E"};

@@ -9,7 +9,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// A lane by its text in each clock, from clock `first` on; empty for nothing.
+/// A lane by its text in each clock from `first` on; empty while idle.
 struct Clocks {
   std::uint64_t first = 0;
   std::vector<std::string> texts;
@@ -33,7 +33,7 @@ std::string trace_of(const Clocks& lane) {
   return R"({"displayTimeUnit":"ns","traceEvents":[)" + events + "]}";
 }
 
-/// Clocks from `begin` to `end` in which it shows something.
+/// Number of clocks from `begin` to `end` with a text.
 std::uint64_t busy_clocks(const Clocks& lane, std::uint64_t begin, std::uint64_t end) {
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < lane.texts.size(); ++i) {
@@ -47,7 +47,7 @@ std::uint64_t busy_clocks(const Json& stretch) { return stretch.at(stretch.size(
 
 }  // namespace
 
-TEST_CASE("from near a lane's stretches are what they were") {
+TEST_CASE("a zoomed-in lane has its original stretches") {
   const viewer::Lanes lanes(trace_of({10, {"a", "a", "", "b", "a"}}));
   CHECK(lanes.begin() == 10);
   CHECK(lanes.end() == 15);
@@ -61,7 +61,7 @@ TEST_CASE("from near a lane's stretches are what they were") {
   CHECK(lanes.between(14, 12)[0].at("stretches").empty());
 }
 
-TEST_CASE("from afar short stretches are put together, and no clock is lost or counted twice") {
+TEST_CASE("zooming out merges short stretches and counts each clock once") {
   const bool holds = rc::check("lanes", [] {
     const auto runs = *rc::gen::container<std::vector<std::pair<int, int>>>(
         400, rc::gen::pair(rc::gen::inRange(0, 4), rc::gen::inRange(1, 12)));
@@ -87,7 +87,7 @@ TEST_CASE("from afar short stretches are put together, and no clock is lost or c
   CHECK(holds);
 }
 
-TEST_CASE("of many stretches few are sent, with what the most of them show") {
+TEST_CASE("sends few of many stretches with their most frequent text") {
   Clocks lane{0, std::vector<std::string>(100'000, "a")};
   for (std::size_t i = 0; i < lane.texts.size(); i += 5) lane.texts[i] = "b";
   const Json stretches = viewer::Lanes(trace_of(lane)).between(0, 100'000)[0].at("stretches");
@@ -100,7 +100,7 @@ TEST_CASE("of many stretches few are sent, with what the most of them show") {
   }
 }
 
-TEST_CASE("puts two short stretches or more together with their number, and leaves one as it is") {
+TEST_CASE("merges two or more short stretches with their number and keeps a single one") {
   // Over 800 clocks, a stretch of 2 is shown alone, and one of 1 is too short.
   Clocks lane{0, std::vector<std::string>(800)};
   const auto show = [&](std::size_t clock, const char* text) { lane.texts[clock] = text; };
@@ -120,7 +120,7 @@ TEST_CASE("puts two short stretches or more together with their number, and leav
       Json::parse(R"([[0,2,"a",2,2],[10,1,"c"],[20,2,"d"],[30,1,"e"],[32,1,"f"],[40,1,"g"],[42,2,"h"],[799,1,"z"]])"));
 }
 
-TEST_CASE("puts three short stretches into one, with the text of most clocks and the number of clocks with a text") {
+TEST_CASE("merges three short stretches with the longest text and the busy clocks") {
   // Over 2000 clocks, a stretch of 5 is shown alone.
   Clocks lane{0, std::vector<std::string>(2000)};
   lane.texts[0] = "a";
@@ -132,7 +132,7 @@ TEST_CASE("puts three short stretches into one, with the text of most clocks and
         Json::parse(R"([[0,5,"b",3,4],[1999,1,"z"]])"));
 }
 
-TEST_CASE("shows each stretch alone over 799 clocks, and those of two clocks over 800") {
+TEST_CASE("shows each stretch alone over 799 clocks and those of two clocks over 800") {
   Clocks lane{0, std::vector<std::string>(1000, "a")};
   for (std::size_t i = 0; i < lane.texts.size(); i += 2) lane.texts[i] = "b";
   const viewer::Lanes lanes(trace_of(lane));
@@ -142,7 +142,7 @@ TEST_CASE("shows each stretch alone over 799 clocks, and those of two clocks ove
   CHECK(lanes.between(0, 800)[0].at("stretches")[7] == Json::parse(R"([14,2,"b",2,2])"));
 }
 
-TEST_CASE("each lane has its part's name and its own stretches, in whatever order they come") {
+TEST_CASE("each lane has its part's name and its own stretches in any input order") {
   const auto named = [](const char* what, int part, int lane, const char* name) {
     return fmt::format(R"({{"ph":"M","name":"{}","pid":{},"tid":{},"args":{{"name":"{}"}}}},)", what, part, lane, name);
   };
@@ -166,8 +166,8 @@ TEST_CASE("each lane has its part's name and its own stretches, in whatever orde
   CHECK(none.between(0, 10) == Json::array());
 }
 
-TEST_CASE("what is put together begins with its first stretch, and ends before one that is shown alone") {
-  // Over 4,000 clocks one of 10 is shown alone; ten clocks from the first on are put together.
+TEST_CASE("a merged stretch starts with its first member and ends before a long one") {
+  // Over 4,000 clocks a stretch of 10 is shown alone; ten clocks from the first on are merged.
   Clocks lane{0, std::vector<std::string>(4000)};
   for (const std::size_t clock : {5U, 6U}) lane.texts[clock] = "a";
   for (const std::size_t clock : {8U, 9U}) lane.texts[clock] = "b";
@@ -179,7 +179,7 @@ TEST_CASE("what is put together begins with its first stretch, and ends before o
         Json::parse(R"([[5,12,"c",3,7],[18,10,"d"],[28,3,"e",2,2],[3999,1,"z"]])"));
 }
 
-TEST_CASE("stretches are cut at both ends of what is asked for") {
+TEST_CASE("clips stretches at both ends of the requested range") {
   Clocks lane{0, std::vector<std::string>(100, "a")};
   const viewer::Lanes lanes(trace_of(lane));
   CHECK(lanes.between(10, 30)[0].at("stretches") == Json::parse(R"([[10,20,"a"]])"));

@@ -1,4 +1,4 @@
-// What the page is made of: its files, the form of the effects, and the members of what it asks for.
+// Tests of the page's files, the form of the effects, and the members of its requests.
 
 #include "sim/viewer/page.h"
 
@@ -23,7 +23,7 @@ std::string wish_error(const std::function<void()>& call) {
   return "";
 }
 
-/// The section or key of that name.
+/// Returns the section or key with this name.
 const Json& named_in(const Json& all, const std::string& name) {
   static const Json none;
   const auto found = std::ranges::find_if(all, [&](const Json& one) { return one["name"] == name; });
@@ -32,7 +32,7 @@ const Json& named_in(const Json& all, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("the page is its own first file, and each file has the type of its ending") {
+TEST_CASE("the page is its own first file and each file's type follows its extension") {
   const std::optional<viewer::Reply> page = viewer::page_file("");
   REQUIRE(page);
   CHECK(page->status == 200);
@@ -62,8 +62,7 @@ TEST_CASE("the page is its own first file, and each file has the type of its end
     CHECK_FALSE(viewer::page_file(other));
 }
 
-TEST_CASE(
-    "the form has each effect with each of its keys but tables of colours, and the choices of those that have some") {
+TEST_CASE("the form has each key of each effect except colour tables") {
   const Json form = viewer::effects_form();
   const auto sections = effects::sections();
   REQUIRE(form.size() == sections.size());
@@ -84,7 +83,7 @@ TEST_CASE(
   }
   CHECK(keys > 30);
   CHECK(tables == 1);  // texels
-  // As docs/effects.md has them.
+  // Values as in docs/effects.md.
   const Json& cue = named_in(form, "depth_cue");
   CHECK(cue["key"] == "effects.depth_cue");
   CHECK(cue["is_list"] == false);
@@ -100,7 +99,7 @@ TEST_CASE(
   CHECK(named_in(form, "cuts")["is_list"] == true);
 }
 
-TEST_CASE("a missing or null member of a wish is empty; one of another type is refused by name") {
+TEST_CASE("a missing or null member of a request is empty but a wrong type is an error") {
   const Json wish{{"text", "x"},          {"texts", {"a", "b"}}, {"number", 7U}, {"flag", true}, {"off", false},
                   {"object", {{"a", 1}}}, {"null", nullptr},     {"less", -7},   {"part", 1.5},  {"mixed", {"a", 1}}};
   CHECK(viewer::text_in(wish, "text") == "x");
@@ -140,7 +139,7 @@ TEST_CASE("a missing or null member of a wish is empty; one of another type is r
   CHECK(errors("mixed")[1] == "mixed must be an array of texts");
 }
 
-TEST_CASE("what is sent is on one line, and bytes that are no UTF-8 are replaced") {
+TEST_CASE("sends text on one line with invalid UTF-8 replaced") {
   CHECK(viewer::text_of(Json{{"b", {1, 2}}, {"a", "x"}}) == R"({"b":[1,2],"a":"x"})");
   CHECK(viewer::text_of(Json("a\xffz")) == "\"a\xef\xbf\xbdz\"");
 }

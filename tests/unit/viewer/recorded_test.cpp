@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A shell script in the place of csgsim, which is deleted with the object.
+/// A shell script in place of csgsim; the destructor deletes it.
 struct Script {
   fs::path path = fs::temp_directory_path() / ("csgsim-wave-" + std::to_string(::getpid()));
 
@@ -37,13 +37,13 @@ std::string recording_error(const std::string& script, const system::ChildLimits
 
 }  // namespace
 
-TEST_CASE("csgsim wave gets the options between its own, and the Program from its standard input") {
+TEST_CASE("csgsim wave receives the options between its own and the Program on stdin") {
   CHECK(recorded_with("echo \"$*\"") == "wave /dev/stdin --pixel=1,2 --lanes --output -\n");
   const std::vector<std::byte> bytes = isa::encode({});
   CHECK(recorded_with("cat") == std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
-TEST_CASE("a recording that fails says why, and what to do where it took too much") {
+TEST_CASE("reports why a recording failed and what to do beyond its limits") {
   CHECK(recording_error("echo 'csgsim: no such pixel' >&2; exit 1").find("no such pixel") != std::string::npos);
   CHECK(recording_error("echo 'csgsim: no such pixel' >&2; exit 1").find("use a smaller picture") == std::string::npos);
   system::ChildLimits small = viewer::wave_limits;
@@ -56,7 +56,7 @@ TEST_CASE("a recording that fails says why, and what to do where it took too muc
         "cannot run csgsim wave: the program file has been moved");
 }
 
-TEST_CASE("a recording may take three minutes, and print 512 MB and 64 KB of errors") {
+TEST_CASE("a recording may take three minutes and print 512 MB and 64 KB of errors") {
   CHECK(viewer::wave_limits.time == 180s);
   CHECK(viewer::wave_limits.output == 536'870'912);
   CHECK(viewer::wave_limits.errors == 65'536);

@@ -20,7 +20,7 @@ RequestReader read(std::string_view bytes) {
   return reader;
 }
 
-/// The status of the refusal of these bytes, or 0. Its body has to be JSON with an error.
+/// Status of the refusal of these bytes, or 0. Its body must be JSON with an error.
 int refusal_of(std::string_view bytes) {
   const RequestReader reader = read(bytes);
   if (reader.state() != State::refused) return 0;
@@ -32,7 +32,7 @@ std::string post(const std::string& fields, const std::string& body) {
   return "POST /t/draw HTTP/1.1\r\n" + fields + "\r\n" + body;
 }
 
-/// A request whose header has that number of bytes.
+/// A request whose header has this number of bytes.
 std::string header_of(std::size_t bytes) {
   const std::string begin = "GET / HTTP/1.1\r\nX: ";
   return begin + std::string(bytes - begin.size() - 4, 'x') + "\r\n\r\n";
@@ -46,7 +46,7 @@ std::string fields(int count) {
 
 }  // namespace
 
-TEST_CASE("a request is read the same whole and byte by byte, and the next one behind it") {
+TEST_CASE("reads a request and its successor alike as a whole and byte by byte") {
   const std::string first =
       "POST /t/draw?now HTTP/1.1\r\nHost: h:1\r\nOrigin: o\r\nSec-Fetch-Site: none\r\nContent-Type: "
       "application/json\r\nContent-Length: 3\r\n\r\n{ }";
@@ -85,11 +85,11 @@ TEST_CASE("a request is read the same whole and byte by byte, and the next one b
   }
 }
 
-TEST_CASE("reads a header of exactly the allowed bytes and fields, and refuses one more") {
+TEST_CASE("reads a header of exactly the allowed bytes and fields and rejects one more") {
   CHECK(refusal_of(header_of(200)) == 0);
   CHECK(read(header_of(200)).state() == State::whole);
   CHECK(refusal_of(header_of(201)) == 431);
-  // Refused before it ends, too.
+  // The header is refused before its end.
   CHECK(refusal_of("GET / HTTP/1.1\r\nX: " + std::string(181, 'x')) == 0);
   CHECK(refusal_of("GET / HTTP/1.1\r\nX: " + std::string(182, 'x')) == 431);
   CHECK(refusal_of(std::string(201, 'G')) == 431);
@@ -97,7 +97,7 @@ TEST_CASE("reads a header of exactly the allowed bytes and fields, and refuses o
   CHECK(refusal_of("GET / HTTP/1.1\r\n" + fields(6) + "\r\n") == 431);
 }
 
-TEST_CASE("reads a body of exactly the allowed bytes, and refuses one more before any of it is sent") {
+TEST_CASE("reads a body of exactly the allowed bytes and rejects one more beforehand") {
   CHECK(read(post("Content-Length: 10\r\n", "0123456789")).request().body == "0123456789");
   CHECK(read(post("Content-Length: 10\r\n", "012345678")).state() == State::body);
   CHECK(read(post("Content-Length: 0\r\n", "")).state() == State::whole);
@@ -109,7 +109,7 @@ TEST_CASE("reads a body of exactly the allowed bytes, and refuses one more befor
   CHECK(refusal_of("GET / HTTP/1.1\r\nContent-Length: 0\r\n\r\n") == 0);
 }
 
-TEST_CASE("a body without a length, in chunks, compressed, or on request is refused") {
+TEST_CASE("rejects a body without length or in chunks or compressed or on request") {
   CHECK(refusal_of(post("", "")) == 411);
   CHECK(refusal_of(post("Transfer-Encoding: chunked\r\n", "")) == 411);
   CHECK(refusal_of("GET / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n") == 411);
@@ -119,7 +119,7 @@ TEST_CASE("a body without a length, in chunks, compressed, or on request is refu
   CHECK(refusal_of(post("Expect: 100-continue\r\nContent-Length: 5\r\n", "")) == 417);
 }
 
-TEST_CASE("other methods, and what is no HTTP, are refused") {
+TEST_CASE("rejects other methods and text that is not HTTP") {
   for (const char* const method : {"PUT", "DELETE", "OPTIONS", "HEAD", "CONNECT", "PAINT"})
     CHECK(refusal_of(std::string(method) + " / HTTP/1.1\r\n\r\n") == 405);
   for (const char* const text :
@@ -128,12 +128,12 @@ TEST_CASE("other methods, and what is no HTTP, are refused") {
     CHECK(refusal_of(text) == 400);
 }
 
-TEST_CASE("refuses a second value of a field that admits a request") {
+TEST_CASE("rejects a second value of a field that admits a request") {
   for (const char* const name : {"Host", "Origin", "Sec-Fetch-Site", "Content-Type", "Content-Encoding"})
     CHECK(refusal_of(std::string("GET / HTTP/1.1\r\n") + name + ": a\r\n" + name + ": a\r\n\r\n") == 400);
 }
 
-TEST_CASE("asks the gate with the header alone, before it judges the body") {
+TEST_CASE("passes the header alone to the gate before judging the body") {
   int asked = 0;
   const auto refuse = [&](const viewer::Request& head) {
     ++asked;
@@ -151,7 +151,7 @@ TEST_CASE("asks the gate with the header alone, before it judges the body") {
   CHECK(asked == 4);
 }
 
-TEST_CASE("with the usual limits a header of 32 KiB and of 100 fields is read, and no more") {
+TEST_CASE("by default reads a header of 32 KiB and 100 fields and no more") {
   const auto refusal = [](const std::string& bytes) {
     RequestReader reader({}, admit);
     reader.put(bytes);
@@ -166,7 +166,7 @@ TEST_CASE("with the usual limits a header of 32 KiB and of 100 fields is read, a
   CHECK(refusal(post("Content-Length: 4194304\r\n", std::string(4'194'304, 'x'))) == "");
 }
 
-TEST_CASE("a request has begun with its first byte, and what came behind the one before counts") {
+TEST_CASE("a request starts with its first byte even behind another one") {
   RequestReader reader(limits, admit);
   CHECK_FALSE(reader.has_begun());
   reader.put("G");
@@ -187,7 +187,7 @@ TEST_CASE("a request has begun with its first byte, and what came behind the one
   CHECK(reader.has_begun());
 }
 
-TEST_CASE("what refuses a body says what to send") {
+TEST_CASE("a refused body's message says what to send") {
   const auto error = [](std::string_view bytes) {
     return nlohmann::json::parse(read(bytes).refusal().body).at("error").get<std::string>();
   };

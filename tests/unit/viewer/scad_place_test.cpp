@@ -1,4 +1,4 @@
-// Where OpenSCAD's errors are in a source that is edited, with a script in OpenSCAD's place.
+// Tests of the places of OpenSCAD's errors in an edited source, with a script in place of OpenSCAD.
 
 #include <unistd.h>
 
@@ -11,7 +11,7 @@ using viewer::Json;
 
 namespace {
 
-/// A folder that comes first where programs are looked for.
+/// A folder that is first on the PATH.
 struct Programs {
   fs::path folder = fs::temp_directory_path() / ("csgsim-scad-" + std::to_string(::getpid()));
   std::string before = std::getenv("PATH");
@@ -27,7 +27,7 @@ struct Programs {
   Programs(const Programs&) = delete;
   Programs& operator=(const Programs&) = delete;
 
-  /// An openscad that refuses what it reads with this.
+  /// An openscad that rejects its input with this message.
   void refuse_with(const std::string& message) const {
     const fs::path program = folder / "openscad";
     std::ofstream(program) << "#!/bin/sh\ncat >/dev/null\necho '" << message << "' >&2\nexit 1\n";
@@ -37,17 +37,17 @@ struct Programs {
 
 }  // namespace
 
-TEST_CASE("an error of OpenSCAD's in the text that it was given has its line, and any other one has none") {
+TEST_CASE("only an OpenSCAD error in the edited text has a line") {
   const Programs programs;
   const std::string model = programs.folder / "m.scad";
   std::ofstream(model) << "cube(1);\n";
   viewer::Session session({model, {}, Json::object()});
   const auto answer = [&](const std::string& message) {
     programs.refuse_with(message);
-    const testing::Answer told = testing::ask(session, "draw", {{"source", "cube(" + message}});
-    CHECK(told.status == 422);
-    CHECK_FALSE(told.json.contains("column"));
-    return told.json;
+    const testing::Answer reply = testing::ask(session, "draw", {{"source", "cube(" + message}});
+    CHECK(reply.status == 422);
+    CHECK_FALSE(reply.json.contains("column"));
+    return reply.json;
   };
   CHECK(answer("ERROR: Parser error in file <stdin>, line 3: syntax error")["line"] == 3);
   CHECK(answer("ERROR: Parser error in file <stdin>, line 120: syntax error")["line"] == 120);

@@ -18,14 +18,14 @@
 
 namespace csgsim::testing {
 
-/// A server in a thread of this process, until its page is left or the object ends.
+/// A server in a thread of this process, until its page is left or the object is destroyed.
 class RunningServer {
  public:
-  /// `serving` needs no more than what a test is about.
+  /// `serving` sets only the members that the test needs.
   explicit RunningServer(viewer::Serving serving) : serving_(std::move(serving)) {
     const auto tick = serving_.tick;
     serving_.begun = [this](std::uint16_t had) { port_.set_value(had); };
-    // What a tick throws ends the server at once.
+    // An exception of a tick ends the server at once.
     serving_.tick = [this, tick] {
       if (is_ended_) throw std::runtime_error("the test is done");
       if (tick) tick();
@@ -74,7 +74,7 @@ class RunningServer {
   std::thread thread_;
 };
 
-/// A client's connection. What takes longer than three seconds counts as never.
+/// A client's connection. Operations that take longer than three seconds count as failed.
 class Client {
  public:
   explicit Client(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
@@ -95,7 +95,7 @@ class Client {
     if (socket_ >= 0) ::close(std::exchange(socket_, -1));
   }
 
-  /// Whether all was taken.
+  /// Whether all bytes were accepted.
   bool send(std::string_view text) const {
     while (!text.empty()) {
       const ssize_t count = ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL);
@@ -105,7 +105,7 @@ class Client {
     return true;
   }
 
-  /// Of what has not been taken yet, all up to the end of the text, or to the connection's end.
+  /// Unread bytes up to the end of the text, or to the connection's end.
   std::string until(std::string_view text) {
     while (held_.find(text) == held_.npos && receive()) {
     }
@@ -117,14 +117,14 @@ class Client {
     }
     return take(std::min(count, held_.size()));
   }
-  /// All up to the connection's end.
+  /// All bytes up to the connection's end.
   std::string rest() {
     while (receive()) {
     }
     return take(held_.size());
   }
 
-  /// Whether the connection came to its end; false after three seconds in which nothing came.
+  /// Whether the connection ended; false after three seconds without data.
   [[nodiscard]] bool is_at_end() {
     while (receive()) {
     }

@@ -1,4 +1,4 @@
-// The server of csgsim view by what its clients get, over connections of this computer.
+// Tests of csgsim view's server by its clients' replies, over local connections.
 
 #include <atomic>
 #include <chrono>
@@ -16,7 +16,7 @@ using testing::RunningServer;
 
 namespace {
 
-/// What no reply leaves out, and where a page may have its scripts, styles and questions from.
+/// Fields of every reply, and the permitted sources of a page's scripts, styles and requests.
 std::string policy(const std::string& own, const std::string& asks) {
   return "Cache-Control: no-store\r\nContent-Security-Policy: default-src 'none'; script-src " + own + "; style-src " +
          own + "; img-src data:; connect-src " + asks +
@@ -27,7 +27,7 @@ std::string policy(const std::string& own, const std::string& asks) {
 
 const std::string plain_policy = policy("'self'", "'self'");
 
-/// Replies of each kind, by the path; of any other one the method, the path and the body.
+/// Replies of each kind by path; any other path echoes the method, the path and the body.
 viewer::Reply reply_to_path(const viewer::Request& request) {
   if (request.path == "/page") return {.type = "text/html", .body = "<p>", .has_scripts = true};
   if (request.path == "/none") return {.status = 404, .body = "none"};
@@ -54,14 +54,14 @@ std::string head(const std::string& status, const std::string& type, std::size_t
 
 constexpr const char* plain = "text/plain; charset=utf-8";
 
-/// The reply to a request of a connection that is asked more.
+/// The reply to a request of a connection that stays open.
 std::string plain_reply(const std::string& body) {
   return head("200 OK", plain, body.size(), "Connection: keep-alive\r\n" + plain_policy) + body;
 }
 
 }  // namespace
 
-TEST_CASE("the default time limits of a connection, and the interval of a page's events") {
+TEST_CASE("a connection has default time limits and a page a default event interval") {
   const viewer::ConnectionTimes times;
   CHECK(times.request == 10s);
   CHECK(times.reply == 60s);
@@ -72,7 +72,7 @@ TEST_CASE("the default time limits of a connection, and the interval of a page's
   CHECK(viewer::RequestLimits{}.body_bytes == 4'194'304);
 }
 
-TEST_CASE("each reply has its status, type, length and policy, byte by byte") {
+TEST_CASE("each reply has its exact status line and headers and body") {
   const RunningServer server(serving());
   Client client(server.port);
   const auto reply = [&](const std::string& request) {
@@ -91,11 +91,11 @@ TEST_CASE("each reply has its status, type, length and policy, byte by byte") {
         head("405 Method Not Allowed", "application/json", 15, kept + "Allow: GET, POST\r\n" + plain_policy) +
             "{\"error\":\"no\"}\n");
   CHECK(reply(get("/fault")) == head("500 Internal Server Error", plain, 8, kept + plain_policy) + "a fault\n");
-  // A POST is no page that stays, whatever its path.
+  // A POST request never opens a page connection, whatever its path.
   CHECK(reply("POST /stay HTTP/1.1\r\nContent-Length: 0\r\n\r\n") == plain_reply("POST /stay "));
 }
 
-TEST_CASE("requests that come at once are answered one by one, and the last reply is followed by the end") {
+TEST_CASE("answers pipelined requests one by one and closes after the last reply") {
   const RunningServer server(serving());
   Client client(server.port);
   client.send(get("/a") + get("/b") + get("/c", "Connection: close\r\n"));
@@ -104,10 +104,10 @@ TEST_CASE("requests that come at once are answered one by one, and the last repl
   CHECK(client.until("/c ") == head("200 OK", plain, 7, "Connection: close\r\n" + plain_policy) + "GET /c ");
   const auto begin = std::chrono::steady_clock::now();
   CHECK(client.is_at_end());
-  CHECK(std::chrono::steady_clock::now() - begin < 1500ms);  // not only when its time is over
+  CHECK(std::chrono::steady_clock::now() - begin < 1500ms);  // before its time limit
 }
 
-TEST_CASE("a request that comes in two parts is one") {
+TEST_CASE("a request that arrives in two parts is one request") {
   const RunningServer server(serving());
   Client client(server.port);
   const std::string request = "POST /b HTTP/1.1\r\nContent-Length: 3\r\n\r\nxyz";
@@ -119,24 +119,24 @@ TEST_CASE("a request that comes in two parts is one") {
   }
 }
 
-TEST_CASE("a client that is refused gets the reason although it sends on, and its bytes are thrown away") {
+TEST_CASE("a rejected client gets the reason while its further bytes are discarded") {
   viewer::Serving one = serving();
   one.limits.body_bytes = 10;
   const RunningServer server(std::move(one));
   Client client(server.port);
   CHECK(client.send("POST / HTTP/1.1\r\nContent-Length: 20000000\r\n\r\n"));
-  CHECK(client.send(std::string(20'000'000, 'x')));  // more than fits between the two of them
+  CHECK(client.send(std::string(20'000'000, 'x')));  // more than the buffers between them hold
   const std::string reply = client.rest();
   CHECK(reply == head("413 Payload Too Large", "application/json", 44, "Connection: close\r\n" + plain_policy) +
                      "{\"error\":\"the body has more than 10 bytes\"}\n");
   CHECK(client.is_at_end());
 }
 
-TEST_CASE("a client that does not leave after its last reply is left") {
+TEST_CASE("drops a client that stays connected after its last reply") {
   const RunningServer server(serving({.leave = 50ms}));
   const Client client(server.port);
   client.send(get("/a", "Connection: close\r\n"));
-  // A connection that is gone refuses what is sent.
+  // A closed connection rejects further bytes.
   bool is_refused = false;
   for (int i = 0; i < 100 && !is_refused; ++i) {
     std::this_thread::sleep_for(10ms);
@@ -145,7 +145,7 @@ TEST_CASE("a client that does not leave after its last reply is left") {
   CHECK(is_refused);
 }
 
-TEST_CASE("a request that takes too long is refused, a connection without one is closed, and each has its own time") {
+TEST_CASE("rejects a slow request and closes an idle connection after separate times") {
   const RunningServer server(serving({.request = 500ms}));
   Client silent(server.port);
   Client slow(server.port);
@@ -169,7 +169,7 @@ TEST_CASE("a request that takes too long is refused, a connection without one is
   }
 }
 
-TEST_CASE("an answer may take longer than a request may") {
+TEST_CASE("an answer may take longer than a request") {
   viewer::Serving one = serving({.request = 400ms, .reply = 2s});
   one.handler = [](const viewer::Request&) {
     std::this_thread::sleep_for(600ms);
@@ -181,7 +181,7 @@ TEST_CASE("an answer may take longer than a request may") {
   CHECK(client.until("done") == plain_reply("done"));
 }
 
-TEST_CASE("a client that does not take its reply is left, and one that does has all of it") {
+TEST_CASE("drops a client that does not read its reply and serves one that does") {
   constexpr std::size_t large = std::size_t{32} << 20U;
   viewer::Serving one = serving({.reply = 100ms});
   one.handler = [](const viewer::Request&) { return viewer::Reply{.body = std::string(large, 'x')}; };
@@ -199,7 +199,7 @@ TEST_CASE("a client that does not take its reply is left, and one that does has 
   CHECK(eager.bytes(large).size() == large);
 }
 
-TEST_CASE("an open page receives events at intervals, and the server ends when the last page is closed") {
+TEST_CASE("an open page receives periodic events and the server ends after the last page") {
   viewer::Serving one = serving({.between_events = 20ms});
   one.patience = 200ms;
   std::atomic<int> ticks = 0;
@@ -208,7 +208,7 @@ TEST_CASE("an open page receives events at intervals, and the server ends when t
   one.ending = [&] { ++ends; };
   const RunningServer server(std::move(one));
   std::this_thread::sleep_for(150ms);
-  CHECK_FALSE(server.has_left());  // there has been no page yet
+  CHECK_FALSE(server.has_left());  // no page has been opened yet
   Client first(server.port);
   Client second(server.port);
   const auto asked = std::chrono::steady_clock::now();
@@ -219,7 +219,7 @@ TEST_CASE("an open page receives events at intervals, and the server ends when t
   second.send(get("/stay"));
   CHECK(second.until("\r\n\r\n") == begin);
   CHECK(first.bytes(15) == ":\n\n:\n\n:\n\n:\n\n:\n\n");
-  CHECK(std::chrono::steady_clock::now() - asked > 90ms);  // five times, each 20 ms later
+  CHECK(std::chrono::steady_clock::now() - asked > 90ms);  // five times, 20 ms apart
   first.close();
   std::this_thread::sleep_for(350ms);
   CHECK_FALSE(server.has_left());
@@ -231,7 +231,7 @@ TEST_CASE("an open page receives events at intervals, and the server ends when t
   CHECK(ticks > 1);
 }
 
-TEST_CASE("without patience the server goes on when no page is open") {
+TEST_CASE("a server without a patience limit continues when no page is open") {
   const RunningServer server(serving());
   Client page(server.port);
   page.send(get("/stay"));
@@ -241,15 +241,15 @@ TEST_CASE("without patience the server goes on when no page is open") {
   CHECK_FALSE(server.has_left());
 }
 
-TEST_CASE("the end is announced before the requests that are being handled are waited for") {
+TEST_CASE("announces the end before waiting for requests in progress") {
   std::atomic<bool> is_ending = false;
-  std::atomic<bool> was_told = false;
+  std::atomic<bool> was_announced = false;
   viewer::Serving one = serving();
   one.patience = 1ms;
   one.ending = [&] { is_ending = true; };
   one.handler = [&](const viewer::Request&) {
     for (int i = 0; i < 200 && !is_ending; ++i) std::this_thread::sleep_for(10ms);
-    was_told = is_ending.load();
+    was_announced = is_ending.load();
     return viewer::Reply{};
   };
   const RunningServer server(std::move(one));
@@ -260,10 +260,10 @@ TEST_CASE("the end is announced before the requests that are being handled are w
   page.until("\r\n\r\n");
   page.close();
   CHECK(server.is_left());
-  CHECK(was_told);
+  CHECK(was_announced);
 }
 
-TEST_CASE("eight requests are handled at a time") {
+TEST_CASE("handles up to eight requests at a time") {
   std::atomic<int> inside = 0;
   std::atomic<int> most = 0;
   viewer::Serving one = serving();
@@ -271,7 +271,7 @@ TEST_CASE("eight requests are handled at a time") {
     const int now = ++inside;
     if (now > most) most = now;
     for (int i = 0; i < 100 && most < 8; ++i) std::this_thread::sleep_for(10ms);
-    std::this_thread::sleep_for(100ms);  // would let a ninth in
+    std::this_thread::sleep_for(100ms);  // long enough for a ninth to enter
     --inside;
     return viewer::Reply{.body = "done"};
   };
@@ -282,10 +282,11 @@ TEST_CASE("eight requests are handled at a time") {
   CHECK(most == 8);
 }
 
-TEST_CASE("32 connections without a token stay open; the oldest are closed for others, and closed ones do not count") {
+TEST_CASE("keeps 32 connections without a token and closes the oldest for others") {
   const RunningServer server(serving());
   Client asks(server.port);
-  // In one turn the server takes a connection and sees who has left: it has done so when many requests are answered.
+  // One turn of the server accepts a connection and notices closed ones; both have happened after many answered
+  // requests.
   const auto settle = [&] {
     for (int i = 0; i < 50; ++i) {
       asks.send(get("/a"));
@@ -301,7 +302,7 @@ TEST_CASE("32 connections without a token stay open; the oldest are closed for o
     }
     settle();
   };
-  // Which of them are open, of those that still are here: as soon as it is so, if it will be.
+  // Checks which of the remaining connections are open; waits for the expected state for a limited time.
   const auto are_open = [&](const std::string& expected) {
     std::string all;
     for (int i = 0; i < 100 && all != expected; ++i) {
@@ -315,12 +316,12 @@ TEST_CASE("32 connections without a token stay open; the oldest are closed for o
   CHECK(are_open(std::string(32, '1')));
   come(2);
   CHECK(are_open("00" + std::string(32, '1')));
-  // Five of the last 32 go, so that there is room for five.
+  // Five of the last 32 close, which makes room for five.
   for (int i = 0; i < 7; ++i) strangers.pop_front();
   settle();
   come(5);
   CHECK(are_open(std::string(32, '1')));
-  // One that has been admitted makes room, too, and is not closed for others.
+  // An admitted one makes room as well, and is not closed for others.
   Client& admitted = strangers.front();
   admitted.send("ET / HTTP/1.1\r\n\r\n");
   CHECK(admitted.until(" / ").starts_with("HTTP/1.1 200"));
@@ -332,7 +333,7 @@ TEST_CASE("32 connections without a token stay open; the oldest are closed for o
   CHECK(admitted.until("/a ") == plain_reply("GET /a "));
 }
 
-TEST_CASE("of admitted ones there are 64, one more is refused, and one that left makes room") {
+TEST_CASE("keeps 64 admitted connections and rejects one more until one closes") {
   const RunningServer server(serving());
   std::list<Client> all;
   const auto ask = [](Client& client) {
@@ -356,7 +357,7 @@ TEST_CASE("of admitted ones there are 64, one more is refused, and one that left
   CHECK(ask(next) == "HTTP/1.1 200 OK\r\n");
 }
 
-TEST_CASE("the gate decides by the header, before the body has come") {
+TEST_CASE("the gate decides on the header before the body arrives") {
   viewer::Serving one = serving();
   one.gate = [](const viewer::Request& request) {
     return request.host == "h" ? std::nullopt : std::optional(viewer::error_reply(403, "no"));
@@ -372,7 +373,7 @@ TEST_CASE("the gate decides by the header, before the body has come") {
   CHECK(reply.ends_with("{\"error\":\"no\"}\n"));
 }
 
-TEST_CASE("a port in use cannot be had, and one whose server has ended can at once") {
+TEST_CASE("a port in use is rejected and one of an ended server is free at once") {
   std::uint16_t port = 0;
   {
     const RunningServer server(serving());
@@ -382,7 +383,7 @@ TEST_CASE("a port in use cannot be had, and one whose server has ended can at on
     second.port = port;
     CHECK(testing::error_of([&] { const RunningServer other(second); }) ==
           "port " + std::to_string(port) + " of 127.0.0.1 is not available; choose another one with --port");
-    // The server closes this connection first, and its system remembers that for a minute.
+    // The server closes this connection first, and the system remembers that for a minute.
     Client client(port);
     client.send(get("/a", "Connection: close\r\n"));
     CHECK(client.is_at_end());
@@ -396,7 +397,7 @@ TEST_CASE("a port in use cannot be had, and one whose server has ended can at on
   CHECK(client.until("/a ") == plain_reply("GET /a "));
 }
 
-TEST_CASE("pages are left when there was one, none is open any more, and the patience is over") {
+TEST_CASE("pages count as left after one was open and the patience has passed") {
   viewer::Pages pages;
   CHECK_FALSE(pages.is_left_for(0ms));
   pages.open();

@@ -1,5 +1,4 @@
-// What the session keeps from one question to the next: after one thing has been changed, each answer is that of a
-// session that was asked nothing before.
+// Tests of the session's caches: after any single change each answer equals that of a new session.
 
 #include <unistd.h>
 
@@ -19,14 +18,14 @@ const std::string file = CSGSIM_SOURCE_DIR "/tests/models/thesis_fig_2_3.csg";
 
 const Json small{{"size", "40x30"}, {"camera", "30,-40,25,0,0,2"}};
 
-/// The knobs with one of them at another value.
+/// The knobs with one of them changed.
 Json with(const char* name, Json value) {
   Json knobs = small;
   knobs[name] = std::move(value);
   return {{"knobs", std::move(knobs)}};
 }
 
-/// Each differs from `small` in one thing.
+/// Variants of `small` with a single change each.
 std::vector<Json> changes() {
   return {with("camera", "30,-40,26,0,0,2"),
           with("size", "41x30"),
@@ -45,7 +44,7 @@ std::vector<Json> changes() {
           {{"knobs", small}, {"source", "cube(size=[9,9,9],center=true);"}}};
 }
 
-/// The answer without its wall times.
+/// The answer without its wall-clock times.
 Json timeless(Json answer) {
   answer.erase("seconds");
   return answer;
@@ -66,9 +65,9 @@ std::vector<Question> questions() {
 }
 
 Json answer_to(viewer::Session& session, const Question& question, const Json& wish) {
-  Json asked = wish;
-  asked.update(question.members);
-  const testing::Answer answer = ask(session, question.name, asked);
+  Json request = wish;
+  request.update(question.members);
+  const testing::Answer answer = ask(session, question.name, request);
   CHECK_MESSAGE(answer.status == 200, answer.json.dump());
   return timeless(answer.json);
 }
@@ -78,23 +77,23 @@ Json fresh_answer(const Question& question, const Json& wish) {
   return answer_to(session, question, wish);
 }
 
-/// Stands in for the machine's wires: its only lane shows the options of the request.
+/// Replaces the machine's wires: its only lane shows the options of the request.
 struct Recorder {
   int count = 0;
 
   std::string operator()(const isa::Program& program, std::span<const std::string> options) {
     ++count;
-    std::string told = std::to_string(program.shape.width);
-    for (const std::string& option : options) told += " " + option;
+    std::string label = std::to_string(program.shape.width);
+    for (const std::string& option : options) label += " " + option;
     return fmt::format(
         R"({{"traceEvents":[{{"ph":"M","name":"process_name","pid":1,"tid":0,"args":{{"name":"host"}}}},
 {{"ph":"M","name":"thread_name","pid":1,"tid":1,"args":{{"name":"state"}}}},
 {{"ph":"X","name":"{}","pid":1,"tid":1,"args":{{"clock":0,"clocks":100}}}}]}})",
-        told);
+        label);
   }
 };
 
-/// What the only lane shows.
+/// Text of the only lane.
 std::string lane_in(const testing::Answer& answer) {
   REQUIRE_MESSAGE(answer.status == 200, answer.json.dump());
   return answer.json["lanes"][0]["stretches"][0][2];
@@ -102,14 +101,14 @@ std::string lane_in(const testing::Answer& answer) {
 
 }  // namespace
 
-TEST_CASE("each question, asked again after one thing was changed, is answered as by a new session") {
+TEST_CASE("after any single change each request is answered as by a new session") {
   for (const Question& question : questions()) {
     const Json plain{{"knobs", small}};
     const Json expected = fresh_answer(question, plain);
     viewer::Session session({file, {}, Json::object()});
     for (const Json& changed : changes()) {
-      const std::string told = fmt::format("{} {}", question.name, changed.dump());
-      CAPTURE(told);
+      const std::string label = fmt::format("{} {}", question.name, changed.dump());
+      CAPTURE(label);
       CHECK(answer_to(session, question, plain) == expected);
       CHECK(answer_to(session, question, changed) == fresh_answer(question, changed));
       CHECK(answer_to(session, question, plain) == expected);
@@ -117,18 +116,18 @@ TEST_CASE("each question, asked again after one thing was changed, is answered a
   }
 }
 
-TEST_CASE("each change is seen in the instructions or in the picture") {
+TEST_CASE("each change affects the instructions or the picture") {
   const Json plain{{"knobs", small}};
   for (const Json& changed : changes()) {
-    const std::string told = changed.dump();
-    CAPTURE(told);
+    const std::string label = changed.dump();
+    CAPTURE(label);
     const bool is_same = fresh_answer({"draw"}, plain)["picture"] == fresh_answer({"draw"}, changed)["picture"] &&
                          fresh_answer({"draw"}, plain)["stats"] == fresh_answer({"draw"}, changed)["stats"];
     CHECK_FALSE(is_same);
   }
 }
 
-TEST_CASE("a model that is written anew is drawn anew") {
+TEST_CASE("a rewritten model is drawn again") {
   const std::filesystem::path model =
       std::filesystem::temp_directory_path() / ("csgsim-session-" + std::to_string(::getpid()) + ".csg");
   const auto write = [&](const char* text) { std::ofstream(model) << text; };
@@ -141,7 +140,7 @@ TEST_CASE("a model that is written anew is drawn anew") {
   std::filesystem::remove(model);
 }
 
-TEST_CASE("lanes of a pixel are not taken for those of the frame, nor those of the frame for a pixel's") {
+TEST_CASE("keeps lanes of a pixel and of the frame separate") {
   Recorder recorder;
   viewer::Session session({file, {}, Json::object()}, {.recorder = std::ref(recorder)});
   const Json frame{{"knobs", small}};
@@ -155,12 +154,12 @@ TEST_CASE("lanes of a pixel are not taken for those of the frame, nor those of t
     CHECK(lane_in(ask(session, "lanes", probed)) == "40 --pixel=3,4 --window=i2:i4 --probe=tree.x:0 --lanes");
     CHECK(lane_in(ask(session, "lanes", frame)) == "40 --lanes");
   }
-  // Those of the frame once, those of pixels each time.
+  // The frame is recorded once, pixels each time.
   CHECK(recorder.count == 7);
   CHECK(ask(session, "wave", pixel).json["wave"].get<std::string>().find("--lanes") == std::string::npos);
 }
 
-TEST_CASE("the two drawings that were asked for last keep their lanes, and a third is recorded anew") {
+TEST_CASE("the last two drawings keep their lanes and a third is recorded again") {
   Recorder recorder;
   viewer::Session session({file, {}, Json::object()}, {.recorder = std::ref(recorder)});
   const auto recordings_of = [&](const char* width) {
@@ -175,7 +174,7 @@ TEST_CASE("the two drawings that were asked for last keep their lanes, and a thi
   CHECK(recordings_of("41") == 0);
   CHECK(recordings_of("40") == 0);
   CHECK(recordings_of("42") == 1);
-  CHECK(recordings_of("40") == 0);  // 41 was asked for longer ago
+  CHECK(recordings_of("40") == 0);  // 41 was requested longer ago
   CHECK(recordings_of("41") == 1);
 }
 
@@ -195,7 +194,7 @@ TEST_CASE("a part of the lanes comes with the clocks of the whole") {
   CHECK(recorder.count == 1);
 }
 
-TEST_CASE("two wishes are compared anew when either changes") {
+TEST_CASE("compares two drawings again when either changes") {
   viewer::Session session({file, {}, Json::object()});
   const Json plain{{"knobs", small}};
   const auto pixels = [&](const Json& a, const Json& b) {

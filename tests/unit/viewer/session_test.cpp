@@ -24,7 +24,7 @@ const std::string file = CSGSIM_SOURCE_DIR "/tests/models/thesis_fig_2_3.csg";
 
 viewer::Session session(Json knobs = Json::object()) { return viewer::Session({file, {}, std::move(knobs)}); }
 
-/// What the command line of these words draws.
+/// Returns the drawing of this command line.
 Json drawn_by(const std::vector<std::string>& words) {
   const session::ModelRequest options = session::model_request_in(words);
   const machines::Machine machine = session::machine_of(options);
@@ -45,7 +45,7 @@ void check_drawn(const Answer& answer, const std::vector<std::string>& words) {
 
 }  // namespace
 
-TEST_CASE("whatever was drawn before, a wish is drawn as the command line that says the same") {
+TEST_CASE("a request is drawn like the equivalent command line whatever came before") {
   viewer::Session drawing = session();
   const std::vector<std::string> size{"--size", "40x30"};
   const std::vector<std::pair<Json, std::vector<std::string>>> rows{
@@ -64,8 +64,8 @@ TEST_CASE("whatever was drawn before, a wish is drawn as the command line that s
        {"--tolerance", "0.5px", "--camera", "300,-400,250,0,0,2"}},
       {Json::object(), {}}};
   for (const auto& [knobs, words] : rows) {
-    const std::string told = knobs.dump();
-    CAPTURE(told);
+    const std::string label = knobs.dump();
+    CAPTURE(label);
     Json all = knobs;
     all["size"] = "40x30";
     std::vector<std::string> line{file};
@@ -75,7 +75,7 @@ TEST_CASE("whatever was drawn before, a wish is drawn as the command line that s
   }
 }
 
-TEST_CASE("an edited source is drawn in the file's place, and its errors have their place in it") {
+TEST_CASE("an edited source replaces the file and errors have their place in it") {
   viewer::Session drawing = session({{"size", "32x24"}});
   const Answer cube = ask(drawing, "draw", {{"source", "cube(size=[1,2,3],center=true);"}});
   REQUIRE(cube.status == 200);
@@ -87,7 +87,7 @@ TEST_CASE("an edited source is drawn in the file's place, and its errors have th
   CHECK(ask(drawing, "draw", Json::object()).json["stats"]["model"]["primitives"] > 1);
 }
 
-TEST_CASE("what is warned of goes to the page, line by line") {
+TEST_CASE("sends warnings to the page line by line") {
   viewer::Session drawing = session();
   const Answer empty =
       ask(drawing, "draw", {{"source", "import(file=\"there_is_none.stl\");cube(size=[1,2,3],center=true);"}});
@@ -96,7 +96,7 @@ TEST_CASE("what is warned of goes to the page, line by line") {
   CHECK(empty.json["warnings"][0].get<std::string>().find("there_is_none.stl") != std::string::npos);
 }
 
-TEST_CASE("what is no wish has the status 400, what cannot be drawn 422, and what there is not 404") {
+TEST_CASE("distinguishes bad requests and undrawable models and unknown requests by status") {
   viewer::Session drawing = session();
   for (const char* body : {"", "{", "[]", "3", R"({"knobs":[]})", R"({"knobs":{"size":3}})", R"({"knobs":{"set":"x"}})",
                            R"({"source":1})", R"({"knobs":{"scene":"x"}})", R"({"knobs":{"machine":"x.toml"}})"})
@@ -111,7 +111,7 @@ TEST_CASE("what is no wish has the status 400, what cannot be drawn 422, and wha
   CHECK(drawing.answer({.method = "GET"}, "report").status == 400);
 }
 
-TEST_CASE("two wishes are compared pixel by pixel, and by their first other instruction") {
+TEST_CASE("compares two drawings by pixels and by their first different instruction") {
   viewer::Session drawing = session({{"size", "40x30"}, {"camera", "30,-40,25,0,0,2"}});
   const auto two = [&](const Json& a, const Json& b) { return ask(drawing, "two", {{"a", a}, {"b", b}}); };
   const auto with = [](const char* name, const char* value) { return Json{{"knobs", {{name, value}}}}; };

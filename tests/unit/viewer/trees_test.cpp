@@ -32,7 +32,7 @@ Compiled compiled(const std::string& model, std::vector<std::string> words) {
 
 using Primitives = std::set<std::uint32_t>;
 
-/// Of rows of a tree.
+/// Primitives in rows of a tree.
 Primitives primitives_in(const Json& rows) {
   Primitives primitives;
   for (const Json& row : rows) {
@@ -42,7 +42,7 @@ Primitives primitives_in(const Json& rows) {
   return primitives;
 }
 
-/// By the piece that is drawn, what the segment's instructions compare it with.
+/// Primitives compared with each drawn piece by the segment's instructions.
 std::map<std::uint32_t, Primitives> compared_in(const isa::Segment& segment, const isa::Facts& facts) {
   std::map<std::uint32_t, Primitives> compared;
   for (const isa::Instruction& one : segment.instructions) {
@@ -55,7 +55,8 @@ std::map<std::uint32_t, Primitives> compared_in(const isa::Segment& segment, con
   return compared;
 }
 
-/// The primitives of a leaf are compared one after another, under the name of each or of the first.
+/// Whether the tree contains the compared primitives; those of a leaf are compared one after another, under the name of
+/// each or of the first.
 bool covers(const Json& active, const Primitives& compared) {
   const Primitives known = primitives_in(active);
   if (!std::ranges::includes(known, compared)) return false;
@@ -66,7 +67,7 @@ bool covers(const Json& active, const Primitives& compared) {
 
 }  // namespace
 
-TEST_CASE("the active tree of a surface has what the Program compares it with, on each kind of machine") {
+TEST_CASE("a surface's active tree has the Program's compared primitives on each machine") {
   std::size_t surfaces = 0;
   for (const char* const model : {"thesis_fig_2_3", "basics_csg", "carburettor"}) {
     for (const char* const machine : {"pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5"}) {
@@ -91,7 +92,7 @@ TEST_CASE("the active tree of a surface has what the Program compares it with, o
   CHECK(surfaces > 300);
 }
 
-TEST_CASE("the model's tree has each node of the file once, operands behind their operator") {
+TEST_CASE("the model's tree has each node of the file once with operands after operators") {
   const Compiled one = compiled("carburettor", {"--size", "32x32", "--view-all"});
   const Json rows = viewer::tree_of(one.model.tree, *one.model.program.facts);
   std::vector<std::uint32_t> primitives;
@@ -108,13 +109,13 @@ TEST_CASE("the model's tree has each node of the file once, operands behind thei
   for (std::uint32_t i = 0; i < primitives.size(); ++i) CHECK(primitives[i] == i);
 }
 
-TEST_CASE("what is not drawn has no active tree") {
+TEST_CASE("an undrawn primitive has no active tree") {
   const Compiled one = compiled("thesis_fig_2_3", {"--size", "64x48", "--view-all"});
   viewer::ActiveTrees trees(one.model, one.options, one.machine);
   CHECK_FALSE(trees.of(1000, 0));
 }
 
-TEST_CASE("shows the first 4,000 rows of a tree, and all rows of a smaller one") {
+TEST_CASE("shows the first 4000 rows of a tree and all rows of a smaller one") {
   for (const std::uint32_t leaves : {3998U, 3999U, 4000U, 5000U}) {
     model::Tree tree;
     model::Node root;
@@ -131,7 +132,7 @@ TEST_CASE("shows the first 4,000 rows of a tree, and all rows of a smaller one")
   }
 }
 
-TEST_CASE("a surface's active tree is that of the segment asked for, in whatever order they are asked for") {
+TEST_CASE("a surface's active tree is that of the requested segment in any request order") {
   const Compiled one = compiled("carburettor", {"--machine", "pixel-planes-5", "--size", "384x384", "--view-all"});
   const isa::Program& program = one.model.program;
   REQUIRE(program.segments.size() > 2);
@@ -149,7 +150,7 @@ TEST_CASE("a surface's active tree is that of the segment asked for, in whatever
 
 namespace {
 
-/// A small model seen from the front: the text of what is compiled.
+/// A small model from text, seen from the front.
 Compiled small_compiled(const std::string& text, std::vector<std::string> more = {"--pruning", "none"}) {
   const std::string file =
       std::filesystem::temp_directory_path() / ("csgsim-trees-" + std::to_string(::getpid()) + ".csg");
@@ -164,22 +165,22 @@ const std::string cube_a = "cube(size=[8,6,4],center=true);";
 const std::string sphere_b = "sphere(r=3);";
 const std::string cylinder_c = "cylinder(h=9,r1=1,r2=1,center=true);";
 
-/// The rows as text: two blanks a depth, what is shown, and a minus before what it has to be outside of.
+/// Rows as text: two spaces per depth, the label, and a minus before an operand that must not contain the surface.
 std::string rows_text(const Json& rows) {
   std::string text;
   for (const Json& row : rows) {
     text += std::string(2 * row.at("depth").get<std::size_t>(), ' ');
     if (row.value("complemented", false)) text += "-";
-    const std::string told = row.at("text");
-    text += told.substr(0, told.find(' ')) + "\n";
-    if (row.contains("primitive")) CHECK(told.starts_with("p" + row.at("primitive").dump() + " "));
+    const std::string label = row.at("text");
+    text += label.substr(0, label.find(' ')) + "\n";
+    if (row.contains("primitive")) CHECK(label.starts_with("p" + row.at("primitive").dump() + " "));
   }
   return text;
 }
 
 }  // namespace
 
-TEST_CASE("a tree has its operators' names, and operands one deeper, in their order") {
+TEST_CASE("a tree has its operators' names with operands one level deeper in order") {
   const auto tree = [](const std::string& text) {
     const Compiled one = small_compiled(text);
     return rows_text(viewer::tree_of(one.model.tree, *one.model.program.facts));
@@ -193,7 +194,7 @@ TEST_CASE("a tree has its operators' names, and operands one deeper, in their or
   CHECK(viewer::tree_of({}, {}) == Json::array());
 }
 
-TEST_CASE("pieces of one node are that node, and a primitive without a name has its number") {
+TEST_CASE("pieces of one node are that node and an unnamed primitive has its number") {
   model::Tree tree;
   const model::Primitive cube;
   model::Node pieces;
@@ -217,7 +218,7 @@ TEST_CASE("pieces of one node are that node, and a primitive without a name has 
   CHECK(rows[2].at("text") == "p" + rows[2].at("primitive").dump());
 }
 
-TEST_CASE("a surface has to be in what it is intersected with, and outside of what is taken away from it") {
+TEST_CASE("a surface must be in intersected operands and outside subtracted ones") {
   const auto active = [](const std::string& text, std::uint32_t piece) {
     const Compiled one = small_compiled(text);
     viewer::ActiveTrees trees(one.model, one.options, one.machine);
@@ -232,18 +233,18 @@ TEST_CASE("a surface has to be in what it is intersected with, and outside of wh
   CHECK(active(intersection, 0) == "union\n  p1\n  p2\n");
   CHECK(active(intersection, 1) == "p0\n");
   CHECK(active("union(){" + cube_a + cylinder_c + "}", 0) == "");
-  // Outside of both is outside of each.
+  // Outside a union is outside each operand.
   const std::string both = "difference(){" + cube_a + "union(){" + sphere_b + cylinder_c + "}}";
   CHECK(active(both, 0) == "-p1\n-p2\n");
-  // Not in both is outside of one.
+  // Not in an intersection is outside one operand.
   const std::string either = "difference(){" + cube_a + "intersection(){" + sphere_b + cylinder_c + "}}";
   CHECK(active(either, 0) == "union\n  -p1\n  -p2\n");
-  // Outside of what has lost a part is outside of it, or in the part.
+  // Outside a difference is outside its first operand, or in the second.
   const std::string hole = "difference(){" + cube_a + "difference(){" + sphere_b + cylinder_c + "}}";
   CHECK(active(hole, 0) == "union\n  -p1\n  p2\n");
 }
 
-TEST_CASE("primitives that make one convex solid are one row, but by the strategy that multiplies the tree out") {
+TEST_CASE("primitives of one convex solid are one row except with the products strategy") {
   const auto active = [](const char* strategy) {
     const Compiled one = small_compiled("difference(){" + cube_a + "intersection(){" + sphere_b + cylinder_c + "}}",
                                         {"--strategy", strategy});

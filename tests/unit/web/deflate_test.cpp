@@ -17,7 +17,7 @@ std::vector<std::uint8_t> random_bytes(std::size_t count) {
   return bytes;
 }
 
-/// As libpng reads a file in memory.
+/// Returns the pixels as libpng reads them from a file in memory.
 std::vector<std::uint8_t> pixels_of(const std::string& file, std::uint32_t format, png_image& image) {
   image = {};
   image.version = PNG_IMAGE_VERSION;
@@ -30,7 +30,7 @@ std::vector<std::uint8_t> pixels_of(const std::string& file, std::uint32_t forma
 
 }  // namespace
 
-TEST_CASE("zlib inflates what the web deflates") {
+TEST_CASE("zlib inflates the web's deflated data") {
   for (const std::size_t count : {0U, 1U, 5551U, 5553U, 65535U, 65536U, 200'000U}) {
     CAPTURE(count);
     const std::vector<std::uint8_t> random = random_bytes(count);
@@ -39,7 +39,7 @@ TEST_CASE("zlib inflates what the web deflates") {
   }
 }
 
-TEST_CASE("runs of every length are inflated again, and take little") {
+TEST_CASE("runs of every length survive a round trip and compress well") {
   for (std::size_t length = 0; length < 1200; ++length) {
     CAPTURE(length);
     const std::string bytes = "a" + std::string(length, '\xC8') + "b" + std::string(length, '\0');
@@ -49,7 +49,7 @@ TEST_CASE("runs of every length are inflated again, and take little") {
   }
 }
 
-TEST_CASE("libpng reads the web's pictures, grey and coloured") {
+TEST_CASE("libpng reads the web's grey and coloured pictures") {
   for (const int channels : {1, 3}) {
     CAPTURE(channels);
     const std::vector<std::uint8_t> bytes = random_bytes(std::size_t{301} * 97 * static_cast<std::size_t>(channels));

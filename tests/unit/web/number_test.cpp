@@ -9,7 +9,7 @@ using namespace csgsim;
 
 namespace {
 
-/// Holds it against the standard's own.
+/// Compares the parsed number with the standard library's.
 template <class Number>
 void check_same(const std::string& text) {
   CAPTURE(text);
@@ -30,7 +30,7 @@ void check_same_numbers(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("numbers and what is none are read as by std::from_chars") {
+TEST_CASE("numbers and invalid texts are read like std::from_chars") {
   for (const char* const text : {"",
                                  "-",
                                  "+1",
@@ -66,7 +66,7 @@ TEST_CASE("numbers and what is none are read as by std::from_chars") {
     check_same_numbers(text);
 }
 
-TEST_CASE("random texts of the letters of numbers are read as by std::from_chars") {
+TEST_CASE("random texts of number characters are read like std::from_chars") {
   std::mt19937 generator(5);
   const std::string letters = "0123456789.eE+-";
   for (int round = 0; round < 20'000; ++round) {
@@ -76,7 +76,7 @@ TEST_CASE("random texts of the letters of numbers are read as by std::from_chars
   }
 }
 
-TEST_CASE("every double is read back from its digits") {
+TEST_CASE("every double survives a round trip through its digits") {
   std::mt19937_64 generator(9);
   for (int round = 0; round < 20'000; ++round) {
     const auto number = std::bit_cast<double>(generator());

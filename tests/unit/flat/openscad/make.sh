@@ -1,7 +1,7 @@
 #!/bin/sh
-# Has OpenSCAD 2021.01 export each shape of this folder: NAME.scad to NAME.svg, which the tests hold host/flat against.
+# Exports each shape of this directory with OpenSCAD 2021.01, NAME.scad to NAME.svg. The tests compare host/flat with them.
 # Text is set in the fonts of Debian 12's fonts-liberation2 and fonts-dejavu-core.
-# ./make.sh does all of them, ./make.sh NAME.scad... the named ones.
+# ./make.sh exports all shapes, ./make.sh NAME.scad... only the named ones.
 set -eu
 cd "$(dirname "$0")"
 [ "$#" -gt 0 ] || set -- *.scad

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Has OpenSCAD 2021.01 cut faces that are not flat, which tests hold host/solids/tessellation.h against: ./make.py
+"""Records how OpenSCAD 2021.01 triangulates non-planar faces, to judge host/solids/tessellation.h. Usage: ./make.py
 
-faces.txt has a line a face: the corners as polyhedron() is given them, each x y z, then | and the triangles that
-OpenSCAD made, each three corners' numbers. All faces are of one polyhedron, in whose STL they come in their order."""
+faces.txt has one line per face: the corners as passed to polyhedron(), each x y z, then | and OpenSCAD's triangles,
+each as three corner numbers. All faces belong to one polyhedron and keep their order in its STL."""
 
 import math
 import random
@@ -25,7 +25,7 @@ def turned(points, rng):
 
 
 def grid_square(rng):
-    """A square of a height field, along any axis, from any corner on: its diagonals are as long."""
+    """A square of a height field along any axis, starting at any corner; its diagonals have equal lengths."""
     x, y = rng.choice([0, 1, 2, 5]), rng.choice([0, 1, 2, 5])
     axis = rng.randrange(3)
     points = []

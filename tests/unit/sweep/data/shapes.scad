@@ -1,4 +1,4 @@
-// The sweeps that the tests hold against OpenSCAD: make.sh draws each by its name.
+// Sweeps compared with OpenSCAD; make.sh renders each by its name.
 name = "l_prism";
 
 module l() polygon([[-2, -1], [6, -1], [6, 2], [1, 2], [1, 5], [-2, 5]]);
@@ -43,7 +43,7 @@ if (name == "far_cone") linear_extrude(height = 30, twist = 200, scale = 0.25, $
 if (name == "far_grown") linear_extrude(height = 2, twist = 100, scale = 1.2, $fs = 3) far();
 if (name == "far_spread") linear_extrude(height = 4, twist = -45, scale = [1.5, 0.75], $fs = 1) far();
 if (name == "star_grown") linear_extrude(height = 10, twist = 100, scale = 2, $fs = 3) star();
-// Sides on lines through the axis, whose diagonals are equal.
+// Sides on lines through the axis with equal diagonals.
 module corner() polygon([[0, 0], [8, 0], [8, 6], [0, 6], [2, 2], [2, 5], [5, 5]], [[0, 1, 2, 3], [4, 5, 6]]);
 if (name == "corner_turned") linear_extrude(height = 8, twist = 50, $fn = 20) corner();
 if (name == "corner_back") linear_extrude(height = 8, twist = -50, $fn = 20) corner();
