@@ -105,8 +105,8 @@ def row(arguments, scad):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--csgsim")
-    parser.add_argument("--work", type=Path, default=Path(tempfile.gettempdir()) / "csgsim-examples", help="where .csg files and meshes are kept")
-    parser.add_argument("--limit", type=int, default=300, help="seconds for each run")
+    parser.add_argument("--work", type=Path, default=Path(tempfile.gettempdir()) / "csgsim-examples", help="folder for .csg files and meshes")
+    parser.add_argument("--limit", type=int, default=300, help="time limit of each run in seconds")
     arguments = parser.parse_args()
     shutil.copytree(EXAMPLES, arguments.work, dirs_exist_ok=True)  # .csg files name imports relative to the source
     heads = ["Example", "Nodes other than `group` and `multmatrix`", "OpenSCAD 2021.01"]

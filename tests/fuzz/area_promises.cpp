@@ -30,7 +30,7 @@ Measure measure(const flat::Outline& outline) {
 
 void check_convex(const flat::Outline& part) {
   const std::size_t count = part.size();
-  require(count >= 3, "a part has three corners at least");
+  require(count >= 3, "a part has at least three corners");
   for (std::size_t i = 0; i < count; ++i) {
     const glm::dvec2 in = part[(i + 1) % count] - part[i];
     const glm::dvec2 out = part[(i + 2) % count] - part[(i + 1) % count];
@@ -60,7 +60,7 @@ void check_area(const flat::Area& area) {
   // may cross by that distance.
   constexpr double unit = 1.0 / 65536;
   require(std::abs(covered - whole.area) <= 4 * unit * whole.around + 1e-9 * std::abs(whole.area),
-          "the parts are the whole");
+          "the parts cover the whole area");
 }
 
 }  // namespace csgsim::fuzz

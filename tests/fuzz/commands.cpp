@@ -29,8 +29,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   try {
     for (const csgsim::commands::NamedSurface& surface : csgsim::commands::surfaces_in(text, "fuzz.jan")) {
-      fuzz::require(surface.tolerance > 0, "a tolerance is above 0");
-      fuzz::require(surface.location.line > 0, "a surface has a place");
+      fuzz::require(surface.tolerance > 0, "a tolerance is positive");
+      fuzz::require(surface.location.line > 0, "a surface has a position");
     }
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.jan");

@@ -21,14 +21,14 @@ void check(const convert::Surface& surface) {
   std::map<convert::Side, int> sides;
   for (const convert::Triangle& triangle : surface.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
-      fuzz::require(triangle[i] < surface.points.size(), "corners are points");
+      fuzz::require(triangle[i] < surface.points.size(), "corners are indices of points");
       ++sides[{triangle[i], triangle[(i + 1) % 3]}];
     }
   }
   for (const auto& [side, times] : sides) {
     const auto back = sides.find({side[1], side[0]});
     fuzz::require(times == 1 && back != sides.end() && back->second == 1,
-                  "a side is one of one other, which runs back");
+                  "each edge is shared by two faces in opposite directions");
   }
 }
 

@@ -35,7 +35,7 @@ void check_divided(const division::DisplayModel& model) {
   const division::Divided one = divider.divide(square, path);
   for (const isa::Instruction& instruction : one.instructions) isa::validate(instruction, isa::max_memory_bits);
   const division::DividedGroup two = division::divide_group(divider, group, {square}, 1'000'000, path);
-  fuzz::require(two.squares[0].instructions == one.instructions, "two levels emit what one level does");
+  fuzz::require(two.squares[0].instructions == one.instructions, "two levels emit the instructions of one level");
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const division::Bits bits = bits_of(data, size);
     const division::DisplayModel model = division::decode(bits);
-    fuzz::require(division::encode(model) == bits, "a model has one stream");
+    fuzz::require(division::encode(model) == bits, "a model has a single encoding");
     check_divided(model);
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error);

@@ -53,16 +53,16 @@ void require_closed(std::span<const Face> faces) {
     for (std::size_t k = 0; k < face.size(); ++k) {
       const std::uint32_t from = face[k];
       const std::uint32_t to = face[(k + 1) % face.size()];
-      require(from != to, "a face has no side without length");
+      require(from != to, "no side of a face has zero length");
       turns[std::minmax(from, to)] += from < to ? 1 : -1;
     }
   }
-  for (const auto& [edge, turn] : turns) require(turn == 0, "faces run along an edge as often to and fro");
+  for (const auto& [edge, turn] : turns) require(turn == 0, "faces use an edge equally often in both directions");
 }
 
 void check_piece(const model::Polyhedron& piece, double near) {
-  require(piece.points.size() >= 4 && piece.faces.size() >= 4, "a piece has four corners and faces at least");
-  require(piece.planes.size() == piece.faces.size(), "each face of a piece says its plane");
+  require(piece.points.size() >= 4 && piece.faces.size() >= 4, "a piece has at least four corners and faces");
+  require(piece.planes.size() == piece.faces.size(), "each face of a piece has a plane");
   require_closed(piece.faces);
   for (const glm::dvec3& point : piece.points) {
     require(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z), "a piece is bounded");
@@ -111,7 +111,7 @@ void check_enclosed(const solids::Mesh& mesh, const solids::Limits& limits, doub
     const std::optional<double> turns = winding(flat, point, far_enough * unit);
     if (!turns) continue;
     const auto in = std::count_if(pieces.begin(), pieces.end(), [&](const auto& piece) { return holds(piece, point); });
-    require(in == (std::abs(*turns) > 0.5 ? 1 : 0), "the pieces are what the mesh winds around");
+    require(in == (std::abs(*turns) > 0.5 ? 1 : 0), "the pieces fill the volume that the mesh winds around");
   }
 }
 
@@ -155,7 +155,7 @@ void check_mesh(const solids::Mesh& mesh, double tolerance) {
   // Faces that are not flat enclose the volume of their triangles.
   const solids::Mesh flat = solids::with_flat_convex_faces(checked.mesh, tolerance * unit);
   const Measure whole = measure(flat.points, flat.faces, unit);
-  require(std::abs(pieces.volume - whole.volume) <= near * whole.area, "the pieces are the whole");
+  require(std::abs(pieces.volume - whole.volume) <= near * whole.area, "the pieces fill the whole volume");
 }
 
 }  // namespace csgsim::fuzz

@@ -41,10 +41,10 @@ void check(const processors::Processor& processor) {
     fuzz::require(found->value == fmt::format("{}", processor.prices[kind]), "an operation has the price of the file");
   }
   fuzz::require(processor.clock_hz > 0 && std::ranges::min(processor.compiler_factors) > 0,
-                "a second has clocks, and work takes some");
+                "the clock frequency is positive, and work takes clocks");
   try {
     fuzz::require(same_processor(processors::read_processor(description_of(processor), "again.toml"), processor),
-                  "a processor described again is the same");
+                  "a processor is read as described");
   } catch (const csgsim::InputError& error) {
     fuzz::broken(error.what());
   }

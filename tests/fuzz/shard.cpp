@@ -80,7 +80,7 @@ void put(const studies::Gathered& gathered, const fs::path& folder) {
   std::vector<Row> rows;
   for (const std::string& row : studies::Table(path, "title", format).put(gathered))
     rows.push_back(studies::from_line<Row>(row));
-  fuzz::require(rows.size() == gathered.rows.size() && !rows.empty(), "a table has the rows that were gathered");
+  fuzz::require(rows.size() == gathered.rows.size() && !rows.empty(), "a table has the gathered rows");
   try {
     show(rows);
     fuzz::require(studies::Table(path, "title", format).rows() == gathered.rows, "a table is read as written");

@@ -110,9 +110,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto engine = engine::make_functional_engine(machine());
     const auto run = engine->begin(program());
     run->restore(read.run);
-    fuzz::require(run->save() == read.run, "a run has the state that it was given");
+    fuzz::require(run->save() == read.run, "a resumed run has the given state");
     run->advance(engine::Run::end, {});
-    fuzz::require(run->finished(), "a run goes on to its end");
+    fuzz::require(run->finished(), "a resumed run reaches its end");
     (void)run->result();
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.csgs");

@@ -33,13 +33,12 @@ constexpr const char* other_run = R"({"clocks": 7, "parts": [1, 2], "configurati
 
 void check(const shell::Setting& setting) {
   const auto option = std::ranges::find(options, setting.name, &session::SettableOption::name);
-  fuzz::require(option != options.end(), "a setting is of an option of the command");
-  fuzz::require(session::known_option(setting.name).role != session::FileRole::output,
-                "no setting names what is written");
+  fuzz::require(option != options.end(), "a setting belongs to an option of the command");
+  fuzz::require(session::known_option(setting.name).role != session::FileRole::output, "no setting names an output");
   fuzz::require(!setting.values.empty(), "a setting has a value");
   fuzz::require(option->takes == session::Takes::texts || setting.values.size() == 1, "an option has one value");
   for (const std::string& value : setting.values)
-    fuzz::require(value.find('\0') == std::string::npos, "a value could stand on a command line");
+    fuzz::require(value.find('\0') == std::string::npos, "a value is valid on a command line");
   if (option->takes == session::Takes::flag) fuzz::require(setting.values.front() == "true", "a flag is on");
 }
 
@@ -64,9 +63,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       for (const shell::Setting& setting : settings) check(setting);
     });
     look([&] { static_cast<void>(shell::changes_between(run, other.configuration)); });
-    fuzz::require(shell::differences(run, run.stats).empty(), "a run is like itself");
+    fuzz::require(shell::differences(run, run.stats).empty(), "a run equals itself");
     fuzz::require(shell::differences(run, other.stats).empty() == shell::differences(other, run.stats).empty(),
-                  "of two runs the one differs from the other as the other from the one");
+                  "differences between two runs are symmetric");
   });
   return 0;
 }

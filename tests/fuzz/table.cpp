@@ -28,7 +28,7 @@ void check(const std::filesystem::path& path, std::vector<std::string> lines) {
     row.reason = "commas, \"quotes\"";
     lines.push_back(studies::to_line(row));
     studies::Table(path, "title", studies::format_of<studies::ComparisonRow>()).add(std::span(lines).last(1));
-    fuzz::require(lines_of(path) == lines, "a row that was added follows those that were there");
+    fuzz::require(lines_of(path) == lines, "an added row follows the existing ones");
   } catch (const csgsim::InputError& error) {
     fuzz::broken(error.what());
   }

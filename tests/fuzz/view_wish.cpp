@@ -77,14 +77,15 @@ void check(const viewer::Reply& reply) {
   if (reply.status == 404) return;
   const Json body = Json::parse(reply.body, nullptr, false);
   fuzz::require(body.is_object(), "an answer is a JSON object");
-  fuzz::require(reply.status == 200 || (body.contains("error") && body["error"].is_string()), "a refusal says why");
+  fuzz::require(reply.status == 200 || (body.contains("error") && body["error"].is_string()),
+                "an error answer states the reason");
 }
 
 /// Checks that the first picture does not depend on earlier requests.
 void check_first_picture() {
   static const std::string expected = Json::parse(ask("draw", std::string(first_wish)).body).at("picture");
   fuzz::require(Json::parse(ask("draw", std::string(first_wish)).body).at("picture") == expected,
-                "a wish is always answered alike");
+                "a request always gets the same answer");
 }
 
 }  // namespace

@@ -158,21 +158,21 @@ def try_again(options, judges):
 
 def parsed(arguments):
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seed", type=int, default=1, help="which mutants are chosen, and in which order (%(default)s)")
-    parser.add_argument("--count", type=int, default=400, help="mutants that compile, of all rooms (%(default)s)")
-    parser.add_argument("--per-room", type=int, metavar="N", help="N mutants of each room instead")
-    parser.add_argument("--room", action="append", default=[], help="only this room, or those of a pattern, sim/software/*; may be repeated")
+    parser.add_argument("--seed", type=int, default=1, help="seed for the choice and order of mutants (%(default)s)")
+    parser.add_argument("--count", type=int, default=400, help="number of compiling mutants over all folders (%(default)s)")
+    parser.add_argument("--per-room", type=int, metavar="N", help="N mutants for each folder instead")
+    parser.add_argument("--room", action="append", default=[], help="only this folder, or a pattern such as sim/software/*; may be repeated")
     parser.add_argument("--list", action="store_true", help="only print the folders with the tests that judge each")
     parser.add_argument("--judge", action="append", help="only this test executable, without test_; may be repeated")
     parser.add_argument("--build", type=Path, default=ROOT / "build" / "mutants", help="the build folder (%(default)s)")
-    parser.add_argument("--results", type=Path, help="the results, appended to (BUILD/mutation-results.csv)")
-    parser.add_argument("--again", type=Path, help="try the survivors of this results file again, and nothing else")
+    parser.add_argument("--results", type=Path, help="results file to append to (BUILD/mutation-results.csv)")
+    parser.add_argument("--again", type=Path, help="only test the survivors of this results file again")
     parser.add_argument("--except", dest="excepted", action="append", default=[], metavar="CASE",
-                        help="leave out a test case that fails without any mutation; may be repeated")
+                        help="exclude a test case that fails without a mutation; may be repeated")
     parser.add_argument("--near", action="store_true",
-                        help="of the command line's tests ask only those whose file is named like the edited one")
-    parser.add_argument("--all", action="store_true", help="with --again: those that were killed as well")
-    parser.add_argument("--jobs", type=int, default=2, help="compilers at a time (%(default)s)")
+                        help="of the cli tests run only those in files named like the edited one")
+    parser.add_argument("--all", action="store_true", help="with --again: also repeat killed mutants")
+    parser.add_argument("--jobs", type=int, default=2, help="number of concurrent compilers (%(default)s)")
     options = parser.parse_args(arguments)
     options.build = options.build.resolve()
     options.results = options.results or options.build / "mutation-results.csv"

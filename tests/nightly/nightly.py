@@ -129,10 +129,10 @@ class Night:
 def parsed(arguments):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("build", type=Path, help="a build folder with tests")
-    parser.add_argument("--hours", type=float, default=2.0, help="how long (%(default)s)")
-    parser.add_argument("--tests", default="", metavar="REGEX", help="only tests whose names it matches")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="tests at a time (%(default)s)")
-    parser.add_argument("--findings", type=Path, help="the folder of findings (BUILD/nightly)")
+    parser.add_argument("--hours", type=float, default=2.0, help="duration in hours (%(default)s)")
+    parser.add_argument("--tests", default="", metavar="REGEX", help="run only tests whose names match")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="number of concurrent tests (%(default)s)")
+    parser.add_argument("--findings", type=Path, help="folder for findings (BUILD/nightly)")
     options = parser.parse_args(arguments)
     if not options.hours > 0:
         parser.error("--hours has to be more than 0")
