@@ -1,21 +1,17 @@
 # The Python module (sim/python), for a Python with numpy: the first on the PATH that has it, or the one given by
-# -DCSGSIM_PYTHON_PROGRAM. A Python without sanitizers must preload their shared runtime, which clang provides for
-# address and thread sanitizers; the tests do this.
-option(CSGSIM_PYTHON "Build the Python module" ON)
+# -DCSGSIM_PYTHON_PROGRAM. With sanitizers it is built on request only: a Python without them must preload their shared
+# runtime, which clang provides for addresses and threads; the tests do this.
 set(CSGSIM_PRELOAD "")
+set(python_default ON)
 if(CSGSIM_SANITIZE)
-  set(runtime "")
+  set(python_default OFF)
   if(CSGSIM_SANITIZE MATCHES "^(address|thread)")
     string(SUBSTRING "${CSGSIM_SANITIZE}" 0 1 letter)
     execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libclang_rt.${letter}san-${CMAKE_SYSTEM_PROCESSOR}.so
-      OUTPUT_VARIABLE runtime OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-  endif()
-  if(EXISTS "${runtime}")
-    set(CSGSIM_PRELOAD "${runtime}")
-  else()
-    set(CSGSIM_PYTHON OFF)
+      OUTPUT_VARIABLE CSGSIM_PRELOAD OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   endif()
 endif()
+option(CSGSIM_PYTHON "Build the Python module" ${python_default})
 if(NOT CSGSIM_PYTHON)
   return()
 endif()

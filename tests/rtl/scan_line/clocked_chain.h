@@ -23,7 +23,7 @@ class ClockedChain final : public sc_core::sc_module {
   void clear(std::uint32_t pixels);
   /// Starts a frame after all marks of the previous one have entered. `frame` must live until its own have.
   void begin(const scan_line::PictureLines& frame);
-  [[nodiscard]] bool is_through() const { return queue_.is_through(); }
+  [[nodiscard]] bool is_through() const { return queue_.all_marks_entered(); }
 
   /// Advances to the middle of the next clock, when all signals have settled.
   void clock();
