@@ -72,7 +72,7 @@ void compare(const Seen& seen, const observe::Frame& first, std::string_view mac
     CHECK(frame.depth == first.depth);
     CHECK(frame.owner == first.owner);
     CHECK(frame.colour == first.colour);
-    CHECK(knows(machine, strategy));
+    CHECK(supports(machine, strategy));
   } catch (const InputError& error) {
     const std::string said = error.what();
     CHECK_MESSAGE(may_refuse(machine, strategy, said), said);
