@@ -1,5 +1,5 @@
 #!/bin/sh
-# Sets csgsim up on Debian 12: installs the packages that are missing, builds, and does what is asked.
+# Sets up csgsim on Debian 12: installs missing packages, builds, and runs the command.
 set -eu
 cd "$(dirname "$0")"
 
@@ -10,48 +10,49 @@ Usage: ./setup.sh COMMAND
   test   build everything and run the whole test suite
   build  build build/release/csgsim
   package
-         make the Debian packages csgsim, libcsgsim-dev and python3-csgsim in build/, for apt install ./build/csgsim*.deb
+         make the Debian packages csgsim, libcsgsim-dev and python3-csgsim in build/; install them with
+         apt install ./build/csgsim*.deb
   install-test
-         install that package in a bare Debian 12, which is downloaded into a chroot, and draw there; the log is
+         install that package in a minimal Debian 12, downloaded into a chroot, and draw there; the log is
          build/install-test.log
   asan [core]
          build everything with clang, warnings as errors, with address and undefined-behaviour sanitizers, and run the
-         suite; with core, only what reads users' files, compiles and simulates
+         suite; with core, only the tests of reading files, compiling and simulating
   fuzz MINUTES [RUNS]
-         build the fuzzers and run them for so long in all, each for RUNS cases at most
+         build the fuzzers and run them for MINUTES in total, each for at most RUNS cases
   nightly [HOURS]
-         repeat all property tests with random seeds, which it prints, for so long (2 hours); what fails is kept in
-         build/release/nightly/, with the command that repeats it, and the exit code is 1 then
-  tsan   run under the thread sanitizer what works on several threads
-  flags  build without optimisation, and for this very processor, and hold both against the golden figures
-  faults fail every write, fsync and rename of every command, one at a time, and print what came of it
+         repeat all property tests with random seeds, which are printed, for HOURS (default 2); failures and the commands
+         that repeat them are written to build/release/nightly/, and the exit code is 1 if there are any
+  tsan   run the tests of multi-threaded code under the thread sanitizer
+  flags  build without optimisation, and for this processor, and compare both with the golden results
+  faults fail every write, fsync and rename of every command, one at a time, and print the results
   bench  build and run the benchmarks of kernels
   performance [OTHER]
-         measure the figures of docs/performance.md here, and write its tables and plots; with OTHER, the csgsim of an
-         older commit, beside it, in turn
+         measure the numbers of docs/performance.md here, and write its tables and plots; with OTHER, the csgsim of an
+         older commit, measure both in turns
   docs [OPTIONS...]
-         make every figure, table and picture of README.md and docs/ again, and show what changed; with --exact only
-         what does not depend on the machine's speed, with --page NAME only one page; more: tests/docs/make.py --help
-  web    compile the page of view to WebAssembly: build/web/, for any static server, which needs no program behind it;
-         test it in node and in a Chromium (300 MB); more: docs/view.md
-  site   make the pages a book: build/site/index.html, which can be searched, and build/csgsim.pdf
+         regenerate every number, table and picture of README.md and docs/, and show the changes; with --exact only those
+         independent of the computer's speed, with --page NAME only one page; more: tests/docs/make.py --help
+  web    compile the page of view to WebAssembly: build/web/, for any static server, without a server program; test it in
+         node and in a Chromium (300 MB); more: docs/view.md
+  site   convert the pages to a book: build/site/index.html with a search, and build/csgsim.pdf
   reproduce
-         make every table of the thesis again, ours beside its own, and show what changed: docs/reproduction.md
-  rtl    hold the machine in Verilog against csgsim: all designs in Icarus and Verilator, and all proofs; and place
-         and route what docs/hardware.md has of FPGAs (an hour)
+         recompute every table of the thesis, ours next to the original, and show the changes: docs/reproduction.md
+  rtl    compare the machine in Verilog with csgsim: all designs in Icarus and Verilator, and all proofs; and place and
+         route the FPGA designs of docs/hardware.md (an hour)
   screenshots
-         draw the pictures of docs/debugging.md again: GTKWave, with a wave of each kind of machine
+         redraw the pictures of docs/debugging.md: GTKWave, with a wave of each kind of machine
   report-test
-         install a Chromium (300 MB) and open pages of --report, and of view, in it
+         install a Chromium (300 MB) and test the pages of --report and of view in it
   openscad-tests DIR [WORDS...]
-         hold pictures of OpenSCAD's own tests and examples against OpenSCAD's meshes: DIR is a checkout, which
-         git clone --depth 1 https://github.com/openscad/openscad DIR makes; with WORDS those with a word in their path
+         compare pictures of OpenSCAD's own tests and examples with OpenSCAD's meshes: DIR is a checkout made by
+         git clone --depth 1 https://github.com/openscad/openscad DIR; WORDS select models by a word in their path
   lint [BASE [MOST]]
-         check the formatting (clang-format) and the code (clang-tidy); with BASE, a commit, only the code that has
-         changed since; with MOST, only so many files, those that changed last
+         check the formatting (clang-format) and the code (clang-tidy); with BASE, a commit, only code changed since then;
+         with MOST, only that number of files, the latest changes first
   cluster
-         run a study on a Slurm of its own with two nodes, kill one of them, and compare with one process; the same
-         with srun, mpirun and GNU Parallel (as root)
+         run a study on a local Slurm with two nodes, kill one of them, and compare with a single process; the same with
+         srun, mpirun and GNU Parallel (as root)
   mutate test the tests: 400 small wrong edits, one at a time; more options: tests/mutation/README.md
 TEXT
 }
@@ -73,12 +74,12 @@ as_root() {
   elif command -v sudo >/dev/null; then
     sudo "$@"
   else
-    echo "setup.sh: packages have to be installed and there is no sudo; run this as root once" >&2
+    echo "setup.sh: packages must be installed, but sudo is missing; run this as root once" >&2
     exit 1
   fi
 }
 
-# Installs those of the named packages that are not there yet.
+# Installs those of the named packages that are missing.
 need() {
   missing=""
   for package in "$@"; do
@@ -99,7 +100,7 @@ build() {
   cmake --build --preset "$preset"
 }
 
-# The program with all that it opens. A build that has tests keeps them; they are not built.
+# Builds the program with its run-time modules. A build folder configured with tests keeps them, without building them.
 program() {
   set --
   [ -e build/release/build.ninja ] || set -- -DCSGSIM_BUILD_TESTS=OFF
@@ -107,7 +108,7 @@ program() {
   cmake --build --preset release --target hw/all host/all sim/all
 }
 
-# fuzz MINUTES [RUNS]: the time is shared out among the fuzzers, of which two run at a time.
+# fuzz MINUTES [RUNS]: divides the time among the fuzzers, which run two at a time.
 fuzz() {
   case "${1:-}" in
     '' | 0* | *[!0-9]*)
@@ -142,14 +143,14 @@ tsan() {
   need $build_packages $test_packages $clang_packages
   cmake --preset tsan -DCSGSIM_BUILD_TESTS=ON
   cmake --build --preset tsan
-  # Where addresses are spread too far for the sanitizer's shadow memory, they are not spread.
+  # Disables address-space randomization, which may exceed the sanitizer's shadow memory.
   fixed="setarch $(uname -m) -R"
   $fixed true 2>/dev/null || fixed=""
   $fixed ctest --preset tsan -j "$(nproc)"
 }
 
-# sources [BASE [MOST]]: the .cpp files to be checked: all but those that are compiled for the web alone; or those that
-# changed since a commit, and for each header that changed one that includes it, the latest change first, MOST at most.
+# sources [BASE [MOST]]: lists the .cpp files to check: all except those compiled only for the web; or those changed
+# since a commit, and for each changed header a file that includes it, the latest change first, at most MOST.
 sources() {
   git ls-files 'hw/*.cpp' 'host/*.cpp' 'sim/*.cpp' ':!sim/web/lacking' >build/sources
   if [ -z "${1:-}" ]; then
@@ -163,7 +164,7 @@ sources() {
   while read -r file; do
     case "$file" in
       *.cpp) grep -Fx "$file" build/sources || true ;;
-      # Its own source file, if there is one, or the first that there is.
+      # The header's own source file if it exists, otherwise the first file that includes it.
       *.h) grep -Fx "${file%.h}.cpp" build/sources || xargs grep -lF "#include \"$file\"" <build/sources | head -n 1 ;;
     esac
   done <build/changed | awk -v most="${2:-1000000}" '!seen[$0]++ && count++ < most'
@@ -174,7 +175,7 @@ lint() {
   need $build_packages $test_packages git clang-format clang-tidy
   if [ -n "${1:-}" ]; then
     git rev-parse --verify --quiet "$1^{commit}" >/dev/null || {
-      echo "setup.sh: there is no commit $1; name one that git log shows" >&2
+      echo "setup.sh: unknown commit $1; name one that git log shows" >&2
       exit 2
     }
   fi
@@ -209,14 +210,14 @@ demo() {
   done
   cmp "$out/functional.png" "$out/cycle.png"
   echo
-  echo "Both levels drew the same picture, byte for byte. In $out/:"
+  echo "Both levels drew identical pictures. In $out/:"
   echo "  functional.png, cycle.png              the picture"
   echo "  functional-depth.exr, cycle-depth.exr  distance from the eye at each pixel"
-  echo "  functional-owner.exr, cycle-owner.exr  which primitive is seen at each pixel"
+  echo "  functional-owner.exr, cycle-owner.exr  index of the visible primitive at each pixel"
   echo "  functional.json, cycle.json            every count"
 }
 
-# Puts the tables that csgsim_bench makes between the marks of the page.
+# Copies the tables of csgsim_bench between the marks of the page.
 performance() {
   # shellcheck disable=SC2086
   need $build_packages $test_packages openscad povray xvfb xauth
@@ -235,7 +236,7 @@ performance() {
   mv "$out/performance.md" docs/performance.md
 }
 
-# Makes what docs/manifest lists; what is measured or drawn by other programs needs these too.
+# Regenerates the contents of docs/manifest; measured entries and those drawn by other programs need further packages.
 docs() {
   # shellcheck disable=SC2086
   need $build_packages $test_packages $rtl_packages libbenchmark-dev python3 git openscad povray gtkwave xvfb xauth imagemagick \
@@ -247,7 +248,7 @@ docs() {
   return "${failed:-0}"
 }
 
-# The site takes a quarter of a minute, the PDF two minutes.
+# The site takes about 15 s, the PDF two minutes.
 site() {
   need python3 python3-sphinx furo python3-myst-parser weasyprint fonts-dejavu-core fonts-dejavu-extra
   /usr/bin/python3 docs/book/book.py site build/site
@@ -255,7 +256,7 @@ site() {
   ls build/site/index.html build/csgsim.pdf
 }
 
-# Puts the source of Clipper into build/wasm/clipper: of its library only what is compiled for this machine is packaged.
+# Downloads the source of Clipper to build/wasm/clipper: the package contains the library only for this architecture.
 clipper_source() {
   folder=$PWD/build/wasm/clipper
   ls "$folder"/libpolyclipping-*/cpp/clipper.cpp >/dev/null 2>&1 && return
@@ -277,7 +278,7 @@ web() {
   clipper_source
   python3 sim/web/build.py build/wasm build/wasm/clipper/libpolyclipping-*/cpp/clipper.cpp
   python3 sim/web/site.py build/wasm/csgsim.wasm build/web
-  echo "build/web/ is a page for any static server: python3 -m http.server --directory build/web"
+  echo "build/web/ contains a page for any static server: python3 -m http.server --directory build/web"
 }
 
 web_test() {

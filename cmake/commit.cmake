@@ -1,12 +1,12 @@
-# cmake -DSOURCE=... -DCOMMIT=... -DOUTPUT=... -P commit.cmake: writes commit.cpp, if it would be another. COMMIT is what it
-# tells where git knows nothing.
+# cmake -DSOURCE=... -DCOMMIT=... -DOUTPUT=... -P commit.cmake: writes commit.cpp, if its contents change. COMMIT is
+# used if the sources are not in a git repository.
 set(date "")
 find_program(GIT git)
 if(GIT)
   execute_process(COMMAND ${GIT} -C ${SOURCE} rev-parse --show-toplevel OUTPUT_VARIABLE top RESULT_VARIABLE failed
     OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   file(REAL_PATH ${SOURCE} real)
-  # A source archive may have been unpacked in a repository of something else.
+  # The source archive may be unpacked inside another project's repository.
   if(NOT failed AND top STREQUAL real)
     execute_process(COMMAND ${GIT} -C ${SOURCE} log -1 --format=%h --abbrev=12 OUTPUT_VARIABLE commit
       OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)

@@ -1,4 +1,4 @@
-# Flags of the project's own code; what it exports carries none of them.
+# Flags of the project's own code; exported targets carry none of them.
 add_library(csgsim_flags INTERFACE)
 set(CSGSIM_SANITIZED 0)
 if(CSGSIM_SANITIZE)
@@ -6,24 +6,24 @@ if(CSGSIM_SANITIZE)
 endif()
 target_compile_options(csgsim_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum -Wnon-virtual-dtor
-  # GCC 12 sees overlapping and overlong copies in std::string where there are none (GCC bugs 105329, 105651).
+  # GCC 12 falsely reports overlapping and overlong copies in std::string (GCC bugs 105329, 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow>
-  # The same doubles on every machine and at every optimisation level.
+  # Floating-point results are the same on every computer and at every optimisation level.
   -ffp-contract=off)
-# Of the shell, in which nothing takes time as it runs: the command line, pages, plots.
+# Flags of code that is never time-critical: the command line, pages, plots.
 add_library(csgsim_shell_flags INTERFACE)
 target_compile_options(csgsim_shell_flags INTERFACE $<$<CONFIG:Release>:-O1>)
 if(CSGSIM_SANITIZE)
-  # Checks of each pointer for null and alignment would take a quarter of the compiling; a null one ends the program anyway.
+  # Null and alignment checks of each pointer would add a quarter to the compile time; a null pointer crashes anyway.
   add_compile_options(-fsanitize=${CSGSIM_SANITIZE} -fno-sanitize=null,alignment,object-size -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${CSGSIM_SANITIZE})
 endif()
-# Of Highway, beside sanitizers: each target is a copy of every loop, and the checks multiply them. What the others have
-# is in the two that stay.
+# Fewer Highway targets in sanitized builds: each target is a copy of every loop, and the checks multiply them. The two
+# remaining targets cover the code of the others.
 set(CSGSIM_FEWER_TARGETS "HWY_DISABLED_TARGETS=(HWY_AVX3_DL|HWY_AVX3|HWY_SSE4)")
-# A hundred programs are linked; lld takes a third of the time of GNU's linker. With what GCC 12 compiles, lld 14 loses
-# handlers of exceptions.
+# About a hundred programs are linked; lld takes a third of the time of GNU's linker. Not with GCC 12: lld 14 then loses
+# exception handlers.
 if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
   include(CheckLinkerFlag)
   check_linker_flag(CXX -fuse-ld=lld CSGSIM_HAS_LLD)

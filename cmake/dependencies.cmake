@@ -1,4 +1,4 @@
-# What csgsim's libraries are built with.
+# Build dependencies of csgsim's libraries.
 find_package(glm REQUIRED)
 find_package(pegtl REQUIRED)
 find_package(tomlplusplus REQUIRED)
@@ -10,18 +10,19 @@ find_package(Threads REQUIRED)
 find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
 
-# Of the module of picture formats. Debian's CMake package of OpenImageIO asks for its command line tools and Python modules; pkg-config does not.
+# Needed by the module of picture formats. Debian's CMake package of OpenImageIO requires its command-line tools and Python
+# modules; pkg-config does not.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO)
 
-# Of 2-D shapes and meshes.
+# Needed by 2-D shapes and meshes.
 pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET GLOBAL polyclipping)
 find_package(pugixml REQUIRED)
 
-# Of zipped meshes; the static library, which no start has to load.
+# Needed by zipped meshes; a static library, which adds nothing to the start-up time.
 find_library(CSGSIM_MINIZIP libminizip.a REQUIRED)
 
-# Of the module of text.
+# Needed by the module of text.
 pkg_check_modules(fontconfig REQUIRED IMPORTED_TARGET GLOBAL fontconfig)
 pkg_check_modules(freetype REQUIRED IMPORTED_TARGET GLOBAL freetype2)
 pkg_check_modules(harfbuzz REQUIRED IMPORTED_TARGET GLOBAL harfbuzz)
@@ -30,11 +31,11 @@ pkg_check_modules(harfbuzz REQUIRED IMPORTED_TARGET GLOBAL harfbuzz)
 find_library(SYSTEMC_LIBRARY systemc REQUIRED)
 find_path(SYSTEMC_INCLUDE_DIR systemc REQUIRED)
 
-# And the command line.
+# Needed by the command line.
 find_package(CLI11 REQUIRED)
 pkg_check_modules(libedit REQUIRED IMPORTED_TARGET libedit)
 
-# What csgsim --version tells of them. Clipper's and freetype's pkg-config files do not have their numbers.
+# Version numbers for csgsim --version. The pkg-config files of Clipper and freetype lack them.
 file(STRINGS ${SYSTEMC_INCLUDE_DIR}/sysc/kernel/sc_ver.h systemc_numbers REGEX "#define SC_VERSION_(MAJOR|MINOR|PATCH) ")
 string(REGEX REPLACE "[^0-9]*([0-9]+);[^0-9]*([0-9]+);[^0-9]*([0-9]+).*" "\\1.\\2.\\3" SYSTEMC_VERSION "${systemc_numbers}")
 file(STRINGS ${polyclipping_INCLUDEDIR}/clipper.hpp CLIPPER_VERSION REGEX "#define CLIPPER_VERSION ")

@@ -1,6 +1,6 @@
 include(CMakePackageConfigHelpers)
 
-# Three components: what one runs, what Python imports, and what one builds upon (cmake/package.cmake makes a package of each).
+# Three components: the program, the Python module, and the libraries (cmake/package.cmake makes a package of each).
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME csgsim)
 set(module_dir ${CMAKE_INSTALL_LIBDIR}/csgsim)
 set(data_dir ${CMAKE_INSTALL_DATADIR}/csgsim)
@@ -8,11 +8,13 @@ set(data_dir ${CMAKE_INSTALL_DATADIR}/csgsim)
 install(TARGETS csgsim)
 install(TARGETS csgsim_pictures_module csgsim_text_module csgsim_viewer_module LIBRARY DESTINATION ${module_dir})
 file(RELATIVE_PATH module_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${module_dir})
-# The build's run path is the longer one: it is not filled up with empty folders, which mean the current one.
+# The run path of the build is the longer one, so installing does not pad it with empty entries, which mean the current
+# folder.
 set_target_properties(csgsim PROPERTIES INSTALL_RPATH $ORIGIN/${module_from_program}
   BUILD_RPATH "$ORIGIN;$ORIGIN/${module_from_program}")
 
-# What the program tells of itself: ${CSGSIM_DESCRIPTION} (sim/shell/manual). Zsh has no folder that all systems read.
+# The program generates these files itself: ${CSGSIM_DESCRIPTION} (sim/shell/manual). Zsh has no folder read by all
+# systems.
 set(CSGSIM_ZSH_COMPLETIONS ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING "Where zsh looks for completion")
 install(DIRECTORY ${CSGSIM_DESCRIPTION}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 FILES_MATCHING PATTERN "*.1.gz")
 install(FILES ${CSGSIM_DESCRIPTION}/csgsim.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME csgsim)
@@ -22,7 +24,7 @@ install(FILES ${CSGSIM_DESCRIPTION}/csgsim.fish DESTINATION ${CMAKE_INSTALL_DATA
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN manifest EXCLUDE PATTERN book EXCLUDE)
-# The machines and processors are in the program; these files are to be read, and to begin one's own with.
+# The program contains the machines and processors; the files serve as documentation and as templates for new ones.
 install(DIRECTORY hw/machines/ DESTINATION ${data_dir}/machines FILES_MATCHING PATTERN "*.toml")
 install(DIRECTORY hw/process/ DESTINATION ${data_dir}/processes FILES_MATCHING PATTERN "*.toml")
 install(DIRECTORY hw/processors/ DESTINATION ${data_dir}/processors FILES_MATCHING PATTERN "*.toml")
@@ -56,7 +58,7 @@ configure_package_config_file(cmake/csgsimConfig.cmake.in ${PROJECT_BINARY_DIR}/
 install(FILES ${PROJECT_BINARY_DIR}/csgsimConfig.cmake ${PROJECT_BINARY_DIR}/csgsimConfigVersion.cmake
   DESTINATION ${package_dir})
 
-# For builds without CMake. The rooms need one another in all directions: they are searched as a group.
+# Used by builds without CMake. The libraries depend on one another in both directions, so they are searched as a group.
 set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH prefix_from_pkgconfig /prefix/${pkgconfig_dir} /prefix)
 set(room_libraries "")

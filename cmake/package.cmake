@@ -22,7 +22,8 @@ each part of the machine takes.")
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_NAME csgsim)
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_SHLIBDEPS ON)
-# Plots in PNG are drawn by gnuplot; OpenSCAD evaluates its source (.scad) and is not needed for .csg; the usual font of its text.
+# gnuplot draws plots in PNG; OpenSCAD evaluates its source (.scad) and is not needed for .csg; the font is the default
+# of text().
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_RECOMMENDS "gnuplot-nox, openscad, fonts-liberation")
 
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers, static libraries, the CMake package and the pkg-config file of csgsim.")
@@ -36,7 +37,7 @@ set(CPACK_COMPONENT_PYTHON_DESCRIPTION "csgsim in Python: pictures as numpy arra
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-csgsim)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-# They compile it for Python, and take that away.
+# These scripts byte-compile the module for Python, and remove the result.
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/python3-csgsim/postinst
   ${PROJECT_SOURCE_DIR}/cmake/python3-csgsim/prerm)
 # The module is compiled for one minor version of Python.

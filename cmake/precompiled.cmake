@@ -1,10 +1,11 @@
-# With CSGSIM_PRECOMPILE the headers that most of the code includes are compiled once: for the libraries, and for the
-# tests. The presets debug and lint go without, so that each file is seen to include what it names. What only some files
-# include, as nlohmann/json and CLI11, stays out: GCC would instantiate its templates, and copy its virtual functions, in
+# With CSGSIM_PRECOMPILE, the most frequently included headers are compiled once for the libraries, and once for the
+# tests. The presets debug and lint do not use them, to check that each file includes what it uses. Headers used by only
+# some files, such as nlohmann/json and CLI11, are left out: GCC would instantiate their templates, and copy their
+# virtual functions, in
 # every file.
 option(CSGSIM_PRECOMPILE "Compile the headers that most files include once" OFF)
 
-# csgsim_precompiled_headers(NAME LINK... HEADERS...): the library that holds them; csgsim_use_precompiled names it.
+# csgsim_precompiled_headers(NAME LINK... HEADERS...): defines the library for csgsim_use_precompiled.
 function(csgsim_precompiled_headers name)
   cmake_parse_arguments(OF "" "" "LINK;HEADERS" ${ARGN})
   if(NOT CSGSIM_PRECOMPILE)

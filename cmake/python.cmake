@@ -1,6 +1,6 @@
-# The Python module (sim/python), for a Python with numpy: where several are on the PATH the first that has it, or the one
-# that -DCSGSIM_PYTHON_PROGRAM names. With sanitizers it is built on request only: a Python without them has to load
-# their shared runtime first, which clang has for addresses and threads and the tests preload.
+# The Python module (sim/python), for a Python with numpy: the first on the PATH that has it, or the one given by
+# -DCSGSIM_PYTHON_PROGRAM. With sanitizers it is built on request only: a Python without them must preload their shared
+# runtime, which clang provides for addresses and threads; the tests do this.
 set(CSGSIM_PRELOAD "")
 set(python_default ON)
 if(CSGSIM_SANITIZE)

@@ -1,8 +1,8 @@
-# A table is a list of rows. Each row is `extern const TYPE NAME{...};` in its own file; the names, in the order of the
-# table, stand only in the folder's CMakeLists.txt.
+# A table is a list of rows. Each row is `extern const TYPE NAME{...};` in its own file; the names are listed, in the
+# order of the table, only in the folder's CMakeLists.txt.
 #
 # csgsim_rows(OUTPUT HEADERS NAMESPACE TYPE FUNCTION NAMES...): writes the source OUTPUT into the build folder. It defines
-# `std::span<const TYPE* const> FUNCTION()` in the namespace, which the first header declares.
+# `std::span<const TYPE* const> FUNCTION()` in the namespace, as declared by the first header.
 function(csgsim_rows output headers namespace type function)
   set(includes "")
   foreach(header IN LISTS headers)
@@ -11,7 +11,7 @@ function(csgsim_rows output headers namespace type function)
   set(declarations "")
   set(rows "")
   foreach(name IN LISTS ARGN)
-    if(NOT name MATCHES "::")  # else another header declares it
+    if(NOT name MATCHES "::")  # otherwise another header declares it
       string(APPEND declarations "extern const ${type} ${name};\n")
     endif()
     string(APPEND rows "    &${name},\n")
@@ -20,7 +20,8 @@ function(csgsim_rows output headers namespace type function)
 endfunction()
 
 # csgsim_embed(OUTPUT HEADER NAMESPACE FUNCTION FOLDER NAMES...): writes the source OUTPUT into the build folder. It
-# defines `std::span<const machines::BuiltIn> FUNCTION()` in the namespace, which the header declares: each NAME with the
+# defines `std::span<const machines::BuiltIn> FUNCTION()` in the namespace, as declared by the header: each NAME with
+# the
 # text of FOLDER/NAME.toml.
 function(csgsim_embed output header namespace function folder)
   cmake_path(ABSOLUTE_PATH folder NORMALIZE)

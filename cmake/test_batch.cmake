@@ -1,6 +1,6 @@
-# cmake -DOUTPUT=FILE "-DSOURCES=FILE;..." -P test_batch.cmake: writes a file that compiles several files of tests at
-# once, each in a namespace of its own, since they use the same names for what is alike in them. What they include is
-# included before the namespaces begin; inside, it is there already and adds nothing.
+# cmake -DOUTPUT=FILE "-DSOURCES=FILE;..." -P test_batch.cmake: writes a file that compiles several test files at once,
+# each in a separate namespace, since they use the same names for similar things. Their includes come before the
+# namespaces, where include guards then suppress them.
 set(includes "")
 set(files "")
 set(number 0)

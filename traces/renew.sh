@@ -1,5 +1,6 @@
 #!/bin/sh
-# traces/renew.sh CSGSIM [FOLDER]: compiles the Programs of this folder anew and writes their golden figures, here or into FOLDER.
+# traces/renew.sh CSGSIM [FOLDER]: recompiles the Programs of this folder and writes their golden results, here or into
+# FOLDER.
 set -eu
 csgsim=$(realpath "$1")
 out=$(realpath "${2:-$(dirname "$0")}")
@@ -11,7 +12,7 @@ renew() {
   shift 3
   "$csgsim" compile "tests/models/$model.csg" --machine "$machine" -o "$out/$name.csgt" "$@" >/dev/null
   "$csgsim" run "$out/$name.csgt" --machine "$machine" --stats "$out/$name.json" -o "$out/$name.png" >/dev/null
-  # How long it took is no golden figure, nor what was asked for, where and of which build.
+  # Removes the wall time and the configuration, which depend on the run.
   sed -i -e 's/"wall_seconds": .*/"wall_seconds": 0/' -e '/^  "configuration": {$/,/^  },$/d' "$out/$name.json"
 }
 

@@ -1,5 +1,5 @@
-// bench_compile_growth: how the time of compiling grows with a model, from its text to the Program. Each kind of model
-// ends with what fits its sizes best (BigO), N being primitives, or half-spaces where there are balls.
+// bench_compile_growth: growth of the compile time with a model's size, from its text to the Program. For each kind of
+// model, prints the complexity that fits best (BigO), where N is primitives, or half-spaces for balls.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ std::string moved(double x, double y, double z, const std::string& solid) {
   return fmt::format("multmatrix([[1,0,0,{:.6g}],[0,1,0,{:.6g}],[0,0,1,{:.6g}],[0,0,0,1]]){{{}}}\n", x, y, z, solid);
 }
 
-/// Places all over a cube in which as many solids are in every unit of space, whatever their number.
+/// Random places in a cube whose size grows with their number, so that the density is constant.
 class Places {
  public:
   explicit Places(std::int64_t count) : side_(0.0, 2.0 * std::cbrt(static_cast<double>(count))) {}
@@ -50,10 +50,10 @@ std::string grid(std::int64_t count) {
   return text + "}";
 }
 
-/// A plate with holes of six sides.
+/// A plate with hexagonal holes.
 std::string plate(std::int64_t count) { return bench::drilled_plate(static_cast<unsigned>(count - 1), 6, 0.6); }
 
-/// Solids with others taken from them, all over one another in the picture and many in space.
+/// Solids minus others, all overlapping in the picture and many in space.
 std::string bodies(std::int64_t count) {
   Places places(count);
   std::string text = "union(){\n";
@@ -68,7 +68,7 @@ std::string deep(std::int64_t count) { return bench::deep_tree(static_cast<unsig
 
 constexpr std::int64_t halfspaces_of_ball = 45 * 23 + 2;
 
-/// So many half-spaces in balls.
+/// Several balls with a total of `halfspaces` half-spaces.
 std::string balls(std::int64_t halfspaces) {
   const std::int64_t count = halfspaces / halfspaces_of_ball;
   Places places(count);
@@ -77,7 +77,7 @@ std::string balls(std::int64_t halfspaces) {
   return text + "}";
 }
 
-/// So many half-spaces in one ball.
+/// One ball with `halfspaces` half-spaces.
 std::string ball(std::int64_t halfspaces) {
   return fmt::format("sphere($fn={},r=10);", std::llround(std::sqrt(2.0 * static_cast<double>(halfspaces))));
 }
@@ -85,7 +85,7 @@ std::string ball(std::int64_t halfspaces) {
 template <std::string (*make)(std::int64_t)>
 void compile(benchmark::State& state) {
   const std::string text = make(state.range(0));
-  // The whole of each model from the same side, with room for whatever classification takes.
+  // The whole model from a fixed side, with enough memory for any classification.
   testing::Setup setup{{{1, -1, 1}, {0, 0, 0}, view::Projection::orthographic}, {}, 4096};
   const model::Tree tree = read::read_csg_text(text, "bench");
   const facet::Box box = facet::make_geometry(tree).box;

@@ -1,6 +1,6 @@
-// bench_cycle_speed [WIDTH HEIGHT [PRIMITIVES]]: clocks a second of the clocked Pixel-planes machine on a typical mix
+// bench_cycle_speed [WIDTH HEIGHT [PRIMITIVES]]: clocks per second of the clocked Pixel-planes machine on a typical mix
 // of instructions, of its parts without the SystemC kernel, and of a plain loop over bit planes, in turns. Seconds are
-// of processor time, the fastest of some runs.
+// processor time, the fastest of some runs.
 
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ struct Row {
   [[nodiscard]] double rate() const { return static_cast<double>(clocks) / seconds; }
 };
 
-/// One after the other, so that what else the machine does meets all of them.
+/// Runs all in turns, so that other load on the computer affects all of them.
 void run_in_turns(std::vector<Row>& rows) {
   constexpr int turns = 5;
   for (int turn = 0; turn < turns; ++turn) {
@@ -45,7 +45,7 @@ void run_in_turns(std::vector<Row>& rows) {
   }
 }
 
-/// Calls use(step) with every bit step of the Program, and done() after each instruction.
+/// Calls use(step) for every bit step of the Program, and done() after each instruction.
 template <class Use, class Done>
 std::uint64_t each_step(const isa::Program& program, Use use, Done done) {
   array::Sequencer sequencer(1, 1, 1);
@@ -58,8 +58,8 @@ std::uint64_t each_step(const isa::Program& program, Use use, Done done) {
   return clocks;
 }
 
-/// The trees without a level, so that a bit is at the pixels in its step's clock; enable bits are counted after each
-/// instruction, as the machine does.
+/// Uses trees without levels, so that a bit reaches the pixels in its step's clock. Enable bits are counted after each
+/// instruction, as in the machine.
 std::uint64_t run_array(const isa::Program& program, array::PixelArray& pixels) {
   array::LinearEvaluator evaluator({1, 1});
   array::StreamBit leaves;

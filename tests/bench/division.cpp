@@ -25,8 +25,8 @@
 #include "tests/support/drawing.h"
 #include "tests/unit/division/hand_models.h"
 
-// What the divider of the pixel-square machine does for the thesis's objects, at one level and two, and what the host's
-// further prunings would save its renderer: docs/machines/pixel-square.md.
+// Work of the pixel-square machine's divider for the thesis's objects, at one level and two, and the savings of the
+// host's further prunings for its renderer: docs/machines/pixel-square.md.
 
 using namespace csgsim;
 
@@ -55,7 +55,7 @@ Subject subject(const testing::ThesisObject& object, machines::Size picture, mac
   machines::set_picture_size(machine, picture);
   machine.array.width = square.width;
   machine.array.height = square.height;
-  // So that it is compiled with other prunings than the divider's.
+  // Compiles with prunings other than the divider's.
   machines::own<pixel_square::Figures>(machine).divider = pixel_square::DividerKind::host;
   return {object.name, std::move(tree), std::move(scene), std::move(view), machine};
 }
@@ -66,7 +66,7 @@ struct Work {
   std::uint64_t most_entries = 0;
   std::vector<std::uint64_t> entries;
   division::PeakUsage at_hand;
-  std::uint64_t most_words = 0;  ///< of the commands of a square, of 32 bits
+  std::uint64_t most_words = 0;  ///< 32-bit words of the commands of the largest square
 
   void take(const isa::Region& region, const division::Divided& square) {
     squares += square.counts();
@@ -79,7 +79,7 @@ struct Work {
     most_words = std::max(most_words, words);
   }
 
-  /// Clocks of a divider that holds a box, a cell or a node in a clock and a half-space in four.
+  /// Clocks of a divider that tests a box, a cell or a node per clock and a half-space in four.
   [[nodiscard]] std::uint64_t tests() const {
     division::Counts all = squares;
     all += groups;
@@ -118,7 +118,7 @@ void print(const char* what, const division::Counts& counts) {
 
 struct Compiled {
   std::uint64_t instructions = 0;
-  std::uint64_t clocks = 0;  ///< of the renderers' instructions
+  std::uint64_t clocks = 0;  ///< clocks of the renderers' instructions
 };
 
 Compiled compiled(const Subject& subject, const csg::Pruning& pruning) {
@@ -157,7 +157,7 @@ void print_prunings(const Subject& subject) {
   row("the host's prunings and cells", compiled(subject, all));
 }
 
-/// Primitives by the subtree of unions alone that they are leaves of, if it has several of them.
+/// Primitives by the subtree of unions that contains them, for subtrees with several primitives.
 std::vector<std::vector<std::uint32_t>> unions_of(const csg::PositiveTree& tree, bool complemented) {
   std::map<std::uint32_t, std::vector<std::uint32_t>> by_top;
   const auto is_union = [&](std::uint32_t node) {
@@ -176,7 +176,7 @@ std::vector<std::vector<std::uint32_t>> unions_of(const csg::PositiveTree& tree,
   return unions;
 }
 
-/// What drawing unions as one could save (thesis 7.3.2).
+/// Possible savings of drawing unions as one primitive (thesis 7.3.2).
 void print_unions(const Subject& subject) {
   const csg::PositiveTree tree = csg::make_positive(subject.tree);
   const auto plain = unions_of(tree, false);
@@ -185,7 +185,7 @@ void print_unions(const Subject& subject) {
   fmt::print("  unions of complements: {}; of plain solids: {}, with {} primitives\n", unions_of(tree, true).size(),
              plain.size(), members.size());
   std::uint64_t total = 0;
-  std::uint64_t merges = 0;  ///< of members that nothing has to be compared with
+  std::uint64_t merges = 0;  ///< merges of members without any comparison
   const isa::Program program = emit::compile(subject.tree, subject.scene, subject.view, subject.machine);
   for (const isa::Segment& segment : program.segments) {
     std::map<std::uint32_t, std::uint64_t> merging;
@@ -250,6 +250,6 @@ int main() {
   for (std::size_t i = 1; i < objects.size(); ++i) {
     report(subject(objects[i], {512, 512}, {128, 128}, std::nullopt), false);
   }
-  // Table 7.3: three tolerances, 64 segments of 16 subsegments each.
+  // Table 7.3 of the thesis: three tolerances, 64 segments of 16 subsegments each.
   for (const double tolerance : {0.11, 0.06, 0.0278}) report(subject(objects[1], {256, 256}, {8, 8}, tolerance), false);
 }

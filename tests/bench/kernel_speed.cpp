@@ -1,6 +1,6 @@
-// bench_kernel_speed [MODULES SIGNALS]: what SystemC's kernel takes for a clock of so many modules that do nothing but
-// write, in all, so many signals, each a new number at every edge. Pixel-planes has seven that are awake as a rule, and
-// six signals that change. Seconds are of processor time.
+// bench_kernel_speed [MODULES SIGNALS]: cost of a clock in SystemC's kernel for MODULES modules that only write SIGNALS
+// signals in total, each a new value at every edge. Pixel-planes usually has seven active modules and six changing
+// signals. Seconds are processor time.
 
 #include <fmt/format.h>
 

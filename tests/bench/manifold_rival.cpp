@@ -1,5 +1,5 @@
-// What csgsim convert makes of models, beside what Manifold (https://github.com/elalish/manifold) makes of the same
-// primitives by the same tree, as rows of a table: bench_manifold MODEL.csg ...
+// Compares csgsim convert with Manifold (https://github.com/elalish/manifold) on the same primitives and tree, as rows
+// of a table: bench_manifold MODEL.csg ...
 
 #include <fmt/format.h>
 #include <manifold/manifold.h>
@@ -28,10 +28,10 @@ using manifold::Manifold;
 
 constexpr int runs = 5;
 
-/// Of this process, on all threads.
+/// Processor time of this process, over all threads.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// The middle one of the times that it takes, and the last outcome.
+/// The median time of several calls, and the last result.
 template <class Make>
 auto timed(const Make& make) {
   std::vector<double> seconds;
@@ -84,7 +84,7 @@ Manifold evaluated(const model::Tree& tree) {
     values.push_back(Manifold::BatchBoolean(operands, op));
   }
   Manifold result = values[tree.root];
-  static_cast<void>(result.Status());  // it is evaluated only when it is asked for something
+  static_cast<void>(result.Status());  // Manifold evaluates on first access
   return result;
 }
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""A prism as convex pieces and as a formula of its sides' half-planes, drawn on Pixel-planes 4.
+"""Draws a prism as convex pieces and as a formula of its sides' half-planes on Pixel-planes 4.
 
     tests/bench/prism_formula.py build/release/csgsim
 
 The formula is that of D. Dobkin, L. Guibas, J. Hershberger and J. Snoeyink, "An efficient algorithm for finding the CSG
-representation of a simple polygon" (SIGGRAPH 1988): each side's half-plane once. A chain of sides, whose first and last
-are extended to rays, is divided at a corner of its convex hull; the two halves are intersected where the corner is
-convex, and united where it is reflex. Here a half-plane is a box too large to be seen the ends of.
+representation of a simple polygon" (SIGGRAPH 1988): each side's half-plane once. A chain of sides, with the first and
+last extended to rays, is divided at a corner of its convex hull; the two halves are intersected at a convex corner and
+united at a reflex one. Here a half-plane is a box whose other sides are outside the picture.
 """
 import json
 import math
@@ -18,7 +18,7 @@ import sys
 import tempfile
 
 HEIGHT = 3
-FAR = 200  # half a side of a half-plane's box
+FAR = 200  # half the side of a half-plane's box
 
 
 def area(outline):
@@ -74,7 +74,7 @@ def chain(corners, first, last):
 
     if first == last:
         return "side", at(first), at(first + 1)
-    start = direction(at(first + 1), at(first))  # where the rays go
+    start = direction(at(first + 1), at(first))  # directions of the rays
     end = direction(at(last), at(last + 1))
     towards = [(-start[0] - end[0], -start[1] - end[1])]
     for ray in (start, end):
@@ -111,7 +111,7 @@ def formula_of(outline):
 
 
 def flattened(formula):
-    """Operators of one kind in each other become one."""
+    """Merges nested operators of one kind."""
     if formula[0] == "side":
         return formula
     children = []

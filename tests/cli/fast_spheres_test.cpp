@@ -47,8 +47,6 @@ TEST_CASE("solids other than orthographic spheres stay facets with a single warn
         std::string::npos);
   CHECK(warnings(ball, "--projection p").find("is an ellipse in a perspective picture and is drawn as facets") !=
         std::string::npos);
-  CHECK(warnings(ball, "--projection p").find("is an ellipse in a perspective picture and is drawn in facets") !=
-        std::string::npos);
   CHECK(warnings("sphere($fn=5,$fa=12,$fs=2,r=10);\n", "").empty());
 }
 

@@ -1,4 +1,5 @@
-"""Machines and strategies, each of which has to draw what Pixel-planes 4 draws with the stack: depth, owner and colour of every pixel."""
+"""Compares machines and strategies with Pixel-planes 4 and its stack: depth, owner and colour of every pixel must be
+equal."""
 import re
 import subprocess
 import tomllib
@@ -8,44 +9,45 @@ from drawn import render
 
 MACHINES = ("pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5", "multi-processor")
 FIRST = (MACHINES[0], "stack")
-# What a machine may refuse, by words of its message, and what it draws the model with then.
+# Parts of messages with which a machine may reject a model, with the options that make it draw the model.
 HOST_DIVIDES, MORE_BITS = "+divider.kind=host", ("--memory-bits", "4096")
 REFUSALS = (("divides the model itself", HOST_DIVIDES), ("memory bits a pixel", MORE_BITS), ("tree of this primitive expands", None), ("the divider keeps", None))
 
 
 def usual_strategies(csgsim):
-    """Those that a sweep varies if none are named."""
+    """The machines and strategies that a sweep varies by default."""
     settings = subprocess.run([csgsim, "sweep", "model.csg", "--dump-config"], check=True, capture_output=True, text=True).stdout
     return tomllib.loads(settings)["sweep"]["strategy"].split(",")
 
 
 def chosen(csgsim, machines, strategies, cross):
-    """Pairs to hold against the first: machines with the stack and strategies on the first machine, or each with each."""
+    """Pairs to compare with the first: machines with the stack and strategies on the first machine, or all
+    combinations."""
     pairs = [(machine, strategy) for machine in (MACHINES if machines else MACHINES[:1])
              for strategy in (usual_strategies(csgsim) if strategies else FIRST[1:])]
     return [pair for pair in pairs if pair != FIRST and (cross or pair[0] == FIRST[0] or pair[1] == FIRST[1])]
 
 
 def draw(csgsim, model, view, size, pair):
-    """What is drawn in the end, and what was refused before, in words."""
+    """The final drawing, and the messages of earlier rejections."""
     machine, more, refused = pair[0], (), []
     while True:
         drawn = render(csgsim, model, view, size, ("--machine", machine, "--strategy", pair[1], *more))
-        known = [(words, mend) for words, mend in REFUSALS if words in drawn.said]
+        known = [(words, fix) for words, fix in REFUSALS if words in drawn.said]
         if drawn.code != 1 or not known:
             return drawn, refused
         refused.append(re.sub(r"^\S+:\d+:\d+: ", "", drawn.said))
-        mend = known[0][1]
-        if mend == HOST_DIVIDES and machine == pair[0] and machine != "multi-processor":  # whose cells divide, always
-            machine += mend
-        elif mend == MORE_BITS and not more:
-            more = mend
+        fix = known[0][1]
+        if fix == HOST_DIVIDES and machine == pair[0] and machine != "multi-processor":  # its cells always divide
+            machine += fix
+        elif fix == MORE_BITS and not more:
+            more = fix
         else:
             return drawn, refused
 
 
 class Tally:
-    """What came of each machine with each strategy, over all models and views."""
+    """Results of each machine with each strategy, over all models and views."""
 
     def __init__(self):
         self.counts = defaultdict(lambda: defaultdict(int))
@@ -60,7 +62,7 @@ class Tally:
             counts["most bits"] = max(counts["most bits"], drawn.stats["memory"]["used_bits"])
 
     def compare(self, pair, first, other):
-        """What is not the same."""
+        """Differences between two drawings."""
         differs = {"depths": int((first.depth != other.depth).sum()), "owners": int((first.owner != other.owner).sum()),
                    "colours": int(first.picture != other.picture)}
         for what, count in differs.items():
@@ -73,11 +75,11 @@ class Tally:
         for pair, counts in self.counts.items():
             print("%-16s %-9s" % pair + "%10d" * len(columns) % tuple(counts[name] for name in columns))
         for (pair, said), models in sorted(self.refusals.items()):
-            print(f"{' '.join(pair)} refused {len(models)} models: {said}\n    {' '.join(sorted(models))}")
+            print(f"{' '.join(pair)} rejected {len(models)} models: {said}\n    {' '.join(sorted(models))}")
 
 
 def judge(csgsim, model, view, size, pairs, tally):
-    """What machines and strategies draw otherwise than the first of them."""
+    """Compares the drawings of machines and strategies with that of the first pair."""
     first = render(csgsim, model, view, size, ("--machine", FIRST[0], "--strategy", FIRST[1]))
     if not first:
         return [first.said]

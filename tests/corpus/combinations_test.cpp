@@ -9,7 +9,8 @@ using namespace csgsim;
 
 namespace {
 
-/// Some divide the picture themselves, or leave it to the host. Squares are so small that each picture has several.
+/// Machines that divide the picture themselves, and others that leave it to the host. Squares are so small that each
+/// picture has several.
 constexpr std::array<std::string_view, 7> drawing_machines{
     "pixel-planes-4",
     "scan-line",
@@ -24,7 +25,7 @@ bool divides(std::string_view machine) {
   return machine == "pixel-square" || machine == "multi-processor";
 }
 
-/// The machine with as much memory as there may be, and room in its divider for large models.
+/// The machine with the maximum of memory, and a divider large enough for large models.
 machines::Machine load_large(std::string_view name) {
   const bool has_room = divides(name) && name != "multi-processor";
   constexpr std::string_view room = "+divider.store=4194304+divider.nodes=65536+divider.halfspaces=1048576";
@@ -33,7 +34,7 @@ machines::Machine load_large(std::string_view name) {
   return machine;
 }
 
-/// A model as one camera sees it.
+/// A model as seen by one camera.
 struct Seen {
   const model::Tree& tree;
   facet::Geometry scene;
@@ -49,15 +50,15 @@ observe::Frame draw_with(const Seen& seen, std::string_view name, emit::Strategy
   return testing::draw_on(machine, emit::compile(seen.tree, seen.scene, seen.view, machine, options));
 }
 
-/// A machine that divides knows the stack alone, which `auto` takes then.
-bool knows(std::string_view machine, emit::Strategy strategy) {
+/// Whether a machine supports a strategy: one that divides supports only the stack, which is also its `auto`.
+bool supports(std::string_view machine, emit::Strategy strategy) {
   return !divides(machine) || strategy == emit::Strategy::stack || strategy == emit::Strategy::automatic;
 }
 
-/// Whether the machine may say so with the strategy: it does not know it, or what it would take is beyond its limits.
+/// Whether the machine may give that reason with the strategy: it lacks the strategy, or its limits are exceeded.
 bool may_refuse(std::string_view machine, emit::Strategy strategy, const std::string& said) {
   const auto says = [&](std::string_view words) { return said.find(words) != said.npos; };
-  if (!knows(machine, strategy)) return says("divides the model itself");
+  if (!supports(machine, strategy)) return says("divides the model itself");
   if (strategy == emit::Strategy::products) return says("products");
   const bool may_take_much = strategy == emit::Strategy::parallel || strategy == emit::Strategy::stored;
   return may_take_much && says("memory bits a pixel");
@@ -71,11 +72,11 @@ void compare(const Seen& seen, const observe::Frame& first, std::string_view mac
     CHECK(frame.depth == first.depth);
     CHECK(frame.owner == first.owner);
     CHECK(frame.colour == first.colour);
-    CHECK(knows(machine, strategy));
+    CHECK(supports(machine, strategy));
   } catch (const InputError& error) {
     const std::string said = error.what();
     CHECK_MESSAGE(may_refuse(machine, strategy, said), said);
-    if (knows(machine, strategy)) MESSAGE("refused: " << said);
+    if (supports(machine, strategy)) MESSAGE("refused: " << said);
   }
 }
 
@@ -99,10 +100,10 @@ void compare_all(const std::string& model, const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("every machine draws with every strategy what Pixel-planes 4 draws with the stack") {
+TEST_CASE("every machine and strategy draws the picture of Pixel-planes 4 with the stack") {
   const auto refused = testing::refused_models();
   const auto models = testing::corpus_models();
-  const char* name = std::getenv("CSGSIM_CORPUS_MODEL");  // one of them; all if not set
+  const char* name = std::getenv("CSGSIM_CORPUS_MODEL");  // a single model; all if not set
   if (name != nullptr) REQUIRE(models.contains(name));
   for (const auto& [model, path] : models) {
     if (refused.contains(model) || (name != nullptr && model != name)) continue;

@@ -18,9 +18,9 @@ observe::Frame draw_as(const testing::Reference& reference, const std::string& p
 }
 
 struct Difference {
-  int covered = 0;     ///< judged pixels at which both pictures show something
-  int silhouette = 0;  ///< judged pixels that are covered in one picture only
-  int deep = 0;        ///< pixels covered in both whose depths are more than a thousandth of the diagonal apart
+  int covered = 0;     ///< checked pixels covered in both pictures
+  int silhouette = 0;  ///< checked pixels covered in one picture only
+  int deep = 0;        ///< pixels covered in both whose depths differ by more than a thousandth of the diagonal
 };
 
 Difference compare(const testing::Reference& reference, const std::string& path) {
@@ -50,7 +50,7 @@ void judge(const std::string& model, const std::string& path) {
     Difference difference;
     const std::string error = testing::error_of([&] { difference = compare(reference, path); });
     if (const auto reason = refused.find(model); reason != refused.end()) {
-      // Drawn: take it out of refused.txt. Refused for another reason: say so there.
+      // If this succeeds, remove the model from refused.txt; if the reason differs, update it there.
       CHECK(error.find(reason->second) != std::string::npos);
       continue;
     }
@@ -63,9 +63,9 @@ void judge(const std::string& model, const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("each model of the corpus shows what OpenSCAD's mesh of it shows") {
+TEST_CASE("each model of the corpus shows the surfaces of OpenSCAD's mesh") {
   const auto models = testing::corpus_models();
-  const char* name = std::getenv("CSGSIM_CORPUS_MODEL");  // one of them; all if not set
+  const char* name = std::getenv("CSGSIM_CORPUS_MODEL");  // a single model; all if not set
   if (name != nullptr) {
     REQUIRE(models.contains(name));
     judge(name, models.at(name));
@@ -74,7 +74,7 @@ TEST_CASE("each model of the corpus shows what OpenSCAD's mesh of it shows") {
   for (const auto& [model, path] : models) judge(model, path);
 }
 
-TEST_CASE("what is refused is a model") {
+TEST_CASE("refused.txt lists only models of the corpus") {
   const auto models = testing::corpus_models();
   for (const auto& refused : testing::refused_models()) {
     CAPTURE(refused.first);

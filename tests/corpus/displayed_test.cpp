@@ -15,10 +15,10 @@ namespace {
 constexpr std::uint32_t width = 40;
 constexpr std::uint32_t height = 32;
 
-/// Of more than 12,000 planes.
+/// Models with more than 12,000 planes.
 const std::set<std::string> take_long{"bolt_and_nut", "vase"};
 
-/// A model as a machine draws it.
+/// A model drawn by a machine.
 struct Drawn {
   testing::Compiled compiled;
   observe::Frame frame;
@@ -34,11 +34,11 @@ Drawn drawn(const std::string& path, view::Projection projection) {
   return drawn;
 }
 
-/// Calls `use(name, drawn)` of all models that have facets; where few cases are drawn, of each fourth.
+/// Calls `use(name, drawn)` for all models with facets; in short runs for every fourth.
 template <class Use>
 void for_each_model(const std::map<std::string, std::string>& models, const Use& use) {
   const auto refused = testing::refused_models();
-  // One projection a model is enough: which, its place in the alphabet says.
+  // One projection per model suffices; it alternates in alphabetical order.
   std::size_t number = 0;
   for (const auto& model : models) {
     const std::string& name = model.first;
@@ -60,7 +60,7 @@ std::map<std::string, std::string> models_of_pages() {
   return models;
 }
 
-/// Pixels at which a picture is not the machine's.
+/// Number of pixels at which a picture differs from the machine's.
 template <class SeenAt>
 std::uint64_t wrong_pixels(const observe::Frame& frame, const SeenAt& seen_at) {
   std::uint64_t wrong = 0;
@@ -71,13 +71,13 @@ std::uint64_t wrong_pixels(const observe::Frame& frame, const SeenAt& seen_at) {
   return wrong;
 }
 
-/// Checks exact methods, and that list priority tells of each pixel that it draws wrong. Returns a line for each of its
-/// pictures that is.
+/// Checks exact methods, and that list priority reports each pixel that it draws wrong. Returns a line for each of its
+/// pictures with wrong pixels.
 std::string wrong_pictures(const std::string& name, const Drawn& drawn) {
   const testing::Compiled& model = drawn.compiled;
   const software::Facets facets = software::facets_of(model.tree, model.scene);
   const software::Tree tree = software::make_tree(model.tree, software::Shape::balanced);
-  // One directory a model: which, its name says.
+  // One directory per model, chosen by the length of its name.
   const std::vector<std::string> directories = software::halving_directories();
   const std::string& directory = directories[name.size() % directories.size()];
   const software::DisplaySubject subject{model.tree, model.scene, model.view, tree, facets, 24, directory};
@@ -96,7 +96,7 @@ std::string wrong_pictures(const std::string& name, const Drawn& drawn) {
   return lines;
 }
 
-/// What tests/corpus/displayed.txt has; where few cases are drawn, of those models.
+/// The contents of tests/corpus/displayed.txt, in short runs for those models only.
 std::string listed(const std::set<std::string>& models) {
   std::ifstream file(fs::path(CSGSIM_SOURCE_DIR) / "tests/corpus/displayed.txt");
   std::string lines;
@@ -124,7 +124,7 @@ void check_traced(const Drawn& drawn) {
 
 }  // namespace
 
-TEST_CASE("software displays models facet by facet as the machine draws them, but for the pixels that are listed") {
+TEST_CASE("software draws models facet by facet as the machine except for listed pixels") {
   std::string lines;
   std::set<std::string> displayed;
   for (const auto& models : {testing::corpus_models(), models_of_pages()}) {
@@ -135,10 +135,10 @@ TEST_CASE("software displays models facet by facet as the machine draws them, bu
   }
   CHECK(lines == listed(displayed));
 }
-TEST_CASE("software traces the corpus as the machine draws it, by each directory") {
+TEST_CASE("software traces the corpus as the machine draws it with each directory") {
   for_each_model(testing::corpus_models(),
                  [&](const std::string& /*name*/, const Drawn& drawn) { check_traced(drawn); });
 }
-TEST_CASE("software traces the models of the pages as the machine draws them, by each directory") {
+TEST_CASE("software traces the models of the pages as the machine draws them") {
   for_each_model(models_of_pages(), [&](const std::string& /*name*/, const Drawn& drawn) { check_traced(drawn); });
 }

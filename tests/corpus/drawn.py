@@ -1,4 +1,4 @@
-"""What csgsim draws of a model, and what it says when it does not."""
+"""Drawing a model with csgsim, or its error message."""
 import json
 import resource
 import subprocess
@@ -13,12 +13,12 @@ import exr
 
 @dataclass
 class Drawn:
-    """A picture with its counts; or why there is none."""
+    """A picture with its counts, or the reason why there is none."""
     depth: np.ndarray = None
     owner: np.ndarray = None
     picture: bytes = b""
     stats: dict = None
-    seconds: float = 0.0  # of the processor's time
+    seconds: float = 0.0  # processor time
     code: int = 0
     said: str = ""
 
@@ -32,7 +32,7 @@ def children_seconds():
 
 
 def render(csgsim, model, view, size, options=()):
-    """view: where the eye and the centre are, and the projection."""
+    """Draws from a view: eye, centre and projection."""
     camera, projection = view
     with tempfile.TemporaryDirectory() as folder:
         depth, owner, picture, stats = (Path(folder) / name for name in ("depth.exr", "owner.exr", "picture.ppm", "stats.json"))

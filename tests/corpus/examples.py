@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Writes the table of OpenSCAD's own examples into docs/shapes.md, between the lines that say where it goes.
+"""Writes the table of OpenSCAD's own examples into docs/shapes.md, between its marks.
 
     examples.py [--csgsim build/release/csgsim] [--work FOLDER] [--limit SECONDS]
 
-Each example that the Debian package of OpenSCAD installs is made into .csg; its nodes are those of that file. OpenSCAD itself makes a mesh of
-it, or an area of what is flat. With --csgsim, its source is compiled and drawn; seconds are those of compiling, OpenSCAD's evaluation among them."""
+Each example installed by the Debian package of OpenSCAD is exported to .csg, whose nodes are listed. OpenSCAD itself
+makes a mesh, or an area for flat models. With --csgsim, the source is compiled and drawn; seconds are those of
+compiling, including OpenSCAD's evaluation."""
 import argparse
 import json
 import re
@@ -23,7 +24,7 @@ NODE = re.compile(r"([a-z_0-9]+)\(")
 
 
 def run(command, limit):
-    """Exit code (None when time ran out) and what was said."""
+    """Exit code (None after a time-out) and output."""
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=limit, check=False)
     except subprocess.TimeoutExpired:
@@ -38,13 +39,13 @@ def nodes(csg):
 
 
 def problem(said):
-    """The first thing that OpenSCAD complains of."""
+    """OpenSCAD's first complaint."""
     lines = [line for line in said.splitlines() if re.match(r"(ERROR|WARNING): (?!variable timestamp)", line)]
     return "; " + re.sub(r" in file .*", "", lines[0]) if lines else ""
 
 
 def openscad_says(csg, limit):
-    """What comes of it in OpenSCAD; kept in the folder, since it may take minutes."""
+    """OpenSCAD's result; kept in the folder, since it may take minutes."""
     kept = csg.with_suffix(".verdict")
     if kept.exists():
         return kept.read_text(encoding="utf-8")
@@ -62,7 +63,7 @@ def openscad_says(csg, limit):
 
 
 def drawn(csgsim, scad, limit, more=()):
-    """What csgsim draws of the source and at what price, or what it says against it."""
+    """csgsim's drawing of the source with its costs, or its error message."""
     with tempfile.TemporaryDirectory() as folder:
         program, stats = folder + "/example.csgt", folder + "/stats.json"
         begun = time.monotonic()
@@ -73,21 +74,21 @@ def drawn(csgsim, scad, limit, more=()):
             said += more_said
         if code != 0:
             return None, f"not in {limit} s" if code is None else said.strip().splitlines()[-1]
-        told = json.loads(Path(stats).read_text(encoding="utf-8"))
-    of = told["model"]
-    return [of["halfspaces"], of["pieces"], told["clocks"], told["memory"]["used_bits"], f"{seconds:.1f}"], said
+        found = json.loads(Path(stats).read_text(encoding="utf-8"))
+    of = found["model"]
+    return [of["halfspaces"], of["pieces"], found["clocks"], found["memory"]["used_bits"], f"{seconds:.1f}"], said
 
 
 def csgsim_says(csgsim, scad, limit):
-    """Cells of the row. What is refused is drawn as the message says that it can be."""
+    """Cells of the row. A rejected model is drawn with the option that the message suggests."""
     cells, said = drawn(csgsim, scad, limit)
     if cells:
         return ["drawn; what is see-through by screen-door" if "screen-door" in said else "drawn", *cells]
     reason = "refused: " + re.sub(r"^\S*:(\d+:\d+:)? ", "", said).partition(";")[0].partition(" (")[0]
-    mend = re.search(r"--set (\S+?),? ", said)
-    if mend:
-        cells, _ = drawn(csgsim, scad, limit, ["--set", mend[1]])
-        reason += f"; drawn with `--set {mend[1]}`"
+    fix = re.search(r"--set (\S+?),? ", said)
+    if fix:
+        cells, _ = drawn(csgsim, scad, limit, ["--set", fix[1]])
+        reason += f"; drawn with `--set {fix[1]}`"
     return [reason, *(cells or [""] * 5)]
 
 
@@ -104,10 +105,10 @@ def row(arguments, scad):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--csgsim")
-    parser.add_argument("--work", type=Path, default=Path(tempfile.gettempdir()) / "csgsim-examples", help="where .csg files and meshes are kept")
-    parser.add_argument("--limit", type=int, default=300, help="seconds for each run")
+    parser.add_argument("--work", type=Path, default=Path(tempfile.gettempdir()) / "csgsim-examples", help="folder for .csg files and meshes")
+    parser.add_argument("--limit", type=int, default=300, help="time limit of each run in seconds")
     arguments = parser.parse_args()
-    shutil.copytree(EXAMPLES, arguments.work, dirs_exist_ok=True)  # .csg files name what they import relative to the source
+    shutil.copytree(EXAMPLES, arguments.work, dirs_exist_ok=True)  # .csg files name imports relative to the source
     heads = ["Example", "Nodes other than `group` and `multmatrix`", "OpenSCAD 2021.01"]
     if arguments.csgsim:
         heads += ["csgsim", *FIGURES]

@@ -1,10 +1,10 @@
-"""Reads one channel of an OpenEXR file: scan lines of 32-bit floats, stored plainly, as ZIPS or as ZIP."""
+"""Reads one channel of an OpenEXR file: scan lines of 32-bit floats, uncompressed, ZIPS or ZIP."""
 import struct
 import zlib
 
 import numpy as np
 
-LINES = {0: 1, 2: 1, 3: 16}  # a block, by compression
+LINES = {0: 1, 2: 1, 3: 16}  # lines of a block, by compression
 
 
 def read_text(data, at):
@@ -36,7 +36,7 @@ def channel_names(chlist):
 
 
 def unpack(data, length):
-    """What ZIP did, undone: differences of bytes, whose even and odd ones were set apart."""
+    """Reverses ZIP's filter: bytes are stored as differences, the even ones before the odd ones."""
     if len(data) == length:
         return data
     steps = np.frombuffer(zlib.decompress(data), np.uint8).astype(np.int64)
@@ -53,7 +53,7 @@ def read(path, channel):
     with open(path, "rb") as file:
         data = file.read()
     if data[:4] != b"\x76\x2f\x31\x01":
-        raise ValueError(f"{path} is no OpenEXR file")
+        raise ValueError(f"{path} is not an OpenEXR file")
     attributes, at = read_header(data)
     names = channel_names(attributes["channels"])
     compression = attributes["compression"][0]

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Holds csgsim's depth pictures of the corpus against OpenSCAD's meshes; exits with 1 where one is wrong.
+"""Compares csgsim's depth pictures of the corpus with OpenSCAD's meshes; exits with 1 if one is wrong.
 
     judge.py --csgsim build/release/csgsim                      all models, both projections, 512 x 512
     judge.py --csgsim ... --machines --strategies gear thread   two models, also on every machine and with every strategy
 
-A picture is right if at most 4 of 262,144 pixels are covered in it and not by the mesh, or the other way round, and if of those
-covered in both 99.95 % are within a thousandth of the mesh's diagonal. Needs openscad and numpy."""
+A picture is correct if at most 4 of 262,144 pixels are covered only in it or only by the mesh, and if 99.95 % of those
+covered in both are within a thousandth of the mesh's diagonal. Needs openscad and numpy."""
 import argparse
 import sys
 import tempfile
@@ -22,7 +22,7 @@ COLUMNS = "%-28s %-11s %9s %8s %8s %12s %11s %8s %7s  %s"
 
 
 def difference(seen, expected, diagonal):
-    """Pixels covered in one picture only, pixels covered in both, and of these those whose depth is wrong."""
+    """Pixels covered in one picture only, pixels covered in both, and those of the latter with a wrong depth."""
     both = np.isfinite(seen) & np.isfinite(expected)
     silhouette = int((np.isfinite(seen) != np.isfinite(expected)).sum())
     wrong = int((np.abs(np.where(both, seen, 0.0) - np.where(both, expected, 0.0)) > diagonal / 1000).sum())
@@ -30,7 +30,7 @@ def difference(seen, expected, diagonal):
 
 
 def judge_view(arguments, model, triangles, projection):
-    """A row of the table, and what is wrong."""
+    """A row of the table, and the errors."""
     camera = mesh_depth.camera(triangles, projection)
     drawn = render(arguments.csgsim, model, (camera, projection), arguments.size, arguments.option)
     if not drawn:
@@ -53,7 +53,7 @@ def judge_view(arguments, model, triangles, projection):
 
 
 def judge(arguments, model):
-    """The worst that is said of the model."""
+    """The verdict on the model."""
     reason = meshes.refused().get(model.stem)
     triangles = (meshes.mesh_apart if arguments.apart else meshes.mesh)(model, arguments.meshes)
     failed = False
@@ -73,14 +73,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--csgsim", default=str(meshes.CORPUS.parent.parent / "build/release/csgsim"))
     parser.add_argument("--size", type=int, default=512)
-    parser.add_argument("--meshes", type=Path, default=Path(tempfile.gettempdir()) / "csgsim-corpus", help="where OpenSCAD's meshes are kept")
-    parser.add_argument("--machines", action="store_true", help="also hold every machine against pixel-planes-4")
-    parser.add_argument("--strategies", action="store_true", help="also hold every strategy against the stack")
-    parser.add_argument("--cross", action="store_true", help="with both: every machine with every strategy")
-    parser.add_argument("--variant-size", type=int, default=128, help="pictures of machines and strategies")
-    parser.add_argument("--slow", type=float, default=float("inf"), help="these are half as large where a model takes so many seconds")
-    parser.add_argument("--apart", action="store_true", help="let OpenSCAD make a mesh of each thing that a model unites, where it cannot unite them in time")
-    parser.add_argument("--option", action="append", default=[], help="more for csgsim, once for each word: --option=--memory-bits --option=256")
+    parser.add_argument("--meshes", type=Path, default=Path(tempfile.gettempdir()) / "csgsim-corpus", help="folder for OpenSCAD's meshes")
+    parser.add_argument("--machines", action="store_true", help="also compare every machine with pixel-planes-4")
+    parser.add_argument("--strategies", action="store_true", help="also compare every strategy with the stack")
+    parser.add_argument("--cross", action="store_true", help="with both: combine every machine with every strategy")
+    parser.add_argument("--variant-size", type=int, default=128, help="picture size for machines and strategies")
+    parser.add_argument("--slow", type=float, default=float("inf"), help="halve that size for models that take more seconds than this")
+    parser.add_argument("--apart", action="store_true", help="let OpenSCAD make a mesh of each child of a union if the union takes too long")
+    parser.add_argument("--option", action="append", default=[], help="further arguments of csgsim; repeat for each: --option=--memory-bits --option=256")
     parser.add_argument("models", nargs="*")
     arguments = parser.parse_args()
     arguments.pairs = combinations.chosen(arguments.csgsim, arguments.machines, arguments.strategies, arguments.cross)

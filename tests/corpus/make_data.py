@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the files that the models of the corpus import, into data/: the same bytes every time. Standard library only."""
+"""Writes the files that the models of the corpus import into data/, with reproducible bytes. Standard library only."""
 import math
 import struct
 import zipfile
@@ -20,7 +20,7 @@ def star(points, outer, inner):
 
 
 def star_prism(points, outer, inner, height):
-    """Corners and triangles of a prism over a star; its bases are fans about their middles."""
+    """Corners and triangles of a prism over a star; its bases are fans around their middles."""
     outline = star(points, outer, inner)
     n = len(outline)
     corners = [(x, y, z) for z in (0.0, height) for x, y in outline] + [(0.0, 0.0, 0.0), (0.0, 0.0, height)]
@@ -78,7 +78,7 @@ def stl_ascii(name, corners, faces):
 
 
 def stl_binary(name, corners, faces):
-    # The header begins with "solid", as some programs write it: only the length tells that the file is binary.
+    # The header begins with "solid", as some programs write it: only the length shows that the file is binary.
     data = b"solid by csgsim, binary all the same".ljust(80) + struct.pack("<I", len(faces))
     for face in faces:
         t = [corners[i] for i in face]
@@ -94,7 +94,7 @@ def off(name, corners, faces, colours):
 
 
 def xml_mesh(corners, faces):
-    """A mesh as AMF has it."""
+    """A mesh in AMF."""
     vertices = "".join("<vertex><coordinates><x>%.6g</x><y>%.6g</y><z>%.6g</z></coordinates></vertex>" % p for p in corners)
     sides = "".join("<triangle><v1>%d</v1><v2>%d</v2><v3>%d</v3></triangle>" % f for f in faces)
     return f"<mesh><vertices>{vertices}</vertices><volume>{sides}</volume></mesh>"
@@ -151,7 +151,7 @@ def dat(name, columns, rows):
 
 
 def dxf(name, entities, blocks=()):
-    """A drawing of entities; and of blocks, each a name and its entities."""
+    """A drawing of entities and of blocks, each a name and its entities."""
     groups = [(0, "SECTION"), (2, "BLOCKS")] if blocks else []
     for block, parts in blocks:
         groups += [(0, "BLOCK"), (8, "0"), (2, block), (10, 0), (20, 0)] + [g for part in parts for g in part] + [(0, "ENDBLK")]
@@ -162,7 +162,8 @@ def dxf(name, entities, blocks=()):
 
 
 def rough(corners, faces):
-    """The mesh with corners that are apart by less than a 32-bit float can say, a triangle of no area, and one that comes twice and back."""
+    """The mesh with corners that differ by less than the resolution of 32-bit floats, a triangle without area, and one
+    that occurs twice with its reverse."""
     soup = [[tuple(x * (1 + 1e-8 * ((i + k) % 3 - 1)) for x in corners[k]) for k in face] for i, face in enumerate(faces)]
     soup.append([soup[0][0], soup[0][0], soup[0][1]])
     soup += [soup[3], list(reversed(soup[3]))]
@@ -227,7 +228,7 @@ def main():
     DATA.mkdir(exist_ok=True)
     stl_ascii("star.stl", *star_prism(5, 10, 4.5, 6))
     stl_binary("torus.stl", *torus(14, 9, 9, 3.5))
-    # A prism over an L, whose bases are hexagons that are not convex.
+    # A prism over an L, whose bases are concave hexagons.
     outline = [(0, 0), (14, 0), (14, 5), (5, 5), (5, 11), (0, 11)]
     corners = [(x, y, z) for z in (0, 4) for x, y in outline]
     faces = [tuple(reversed(range(6))), tuple(range(6, 12))] + [(i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6) for i in range(6)]
@@ -235,7 +236,7 @@ def main():
     low, high = box((0, 0, 0), (8, 6, 4)), box((11, 1, 0), (17, 5, 9))
     amf("two_boxes.amf", [(corners, triangles(faces)) for corners, faces in (low, high)])
     three_mf("star.3mf", *star_prism(7, 9, 6, 5))
-    # A shell: a box with a hollow inside that has no way out.
+    # A shell: a box with a closed cavity inside.
     outer, inner = box((0, 0, 0), (12, 10, 8)), box((3, 2, 2), (9, 8, 6))
     stl_ascii("hollow.stl", outer[0] + inner[0],
               triangles(outer[1]) + [tuple(8 + i for i in reversed(face)) for face in triangles(inner[1])])

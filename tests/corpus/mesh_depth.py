@@ -1,4 +1,4 @@
-"""Depth pictures of triangle meshes, and where the eye stands for them: what csgsim's pictures are held against.
+"""Depth pictures of triangle meshes and their cameras: an independent judge of csgsim's pictures.
 Shares no code with csgsim. Up is +z, the vertical field of view 22.5 degrees, pixel centres are at half-integers."""
 import math
 
@@ -6,7 +6,8 @@ import numpy as np
 
 HALF_ANGLE = math.radians(11.25)
 PROJECTIONS = ("perspective", "ortho")
-# The solid is seen from above in perspective and from below without it, from directions along no plane that people model.
+# The solid is seen from above in perspective and from below without it, from directions that avoid usual planes of
+# models.
 DIRECTIONS = {"perspective": (0.4142, -0.7654, 0.5307), "ortho": (-0.5878, -0.6131, -0.4663)}
 
 
@@ -22,7 +23,7 @@ def diagonal(triangles):
 
 
 def camera(triangles, projection):
-    """Eye and centre so that the mesh fits into the picture, rounded so that text says exactly the same."""
+    """Eye and centre such that the mesh fits into the picture, rounded so that their text is exact."""
     low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
     radius = np.linalg.norm(high - low) / 2 * 1.02
     direction = np.array(DIRECTIONS[projection]) / np.linalg.norm(DIRECTIONS[projection])
@@ -32,7 +33,8 @@ def camera(triangles, projection):
 
 
 def depth(triangles, eye_and_centre, projection, size, offset=(0.0, 0.0)):
-    """Distance from the eye along the view axis at every pixel's centre, moved by `offset` pixels; infinite where nothing is seen."""
+    """Distance from the eye along the view axis at every pixel's centre, moved by `offset` pixels; infinite for the
+    background."""
     eye, centre = np.array(eye_and_centre[:3], float), np.array(eye_and_centre[3:], float)
     forward = (centre - eye) / np.linalg.norm(centre - eye)
     right = np.cross(forward, (0.0, 0.0, 1.0))
@@ -42,7 +44,7 @@ def depth(triangles, eye_and_centre, projection, size, offset=(0.0, 0.0)):
     perspective = projection == "perspective"
     reach = math.tan(HALF_ANGLE) * (z if perspective else np.linalg.norm(centre - eye))
     columns, rows = (x / reach + 1) * size / 2 - offset[0], (1 - y / reach) * size / 2 - offset[1]
-    linear = 1 / z if perspective else z  # over the picture
+    linear = 1 / z if perspective else z  # linear over the picture
     picture = np.full((size, size), np.inf)
     for triangle in zip(columns, rows, linear):
         draw_triangle(picture, *triangle, perspective)

@@ -1,4 +1,4 @@
-"""OpenSCAD's meshes of the corpus, made when they are asked for and kept in a folder."""
+"""OpenSCAD's meshes of the corpus, generated on demand and kept in a folder."""
 import hashlib
 import re
 import subprocess
@@ -13,19 +13,19 @@ DATA = CORPUS / "data"
 
 
 def models(names=()):
-    """The .csg files that are named, or all of the corpus in order."""
+    """The named .csg files, or all of the corpus in order."""
     files = sorted(CORPUS.glob("*.csg")) + sorted((CORPUS / "parts").glob("*.csg"))
     if names:
         files += sorted((CORPUS / "large").glob("*.csg"))
     chosen = [file for file in files if not names or file.stem in names]
     missing = set(names) - {file.stem for file in chosen}
     if missing:
-        raise SystemExit(f"no such model: {', '.join(sorted(missing))}")
+        raise SystemExit(f"unknown model: {', '.join(sorted(missing))}")
     return chosen
 
 
 def refused():
-    """Models that csgsim does not draw yet, and why: a name and a reason a line."""
+    """Models that csgsim does not draw yet, with a reason each."""
     lines = (CORPUS / "refused.txt").read_text(encoding="utf-8").splitlines()
     return {name: reason for name, _, reason in (line.partition(": ") for line in lines if line and not line.startswith("#"))}
 
@@ -46,7 +46,7 @@ def openscad(text, folder, stl):
 
 
 def mesh(file, folder):
-    """Triangles of the model as OpenSCAD makes them; flat models are plates of thickness 1 about z = 0, as it shows them."""
+    """OpenSCAD's triangles of the model; flat models are plates of thickness 1 about z = 0, as OpenSCAD shows them."""
     folder.mkdir(parents=True, exist_ok=True)
     stl = folder / f"{file.stem}-{fingerprint(file)}.stl"
     if not stl.exists():
@@ -66,7 +66,8 @@ UNITES = re.compile(r"(group|union|color|multmatrix|render)\(")
 
 
 def parts(text, at=0, around=""):
-    """Where the text of a .csg file unites things: each of them alone, within what moves it. Ends at a closing brace."""
+    """Splits the text of a .csg file into the children of its unions, each within its transforms. Ends at a closing
+    brace."""
     found = []
     while head := HEAD.match(text, at):
         node, at = head[1], head.end()
@@ -81,7 +82,8 @@ def parts(text, at=0, around=""):
 
 
 def mesh_apart(file, folder):
-    """Triangles of each thing that the model unites: their nearest depth is the union's, which OpenSCAD need not work out."""
+    """Triangles of each child of the model's unions: the nearest of them gives the union's depth without evaluating
+    it."""
     folder.mkdir(parents=True, exist_ok=True)
     kept = folder / f"{file.stem}-{fingerprint(file)}.npz"
     if not kept.exists():

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""Holds csgsim's depth pictures of OpenSCAD's own tests and examples against OpenSCAD's meshes; exits with 1 where the outcome is not the listed one.
+"""Compares csgsim's depth pictures of OpenSCAD's own tests and examples with OpenSCAD's meshes; exits with 1 if an
+outcome differs from the listed one.
 
     openscad_tests.py CHECKOUT [--csgsim build/release/csgsim]      all of tests/data/scad and examples in a checkout of OpenSCAD
-    openscad_tests.py CHECKOUT 3D/features/minkowski                those whose path has these words
+    openscad_tests.py CHECKOUT 3D/features/minkowski                models with these words in their path
 
-The checkout is GPL and not part of csgsim: git clone --depth 1 https://github.com/openscad/openscad. It is copied, so that what is written
-beside the models stays out of it. openscad_tests.toml lists every model whose outcome is not "right" or "nothing in both", and why; a model
-that is listed and has another outcome fails as well. Models that OpenSCAD itself does not evaluate, or not in time, are counted and not judged.
-Needs openscad 2021.01 and numpy."""
+The checkout is GPL and not part of csgsim: git clone --depth 1 https://github.com/openscad/openscad. It is copied, so
+that files written next to the models stay out of it. openscad_tests.toml lists every model whose outcome is not "right"
+or "nothing in both", with the reason; a listed model with another outcome fails as well. Models that OpenSCAD itself
+does not evaluate, or not in time, are counted and not checked. Needs openscad 2021.01 and numpy."""
 import argparse
 import collections
 import hashlib
@@ -30,38 +31,40 @@ from drawn import render
 from judge import difference
 
 LIST = Path(__file__).with_suffix(".toml")
-FOLDERS = ("tests/data/scad", "examples")  # of models
-COPIED = ("tests/data", "examples")  # with what they import
+FOLDERS = ("tests/data/scad", "examples")  # folders of models
+COPIED = ("tests/data", "examples")  # folders to copy, including imports
 EXPECTED = ("right", "nothing in both")
 NOT_JUDGED = ("not evaluated", "no mesh in time")
 COLUMNS = "%-72s %-18s %s"
 NOT_READ_AGAIN = re.compile(r"[\[ ](inf|-inf|nan|-nan)\b")
-LONGEST = 200  # of what is said of a model, in characters
+LONGEST = 200  # maximum length of a reason in characters
 
 
 @dataclass
 class Outcome:
-    """What came of a model: a word for it, and what there is to say."""
+    """The outcome of a model: a keyword, and a reason."""
     kind: str
     said: str = ""
 
 
 def openscad(words, folder, limit, text=None):
-    """Exit code, None when time ran out, and what was said. The time is the processor's, so that a busy machine judges as many models."""
+    """Exit code, None after a time-out, and output. The time is processor time, so that a busy computer checks equally
+    many."""
     run = subprocess.run(["prlimit", f"--cpu={limit}", "openscad", *map(str, words)], cwd=folder, input=text, capture_output=True, encoding="utf-8",
                          errors="replace", check=False)
     return None if run.returncode in (-signal.SIGKILL, -signal.SIGXCPU) else run.returncode, run.stderr
 
 
 def complaint(said):
-    """The first error that OpenSCAD tells of, else its last line."""
+    """OpenSCAD's first error message, otherwise its last line."""
     lines = [line for line in said.splitlines() if line.strip()]
     errors = [line for line in lines if line.startswith("ERROR")]
     return (errors or lines[-1:] or [""])[0][:LONGEST]
 
 
 def evaluated(source, limit):
-    """The .csg beside the source, or why there is none. A kept one stays, since models may be random."""
+    """The .csg next to the source, or the reason why there is none. An existing one is kept, since models may be
+    random."""
     csg = source.with_suffix(".csg")
     if csg.exists():
         return csg, ""
@@ -75,19 +78,19 @@ def evaluated(source, limit):
 
 @dataclass
 class Mesh:
-    """Triangles as OpenSCAD makes them, flat models as plates of thickness 1 about z = 0; no triangles where it makes nothing."""
+    """OpenSCAD's triangles, flat models as plates of thickness 1 about z = 0; no triangles for an empty model."""
     triangles: np.ndarray
-    error: str = ""  # of OpenSCAD's, with which what it draws need not be what the model says
+    error: str = ""  # OpenSCAD's error, after which its mesh may be incomplete
     in_time: bool = True
 
 
 def made(csg, limit):
-    """A mesh file and what OpenSCAD said; no file where it makes nothing, no words where time ran out."""
+    """A mesh file and OpenSCAD's output; no file for an empty model, no output after a time-out."""
     text = csg.read_text(encoding="utf-8")
     base = str(csg.with_suffix("")) + "-" + hashlib.sha256(text.encode()).hexdigest()[:16]
     stl, told = Path(base + ".stl"), Path(base + ".said")
     if not told.exists():
-        # OpenSCAD writes inf and nan, and does not read them again.
+        # OpenSCAD writes inf and nan, but does not read them.
         model = csg.with_suffix(".scad").name if NOT_READ_AGAIN.search(text) else "-"
         code, said = openscad(["--export-format", "asciistl", "-o", stl, model], csg.parent, limit, text)
         if code == 1 and "not a 3D object" in said:
@@ -110,7 +113,7 @@ def mesh(csg, limit):
 
 
 def drawn_views(arguments, csg, triangles):
-    """What csgsim draws in both projections, and where from. A model of no triangles is looked at from where a small one would be."""
+    """csgsim's drawings in both projections, with their cameras. An empty model is seen like a small one."""
     seen = triangles if len(triangles) else np.array([[[-10.0, -10, -10], [10, 10, 10], [10, -10, 10]]])
     options = ["--imports-from", str(arguments.work), "--memory-bits", "512", *arguments.option]
     for projection in mesh_depth.PROJECTIONS:
@@ -119,7 +122,7 @@ def drawn_views(arguments, csg, triangles):
 
 
 def compared(arguments, triangles, view, picture):
-    """What is wrong with a picture of a mesh."""
+    """Errors in a picture of a mesh."""
     expected = mesh_depth.depth(triangles, *view, arguments.size)
     silhouette, covered, wrong = difference(picture, expected, mesh_depth.diagonal(triangles))
     faults = [f"{silhouette} of the silhouette"] if silhouette * 512 * 512 > 4 * arguments.size ** 2 else []
@@ -137,7 +140,7 @@ def judged(arguments, source):
 
 
 def against(arguments, csg, expected):
-    """Holds what is drawn of a model against its mesh."""
+    """Compares the drawings of a model with its mesh."""
     triangles, note = expected.triangles, f" ({expected.error})" if expected.error else ""
     faults = []
     for view, drawn in drawn_views(arguments, csg, triangles):
@@ -176,7 +179,7 @@ def listed():
 
 
 def unlike(outcome, entry):
-    """Why an outcome is not the listed one; nothing if it is."""
+    """The reason why an outcome differs from the listed one; empty if it does not."""
     if outcome.kind in NOT_JUDGED:
         return ""
     if entry is None:
@@ -189,9 +192,9 @@ def main():
     parser.add_argument("checkout", type=Path)
     parser.add_argument("--csgsim", default=str(LIST.parents[2] / "build/release/csgsim"))
     parser.add_argument("--size", type=int, default=512)
-    parser.add_argument("--limit", type=int, default=60, help="seconds of the processor that OpenSCAD may take for each step of a model")
-    parser.add_argument("--work", type=Path, default=Path(tempfile.gettempdir()) / "csgsim-openscad-tests", help="where the copy, .csg files and meshes are kept")
-    parser.add_argument("--option", action="append", default=[], help="more for csgsim, once for each word")
+    parser.add_argument("--limit", type=int, default=60, help="limit of OpenSCAD's processor seconds for each step of a model")
+    parser.add_argument("--work", type=Path, default=Path(tempfile.gettempdir()) / "csgsim-openscad-tests", help="folder for the copy, .csg files and meshes")
+    parser.add_argument("--option", action="append", default=[], help="further arguments of csgsim; repeat for each")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("words", nargs="*")
     arguments = parser.parse_intermixed_args()
@@ -210,7 +213,7 @@ def main():
     for name in missing:
         print(f"listed, but not in the checkout: {name}", file=sys.stderr)
     if failures:
-        print(f"{len(failures)} models have another outcome than {LIST.name} says", file=sys.stderr)
+        print(f"{len(failures)} models have another outcome than listed in {LIST.name}", file=sys.stderr)
     return 1 if failures or missing else 0
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the parts in parts/ and writes their pictures and the table of them into docs/shapes.md, between the lines that say where it goes.
+"""Draws the models in parts/ and writes their pictures and table into docs/shapes.md, between its marks.
 
     parts.py [--csgsim build/release/csgsim]
 """
@@ -26,10 +26,10 @@ def drawn(csgsim, model, folder):
     subprocess.run([csgsim, "compile", model, "--view-all", "--size", "512x512", "-o", program], check=True, stdout=subprocess.DEVNULL)
     seconds = time.monotonic() - begun
     subprocess.run([csgsim, "run", program, "-o", picture, "--stats", stats], check=True, stdout=subprocess.DEVNULL)
-    told = json.loads(stats.read_text(encoding="utf-8"))
-    of = told["model"]
+    stats_file = json.loads(stats.read_text(encoding="utf-8"))
+    of = stats_file["model"]
     return (f"| [{model.stem}](../tests/corpus/parts/{model.stem}.scad) | {of['primitives']} | {of['pieces']} | {of['halfspaces']} "
-            f"| {told['clocks']} | {told['memory_bits']['used']} | {seconds:.1f} |\n")
+            f"| {stats_file['clocks']} | {stats_file['memory_bits']['used']} | {seconds:.1f} |\n")
 
 
 def main():

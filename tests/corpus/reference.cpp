@@ -22,15 +22,16 @@ struct Values {
   std::vector<std::uint16_t> pixels;
 };
 
-/// The grey values of a PNG file of 16 bits.
+/// The grey values of a 16-bit PNG file.
 Values read_values(const fs::path& path) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_file(&image, path.c_str()) == 0) throw std::runtime_error(path.string() + ": no PNG");
+  if (png_image_begin_read_from_file(&image, path.c_str()) == 0)
+    throw std::runtime_error(path.string() + ": not a PNG file");
   image.format = PNG_FORMAT_LINEAR_Y;
   Values values{image.width, std::vector<std::uint16_t>(std::size_t{image.width} * image.height)};
   if (png_image_finish_read(&image, nullptr, values.pixels.data(), 0, nullptr) == 0) {
-    throw std::runtime_error(path.string() + ": broken");
+    throw std::runtime_error(path.string() + ": damaged PNG file");
   }
   return values;
 }
@@ -76,7 +77,7 @@ std::vector<Reference> read_references(const std::string& model) {
     references.push_back(std::move(reference));
   }
   if (references.size() != 2 || std::ssize(values.pixels) != 2 * size) {
-    throw std::runtime_error(model + ": not two references");
+    throw std::runtime_error(model + ": expected two references");
   }
   return references;
 }
@@ -87,7 +88,7 @@ std::map<std::string, std::string> refused_models() {
   for (std::string line; std::getline(file, line);) {
     const std::size_t colon = line.find(": ");
     if (line.empty() || line.front() == '#') continue;
-    if (colon == std::string::npos) throw std::runtime_error("refused.txt: not NAME: REASON: " + line);
+    if (colon == std::string::npos) throw std::runtime_error("refused.txt: expected NAME: REASON: " + line);
     refused.emplace(line.substr(0, colon), line.substr(colon + 2));
   }
   return refused;

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Writes references/: what is to be seen of each model by OpenSCAD's mesh, small, for machines without openscad.
+"""Writes references/: small depth pictures of OpenSCAD's mesh of each model, for computers without openscad.
 
-    references.py [MODEL ...]      those that are named, or all of them; the others' stay
+    references.py [MODEL ...]      the named models, or all of them; the others stay unchanged
 
-references/NAME.png has 16-bit grey values, the perspective picture above the orthographic one: 0 is nothing, 1 is not judged, the
-others are depths from `near` to `far`. references/views.txt has a line a picture: name, projection, eye and centre, near, far, and the
-mesh's diagonal. A pixel is not judged where the mesh itself says two things within 1/64 pixel of its centre: whether it is covered, or
-depths that jump by more than a thousandth of the diagonal, or run so steeply that they are 1/200 apart. Every other pixel has to be right."""
+references/NAME.png has 16-bit grey values, the perspective picture above the orthographic one: 0 is background, 1 is
+not checked, the others are depths from `near` to `far`. references/views.txt has a line per picture: name, projection,
+eye and centre, near, far, and the mesh's diagonal. A pixel is not checked if the mesh is ambiguous within 1/64 pixel of
+its centre: in coverage, or in depths that jump by more than a thousandth of the diagonal, or that are so steep that
+they differ by 1/200. Every other pixel must be correct."""
 import struct
 import sys
 import tempfile
@@ -20,7 +21,7 @@ import meshes
 
 SIZE = 96
 NEAR_EDGE = 1 / 64
-CORNERS = ((-1, -1), (1, 1), (-1, 1), (1, -1))  # about a pixel's centre; those that face one another follow one another
+CORNERS = ((-1, -1), (1, 1), (-1, 1), (1, -1))  # around a pixel's centre; opposite corners are adjacent
 FOLDER = meshes.CORPUS / "references"
 NOTHING, UNJUDGED, FIRST, LAST = 0, 1, 2, 65535
 
@@ -35,7 +36,7 @@ def write_png(path, values):
 
 
 def differences(values):
-    """PNG's filter 2: every byte less the one above it, modulo 256."""
+    """PNG's filter 2: every byte minus the one above it, modulo 256."""
     octets = values.astype(">u2").view(np.uint8).reshape(len(values), -1)
     above = np.vstack([np.zeros_like(octets[:1]), octets[:-1]])
     return octets - above

@@ -9,7 +9,7 @@ namespace csgsim::fuzz {
 
 namespace {
 
-/// Of an outline, with its sign, and how long it is.
+/// An outline's signed area, and its length.
 struct Measure {
   double area = 0;
   double around = 0;
@@ -30,7 +30,7 @@ Measure measure(const flat::Outline& outline) {
 
 void check_convex(const flat::Outline& part) {
   const std::size_t count = part.size();
-  require(count >= 3, "a part has three corners at least");
+  require(count >= 3, "a part has at least three corners");
   for (std::size_t i = 0; i < count; ++i) {
     const glm::dvec2 in = part[(i + 1) % count] - part[i];
     const glm::dvec2 out = part[(i + 2) % count] - part[(i + 1) % count];
@@ -56,11 +56,11 @@ void check_area(const flat::Area& area) {
     check_convex(part);
     covered += measure(part).area;
   }
-  // Corners are in units of 2^-16, and those within 1.4 of the line of their neighbours go, by which outlines may come
-  // to cross as much.
+  // Corners are multiples of 2^-16, and those within 1.4 units of the line of their neighbours are removed, so outlines
+  // may cross by that distance.
   constexpr double unit = 1.0 / 65536;
   require(std::abs(covered - whole.area) <= 4 * unit * whole.around + 1e-9 * std::abs(whole.area),
-          "the parts are the whole");
+          "the parts cover the whole area");
 }
 
 }  // namespace csgsim::fuzz

@@ -4,7 +4,7 @@
 
 namespace csgsim::fuzz {
 
-/// What holds of every area that is read: its corners are finite, and its convex parts are convex and cover as much.
+/// Checks the invariants of an area: its corners are finite, and its convex parts are convex and cover an equal area.
 void check_area(const flat::Area& area);
 
 }  // namespace csgsim::fuzz

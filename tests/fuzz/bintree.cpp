@@ -13,19 +13,18 @@ namespace fuzz = csgsim::fuzz;
 
 namespace {
 
-/// Of more cells than these a code is not laid out.
+/// Largest resolution for which the cells of a code are laid out.
 constexpr std::uint32_t most_laid_out = 16;
 
 void check_cells(const convert::Bintree& bintree, const convert::BlockCounts& counts) {
   const std::vector<bool> cells = convert::cells_of(bintree);
   const auto full = static_cast<std::uint64_t>(std::ranges::count(cells, true));
-  fuzz::require(full == counts.cells, "as many cells are in as the blocks hold");
+  fuzz::require(full == counts.cells, "the number of full cells equals that of the blocks");
   const std::string code = convert::code_of(cells, bintree.resolution);
-  fuzz::require(code.size() <= bintree.code.size(),
-                "no code of the same cells is shorter than the one of whole blocks");
+  fuzz::require(code.size() <= bintree.code.size(), "the code of whole blocks is the shortest for its cells");
   convert::Bintree again = bintree;
   again.code = code;
-  fuzz::require(convert::cells_of(again) == cells, "the code of cells has these cells");
+  fuzz::require(convert::cells_of(again) == cells, "the code of cells decodes to these cells");
 }
 
 void check(const convert::Bintree& bintree) {
@@ -35,8 +34,8 @@ void check(const convert::Bintree& bintree) {
                 "the cube has a place and a size");
   const convert::BlockCounts counts = convert::count_blocks(bintree);
   const std::uint64_t n = bintree.resolution;
-  fuzz::require(counts.full <= counts.blocks && counts.cells <= n * n * n, "there is no more than the cube holds");
-  fuzz::require(2 * counts.blocks == bintree.code.size() + 1, "each halving makes one block more");
+  fuzz::require(counts.full <= counts.blocks && counts.cells <= n * n * n, "the counts do not exceed the cube's cells");
+  fuzz::require(2 * counts.blocks == bintree.code.size() + 1, "each halving adds one block");
   const convert::Bintree again = convert::read_bintree(convert::text_of(bintree), "b");
   fuzz::require(again.code == bintree.code && again.resolution == bintree.resolution && again.low == bintree.low &&
                     again.side == bintree.side,
@@ -46,7 +45,7 @@ void check(const convert::Bintree& bintree) {
 
 }  // namespace
 
-/// Any bytes are a whole bintree, or one line of error.
+/// Any bytes are a complete bintree, or give one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     check(convert::read_bintree(fuzz::text_of(data, size), "b"));

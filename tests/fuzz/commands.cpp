@@ -1,4 +1,4 @@
-// Models by the thesis's commands.
+// Models in the thesis's commands.
 
 #include <string>
 
@@ -10,12 +10,12 @@ namespace fuzz = csgsim::fuzz;
 
 namespace {
 
-/// What a mutation may take: a second or so.
+/// Work limit of a mutation, about a second.
 constexpr std::uint64_t most_work = 20'000'000;
 
 }  // namespace
 
-/// Any bytes are either a tree that keeps its promises or one line of error; so are the surfaces in them.
+/// Any bytes give a valid tree or one line of error, and so do the surfaces in them.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::text_of(data, size);
   try {
@@ -29,8 +29,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   try {
     for (const csgsim::commands::NamedSurface& surface : csgsim::commands::surfaces_in(text, "fuzz.jan")) {
-      fuzz::require(surface.tolerance > 0, "a tolerance is above 0");
-      fuzz::require(surface.location.line > 0, "a surface has a place");
+      fuzz::require(surface.tolerance > 0, "a tolerance is positive");
+      fuzz::require(surface.location.line > 0, "a surface has a position");
     }
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.jan");

@@ -13,7 +13,7 @@ namespace fuzz = csgsim::fuzz;
 
 namespace {
 
-/// Of work, so that no case takes long.
+/// Limit of work, so that no case takes long.
 constexpr std::uint64_t most_steps = 20'000'000;
 constexpr std::size_t most_primitives = 60;
 
@@ -21,14 +21,14 @@ void check(const convert::Surface& surface) {
   std::map<convert::Side, int> sides;
   for (const convert::Triangle& triangle : surface.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
-      fuzz::require(triangle[i] < surface.points.size(), "corners are points");
+      fuzz::require(triangle[i] < surface.points.size(), "corners are indices of points");
       ++sides[{triangle[i], triangle[(i + 1) % 3]}];
     }
   }
   for (const auto& [side, times] : sides) {
     const auto back = sides.find({side[1], side[0]});
     fuzz::require(times == 1 && back != sides.end() && back->second == 1,
-                  "a side is one of one other, which runs back");
+                  "each edge is shared by two faces in opposite directions");
   }
 }
 
@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (tree.primitives.size() > most_primitives) return 0;
     check(convert::make_surface(convert::boundary(tree, {}, work)));
   } catch (const csgsim::WorkError&) {
-    // It would take too long.
+    // The conversion exceeds the work limit.
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.csg");
   }

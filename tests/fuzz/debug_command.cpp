@@ -1,4 +1,4 @@
-// Lines of the debugger's commands.
+// Command lines of the debugger.
 
 #include <string>
 
@@ -32,13 +32,13 @@ bool is_sound(const debug::Target& target) {
   return true;
 }
 
-/// What a command prints of a target is read as that target again.
+/// Checks that the printed form of a target is parsed as the same target.
 void check_target(const debug::Target& target) {
-  fuzz::require(is_sound(target), "a target is one of the Program");
+  fuzz::require(is_sound(target), "a target exists in the Program");
   if (std::holds_alternative<debug::AtPrimitive>(target)) return;  // its index and its name
   const std::string text = "until " + debug::text_of(target, program());
   const debug::Command again = debug::parse_command(text, "again", 1, program());
-  fuzz::require(std::get<debug::Until>(again).target == target, "a target is read as it is printed");
+  fuzz::require(std::get<debug::Until>(again).target == target, "a target is parsed as printed");
 }
 
 }  // namespace

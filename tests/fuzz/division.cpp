@@ -1,4 +1,5 @@
-// Display models as they travel. The first byte says how many bits of the last one are filled up.
+// Display models in the form in which they are transferred. The first byte is the number of padding bits in the last
+// one.
 
 #include <algorithm>
 #include <vector>
@@ -25,7 +26,7 @@ division::Bits bits_of(const std::uint8_t* data, std::size_t size) {
   return out.take();
 }
 
-/// One level and two emit the same sound instructions for a square, whatever the model.
+/// Checks that one level and two emit the same valid instructions for a square, for any model.
 void check_divided(const division::DisplayModel& model) {
   const division::Divider divider(model);
   division::PlainDatapath path(model);
@@ -34,17 +35,17 @@ void check_divided(const division::DisplayModel& model) {
   const division::Divided one = divider.divide(square, path);
   for (const isa::Instruction& instruction : one.instructions) isa::validate(instruction, isa::max_memory_bits);
   const division::DividedGroup two = division::divide_group(divider, group, {square}, 1'000'000, path);
-  fuzz::require(two.squares[0].instructions == one.instructions, "two levels emit what one level does");
+  fuzz::require(two.squares[0].instructions == one.instructions, "two levels emit the instructions of one level");
 }
 
 }  // namespace
 
-/// Any bits are either the one stream of a sound model or one line of error; what is divided from it is sound.
+/// Any bits are the canonical stream of a valid model, or give one line of error; the divided model is valid.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const division::Bits bits = bits_of(data, size);
     const division::DisplayModel model = division::decode(bits);
-    fuzz::require(division::encode(model) == bits, "a model has one stream");
+    fuzz::require(division::encode(model) == bits, "a model has a single encoding");
     check_divided(model);
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error);

@@ -7,7 +7,7 @@
 
 namespace fuzz = csgsim::fuzz;
 
-/// Any bytes are either a drawing or one line of error.
+/// Any bytes give a drawing or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     fuzz::check_area(csgsim::flat::read_dxf(fuzz::text_of(data, size), {}));

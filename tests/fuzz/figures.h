@@ -11,7 +11,7 @@
 
 namespace csgsim::fuzz {
 
-/// The text as a string of TOML.
+/// The text as a TOML string.
 inline std::string toml_string(std::string_view text) {
   std::string out = "\"";
   for (const char letter : text) {

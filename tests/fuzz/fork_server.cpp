@@ -1,10 +1,10 @@
-// Loaded before csgsim (LD_PRELOAD) by mutate_files.py: in place of main() it serves runs of main(), each in a child
-// that is forked when all libraries are loaded, which takes a tenth of the time of a start. The server's own limits are
-// those of its children.
+// Preloaded into csgsim (LD_PRELOAD) by mutate_files.py: in place of main() it serves runs of main(), each in a child
+// that is forked after all libraries are loaded, which takes a tenth of the time of a start. Children inherit the
+// server's limits.
 //
-// A run is asked for on descriptor 3: the number of bytes that follow, then words, each ended by 0: the folder, the
-// file for standard error, main's arguments. Answers on descriptor 4: the child's number, and its wait status when it
-// ends.
+// A request on descriptor 3 consists of the number of bytes that follow, then words, each ended by 0: the folder, the
+// file for standard error, and main's arguments. The answers on descriptor 4 are the child's process id, and its wait
+// status at its end.
 
 #include <dlfcn.h>
 #include <fcntl.h>

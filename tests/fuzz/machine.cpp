@@ -19,11 +19,11 @@ namespace {
 
 const machines::FigureSchema& schema_of(const machines::Machine& machine, const machines::Figure& figure) {
   const auto found = std::ranges::find(machine.kind->schema, figure.key, &machines::FigureSchema::key);
-  fuzz::require(found != machine.kind->schema.end(), "every figure is one of its kind");
+  fuzz::require(found != machine.kind->schema.end(), "every parameter belongs to its kind");
   return *found;
 }
 
-/// A machine file with the same figures.
+/// A machine file with the same parameters.
 std::string description_of(const machines::Machine& machine) {
   std::string text = fmt::format("name = {}\ndescription = {}\nkind = \"{}\"\n", fuzz::toml_string(machine.name),
                                  fuzz::toml_string(machine.description), machine.kind->name);
@@ -55,10 +55,10 @@ bool same_machine(const machines::Machine& one, const machines::Machine& other) 
 void check(const machines::Machine& machine) {
   for (const machines::FigureSchema& schema : machine.kind->schema) {
     fuzz::require(std::ranges::count(machine.figures, schema.key, &machines::Figure::key) == 1,
-                  "a machine has every figure of its kind once");
+                  "a machine has every parameter of its kind once");
   }
   for (const machines::Figure& figure : machine.figures)
-    fuzz::require(is_within(figure, schema_of(machine, figure)), "every figure is within its range");
+    fuzz::require(is_within(figure, schema_of(machine, figure)), "every parameter is within its range");
   try {
     fuzz::require(
         same_machine(machines::read_description(description_of(machine), "again.toml", kinds::all()), machine),
@@ -70,7 +70,7 @@ void check(const machines::Machine& machine) {
 
 }  // namespace
 
-/// Any bytes are either a machine that keeps to the schema or one line of error.
+/// Any bytes give a machine that satisfies the schema or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     check(machines::read_description(fuzz::text_of(data, size), "fuzz.toml", kinds::all()));

@@ -1,5 +1,5 @@
-// Mesh files: STL, OFF, AMF and 3MF. Every reader is given every input, and an XML document also as the model of a 3MF
-// package, the checksum of which changes could not keep up with.
+// Mesh files: STL, OFF, AMF and 3MF. Every reader gets every input; an XML document is also wrapped as the model of a
+// 3MF package, because mutations could not keep the package's checksum valid.
 
 #include <zlib.h>
 
@@ -22,14 +22,14 @@ void append(std::string& bytes, std::initializer_list<std::uint32_t> numbers, st
   }
 }
 
-/// A zip archive of parts that are not packed (APPNOTE.TXT, the ZIP file format specification).
+/// A zip archive of uncompressed parts (APPNOTE.TXT, the ZIP file format specification).
 class Archive {
  public:
   void add(const std::string& name, std::string_view part) {
     const auto at = static_cast<std::uint32_t>(bytes_.size());
     const auto size = static_cast<std::uint32_t>(part.size());
     const auto crc = static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(part.data()), part.size()));
-    std::string common;  // of the header before a part and its entry in the directory
+    std::string common;  // fields shared by a part's header and its directory entry
     append(common, {20, 0, 0, 0, 0}, 2);
     append(common, {crc, size, size}, 4);
     append(common, {static_cast<std::uint32_t>(name.size()), 0}, 2);
@@ -75,7 +75,7 @@ void check(Read read, double tolerance) {
 
 }  // namespace
 
-/// Any bytes are either meshes that keep their promises or one line of error.
+/// Any bytes give valid meshes or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::text_of(data, size);
   check([&] { return std::vector{solids::parse_stl(text, "m")}; }, solids::single_precision_tolerance);

@@ -25,7 +25,7 @@ namespace {
 
 using Face = std::vector<std::uint32_t>;
 
-/// In units of the largest coordinate, which numbers of any size fit.
+/// Area and volume in units of the largest coordinate, for numbers of any size.
 struct Measure {
   double volume = 0;
   double area = 0;
@@ -53,16 +53,16 @@ void require_closed(std::span<const Face> faces) {
     for (std::size_t k = 0; k < face.size(); ++k) {
       const std::uint32_t from = face[k];
       const std::uint32_t to = face[(k + 1) % face.size()];
-      require(from != to, "a face has no side without length");
+      require(from != to, "no side of a face has zero length");
       turns[std::minmax(from, to)] += from < to ? 1 : -1;
     }
   }
-  for (const auto& [edge, turn] : turns) require(turn == 0, "faces run along an edge as often to and fro");
+  for (const auto& [edge, turn] : turns) require(turn == 0, "faces use an edge equally often in both directions");
 }
 
 void check_piece(const model::Polyhedron& piece, double near) {
-  require(piece.points.size() >= 4 && piece.faces.size() >= 4, "a piece has four corners and faces at least");
-  require(piece.planes.size() == piece.faces.size(), "each face of a piece says its plane");
+  require(piece.points.size() >= 4 && piece.faces.size() >= 4, "a piece has at least four corners and faces");
+  require(piece.planes.size() == piece.faces.size(), "each face of a piece has a plane");
   require_closed(piece.faces);
   for (const glm::dvec3& point : piece.points) {
     require(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z), "a piece is bounded");
@@ -72,8 +72,8 @@ void check_piece(const model::Polyhedron& piece, double near) {
   }
 }
 
-/// How often a closed surface winds around a point: the solid angle that it is seen under (van Oosterom and Strackee),
-/// unless the point is near to the plane of one of its triangles.
+/// The winding number of a closed surface around a point, from its solid angle (van Oosterom and Strackee), unless the
+/// point is close to the plane of a triangle.
 std::optional<double> winding(const solids::Mesh& mesh, const glm::dvec3& point, double near) {
   double angle = 0;
   for (const Face& face : mesh.faces) {
@@ -99,7 +99,7 @@ bool holds(const model::Polyhedron& piece, const glm::dvec3& point) {
                      [&](const glm::dvec4& plane) { return glm::dot(glm::dvec3(plane), point) + plane.w <= 0; });
 }
 
-/// Of a mesh that crosses itself: points are in one piece if it winds around them, and in none if it does not.
+/// Checks a self-intersecting mesh: a point is in one piece if the mesh winds around it, and in none otherwise.
 void check_enclosed(const solids::Mesh& mesh, const solids::Limits& limits, double unit) {
   const std::vector<model::Polyhedron> pieces = solids::enclosed_pieces(mesh, limits);
   const solids::Mesh flat = solids::with_flat_convex_faces(mesh, limits.tolerance * unit);
@@ -111,11 +111,11 @@ void check_enclosed(const solids::Mesh& mesh, const solids::Limits& limits, doub
     const std::optional<double> turns = winding(flat, point, far_enough * unit);
     if (!turns) continue;
     const auto in = std::count_if(pieces.begin(), pieces.end(), [&](const auto& piece) { return holds(piece, point); });
-    require(in == (std::abs(*turns) > 0.5 ? 1 : 0), "the pieces are what the mesh winds around");
+    require(in == (std::abs(*turns) > 0.5 ? 1 : 0), "the pieces fill the volume that the mesh winds around");
   }
 }
 
-/// None if the mesh crosses itself.
+/// The convex pieces; empty if the mesh intersects itself.
 std::optional<std::vector<model::Polyhedron>> divided(const solids::Checked& checked, const solids::Limits& limits) {
   if (checked.crossing) return std::nullopt;
   try {
@@ -131,7 +131,8 @@ void check_mesh(const solids::Mesh& mesh, double tolerance) {
   const solids::Checked checked = solids::check(mesh, tolerance);
   if (checked.defect) {
     require(checked.defect->face < mesh.faces.size(), "a defect is at a face of the mesh");
-    require(printable(checked.defect->what) == checked.defect->what, "a defect is told in one line of printable text");
+    require(printable(checked.defect->what) == checked.defect->what,
+            "a defect is described in one line of printable text");
     return;
   }
   require_closed(checked.mesh.faces);
@@ -141,8 +142,8 @@ void check_mesh(const solids::Mesh& mesh, double tolerance) {
   const auto parts = divided(checked, limits);
   if (!parts) return check_enclosed(checked.mesh, limits, unit);
   Measure pieces;
-  // Corners are on planes that they are off by twice the tolerance, or twice what cuts err by, which is told in units
-  // of a diagonal; and both ends of a distance may be.
+  // Corners are off their planes by at most twice the tolerance, or twice the error of cuts, which is relative to the
+  // diagonal; both ends of a distance may be off.
   const double cuts = convex::relative_tolerance * 2 * std::sqrt(3.0);
   const double near = 4 * std::max(tolerance, cuts);
   for (const model::Polyhedron& piece : *parts) {
@@ -151,10 +152,10 @@ void check_mesh(const solids::Mesh& mesh, double tolerance) {
     require(one.volume > 0, "the faces of a piece run counter-clockwise seen from outside");
     pieces.volume += one.volume;
   }
-  // Faces that are not flat enclose what their triangles do.
+  // Faces that are not flat enclose the volume of their triangles.
   const solids::Mesh flat = solids::with_flat_convex_faces(checked.mesh, tolerance * unit);
   const Measure whole = measure(flat.points, flat.faces, unit);
-  require(std::abs(pieces.volume - whole.volume) <= near * whole.area, "the pieces are the whole");
+  require(std::abs(pieces.volume - whole.volume) <= near * whole.area, "the pieces fill the whole volume");
 }
 
 }  // namespace csgsim::fuzz

@@ -4,8 +4,8 @@
 
 namespace csgsim::fuzz {
 
-/// Holds a mesh against what is promised of it: it is refused at one of its faces, or it is closed, and its pieces are
-/// convex, bounded, and as large as it. `tolerance`: see host/solids/limits.h.
+/// Checks the invariants of a mesh: it is rejected at one of its faces, or it is closed, and its pieces are convex,
+/// bounded, and of equal volume in total. See host/solids/limits.h for `tolerance`.
 void check_mesh(const solids::Mesh& mesh, double tolerance);
 
 }  // namespace csgsim::fuzz

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Runs csgsim itself on mutations of files of every kind, and tells what it should not have done.
+"""Runs csgsim itself on mutations of files of every kind, and reports violations.
 
     mutate_files.py CSGSIM [--minutes M | --cases N] [--seed S] [--jobs J] [--kinds a,b] [--limit SECONDS] [--out FOLDER]
                            [--server build/release/tests/fuzz/libcsgsim_fork_server.so]
     mutate_files.py CSGSIM --again FINDING
 
-A case is a folder with what a command reads, in which one file has been changed. What is looked for: an end by a signal,
-an exit code other than 0, 1 and 2, more than --limit seconds of a processor, or without any, a failure without a word, a
-message that asks to report it, and files written that the command line does not name. Each finding is the folder of its
-case, with its `command` and what it said, in FOLDER; --again runs one once more. The exit code is 1 if there are any.
-With --server (fork_server.cpp) csgsim is started once a job and forked for each case.
+A case is a folder with the inputs of a command, with one file mutated. Violations are: an end by a signal, an exit code
+other than 0, 1 and 2, more than --limit seconds of processor time, or as long without any, a failure without a message,
+a message that asks to report it, and files written that the command line does not name. Each finding is the folder of
+its case, with its `command` and output, in FOLDER; --again repeats one. The exit code is 1 if there are any. With
+--server (fork_server.cpp) csgsim is started once per job and forked for each case.
 """
 
 import argparse
@@ -46,14 +46,14 @@ Files = dict[str, bytes]
 
 @dataclasses.dataclass
 class Sample:
-    """What a case is made of: the files of its folder, and which of them is changed."""
+    """A template of cases: the files of its folder, and which of them is mutated."""
 
     kind: str
     files: Files
     changed: str
     commands: list[list[str]]
-    writes: tuple[str, ...] = ()  # names, or beginnings of names that end in a slash or a star
-    seal: object = None  # puts a checksum right
+    writes: tuple[str, ...] = ()  # names, or prefixes of names that end in a slash or a star
+    seal: object = None  # corrects a checksum
 
 
 # ---- mutations ----
@@ -112,7 +112,7 @@ def mutate(text: bytes, others: list[bytes], rng: random.Random) -> bytes:
 # ---- samples ----
 
 def sealed_at_end(text: bytes) -> bytes:
-    """CRC-32 of all before it, in the last four bytes."""
+    """Writes the CRC-32 of the preceding bytes into the last four bytes."""
     return text[:-4] + zlib.crc32(text[:-4]).to_bytes(4, "little") if len(text) > 4 else text
 
 
@@ -140,7 +140,7 @@ RENDERED = ("p.png", "s.json")
 
 
 def imported(kind: str, patterns: list[str], node: str) -> list[Sample]:
-    """A model that takes in the file that is changed."""
+    """Models that import the mutated file."""
     samples = []
     for name, text in read_all(*patterns):
         file = "f" + pathlib.Path(name).suffix
@@ -150,7 +150,7 @@ def imported(kind: str, patterns: list[str], node: str) -> list[Sample]:
 
 
 def of_sources() -> list[Sample]:
-    """Those whose files are in the repository."""
+    """Samples whose files are in the repository."""
     cube = CUBE.encode()
     all_samples = []
 
@@ -189,7 +189,7 @@ def of_sources() -> list[Sample]:
         command = ["render", "m.csg", *SMALL, "--config", "run.toml"]
         all_samples.append(Sample("settings", {"m.csg": cube, "run.toml": text}, "run.toml",
                                   [command + ["-o", "p.png", "--stats", "s.json", "--depth", "d.exr", "--owner", "w.png"],
-                                   command + ["--dump-config"]], ("*",)))  # it may name what is written
+                                   command + ["--dump-config"]], ("*",)))  # it may name output files
     add("program text", ["tests/fuzz/corpus/program_text/*", "tests/debugging/*.txt"], "p.csgt",
         [["run", "p.csgt", "--stats", "s.json"], ["disasm", "p.csgt"]], RENDERED, longest=8000)
     for pattern in ("one.csgt", "two_*.csgt"):
@@ -200,7 +200,7 @@ def of_sources() -> list[Sample]:
     scripts += [text for _, text in read_all("tests/debugging/*.commands", "tests/fuzz/corpus/debug_command/*")]
     for text in scripts:
         all_samples.append(Sample("debug script", {"p.csgt": program.read_bytes(), "c.commands": text}, "c.commands",
-                                  [["debug", "p.csgt", "-x", "c.commands"]], ("*",)))  # as its commands say
+                                  [["debug", "p.csgt", "-x", "c.commands"]], ("*",)))  # its commands name output files
     return all_samples
 
 
@@ -210,7 +210,7 @@ def seldom_plotted(words: list[str]) -> list[list[str]]:
 
 
 def of_runs(csgsim: str) -> list[Sample]:
-    """Those whose files csgsim writes."""
+    """Samples whose files are written by csgsim."""
     samples = []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -280,13 +280,13 @@ def limits():
 
 @dataclasses.dataclass
 class Ended:
-    code: int | None  # none: out of time
+    code: int | None  # None after a time-out
     err: str
     seconds: float
 
 
 def worked(pid: int) -> float:
-    """Seconds that the process and what it has waited for have had of processors."""
+    """Processor seconds of the process and of the children it has waited for."""
     try:
         fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
     except OSError:
@@ -295,8 +295,8 @@ def worked(pid: int) -> float:
 
 
 def wait_for(pid: int, ended, limit: float) -> int | None:
-    """What ended(seconds) says, once it says something; none if the process works for longer than the limit, or stands
-    still for as long. Others that use the machine do not count."""
+    """The first result of ended(seconds); None if the process works for longer than the limit, or is idle as long. Other load
+    on the computer does not count."""
     last, since = 0.0, time.monotonic()
     while True:
         code = ended(min(limit, 0.5) if last else limit)
@@ -310,7 +310,7 @@ def wait_for(pid: int, ended, limit: float) -> int | None:
 
 
 def kill_group(pid: int):
-    """What the process has started, too."""
+    """Processes started by the process."""
     try:
         os.killpg(pid, signal.SIGKILL)
     except ProcessLookupError:
@@ -318,7 +318,7 @@ def kill_group(pid: int):
 
 
 class Starter:
-    """Starts csgsim anew for each case."""
+    """Starts csgsim separately for each case."""
 
     def __init__(self, csgsim: str):
         self.csgsim = csgsim
@@ -348,7 +348,7 @@ class Server:
         self.answers, answering = os.pipe()
 
         def connect():
-            # Beyond 4 first, so that neither is in the other's way.
+            # Copies both to descriptors beyond 4 first, so that neither overwrites the other.
             copies = os.dup(requests), os.dup(answering)
             copies = tuple(fcntl.fcntl(one, fcntl.F_DUPFD, 10) for one in copies)
             os.dup2(copies[0], 3)
@@ -455,7 +455,7 @@ class Search:
         return self.of_thread.starter
 
     def case(self, number: int) -> tuple[str, str, Ended, list[str]]:
-        """Runs the case of that number; says its kind and what is wrong with it."""
+        """Runs the case of that number; returns its kind and violation."""
         rng = random.Random(f"{self.arguments.seed} {number}")
         sample = rng.choice(self.by_kind[self.kinds[number % len(self.kinds)]])
         others = [one.files[one.changed] for one in self.by_kind[sample.kind]]
@@ -539,15 +539,15 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("csgsim")
     parser.add_argument("--minutes", type=float, default=1)
-    parser.add_argument("--cases", type=int, default=0, help="in place of minutes")
-    parser.add_argument("--first", type=int, default=0, help="the number of the first case")
+    parser.add_argument("--cases", type=int, default=0, help="number of cases, instead of a time")
+    parser.add_argument("--first", type=int, default=0, help="number of the first case")
     parser.add_argument("--seed", default="1987")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--kinds", default="", help="list; all if not given")
-    parser.add_argument("--limit", type=float, default=20, help="seconds for a case")
+    parser.add_argument("--kinds", default="", help="comma-separated list; default all")
+    parser.add_argument("--limit", type=float, default=20, help="time limit of a case in seconds")
     parser.add_argument("--out", default="findings")
-    parser.add_argument("--server", help="the library that forks csgsim")
-    parser.add_argument("--again", help="the folder of a finding")
+    parser.add_argument("--server", help="library that forks csgsim")
+    parser.add_argument("--again", help="folder of a finding")
     arguments = parser.parse_args()
     if arguments.again:
         return run_again(arguments.csgsim, pathlib.Path(arguments.again), arguments.limit)

@@ -18,7 +18,7 @@ namespace process = csgsim::process;
 
 namespace {
 
-/// A process file with the same figures.
+/// A process file with the same parameters.
 std::string description_of(const process::Process& one) {
   std::string text =
       fmt::format("name = {}\ndescription = {}\n", fuzz::toml_string(one.name), fuzz::toml_string(one.description));
@@ -33,15 +33,15 @@ void check_prices(const process::Process& one) {
   static const machines::Machine machine = csgsim::kinds::load("pixel-planes-4");
   const machines::Resources resources{1U << 18U, std::uint64_t{72} << 18U};
   const auto clock = process::clock_of(machine, one);
-  fuzz::require(clock && clock->hz > 0 && clock->path.ps > 0, "a second has clocks");
+  fuzz::require(clock && clock->hz > 0 && clock->path.ps > 0, "the clock frequency is positive");
   const auto mm2 = process::machine_mm2(machine, resources, one);
-  fuzz::require(mm2 && std::isfinite(*mm2) && *mm2 > 0, "a machine takes silicon");
+  fuzz::require(mm2 && std::isfinite(*mm2) && *mm2 > 0, "a machine has an area");
   const auto joules = process::frame_joules(machine, resources, {1000, 1}, one);
-  fuzz::require(joules && std::isfinite(*joules) && *joules >= 0, "a frame takes energy");
+  fuzz::require(joules && std::isfinite(*joules) && *joules >= 0, "a frame has an energy");
 }
 
 void check(const process::Process& one) {
-  fuzz::require(one.figures.size() == 13, "a process has every figure");
+  fuzz::require(one.figures.size() == 13, "a process has every parameter");
   check_prices(one);
   try {
     const process::Process again = process::read_process(description_of(one), "again.toml");
@@ -56,7 +56,7 @@ void check(const process::Process& one) {
 
 }  // namespace
 
-/// Any bytes are either a process with every figure or one line of error.
+/// Any bytes give a process with every parameter or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     check(process::read_process(fuzz::text_of(data, size), "fuzz.toml"));

@@ -16,7 +16,7 @@ namespace processors = csgsim::processors;
 
 namespace {
 
-/// A processor file with the same figures.
+/// A processor file with the same parameters.
 std::string description_of(const processors::Processor& processor) {
   std::string text = fmt::format("name = {}\ndescription = {}\n", fuzz::toml_string(processor.name),
                                  fuzz::toml_string(processor.description));
@@ -41,10 +41,10 @@ void check(const processors::Processor& processor) {
     fuzz::require(found->value == fmt::format("{}", processor.prices[kind]), "an operation has the price of the file");
   }
   fuzz::require(processor.clock_hz > 0 && std::ranges::min(processor.compiler_factors) > 0,
-                "a second has clocks, and work takes some");
+                "the clock frequency is positive, and work takes clocks");
   try {
     fuzz::require(same_processor(processors::read_processor(description_of(processor), "again.toml"), processor),
-                  "a processor described again is the same");
+                  "a processor is read as described");
   } catch (const csgsim::InputError& error) {
     fuzz::broken(error.what());
   }
@@ -52,7 +52,7 @@ void check(const processors::Processor& processor) {
 
 }  // namespace
 
-/// Any bytes are either a processor with every figure or one line of error.
+/// Any bytes give a processor with every parameter or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     check(processors::read_processor(fuzz::text_of(data, size), "fuzz.toml"));

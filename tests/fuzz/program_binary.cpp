@@ -1,4 +1,4 @@
-// The binary form of Programs: a checksum and the size of a part guard it, which changes have to keep up with.
+// The binary form of Programs, protected by a checksum and the size of a part, which mutations must keep consistent.
 
 #include <algorithm>
 #include <boost/crc.hpp>
@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t head_size = 5;  ///< magic and version
 constexpr std::size_t checksum_size = 4;
 
-/// The parts of a file in which something can be changed.
+/// The parts of a file that can be mutated.
 struct Parts {
   std::vector<std::uint8_t> metadata;
   std::vector<std::uint8_t> instructions;
@@ -48,7 +48,7 @@ std::optional<Parts> parts_of(std::span<const std::byte> file) {
   }
 }
 
-/// The file of the head and the parts, with the checksum that it has to have.
+/// The file of the head and the parts, with the correct checksum.
 std::vector<std::byte> sealed(std::span<const std::uint8_t> head, const Parts& parts) {
   isa::ByteWriter out;
   out.block(head);
@@ -69,8 +69,7 @@ void change(std::vector<std::uint8_t>& part, std::size_t room) {
 
 }  // namespace
 
-/// Mostly changes the metadata or the instructions, with a checksum that fits; now and then any byte, with one that
-/// does not.
+/// Usually mutates the metadata or the instructions, with a correct checksum; sometimes any byte, with a wrong one.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
   std::minstd_rand random(seed);
   std::optional<Parts> parts = parts_of(std::as_bytes(std::span(data, size)));
@@ -83,7 +82,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   return file.size();
 }
 
-/// Any bytes are either a sound Program or one line of error.
+/// Any bytes give a valid Program or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     fuzz::check_program(isa::decode(std::as_bytes(std::span(data, size)), "fuzz.csgt"));

@@ -4,7 +4,7 @@
 
 namespace csgsim::fuzz {
 
-/// What holds of every Program that was read: it is valid, and both of its forms are read back as the same Program.
+/// Checks the invariants of a Program: it is valid, and both of its forms are read as the same Program.
 void check_program(const isa::Program& program);
 
 }  // namespace csgsim::fuzz

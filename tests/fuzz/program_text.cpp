@@ -6,7 +6,7 @@
 
 namespace fuzz = csgsim::fuzz;
 
-/// Any bytes are either a sound Program or one line of error.
+/// Any bytes give a valid Program or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     fuzz::check_program(csgsim::isa::parse(fuzz::text_of(data, size), "fuzz.csgt"));

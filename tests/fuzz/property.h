@@ -9,14 +9,14 @@
 
 namespace csgsim::fuzz {
 
-/// Ends the process where a promise is broken, so that the fuzzer keeps the input.
+/// Aborts the process after a violated property, so that the fuzzer keeps the input.
 [[noreturn]] void broken(std::string_view promise);
 
 inline void require(bool holds, std::string_view promise) {
   if (!holds) broken(promise);
 }
 
-/// The message has to be one printable line, which begins with `file` and a colon where a file is named.
+/// Checks that the message is one printable line, which begins with `file` and a colon if a file is given.
 void check_message(const InputError& error, std::string_view file = "");
 
 inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
@@ -25,5 +25,5 @@ inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
 
 }  // namespace csgsim::fuzz
 
-/// Looks at one input; returns 0. What libFuzzer calls.
+/// Entry point of libFuzzer: checks one input and returns 0.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

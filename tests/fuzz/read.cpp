@@ -1,4 +1,4 @@
-// CSG models, as OpenSCAD writes them.
+// CSG models in OpenSCAD's format.
 
 #include "host/read/read.h"
 
@@ -10,7 +10,7 @@
 
 namespace fuzz = csgsim::fuzz;
 
-/// Any bytes are either a tree that keeps its promises or one line of error.
+/// Any bytes give a valid tree or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const csgsim::model::Tree tree = csgsim::read::read_csg_text(fuzz::text_of(data, size), "fuzz.csg");

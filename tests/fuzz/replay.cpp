@@ -1,6 +1,6 @@
-// Runs a libFuzzer target without libFuzzer: over the files of its corpus, and over mutations of them. Tells what the
-// slowest took, and the most memory. A case that ends it, or takes longer than run.sh allows, is kept in the file
-// `finding` of the current folder.
+// Runs a libFuzzer target without libFuzzer: over the files of its corpus, and over mutations of them. Prints the time
+// of the slowest case, and the peak memory. A case that ends the process, or takes longer than run.sh allows, is
+// written to the file `finding` in the current folder.
 //   replay ROUNDS MOST_BYTES DICTIONARY FILE...
 
 #include <fcntl.h>
@@ -24,7 +24,7 @@
 #include "hw/base/address_sanitizer.h"
 #include "tests/fuzz/property.h"
 
-/// Where a target has one, mutations go through it.
+/// A target's own mutator, if it has one.
 extern "C" __attribute__((weak)) std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                                      std::size_t most, unsigned seed);
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
@@ -40,7 +40,7 @@ std::string content_of(const char* path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// The words of a dictionary of libFuzzer: a line each, what stands in quotes, with \\, \" and \xNN.
+/// The words of a libFuzzer dictionary: one per line, in quotes, with \\, \" and \xNN.
 std::vector<std::string> words_of(const char* dictionary) {
   std::vector<std::string> words;
   std::ifstream file(dictionary);
@@ -61,7 +61,7 @@ std::vector<std::string> words_of(const char* dictionary) {
   return words;
 }
 
-/// Mutations of samples, the same ones at every run.
+/// Reproducible mutations of samples.
 class Mutator {
  public:
   std::vector<std::string> samples;
@@ -99,7 +99,7 @@ Mutator& mutator() {
 constexpr double most_seconds = CSGSIM_ADDRESS_SANITIZER == 1 ? 100 : 10;
 constexpr long most_kilobytes = 2048L * 1024;
 
-/// What is looked at now, for the handler of signals.
+/// The current input, for the signal handler.
 std::string_view current;
 
 void keep_finding() {
@@ -113,7 +113,7 @@ extern "C" void keep_and_end(int number) {
   std::raise(number);
 }
 
-double slowest = 0;  ///< seconds of the processor
+double slowest = 0;  ///< processor seconds
 
 void run(const std::string& text) {
   current = text;

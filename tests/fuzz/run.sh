@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs the fuzzers of a build folder, two at a time, and tells what they did. Exit code 1 if one found something.
-#   run.sh BUILD SECONDS [RUNS]    SECONDS for each fuzzer at most, and RUNS cases
+# Runs the fuzzers of a build folder, two at a time, and prints their results. Exit code 1 if one found something.
+#   run.sh BUILD SECONDS [RUNS]    at most SECONDS and RUNS cases for each fuzzer
 set -euo pipefail
 build=$(realpath "$1")
 cd "$(dirname "$0")"
@@ -10,7 +10,7 @@ findings=$build/findings
 logs=$build/fuzz-logs
 mkdir -p "$findings" "$logs"
 
-# run_one NAME MOST_BYTES FILE...: goes on from the corpus that earlier runs have gathered in BUILD/corpus.
+# run_one NAME MOST_BYTES FILE...: continues from the corpus of earlier runs in BUILD/corpus.
 run_one() {
   local name=$1 most=$2
   shift 2
@@ -23,7 +23,7 @@ run_one() {
   echo "$code" >"$logs/$name.code"
 }
 
-# The number that follows a word in the last line of the log that has it.
+# The number after a word in the last line of the log that contains the word.
 last() { grep -oE "$2 *[0-9]+" "$logs/$1.log" | tail -n 1 | grep -oE '[0-9]+$' || echo 0; }
 
 rm -f "$logs"/*
@@ -49,5 +49,5 @@ while read -r name _; do
     grep -E 'ERROR: |SUMMARY: |broken promise|runtime error|Test unit written' "$logs/$name.log" || true
   fi
 done <"$build/fuzzers.txt"
-echo "$total cases in all; findings in $findings"
+echo "$total cases in total; findings in $findings"
 exit "$failed"

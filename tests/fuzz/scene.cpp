@@ -1,4 +1,4 @@
-// Scene files, and what is set of one on the command line: the first line, if it has no bracket before its `=`.
+// Scene files, and settings of a scene on the command line: the first line, if it has no bracket before its `=`.
 
 #include <cmath>
 #include <string>
@@ -22,28 +22,28 @@ bool is_colour(const glm::dvec3& v) {
 
 void check(const scene::Scene& read) {
   for (const scene::Light& light : read.lights) {
-    fuzz::require(is_colour(light.colour), "a light's colour is one");
-    fuzz::require(is_finite(light.direction) && is_finite(light.position), "lights are at finite places");
+    fuzz::require(is_colour(light.colour), "a light's colour is valid");
+    fuzz::require(is_finite(light.direction) && is_finite(light.position), "positions of lights are finite");
     fuzz::require(light.kind == scene::LightKind::point || light.direction != glm::dvec3(0),
-                  "a light shines somewhere");
+                  "a light's direction is not zero");
   }
   for (const scene::MaterialRule& rule : read.materials) {
-    fuzz::require(!rule.colour || is_colour(*rule.colour), "a material's colour is one");
+    fuzz::require(!rule.colour || is_colour(*rule.colour), "a material's colour is valid");
     fuzz::require(!rule.opacity || (*rule.opacity >= 0 && *rule.opacity <= 1), "opacity is from 0 to 1");
-    fuzz::require(!rule.to_line || rule.from_line, "lines end where they begin");
+    fuzz::require(!rule.to_line || rule.from_line, "a range of lines has a beginning");
   }
 }
 
 }  // namespace
 
-/// Any bytes are either a scene that keeps to the schema or one line of error.
+/// Any bytes give a scene that satisfies the schema or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::text_of(data, size);
   const std::vector<scene::Section> sections = effects::sections();
   try {
     check(scene::read_scene(text, "fuzz.toml", {}, sections));
   } catch (const scene::SetError&) {
-    fuzz::broken("what is in a file was not set");
+    fuzz::broken("reading a file throws no error of a setting");
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.toml");
   }

@@ -12,8 +12,7 @@
 
 namespace csgsim::fuzz {
 
-/// A folder of this process alone, in memory where there is such a place: on a disk, files written anew so often are
-/// waited for.
+/// A separate folder of this process, in memory if possible: writing files to a disk at this rate would be slow.
 class ScratchFolder {
  public:
   ScratchFolder() : path_(place() / ("csgsim_fuzz_" + std::to_string(::getpid()))) {

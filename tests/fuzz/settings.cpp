@@ -1,5 +1,5 @@
-// Settings files, for a command with an option of each type; what is taken is what --dump-config would print, and the
-// same again.
+// Settings files, for a command with an option of each type; accepted settings are printed like --dump-config and read
+// again.
 
 #include <algorithm>
 #include <string>
@@ -24,7 +24,7 @@ const std::vector<shell::SettableCommand> commands{
 
 const session::SettableOption& option_named(const std::string& name) {
   const auto found = std::ranges::find(options, name, &session::SettableOption::name);
-  fuzz::require(found != options.end(), "a setting is of an option of the command");
+  fuzz::require(found != options.end(), "a setting belongs to an option of the command");
   return *found;
 }
 
@@ -33,14 +33,15 @@ void check(const shell::Setting& setting) {
   fuzz::require(option.takes == session::Takes::texts || setting.values.size() == 1, "an option has one value");
   fuzz::require(setting.place.starts_with("fuzz.toml:"), "a setting has a place");
   for (const std::string& value : setting.values) {
-    fuzz::require(value.find('\0') == std::string::npos, "a value could stand on a command line");
+    fuzz::require(value.find('\0') == std::string::npos, "a value is valid on a command line");
     if (option.takes == session::Takes::flag) fuzz::require(value == "true" || value == "false", "a flag is on or off");
     if (option.takes == session::Takes::whole_number)
-      fuzz::require(std::ranges::all_of(value, [](char c) { return c >= '0' && c <= '9'; }), "a whole number is one");
+      fuzz::require(std::ranges::all_of(value, [](char c) { return c >= '0' && c <= '9'; }),
+                    "a whole number consists of digits");
   }
 }
 
-/// Those that are read of what was dumped are those that were dumped.
+/// Checks that dumped settings are read unchanged.
 void check_dump(const std::vector<shell::Setting>& settings) {
   std::vector<session::OptionValue> dumped;
   for (const shell::Setting& setting : settings) {
@@ -49,9 +50,10 @@ void check_dump(const std::vector<shell::Setting>& settings) {
   }
   const std::vector<shell::Setting> again =
       shell::read_settings(shell::settings_text("render", dumped), "fuzz.toml", commands, "render");
-  fuzz::require(again.size() == dumped.size(), "a dump is read again");
+  fuzz::require(again.size() == dumped.size(), "a dump can be read again");
   for (std::size_t i = 0; i < again.size(); ++i)
-    fuzz::require(again[i].name == dumped[i].name && again[i].values == dumped[i].values, "a dump says what was there");
+    fuzz::require(again[i].name == dumped[i].name && again[i].values == dumped[i].values,
+                  "a dump contains the original settings");
 }
 
 }  // namespace

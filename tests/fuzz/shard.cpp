@@ -1,5 +1,5 @@
-// Shards of studies, as gather and a shard that goes on read them: their rows, in a table, as JSON and as plots with
-// everything in its place.
+// Shards of studies, as read by gather and by a resumed shard: their rows in a table, as JSON and as plots with a
+// complete layout.
 
 #include <filesystem>
 #include <span>
@@ -70,7 +70,7 @@ void show(const std::vector<studies::Measurement>& rows) {
   lay_out(studies::plots_of_accuracy(rows, {"model"}));
 }
 
-/// What gather does with the rows.
+/// Processes the rows like gather.
 template <class Row>
 void put(const studies::Gathered& gathered, const fs::path& folder) {
   const studies::RowFormat format = studies::format_of<Row>();
@@ -80,7 +80,7 @@ void put(const studies::Gathered& gathered, const fs::path& folder) {
   std::vector<Row> rows;
   for (const std::string& row : studies::Table(path, "title", format).put(gathered))
     rows.push_back(studies::from_line<Row>(row));
-  fuzz::require(rows.size() == gathered.rows.size() && !rows.empty(), "a table has the rows that were gathered");
+  fuzz::require(rows.size() == gathered.rows.size() && !rows.empty(), "a table has the gathered rows");
   try {
     show(rows);
     fuzz::require(studies::Table(path, "title", format).rows() == gathered.rows, "a table is read as written");
@@ -89,7 +89,7 @@ void put(const studies::Gathered& gathered, const fs::path& folder) {
   }
 }
 
-/// What the shard has measured is what is read of another one that says the same.
+/// Checks that a written shard is read unchanged.
 void check_writing(const studies::ShardFile& file, const fs::path& folder) {
   fs::remove_all(folder);
   studies::ShardWriter writer(folder, file.header, file.columns);
@@ -102,7 +102,7 @@ void check_writing(const studies::ShardFile& file, const fs::path& folder) {
                 "a shard is read as written");
 }
 
-/// Its command's name, which is part of the names of files: gather knows those that there are.
+/// Whether the command's name, which is part of file names, is known to gather.
 bool has_known_name(const studies::ShardFile& file) {
   const std::string& name = file.header.words.front();
   return name == "sweep" || name == "compare" || name == "accuracy" || name == "corpus" || name == "subdivide" ||

@@ -1,4 +1,4 @@
-// The file of a checkpoint, whose checksum changes have to keep up with.
+// Checkpoint files, whose checksum mutations must keep consistent.
 
 #include "sim/checkpoint/snapshot.h"
 
@@ -27,7 +27,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 
 namespace {
 
-/// What the checkpoints of the corpus are of.
+/// The Program of the checkpoints in the corpus.
 constexpr const char* text = R"(.array width=70 height=3 memory_bits=16
 .frame colour_base=8 colour_bits=6
 .field Z2 [0+:8] depth
@@ -66,7 +66,7 @@ const csgsim::machines::Machine& machine() {
   return one;
 }
 
-/// The file of what stands before the hashes and behind them, with the hashes and the checksum that it has to have.
+/// The file of the parts before and after the hashes, with correct hashes and checksum.
 std::vector<std::byte> sealed(std::span<const std::uint8_t> front, std::span<const std::uint8_t> body) {
   static const checkpoint::RunIdentity identity = checkpoint::identity_of(program(), machine());
   isa::ByteWriter out;
@@ -82,10 +82,10 @@ std::vector<std::byte> sealed(std::span<const std::uint8_t> front, std::span<con
 
 }  // namespace
 
-/// Mostly with a checksum that fits, now and then with one that does not.
+/// Usually mutates with a correct checksum, sometimes with a wrong one.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
   constexpr std::size_t front = checkpoint::snapshot_magic.size() + 1;
-  constexpr std::size_t head = front + 16;  // with the hashes
+  constexpr std::size_t head = front + 16;  // includes the hashes
   std::minstd_rand random(seed);
   if (size < head + checkpoint::snapshot_checksum_size || random() % 16 == 0) return LLVMFuzzerMutate(data, size, most);
   std::vector<std::uint8_t> body(data + head, data + size - checkpoint::snapshot_checksum_size);
@@ -98,8 +98,8 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   return file.size();
 }
 
-/// Any bytes are either one line of error, or a state from which a run goes on to its end, and which is written as it
-/// is read.
+/// Any bytes give one line of error, or a state from which a run continues to its end, and which is written as it was
+/// read.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const checkpoint::Snapshot read =
@@ -110,9 +110,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto engine = engine::make_functional_engine(machine());
     const auto run = engine->begin(program());
     run->restore(read.run);
-    fuzz::require(run->save() == read.run, "a run has the state that it was given");
+    fuzz::require(run->save() == read.run, "a resumed run has the given state");
     run->advance(engine::Run::end, {});
-    fuzz::require(run->finished(), "a run goes on to its end");
+    fuzz::require(run->finished(), "a resumed run reaches its end");
     (void)run->result();
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.csgs");

@@ -1,4 +1,4 @@
-// Stats files, as rerun reads them: what is taken for options, and what differs from another run's stats.
+// Stats files, as read by rerun: accepted options, and differences from another run's stats.
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ std::string session::version_and_build() { return "0.1.0 fuzz"; }
 
 namespace {
 
-/// As render has them: one of each type, and what rerun passes over.
+/// Options like those of render: one of each type, and those that rerun skips.
 const std::vector<session::SettableOption> options{
     {"model", session::Takes::text},          {"program", session::Takes::text},  {"size", session::Takes::text},
     {"machine", session::Takes::text},        {"set", session::Takes::texts},     {"view-all", session::Takes::flag},
@@ -26,24 +26,23 @@ const std::vector<session::SettableOption> options{
     {"stats", session::Takes::text},          {"report", session::Takes::text},   {"checkpoint", session::Takes::text},
     {"resume", session::Takes::text},         {"progress", session::Takes::text}, {"quiet", session::Takes::flag}};
 
-/// A text that is none, so that files are not read.
+/// Stats of another run, without files to read.
 constexpr const char* other_run = R"({"clocks": 7, "parts": [1, 2], "configuration": {"command": ["csgsim", "render"],
   "options": {"model": "m.csg"}, "machine": {"name": "m", "hash": "1"}, "model": {"file": "m.csg", "hash": "2"},
   "picture": {"hash": "3"}}, "wall_seconds": 1})";
 
 void check(const shell::Setting& setting) {
   const auto option = std::ranges::find(options, setting.name, &session::SettableOption::name);
-  fuzz::require(option != options.end(), "a setting is of an option of the command");
-  fuzz::require(session::known_option(setting.name).role != session::FileRole::output,
-                "no setting names what is written");
+  fuzz::require(option != options.end(), "a setting belongs to an option of the command");
+  fuzz::require(session::known_option(setting.name).role != session::FileRole::output, "no setting names an output");
   fuzz::require(!setting.values.empty(), "a setting has a value");
   fuzz::require(option->takes == session::Takes::texts || setting.values.size() == 1, "an option has one value");
   for (const std::string& value : setting.values)
-    fuzz::require(value.find('\0') == std::string::npos, "a value could stand on a command line");
+    fuzz::require(value.find('\0') == std::string::npos, "a value is valid on a command line");
   if (option->takes == session::Takes::flag) fuzz::require(setting.values.front() == "true", "a flag is on");
 }
 
-/// Looks at it in one way; an error has to be one line with the file's name.
+/// Checks the input in one way; an error must be one line with the file's name.
 template <class Look>
 void look(const Look& look_at) {
   try {
@@ -64,9 +63,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       for (const shell::Setting& setting : settings) check(setting);
     });
     look([&] { static_cast<void>(shell::changes_between(run, other.configuration)); });
-    fuzz::require(shell::differences(run, run.stats).empty(), "a run is like itself");
+    fuzz::require(shell::differences(run, run.stats).empty(), "a run equals itself");
     fuzz::require(shell::differences(run, other.stats).empty() == shell::differences(other, run.stats).empty(),
-                  "of two runs the one differs from the other as the other from the one");
+                  "differences between two runs are symmetric");
   });
   return 0;
 }

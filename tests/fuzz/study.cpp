@@ -1,4 +1,4 @@
-// What studies read: lines of their tables, and lists of numbers and names on the command line.
+// Inputs of studies: lines of their tables, and lists of numbers and names on the command line.
 
 #include <algorithm>
 #include <string>
@@ -19,7 +19,7 @@ namespace studies = csgsim::studies;
 
 namespace {
 
-/// Looks at the input in one way; an error has to be one line, and must not come from what was read already.
+/// Checks the input in one way; an error must be one line, and must not occur for input that was already accepted.
 template <class Read, class Check>
 void look(const Read& read, const Check& check) {
   try {
@@ -39,18 +39,18 @@ void look_at_cells(const std::string& line) {
        [](const std::vector<std::string>& cells) {
          std::string again;
          for (const std::string& cell : cells) again += (&cell == &cells.front() ? "" : ",") + studies::to_cell(cell);
-         fuzz::require(studies::split_cells(again) == cells, "cells are read back as they were");
+         fuzz::require(studies::split_cells(again) == cells, "cells are read as written");
        });
 }
 
-/// Rows are held against each other as text, since a number that is none equals nothing.
+/// Compares rows as text, since NaN does not equal itself.
 template <class Row>
 void look_at_row(const std::string& line) {
   look([&] { return studies::from_line<Row>(line); },
        [](const Row& row) {
          const std::string again = studies::to_line(row);
          fuzz::require(again.find('\n') == std::string::npos, "a row is one line");
-         fuzz::require(studies::to_line(studies::from_line<Row>(again)) == again, "a row is read back as it was");
+         fuzz::require(studies::to_line(studies::from_line<Row>(again)) == again, "a row is read as written");
        });
 }
 
@@ -63,7 +63,7 @@ void look_at_memory_map(const std::string& cell) {
   look([&] { return read(cell); },
        [&](const studies::MemoryMap& map) {
          const std::vector<std::string> cells = studies::split_cells(studies::to_cell(map));
-         fuzz::require(cells.size() == 1 && read(cells.front()) == map, "a memory map is read back as it was");
+         fuzz::require(cells.size() == 1 && read(cells.front()) == map, "a memory map is read as written");
        });
 }
 
@@ -80,20 +80,20 @@ void look_at_lists(const std::string& text) {
        [](const std::vector<unsigned>& values) {
          const auto within = [](unsigned value) { return value >= least && value <= most; };
          fuzz::require(!values.empty() && std::ranges::all_of(values, within), "numbers are within their range");
-         fuzz::require(!has_doubles(values), "no number comes twice");
+         fuzz::require(!has_doubles(values), "no number occurs twice");
        });
   const std::vector<std::string> known{"stack", "list", "bits"};
   look([&] { return session::parse_names(text, "strategy", known); },
        [&](const std::vector<std::string>& names) {
          const auto is_known = [&](const std::string& name) { return std::ranges::count(known, name) == 1; };
-         fuzz::require(!names.empty() && std::ranges::all_of(names, is_known), "names are known ones");
-         fuzz::require(!has_doubles(names), "no name comes twice");
+         fuzz::require(!names.empty() && std::ranges::all_of(names, is_known), "names are known");
+         fuzz::require(!has_doubles(names), "no name occurs twice");
        });
 }
 
 }  // namespace
 
-/// Any line is either what it is read as, and written back as the same, or one line of error.
+/// Any line is read and written unchanged, or gives one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::text_of(data, size);
   const std::string line(text.substr(0, text.find('\n')));

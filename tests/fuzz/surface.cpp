@@ -22,7 +22,7 @@ void check(Read read) {
 
 }  // namespace
 
-/// Any bytes are either a surface or one line of error.
+/// Any bytes give a surface or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::text_of(data, size);
   check([&] { return solids::parse_surface(text, "m", true); });

@@ -1,4 +1,4 @@
-// Files of a study's table, as an interrupted study leaves them or somebody has changed them.
+// Files of a study's table after an interruption or an edit.
 
 #include "sim/studies/table.h"
 
@@ -20,7 +20,7 @@ std::vector<std::string> lines_of(const std::filesystem::path& path) {
   return studies::Table(path, "title", studies::format_of<studies::ComparisonRow>()).rows();
 }
 
-/// What was read is still there when the file is opened again, and a row can be added.
+/// Checks that the rows are unchanged when the file is opened again, and that a row can be added.
 void check(const std::filesystem::path& path, std::vector<std::string> lines) {
   try {
     fuzz::require(lines_of(path) == lines, "a table opened again holds the same rows");
@@ -28,7 +28,7 @@ void check(const std::filesystem::path& path, std::vector<std::string> lines) {
     row.reason = "commas, \"quotes\"";
     lines.push_back(studies::to_line(row));
     studies::Table(path, "title", studies::format_of<studies::ComparisonRow>()).add(std::span(lines).last(1));
-    fuzz::require(lines_of(path) == lines, "a row that was added follows those that were there");
+    fuzz::require(lines_of(path) == lines, "an added row follows the existing ones");
   } catch (const csgsim::InputError& error) {
     fuzz::broken(error.what());
   }
@@ -36,12 +36,12 @@ void check(const std::filesystem::path& path, std::vector<std::string> lines) {
 
 }  // namespace
 
-/// Any file is either a table that can go on or one line of error.
+/// Any file gives a table that can be continued, or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::ScratchFolder folder;
   static const std::filesystem::path file = folder.path() / "compare.csv";
   fuzz::write_scratch(file, fuzz::text_of(data, size));
-  // Tables of csgsim 0.1.0 from before December 2026 say themselves what they are of, in a comment.
+  // Tables of csgsim 0.1.0 from before December 2026 state their study in a comment.
   fuzz::write_scratch(std::filesystem::path(file).replace_extension(".study"), "title\n");
   try {
     check(file, lines_of(file));

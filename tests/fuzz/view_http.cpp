@@ -1,4 +1,4 @@
-// Bytes of a connection, as csgsim view reads them: requests, one after another.
+// Bytes of a connection, as read by csgsim view: requests, one after another.
 
 #include <algorithm>
 #include <cstddef>
@@ -23,7 +23,7 @@ constexpr viewer::RequestLimits limits{.header_bytes = 512, .header_fields = 12,
 
 const viewer::Door door{8080, "0123456789abcdef0123456789abcdef"};
 
-/// What came of a connection's bytes.
+/// The requests and errors from a connection's bytes.
 struct Outcome {
   std::vector<viewer::Request> requests;
   int refusal = 0;
@@ -38,25 +38,25 @@ struct Outcome {
 };
 
 std::optional<viewer::Reply> gate(const viewer::Request& head) {
-  fuzz::require(head.body.empty(), "the gate is asked before the body is read");
+  fuzz::require(head.body.empty(), "a request is admitted before its body is read");
   viewer::Admission admission = viewer::admit(door, head);
   return admission.is_admitted ? std::nullopt : std::optional(std::move(admission.refusal));
 }
 
 void check(const viewer::Request& request) {
-  fuzz::require(viewer::admit(door, request).is_admitted, "a request that is read was admitted");
+  fuzz::require(viewer::admit(door, request).is_admitted, "a received request was admitted");
   fuzz::require(request.body.size() <= limits.body_bytes, "a body is within its limit");
   fuzz::require(request.method == "GET" || request.method == "POST", "a request is a GET or a POST");
   fuzz::require(request.path.size() + request.host.size() <= limits.header_bytes, "a header is within its limit");
 }
 
 void check(const viewer::Reply& refusal) {
-  fuzz::require(refusal.status >= 400 && refusal.status < 500, "a refusal has the status of one");
+  fuzz::require(refusal.status >= 400 && refusal.status < 500, "an error answer has an error status");
   const nlohmann::json body = nlohmann::json::parse(refusal.body, nullptr, false);
-  fuzz::require(body.is_object() && body.contains("error"), "a refusal is JSON with an error");
+  fuzz::require(body.is_object() && body.contains("error"), "an error answer is JSON with an error");
 }
 
-/// Reads bytes that arrive in pieces of one size.
+/// Reads bytes that arrive in pieces of equal size.
 Outcome read(std::string_view bytes, std::size_t piece) {
   viewer::RequestReader reader(limits, gate);
   Outcome outcome;

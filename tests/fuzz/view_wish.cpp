@@ -1,4 +1,4 @@
-// What the page of csgsim view asks by a POST: the question's name in a line, and behind it its wish, JSON.
+// POST requests of csgsim view's page: a line with the question's name, followed by its JSON parameters.
 
 #include <algorithm>
 #include <array>
@@ -25,10 +25,10 @@ constexpr std::string_view model = R"(difference() { cube(size = [6, 6, 4], cent
 constexpr std::string_view first_wish = R"({"knobs":{"size":"8x6","camera":"30,-40,25,0,0,2"}})";
 
 std::string recorder(const csgsim::isa::Program& /*program*/, std::span<const std::string> /*options*/) {
-  throw csgsim::InputError("no wires are recorded here");
+  throw csgsim::InputError("this session records no waves");
 }
 
-/// Its pictures are small, and a mutation may take a part of a second.
+/// A session with small pictures, so that a mutation takes a fraction of a second.
 viewer::Session& session() {
   static const fuzz::ScratchFolder folder;
   static const std::string file = [] {
@@ -40,7 +40,7 @@ viewer::Session& session() {
   return one;
 }
 
-/// Makes the pictures small that it wishes for, anywhere in it. Its depth is bounded.
+/// Limits the picture size in the request, at any place. The JSON depth is bounded.
 void make_small(Json& wish) {
   constexpr std::size_t longest_size = 5;
   if (wish.is_object() && wish.contains("knobs") && wish["knobs"].is_object()) {
@@ -54,7 +54,7 @@ void make_small(Json& wish) {
   }
 }
 
-/// What cannot be read stays as it is.
+/// Malformed requests stay unchanged.
 std::string made_small(std::string body) {
   try {
     Json wish = csgsim::session::parsed_json(body, {.depth = 16});
@@ -77,14 +77,15 @@ void check(const viewer::Reply& reply) {
   if (reply.status == 404) return;
   const Json body = Json::parse(reply.body, nullptr, false);
   fuzz::require(body.is_object(), "an answer is a JSON object");
-  fuzz::require(reply.status == 200 || (body.contains("error") && body["error"].is_string()), "a refusal says why");
+  fuzz::require(reply.status == 200 || (body.contains("error") && body["error"].is_string()),
+                "an error answer states the reason");
 }
 
-/// Whatever was asked before.
+/// Checks that the first picture does not depend on earlier requests.
 void check_first_picture() {
   static const std::string expected = Json::parse(ask("draw", std::string(first_wish)).body).at("picture");
   fuzz::require(Json::parse(ask("draw", std::string(first_wish)).body).at("picture") == expected,
-                "a wish is always answered alike");
+                "a request always gets the same answer");
 }
 
 }  // namespace

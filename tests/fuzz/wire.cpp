@@ -1,5 +1,5 @@
-// Words of a link, as they reach a machine: a byte for the width of the link less 1, then the words, each in as many
-// bytes as hold it.
+// Words of a link as received by a machine: a byte with the width of the link minus 1, then the words, each in whole
+// bytes.
 
 #include "hw/isa/wire.h"
 
@@ -24,14 +24,14 @@ isa::LinkWord word_of(std::span<const std::uint8_t> bytes) {
 void check_command(const isa::Command& command, unsigned link_width, const std::vector<isa::LinkWord>& words) {
   std::vector<isa::LinkWord> again;
   isa::encode(command, link_width, [&](const isa::LinkWord& word) { again.push_back(word); });
-  fuzz::require(again == words, "a command is sent in the words in which it came");
+  fuzz::require(again == words, "a command is encoded in the words received");
   fuzz::require(again.size() == isa::wire_words(command, link_width),
-                "a command takes as many words as it has bits for");
+                "a command takes the number of words for its bits");
 }
 
 }  // namespace
 
-/// Any words are commands, each of which is sent as it came, or one line of error.
+/// Any words are commands that are re-encoded unchanged, or give one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::span<const std::uint8_t> rest(data, size);
   if (rest.empty()) return 0;
@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (const std::optional<isa::Command> command = decoder.take(word)) check_command(*command, link_width, words);
     } catch (const csgsim::InputError& error) {
       fuzz::check_message(error);
-      fuzz::require(decoder.between_commands(), "a command begins after an error");
+      fuzz::require(decoder.between_commands(), "a new command begins after an error");
     }
     if (decoder.between_commands()) words.clear();
   }

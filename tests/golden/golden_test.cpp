@@ -95,7 +95,7 @@ TEST_CASE("the trace of fig. 2.3's object in squares runs to its golden counts a
   check_run("thesis_fig_2_3_squares");
 }
 
-TEST_CASE("the trace of fig. 2.3's object in subsegments runs to its golden counts and picture") {
+TEST_CASE("the trace of fig. 2.3's object in subsegments runs to its golden results") {
   check_run("thesis_fig_2_3_nodes");
 }
 

@@ -244,7 +244,7 @@ TEST_CASE("an answer takes one clock without tree levels") {
   CHECK(report.clocks == after + 9);
 }
 
-TEST_CASE("a step completes at the end of its own clock without tree levels") {
+TEST_CASE("a step completes at the end of the same clock without tree levels") {
   PixelPlanes machine("machine", csgsim::test::machine_of({1, 1, 8}, 1));
   const Program program = program_of({segment_of({{.opcode = Opcode::enable_all},
                                                   {.opcode = Opcode::global_or},

@@ -1,4 +1,4 @@
-"""The tests that judge mutants: what to build, what to run, and how long it usually takes."""
+"""The tests that judge mutants: targets to build, commands to run, and usual times."""
 
 import concurrent.futures
 import json
@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 PICTURES = ["rules", "strategies", "golden", "hard_cases", "agreement"]
-JUDGES_OF = {  # in the order in which they are asked
+JUDGES_OF = {  # in the order of execution
     "hw/base": ["base", "isa", "read"],
     "hw/isa": ["isa", "view", "reference", "machines", "functional_lockstep", "golden", "lockstep_functional", "hard_cases"],
     "hw/division": ["division", "pixel_square_modules", "multi_processor_kind"],
@@ -100,16 +100,16 @@ JUDGES_OF = {  # in the order in which they are asked
     "sim/studies/subdivide": ["cli"],
     "sim/studies/sweep": ["studies", "cli"],
 }
-BY_CASE = {  # as ctest runs them, mostly a process a test case: SystemC elaborates once
+BY_CASE = {  # run like ctest, usually one process per test case: SystemC elaborates once
     "pixel_planes", "pixel_square", "pixel_square_modules", "scan_line", "scan_line_array", "cycle", "elaboration", "kinds", "link",
     "multi_processor", "multi_processor_kind", "waves", "debug", "long_work", "checkpoint", "picture_faults", "cli", "corpus"}
-BY_FILE = {"cli"}  # takes minutes, and has a file of tests for most files that it judges
-TOO_SLOW = ["*half a million facets*", "*turned by a hair*"]
+BY_FILE = {"cli"}  # takes minutes, and has a test file for most files that it judges
+TOO_SLOW = ["*half a million facets*", "*turned by 1e-7*"]
 LEFT_OUT = {"hard_cases": ["--source-file-exclude=*hard_cases_many*"]}  # trees of 10,000 nodes take minutes
 RANDOM = "seed=1 noshrink=1"
-PATIENCE = 10  # times the usual time
-LEAST_TIME_LIMIT = 10.0  # seconds
-MEMORY = 12 << 30  # bytes of address space; a test looks at the 8 GiB that a child process may have
+PATIENCE = 10  # multiple of the usual time
+LEAST_TIME_LIMIT = 10.0  # in seconds
+MEMORY = 12 << 30  # bytes of address space; a test checks the 8 GiB limit of a child process
 
 
 @dataclass(frozen=True)
@@ -119,7 +119,7 @@ class Outcome:
 
 
 def run(command, seconds, cwd=None, environment=None, memory=None):
-    """An Outcome; whatever the command started ends with it."""
+    """Runs a command, which ends together with all processes it started; returns its Outcome."""
     limit = (lambda: resource.setrlimit(resource.RLIMIT_AS, (memory, memory))) if memory else None
     process = subprocess.Popen(
         command, cwd=cwd, env={**os.environ, **(environment or {})}, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
@@ -140,7 +140,7 @@ def target_of(judge):
 
 
 def environment_of(test):
-    """What ctest sets for a test."""
+    """The environment that ctest sets for a test."""
     set_ = next((one["value"] for one in test.get("properties", []) if one["name"] == "ENVIRONMENT"), [])
     return dict(word.split("=", 1) for word in set_)
 
@@ -161,7 +161,7 @@ class Judges:
         return cache.exists() and f"\nCMAKE_HOME_DIRECTORY:INTERNAL={self.root}\n" not in cache.read_text()
 
     def configure(self):
-        """Configures the build folder, also one that was copied here along with another tree and would build that."""
+        """Configures the build folder, including one copied from another tree, which would otherwise build that tree."""
         if self.is_of_another_tree():
             for entry in self.build.iterdir():
                 if entry.is_dir():
@@ -169,13 +169,13 @@ class Judges:
                 elif not entry.name.startswith("mutation-"):
                     entry.unlink()
         if not (self.build / "build.ninja").exists():
-            # GCC 12 has that warning of Boost's small_vector at -O1, and is wrong.
+            # GCC 12 falsely reports this warning for Boost's small_vector at -O1.
             flags = "-DCMAKE_CXX_FLAGS=-O1 -Wno-stringop-overread"
             subprocess.run(["cmake", "-S", self.root, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=", flags,
                             "-DCSGSIM_PRECOMPILE=ON", "-DCSGSIM_BATCH_TESTS=ON"], check=True)
 
     def make(self, judge):
-        """Builds what the judge runs."""
+        """Builds the judge."""
         outcome = run(["ninja", "-C", self.build, f"-j{self.jobs}", target_of(judge)], 3600)
         if outcome.result == "failed" and re.search(r"error:|undefined reference", outcome.text):
             return Outcome("uncompilable", outcome.text)
@@ -205,7 +205,7 @@ class Judges:
             yield command, environment | environment_of(test)
 
     def ask(self, judge, about=""):
-        """The judge's verdict on the sources as they are; the tests whose file is named like `about` are asked first."""
+        """The judge's verdict on the current sources; tests in files named like `about` run first."""
         made = self.make(judge)
         if made.result != "passed":
             return made
@@ -227,12 +227,12 @@ class Judges:
         return Outcome("passed")
 
     def command_about(self, judge, file):
-        """Those tests of a judge in whose file's name a word of another's stands."""
+        """The tests of a judge whose file name shares a word with another file's name."""
         words = ",".join(f"*{word}*" for word in Path(file).stem.split("_") if len(word) > 2)
         return [str(self.build / target_of(judge)), "--abort-after=1", f"--source-file={words}"], {"RC_PARAMS": RANDOM}
 
     def measure(self, judges):
-        """Makes sure that every judge passes the sources as they are, and notes how long it takes."""
+        """Checks that every judge passes the unmodified sources, and records its time."""
         for judge in judges:
             if judge in self.usual:
                 continue

@@ -1,7 +1,7 @@
-"""Mutants of C++ sources: one small edit each, picked from the tokens of a file.
+"""Mutants of C++ sources: one small edit each, derived from the tokens of a file.
 
-The sources are clang-formatted, so that an operator between operands has a space on either side, and the angle brackets
-of templates have none.
+The sources are formatted by clang-format, so that an operator between operands has a space on either side, and the
+angle brackets of templates have none.
 """
 
 import random
@@ -80,7 +80,7 @@ class Token:
 
 @dataclass(frozen=True)
 class Mutant:
-    """Characters begin to end of a file become `after`."""
+    """An edit that replaces characters begin to end of a file by `after`."""
 
     file: str
     line: int
@@ -154,7 +154,7 @@ def constants(token, previous, following):
     if token.kind == "real":
         return [f"({token.text} + 1.0)"]
     if previous.text == "=" and following.text == ";" and token.text == "0":
-        return [f"{token.text} + 1"]  # a pure virtual function does not compile with it
+        return [f"{token.text} + 1"]  # this would not compile for a pure virtual function
     return [f"({token.text} + 1)", f"({token.text} - 1)"]
 
 
@@ -193,7 +193,7 @@ def conditions(text, tokens, opening):
 
 
 def dropped_call(tokens, i):
-    """A statement that is nothing but a call."""
+    """A statement that is only a call."""
     if tokens[i].kind != "word" or tokens[i].text in ("return", "if", "for", "while", "switch", "else", "using", "catch"):
         return []
     if tokens[i - 1].text not in (";", "{", "}", ")", "else"):
@@ -230,7 +230,7 @@ def mutants_of(root, file):
 
 
 def in_random_order(root, files, seed):
-    """One mutant of every place in the files. The seed and the line decide which, and when it comes, so that changes of
+    """One mutant for every place in the files. The seed and the line determine which, and its order, so that changes of
     other lines do not change the choice."""
     chosen = []
     for file in files:
@@ -246,7 +246,7 @@ def files_of(root, room):
 
 
 def dependants(root):
-    """How many .cpp files include each file, directly or not."""
+    """The number of .cpp files that include each file, directly or indirectly."""
     sources = [path for folder in ("hw", "host", "sim", "tests") for path in sorted((root / folder).rglob("*"))
                if path.suffix in (".cpp", ".h")]
     included = {str(path.relative_to(root)): INCLUDE.findall(path.read_text()) for path in sources}

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Mutation testing: which small wrong edits does no test notice?"""
+"""Mutation testing: finds small wrong edits that no test detects."""
 
 import argparse
 import csv
@@ -18,11 +18,11 @@ from mutants import dependants, files_of, in_random_order, mutants_of
 
 ROOT = Path(__file__).resolve().parents[2]
 COLUMNS = ["room", "file", "line", "column", "edit", "kind", "result", "by", "seconds", "text"]
-MOST_DEPENDANTS = 16  # headers that more .cpp files include take too long to rebuild
+MOST_DEPENDANTS = 16  # headers included by more .cpp files take too long to rebuild
 
 
 class Restored:
-    """A source file with an edit, put back whatever happens; after a crash, by the next run."""
+    """A source file with an edit, restored in any case; after a crash, by the next run."""
 
     def __init__(self, build, mutant):
         self.note = build / "mutation-in-flight.json"
@@ -49,7 +49,7 @@ def restore_after_a_crash(build):
 
 
 def judge(judges, room, asked, mutant, build):
-    """(result, by whom) of a mutant."""
+    """(result, judge) of a mutant."""
     with Restored(build, mutant):
         for name in asked or JUDGES_OF[room]:
             outcome = judges.ask(name, mutant.file)
@@ -75,7 +75,7 @@ def append(path, row):
 
 
 def table(rows, rooms):
-    """Markdown, as in README.md: what became of the mutants that compile, by room and in all."""
+    """Results of the mutants that compile, by folder and in total, as Markdown in the form of README.md."""
     counts = Counter((row["room"], row["result"]) for row in rows)
     lines = ["| room | mutants | killed | of these by time-out | survivors | killed, % |", "|---|--:|--:|--:|--:|--:|"]
     sums = Counter()
@@ -103,22 +103,22 @@ def chosen_mutants(rooms, seed):
 
 
 def shares(options, rooms):
-    """How many mutants that compile each room is to have."""
+    """The number of compiling mutants for each folder."""
     if options.per_room:
         return [options.per_room] * rooms
     return [options.count // rooms + (i < options.count % rooms) for i in range(rooms)]
 
 
 def rooms_in(patterns):
-    """The rooms that a pattern fits, as sim/software/* does; all of them if there is none."""
+    """The folders that match a pattern such as sim/software/*; all of them without a pattern."""
     for pattern in patterns:
         if not fnmatch.filter(JUDGES_OF, pattern):
-            raise SystemExit(f"mutate.py: no room is '{pattern}'; --list prints them")
+            raise SystemExit(f"mutate.py: no folder matches '{pattern}'; --list prints the folders")
     return [room for room in JUDGES_OF if not patterns or any(fnmatch.fnmatch(room, pattern) for pattern in patterns)]
 
 
 def go_through(options, judges, rooms):
-    """Room by room in turn, until every room has its share of mutants that compile."""
+    """Tests the folders in turns, until every folder has its share of compiling mutants."""
     results = read_results(options.results)
     waiting = chosen_mutants(rooms, options.seed)
     wanted = dict(zip(rooms, shares(options, len(rooms))))
@@ -145,7 +145,7 @@ def go_through(options, judges, rooms):
 
 
 def try_again(options, judges):
-    """The mutants that the results file names, where they still are, judged by the tests as they are now."""
+    """Repeats the mutants of the results file that still exist, with the current tests."""
     rows = {key: row for key, row in read_results(options.again).items() if options.all or row["result"] == "survived"}
     for room in rooms_in(options.room):
         for place in (place for file in files_of(ROOT, room) for place in mutants_of(ROOT, file)):
@@ -158,21 +158,21 @@ def try_again(options, judges):
 
 def parsed(arguments):
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seed", type=int, default=1, help="which mutants are chosen, and in which order (%(default)s)")
-    parser.add_argument("--count", type=int, default=400, help="mutants that compile, of all rooms (%(default)s)")
-    parser.add_argument("--per-room", type=int, metavar="N", help="N mutants of each room instead")
-    parser.add_argument("--room", action="append", default=[], help="only this room, or those of a pattern, sim/software/*; may be repeated")
-    parser.add_argument("--list", action="store_true", help="print the rooms, with the tests that judge each, and nothing else")
+    parser.add_argument("--seed", type=int, default=1, help="seed for the choice and order of mutants (%(default)s)")
+    parser.add_argument("--count", type=int, default=400, help="number of compiling mutants over all folders (%(default)s)")
+    parser.add_argument("--per-room", type=int, metavar="N", help="N mutants for each folder instead")
+    parser.add_argument("--room", action="append", default=[], help="only this folder, or a pattern such as sim/software/*; may be repeated")
+    parser.add_argument("--list", action="store_true", help="only print the folders with the tests that judge each")
     parser.add_argument("--judge", action="append", help="only this test executable, without test_; may be repeated")
     parser.add_argument("--build", type=Path, default=ROOT / "build" / "mutants", help="the build folder (%(default)s)")
-    parser.add_argument("--results", type=Path, help="the results, appended to (BUILD/mutation-results.csv)")
-    parser.add_argument("--again", type=Path, help="try the survivors of this results file again, and nothing else")
+    parser.add_argument("--results", type=Path, help="results file to append to (BUILD/mutation-results.csv)")
+    parser.add_argument("--again", type=Path, help="only test the survivors of this results file again")
     parser.add_argument("--except", dest="excepted", action="append", default=[], metavar="CASE",
-                        help="leave out a test case that fails without any mutation; may be repeated")
+                        help="exclude a test case that fails without a mutation; may be repeated")
     parser.add_argument("--near", action="store_true",
-                        help="of the command line's tests ask only those whose file is named like the edited one")
-    parser.add_argument("--all", action="store_true", help="with --again: those that were killed as well")
-    parser.add_argument("--jobs", type=int, default=2, help="compilers at a time (%(default)s)")
+                        help="of the cli tests run only those in files named like the edited one")
+    parser.add_argument("--all", action="store_true", help="with --again: also repeat killed mutants")
+    parser.add_argument("--jobs", type=int, default=2, help="number of concurrent compilers (%(default)s)")
     options = parser.parse_args(arguments)
     options.build = options.build.resolve()
     options.results = options.results or options.build / "mutation-results.csv"

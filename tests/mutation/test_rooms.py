@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Every room of hw, host and sim has judges, every judge is a test that is built, and what is asked for is what is chosen."""
+"""Every folder of hw, host and sim has judges, every judge is a built test, and options select the requested
+folders."""
 
 import re
 import shutil
@@ -14,7 +15,7 @@ from judges import BY_CASE, JUDGES_OF, Judges, target_of
 ROOT = Path(__file__).resolve().parents[2]
 
 
-# Judged by tests/python, of which there is no program that mutations could be built into.
+# Judged by tests/python; mutations cannot be built into a test program.
 WITHOUT_JUDGES = {"sim/python"}
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Repeats the property tests with random seeds. Each finding is kept as a file with the command that repeats it."""
+"""Repeats the property tests with random seeds. Writes each finding to a file with the command that repeats it."""
 
 import argparse
 import concurrent.futures
@@ -15,8 +15,8 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-MARK = b"Using configuration:"  # rapidcheck writes it before the first property of a process
-USUAL_TIMEOUT = 1500.0  # seconds, as ctest's
+MARK = b"Using configuration:"  # printed by rapidcheck before the first property of a process
+USUAL_TIMEOUT = 1500.0  # in seconds, ctest's default
 
 
 @dataclass(frozen=True)
@@ -52,12 +52,12 @@ def tests_of(build, pattern):
 
 
 def parameters_of(test, seed):
-    """What the test sets RC_PARAMS to, with the seed."""
+    """The test's RC_PARAMS, with the seed."""
     return f"{test.environment.get('RC_PARAMS', '')} seed={seed}".strip()
 
 
 def run(test, seed):
-    """(what ended it, its output): exit code, signal or time-out; nothing if it passed."""
+    """(failure, output): an exit code, signal or time-out; empty if it passed."""
     environment = {**os.environ, **test.environment, "RC_PARAMS": parameters_of(test, seed)}
     try:
         process = subprocess.Popen(test.command, cwd=test.folder, env=environment, stdin=subprocess.DEVNULL,
@@ -97,7 +97,7 @@ class Night:
         self.runs = 0
 
     def one(self, test, seed):
-        """Whether the test drew something."""
+        """Runs the test; returns whether it checked any properties."""
         if time.monotonic() >= self.end:
             return False
         why, output = run(test, seed)
@@ -109,7 +109,7 @@ class Night:
         return MARK in output or bool(why)
 
     def round(self, number, tests, seed):
-        """The tests that drew something."""
+        """Runs a round; returns the tests that checked any properties."""
         print(f"round {number}: seed {seed}, {len(tests)} tests", flush=True)
         with concurrent.futures.ThreadPoolExecutor(self.options.jobs) as pool:
             drew = list(pool.map(lambda test: self.one(test, seed), tests))
@@ -119,7 +119,7 @@ class Night:
         seeds = random.SystemRandom()
         number = 1
         while tests and time.monotonic() < self.end:
-            seeds.shuffle(tests)  # what a short night leaves out is not the same each time
+            seeds.shuffle(tests)  # short nights omit different tests each time
             drew = self.round(number, tests, seeds.getrandbits(63))
             if time.monotonic() < self.end:
                 tests = drew
@@ -129,10 +129,10 @@ class Night:
 def parsed(arguments):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("build", type=Path, help="a build folder with tests")
-    parser.add_argument("--hours", type=float, default=2.0, help="how long (%(default)s)")
-    parser.add_argument("--tests", default="", metavar="REGEX", help="only tests whose names it matches")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="tests at a time (%(default)s)")
-    parser.add_argument("--findings", type=Path, help="the folder of findings (BUILD/nightly)")
+    parser.add_argument("--hours", type=float, default=2.0, help="duration in hours (%(default)s)")
+    parser.add_argument("--tests", default="", metavar="REGEX", help="run only tests whose names match")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="number of concurrent tests (%(default)s)")
+    parser.add_argument("--findings", type=Path, help="folder for findings (BUILD/nightly)")
     options = parser.parse_args(arguments)
     if not options.hours > 0:
         parser.error("--hours has to be more than 0")

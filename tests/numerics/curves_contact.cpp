@@ -125,7 +125,7 @@ TEST_CASE("a ball drilled by a cylinder that touches its surface is drawn correc
   check_all_of(outer, rod({4, 0, -16}, 32, 4));
   check_all_of(outer, lying(rod({4, 0, -16}, 32, 4)), perhaps_in_facets);
 }
-TEST_CASE("a hollow ball that touches its own surface and is drilled there is drawn correctly") {
+TEST_CASE("a hollow ball that is drilled where it touches itself is drawn correctly") {
   check_seen(subtract({outer, inner, rod({0, 0, -16}, 32, 2)}));
   check_seen(subtract({outer, inner, placed("[[0,0,1,0],[0,1,0,0],[-1,0,0,0],[0,0,0,1]]", rod({0, 0, 0}, 32, 2))}));
 }

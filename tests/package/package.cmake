@@ -1,11 +1,11 @@
-# cmake -DBUILD=... -DSOURCE=... -DWORK=... -DCOMPILER=... -P package.cmake: installs csgsim, moves it, and builds a project that uses
-# it, by CMake and by pkg-config; all write pictures there.
+# cmake -DBUILD=... -DSOURCE=... -DWORK=... -DCOMPILER=... -P package.cmake: installs csgsim, moves it, and builds a
+# project that uses it, with CMake and with pkg-config; all write pictures there.
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY WORKING_DIRECTORY ${WORK})
 endfunction()
 function(require_file name)
   if(NOT EXISTS ${WORK}/${name})
-    message(FATAL_ERROR "there is no ${name}")
+    message(FATAL_ERROR "${name} does not exist")
   endif()
 endfunction()
 file(REMOVE_RECURSE ${WORK})
@@ -17,7 +17,7 @@ run(${CMAKE_COMMAND} --build ${WORK}/user)
 run(${WORK}/user/user)
 require_file(user.png)
 require_file(user.tif)
-# The same by pkg-config, without CMake.
+# Repeats it with pkg-config, without CMake.
 file(REMOVE ${WORK}/user.png ${WORK}/user.tif)
 file(GLOB_RECURSE pkgconfig_file ${WORK}/prefix/*/csgsim.pc)
 cmake_path(GET pkgconfig_file PARENT_PATH pkgconfig_folder)
@@ -29,7 +29,7 @@ require_file(user.tif)
 run(${WORK}/prefix/bin/csgsim --version)
 run(${WORK}/prefix/bin/csgsim render ${SOURCE}/tests/models/old_example011.csg --size 16x16 -o installed.tif)
 require_file(installed.tif)
-# And in Python, without the build folder's libraries.
+# Repeats it in Python, without the build folder's libraries.
 file(GLOB python_module ${WORK}/prefix/lib/python3/dist-packages/csgsim/_csgsim.*)
 if(python_module)
   file(WRITE ${WORK}/user.py "import csgsim\ncsgsim.render(text='text(\"a\");', size=(16, 16), output='python.tif')\n")
@@ -39,7 +39,7 @@ if(python_module)
 elseif(PYTHON)
   message(FATAL_ERROR "the Python module is not installed")
 endif()
-# What else is installed.
+# Checks the other installed files.
 foreach(name share/man/man1/csgsim.1.gz share/man/man1/csgsim-render.1.gz share/bash-completion/completions/csgsim
     share/fish/vendor_completions.d/csgsim.fish share/doc/csgsim/README.md share/doc/csgsim/docs/tutorial.md
     share/csgsim/examples/parts/vase.csg share/csgsim/examples/scenes/vehicle.toml share/csgsim/processors/mc68000.toml)

@@ -13,19 +13,18 @@
 namespace csgsim::bench {
 
 struct Settings {
-  std::filesystem::path csgsim;               ///< the program that is measured
-  std::filesystem::path beside;               ///< another build of it, measured in turn with it; or empty
-  std::filesystem::path folder;               ///< where generated models, Programs and pictures go
-  std::vector<std::filesystem::path> models;  ///< beside the generated ones
+  std::filesystem::path csgsim;               ///< the program to measure
+  std::filesystem::path beside;               ///< another build, measured in turns; may be empty
+  std::filesystem::path folder;               ///< for generated models, Programs and pictures
+  std::vector<std::filesystem::path> models;  ///< in addition to the generated ones
   std::vector<std::string> machines;
   std::vector<std::string> levels;
-  std::string size = "512x512";  ///< of pictures, in pixels
+  std::string size = "512x512";  ///< picture size in pixels
   Rounds rounds;
   std::vector<std::string> works;  ///< names of whole commands
 };
 
-/// The settings of each build that is measured: of this one, and of the one beside it, if there is one, in a folder of
-/// its own.
+/// The settings of each measured build: this one, and the other one, if given, with a separate folder.
 std::vector<Settings> sides_of(const Settings& settings);
 
 /// A model on a machine at a level. Seconds are those of the run alone.
@@ -34,83 +33,83 @@ struct Speed {
   std::string machine;
   std::string level;
   std::uint64_t clocks = 0;
-  double simulated = 0;  ///< seconds of the machine
-  Compared wall;         ///< seconds here
+  double simulated = 0;  ///< seconds of the simulated machine
+  Compared wall;         ///< wall time in seconds
   std::string command;
 
   [[nodiscard]] double ratio() const { return simulated / wall.seconds; }
 };
 
-/// The clocked engine against the dense loop, on the same Program.
+/// The clocked engine compared with the dense loop on the same Program.
 struct DensePair {
   std::string model;
   std::uint64_t clocks = 0;
-  double clocked = 0;  ///< seconds
-  double dense = 0;    ///< seconds
+  double clocked = 0;  ///< in seconds
+  double dense = 0;    ///< in seconds
   std::string command;
 
   [[nodiscard]] double ratio() const { return clocked / dense; }
 };
 
-/// Another program that draws the same model, and csgsim beside it: whole processes, from start to end.
+/// Another program that draws the same model, compared with csgsim: whole processes, from start to end.
 struct Rival {
   std::string model;
   std::string command;
-  std::string reason;  ///< why it was not measured; else empty
-  double rival = 0;    ///< seconds
+  std::string reason;  ///< reason if it was not measured
+  double rival = 0;    ///< in seconds
   std::string csgsim_command;
-  double csgsim = 0;  ///< seconds
+  double csgsim = 0;  ///< in seconds
 
   [[nodiscard]] double ratio() const { return csgsim / rival; }
 };
 
-/// Seconds against one size, all others being equal.
+/// Seconds against one size, with everything else constant.
 struct Growth {
-  std::string against;  ///< what grows
-  std::string part;     ///< whose seconds: `compile` is a whole process, `run` the run alone
-  std::string command;  ///< of the largest
+  std::string against;  ///< the varied size
+  std::string part;     ///< measured part: `compile` is a whole process, `run` the run alone
+  std::string command;  ///< command of the largest size
   std::vector<Point> points;
-  std::vector<Point> others{};  ///< of the build beside it, if there is one
+  std::vector<Point> others{};  ///< points of the other build, if given
 
   [[nodiscard]] std::optional<double> power() const { return exponent(points); }
 };
 
-/// What a run takes that does not depend on how fast the computer is.
+/// Costs of a run that do not depend on the speed of the computer.
 struct Count {
   std::string model;
   std::string machine;
-  ProgramWork work;                       ///< of the functional level
-  std::string reason{};                   ///< why the processor's instructions were not counted; else empty
-  std::uint64_t instructions = 0;         ///< of the processor, for the whole process
-  std::optional<std::uint64_t> others{};  ///< of the build beside it
-  std::string command{};                  ///< that tells the work
+  ProgramWork work;                       ///< work of the functional level
+  std::string reason{};                   ///< reason if the processor's instructions were not counted
+  std::uint64_t instructions = 0;         ///< processor instructions of the whole process
+  std::optional<std::uint64_t> others{};  ///< instructions of the other build
+  std::string command{};                  ///< command that prints the work
 };
 
-/// How long the functional level takes on so many threads, worked out from the seconds of each tile on one.
+/// Time of the functional level on several threads, computed from the seconds of each tile on one.
 struct Schedule {
   std::string model;
   std::string machine;
-  double rest = 0;              ///< seconds of a run on one thread that are not work on tiles
-  std::vector<Point> tiles;     ///< threads and seconds, where they share out the tiles of a segment
-  std::vector<Point> segments;  ///< where each takes whole segments of the picture
-  double measured_two = 0;      ///< seconds of a run on two threads
+  double rest = 0;              ///< seconds of a single-threaded run outside of tiles
+  std::vector<Point> tiles;     ///< seconds by threads that share the tiles of a segment
+  std::vector<Point> segments;  ///< seconds by threads that take whole segments of the picture
+  double measured_two = 0;      ///< measured seconds of a run on two threads
 };
 
-/// A command, or several, from start to end.
+/// One command or several, from start to end.
 struct Whole {
   std::string name;
-  std::string what;  ///< for people
+  std::string what;  ///< description
   std::vector<std::string> commands;
   Compared wall;
-  double memory = 0;        ///< most bytes of one of its processes
-  double other_memory = 0;  ///< of the build beside it
-  double halfspaces = 0;    ///< of the model, if memory is for these
+  double memory = 0;        ///< peak bytes of one of its processes
+  double other_memory = 0;  ///< peak bytes of the other build
+  double halfspaces = 0;    ///< half-spaces of the model, if memory is stated per half-space
 };
 
 struct Results {
   Build build;
   Settings settings;
-  std::string other{};  ///< what is beside this build, by name_of_build(); empty if nothing is
+  std::string other{};  ///< name_of_build() of the other build; may be empty
   std::vector<Speed> speeds{};
   std::vector<DensePair> dense{};
   std::vector<Rival> rivals{};
@@ -120,7 +119,7 @@ struct Results {
   std::vector<Whole> works{};
 };
 
-/// Parts of the measurement. Each writes what it draws into the folder, and throws InputError for what cannot be drawn.
+/// Parts of the measurement. Each writes its files into the folder, and throws InputError for a model that fails.
 std::vector<Speed> measure_speeds(const Settings& settings);
 std::vector<DensePair> measure_dense(const Settings& settings);
 std::vector<Rival> measure_rivals(const Settings& settings);
@@ -129,7 +128,7 @@ std::vector<Count> measure_counts(const Settings& settings);
 std::vector<Schedule> measure_schedules(const Settings& settings);
 std::vector<Whole> measure_works(const Settings& settings);
 
-/// Names of the whole commands that measure_works knows.
+/// Names of the whole commands measured by measure_works.
 std::vector<std::string> work_names();
 
 }  // namespace csgsim::bench

@@ -22,7 +22,7 @@ std::string cpu_model() {
   return "unknown";
 }
 
-/// Of the sets that the kernels are compiled for and the processor has, the lowest bit is the best.
+/// The best instruction set for which kernels are compiled and which the processor has: the lowest bit.
 std::string best_vectors() {
   const auto both = hwy::SupportedTargets() & (HWY_TARGETS);
   return hwy::TargetName(both & -both);

@@ -5,20 +5,20 @@
 
 namespace csgsim::bench {
 
-/// What was built, and where it runs.
+/// The build and the computer it runs on.
 struct Build {
-  std::string commit;    ///< empty if it was not built in a clone
+  std::string commit;    ///< empty if not built in a clone
   std::string compiler;  ///< name and version
   std::string flags;
   std::string cpu;      ///< model name
-  unsigned cores = 0;   ///< that the system shows
-  std::string vectors;  ///< the instruction set that the SIMD kernels take here
+  unsigned cores = 0;   ///< number of cores visible to the system
+  std::string vectors;  ///< instruction set used by the SIMD kernels
 };
 
 Build this_build();
 
-/// The commit that another csgsim tells of itself, or its file's name if it tells of none. Throws InputError if it is
-/// no program, or one that fails.
+/// The commit printed by another csgsim, or its file's name if it prints none. Throws InputError if the file cannot be
+/// run or fails.
 std::string name_of_build(const std::filesystem::path& csgsim);
 
 }  // namespace csgsim::bench

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* level = "functional";
 
-/// The processor's instructions, as callgrind writes them into its file; none if it did not.
+/// The number of processor instructions in callgrind's output file, if present.
 std::optional<std::uint64_t> summary_of(const std::filesystem::path& calls) {
   std::ifstream file(calls);
   for (std::string line; std::getline(file, line);) {
@@ -31,7 +31,7 @@ std::optional<std::uint64_t> summary_of(const std::filesystem::path& calls) {
   return std::nullopt;
 }
 
-/// Why the processor's instructions are not known.
+/// Reason why the processor's instructions are unknown.
 struct NotCounted {
   std::string reason;
 };
@@ -47,7 +47,7 @@ std::uint64_t instructions_of(const Settings& settings, const Words& words) {
     throw NotCounted{error.what()};
   }
   const std::optional<std::uint64_t> count = summary_of(calls);
-  if (!count) throw NotCounted{"valgrind: tells no sum"};
+  if (!count) throw NotCounted{"valgrind: printed no sum"};
   return *count;
 }
 

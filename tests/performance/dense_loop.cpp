@@ -6,7 +6,7 @@
 #include "hw/base/address_sanitizer.h"
 #include "hw/isa/opcodes.h"
 
-// The widest vectors that the machine has, as the kernels of the clocked engine choose them.
+// Uses the widest vectors of the computer, like the kernels of the clocked engine.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !CSGSIM_ADDRESS_SANITIZER
 #define CSGSIM_WIDEST __attribute__((target_clones("default", "avx2", "avx512f")))
 #else
@@ -25,7 +25,7 @@ constexpr std::size_t word_bits = 64;
 
 constexpr Word majority(Word a, Word b, Word c) { return (a & b) | (c & (a | b)); }
 
-/// A bit of the columns' part of the sum in each word of a row, and what the rows add to it.
+/// A bit of the columns' partial sum in each word of a row, and the bit added by the rows.
 struct TreeBit {
   const Word* columns;
   Word b;
@@ -50,13 +50,13 @@ inline __attribute__((always_inline)) void add_each_row(const TreeBit& in, Word*
   }
 }
 
-/// Rows of 512 pixels get a loop of their own.
+/// Rows of 512 pixels have a separate loop.
 CSGSIM_WIDEST void add_rows(const TreeBit& in, Word* sum, Word* carry) {
   if (in.row_words == 8) return add_each_row<8>(in, sum, carry);
   add_each_row<0>(in, sum, carry);
 }
 
-/// What a step works on, of all pixels: operands, what is written, registers.
+/// Operands of a step for all pixels: sources, destinations, registers.
 struct Operands {
   const Word* x;
   const Word* y;
@@ -70,7 +70,7 @@ struct Operands {
   std::size_t words;
 };
 
-/// The meanings of hw/array/array_step.h, word by word.
+/// The operations of hw/array/array_step.h, word by word.
 CSGSIM_WIDEST void carry_out(AluFunction function, const Operands& operands) {
   const Word* const x = operands.x;
   const Word* const y = operands.y;
@@ -217,7 +217,7 @@ std::uint64_t DenseLoop::execute(const isa::Instruction& instruction) {
   return steps;
 }
 
-/// The adders' carry begins anew with bit 0, and runs from bit to bit.
+/// The adders' carry is cleared at bit 0, and propagates from bit to bit.
 void DenseLoop::tree_bit(const kernels::StreamTable& columns, unsigned bit) {
   if (columns.crossed != nullptr) return crossed_bit(*columns.crossed, bit);
   if (bit == 0) std::fill(tree_carry_.begin(), tree_carry_.end(), 0);
@@ -225,7 +225,7 @@ void DenseLoop::tree_bit(const kernels::StreamTable& columns, unsigned bit) {
            tree_carry_.data());
 }
 
-/// With x*y the columns share nothing.
+/// For x*y the columns have no common part.
 void DenseLoop::crossed_bit(const array::Stream& stream, unsigned bit) {
   for (std::size_t word = 0; word < tree_.size(); ++word) {
     Word bits = 0;

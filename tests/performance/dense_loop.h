@@ -10,23 +10,23 @@
 
 namespace csgsim::bench {
 
-/// The yardstick of the clocked engine: what a frame buffer's processors do, as anybody would write it first. For each
-/// bit step of each instruction one loop over all words of the planes makes the trees' bit of every pixel, another does
-/// the step of the ALU, in vectors as wide as the machine has. No modules, no links, no registers of trees, no
-/// counting, nothing left out where nobody is enabled.
+/// The baseline of the clocked engine: a straightforward implementation of a frame buffer's processors. For each bit
+/// step of each instruction, one loop over all words of the planes computes the trees' bit of every pixel, and another
+/// executes the step of the ALU, with the widest vectors of the computer. No modules, links, tree registers or
+/// counters, and no skipping of disabled pixels.
 class DenseLoop {
  public:
-  /// A bit-serial machine whose memory is read once a clock.
+  /// A bit-serial machine whose memory is read once per clock.
   explicit DenseLoop(const isa::ArrayShape& shape);
 
-  /// Clears memory and registers, and carries out the segment. Returns its bit steps.
+  /// Clears memory and registers, and executes the segment. Returns its number of bit steps.
   std::uint64_t run(const isa::Segment& segment);
 
   /// Whether the memory bit at `address` is 1 at a pixel of the segment.
   [[nodiscard]] bool memory_bit(std::uint32_t address, std::uint32_t x, std::uint32_t y) const;
   [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const;
 
-  /// 64 pixels a word, each row in words of its own.
+  /// 64 pixels per word; each row begins at a new word.
   using Plane = std::vector<std::uint64_t>;
   [[nodiscard]] const Plane& memory(std::uint32_t address) const { return memory_[address]; }
 
@@ -47,7 +47,7 @@ class DenseLoop {
   Plane flag_;
   Plane latch_;
   Plane tree_;
-  Plane tree_carry_;  ///< of the adders that add the rows' part to the columns'
+  Plane tree_carry_;  ///< carry of the adders that add the rows' part to the columns'
   array::ColumnBits columns_;
 };
 

@@ -10,7 +10,7 @@ namespace csgsim::bench {
 
 namespace {
 
-/// The machine whose processors the dense loop is of.
+/// The machine modelled by the dense loop.
 constexpr const char* dense_machine = "pixel-planes-4";
 
 double dense_seconds(const isa::Program& program) {

@@ -28,7 +28,7 @@
 #include "sim/software/tracing/trace.h"
 #include "sim/software/tree/tree.h"
 
-/// Holds Embree, whose rays are of floats, against the directories of csgsim: the same facets, the primary rays of a
+/// Compares Embree, with single-precision rays, with the directories of csgsim: the same facets, the primary rays of a
 /// picture in perspective, on one thread (docs/software.md).
 namespace csgsim::bench {
 
@@ -39,15 +39,15 @@ using software::TraceScene;
 
 constexpr std::uint32_t side = 512;
 
-/// A facet that a ray meets, and the distance along the view axis.
+/// A facet hit by a ray, and the distance along the view axis.
 struct Hit {
   float distance;
   std::uint32_t facet;
 };
 
-/// A ray with what takes all of its hits.
+/// A ray with a collection of all its hits.
 struct Gathering {
-  RTCIntersectContext context;  ///< the first member: Embree hands it back
+  RTCIntersectContext context;  ///< must be the first member: Embree passes a pointer to it
   std::span<const std::uint32_t> facets;
   std::vector<Hit> hits;
 };
@@ -59,7 +59,7 @@ void gather(const RTCFilterFunctionNArguments* arguments) {
   *arguments->valid = 0;
 }
 
-/// The facets of a scene as triangles of Embree's.
+/// The facets of a scene as Embree triangles.
 class EmbreeScene {
  public:
   explicit EmbreeScene(const TraceScene& traced)
@@ -89,7 +89,7 @@ class EmbreeScene {
     rtcCommitScene(scene_.get());
   }
 
-  /// The nearest facet; false if there is none.
+  /// Finds the nearest facet; false if there is none.
   bool meets(RTCRayHit& ray) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -97,7 +97,7 @@ class EmbreeScene {
     return ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
   }
 
-  /// All facets, the nearest first.
+  /// Collects all facets, the nearest first.
   void gather_all(RTCRayHit& ray, std::vector<Hit>& hits) const {
     Gathering gathering{{}, facets_, std::move(hits)};
     gathering.hits.clear();
@@ -111,7 +111,7 @@ class EmbreeScene {
  private:
   std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device_;
   std::unique_ptr<RTCSceneTy, decltype(&rtcReleaseScene)> scene_;
-  std::vector<std::uint32_t> facets_;  ///< of each triangle
+  std::vector<std::uint32_t> facets_;  ///< facet of each triangle
 };
 
 RTCRayHit ray_of(const TraceScene& scene, std::size_t pixel) {
@@ -132,7 +132,7 @@ RTCRayHit ray_of(const TraceScene& scene, std::size_t pixel) {
   return made;
 }
 
-/// What is seen by Embree's hits, classified as csgsim does.
+/// Finds the visible surface from Embree's hits with csgsim's classification.
 class Classifier {
  public:
   explicit Classifier(const TraceScene& scene) : scene_(scene), sequences_(scene.tree(), uncounted_) {}
@@ -159,7 +159,7 @@ class Classifier {
   std::vector<Event> events_;
 };
 
-/// The least of three times, as the directories' are.
+/// The least of three times, as for the directories.
 double seconds_of(const std::function<void()>& draw) {
   double least = std::numeric_limits<double>::infinity();
   for (unsigned i = 0; i < 3; ++i) {
@@ -219,7 +219,7 @@ void compare(const std::string& name, const view::Camera& camera) {
 
 }  // namespace csgsim::bench
 
-/// MODEL and a camera: the eye and what it looks at.
+/// Arguments: MODEL and a camera, as eye and centre.
 int main(int argc, char** argv) {
   constexpr int words = 8;
   if (argc != words) {

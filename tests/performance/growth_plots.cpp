@@ -11,7 +11,7 @@ namespace csgsim::bench {
 
 namespace {
 
-/// All parts that are measured against the same.
+/// A chart of all parts measured against the same size.
 plots::Chart chart_of(const std::vector<Growth>& growths, const std::string& against) {
   plots::Chart chart{"csgsim against " + against,
                      {against, plots::Scale::logarithmic},

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* growing_machine = "pixel-planes-4";
 constexpr const char* level = "functional";
 
-/// One size of something that grows.
+/// One size of a growing model.
 struct Step {
   double x = 0;
   std::filesystem::path model;
@@ -24,20 +24,20 @@ struct Step {
   unsigned threads = 1;
 };
 
-/// What is measured of each step.
+/// The measurements of each step.
 struct Measured {
   bool compile = true;
   bool run = true;
-  Words options{};  ///< of compiling
+  Words options{};  ///< options of compile
 };
 
-/// The seconds of one part of every step, of each build.
+/// The seconds of one part of every step, for each build.
 struct Part {
   Growth growth;
   std::array<std::vector<Timed>, 2> timed;
 };
 
-/// Of one build: 0 is this one, 1 the one beside it.
+/// Adds a step for one build: 0 is this one, 1 the other one.
 void add_step(const Settings& settings, std::size_t side, const Step& step, const Measured& measured, Part& compiles,
               Part& runs) {
   const Compiled compiled{program_path(settings, step.model, growing_machine, step.size), growing_machine};
@@ -61,7 +61,7 @@ Growth measure(Part part, const std::vector<Step>& steps, const Rounds& rounds) 
   return part.growth;
 }
 
-/// Measures all steps in turn: the whole compilations, the runs, or both.
+/// Measures all steps in turns: whole compilations, runs, or both.
 std::vector<Growth> growth_of(const Settings& settings, const std::string& against, const std::vector<Step>& steps,
                               const Measured& measured) {
   Part compiles{{against, "compile", {}, {}}, {}};
@@ -103,7 +103,7 @@ std::vector<Growth> pixels(const Settings& settings) {
   return growth_of(settings, "pixels", steps, {.compile = false});
 }
 
-/// As many threads as there are cores, at a size at which they have work.
+/// Up to as many threads as cores, at a size with enough work for them.
 std::vector<Growth> threads(const Settings& settings) {
   std::vector<Step> steps;
   for (unsigned count = 1; count <= std::max(std::thread::hardware_concurrency(), 2U); count *= 2)
@@ -111,7 +111,7 @@ std::vector<Growth> threads(const Settings& settings) {
   return growth_of(settings, "threads", steps, {.compile = false});
 }
 
-/// The last decade of trees as deep as they have primitives, with memory for whatever classification takes.
+/// The last decade of trees whose depth equals their number of primitives, with enough memory for classification.
 std::vector<Growth> depth(const Settings& settings) {
   std::vector<Step> steps;
   for (const unsigned levels : {10'000U, 31'623U, 100'000U}) {

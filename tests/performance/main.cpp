@@ -47,7 +47,7 @@ struct Options {
   bool no_plots = false;
 };
 
-/// A part of the measurement, and where its results go.
+/// A part of the measurement, and the member for its results.
 struct Part {
   std::string_view name;
   void (*measure)(const Settings& settings, Results& results);
@@ -154,7 +154,7 @@ struct CountOptions {
   bool json = false;
 };
 
-/// Of a Program's own machine, unless another is named.
+/// Uses the Program's own machine, unless another is named.
 void count(const CountOptions& options) {
   const isa::Program program = isa::load_program(options.program);
   machines::Machine machine = options.machine.empty() ? kinds::load(program.machine) : kinds::load(options.machine);
@@ -183,7 +183,7 @@ void describe_count(CommandLine& line) {
 
 }  // namespace csgsim::bench
 
-/// Measures how fast the csgsim is that stands beside this program.
+/// Measures the speed of the csgsim in the folder of this program.
 int main(int argc, char** argv) {
   constexpr int bad_input = 1;
   constexpr int bad_usage = 2;

@@ -16,7 +16,8 @@ std::string colour_of(const model::Primitive& primitive) {
   return text_of(primitive.colour.value_or(glm::dvec3(0.98, 0.84, 0.17)));
 }
 
-/// POV-Ray's plane is what lies against its normal. Without a box it would try every half-space at every pixel.
+/// POV-Ray's plane is the half-space opposite to its normal. Without a box it would test every half-space at every
+/// pixel.
 std::string solid_text(const facet::Geometry& scene, const facet::Convex& solid, const model::Primitive& primitive) {
   std::string text = "intersection {\n";
   for (const facet::Halfspace& halfspace : solid.halfspaces) {

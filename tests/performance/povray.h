@@ -8,8 +8,8 @@
 
 namespace csgsim::bench {
 
-/// The model as a scene of POV-Ray's: the same half-spaces, intersected to primitives within their boxes, and the same
-/// tree, seen by the same orthographic camera; a lamp without shadows.
+/// The model as a POV-Ray scene: the same half-spaces, intersected to primitives within their boxes, and the same tree,
+/// seen by the same orthographic camera, with a shadowless light.
 std::string povray_scene(const model::Tree& tree, const facet::Geometry& scene, const view::Camera& camera);
 
 }  // namespace csgsim::bench

@@ -21,14 +21,14 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Processor time of all children so far.
+/// Processor time of all ended children.
 double children_seconds() {
   rusage usage{};
   ::getrusage(RUSAGE_CHILDREN, &usage);
   return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
 }
 
-/// Of programs that are measured: csgsim and its rivals. What they draw goes to files.
+/// Limits of measured programs: csgsim and its rivals. Their output goes to files.
 system::ChildLimits limits_of(std::chrono::seconds longest) {
   return {.time = longest, .output = std::size_t{64} << 20U, .errors = std::size_t{64} << 20U};
 }

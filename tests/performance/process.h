@@ -6,22 +6,22 @@
 
 namespace csgsim::bench {
 
-/// What a whole process took.
+/// The cost of a whole process.
 struct Took {
-  double wall = 0;       ///< seconds
-  double processor = 0;  ///< seconds, of user and system
-  double memory = 0;     ///< most bytes that one of its processes had in memory
-  std::string output{};  ///< what it printed, without errors
+  double wall = 0;       ///< in seconds
+  double processor = 0;  ///< in seconds, user and system
+  double memory = 0;     ///< peak bytes of one of its processes
+  std::string output{};  ///< standard output
 };
 
-/// Runs a program, found as a shell finds it, to its end; nothing if there is none. Throws InputError, which begins
+/// Runs a program, found through PATH, to its end; returns nothing if it does not exist. Throws InputError, beginning
 /// with the program's name, if it fails.
 std::optional<Took> run_process(std::span<const std::string> words);
 
-/// The same, but a program that takes more seconds than that is ended, which is an InputError too.
+/// The same with a time limit in seconds, after which the program is terminated with an InputError.
 std::optional<Took> run_process_within(unsigned seconds, std::span<const std::string> words);
 
-/// The words as a shell reads them, the program without its folder.
+/// The words quoted for a shell, the program without its folder.
 std::string command_text(std::span<const std::string> words);
 
 }  // namespace csgsim::bench

@@ -16,7 +16,7 @@ namespace csgsim::bench {
 
 namespace {
 
-/// What each instruction of a stretch adds to a tile's share.
+/// The contribution of each instruction of a stretch to a tile's share.
 std::vector<TileShare> shares_of(std::span<const isa::Instruction> instructions, const machines::Machine& machine) {
   std::vector<TileShare> shares;
   shares.reserve(instructions.size());
@@ -64,7 +64,7 @@ std::uint64_t enabled_in(std::span<const functional::Tile> tiles) {
   return enabled;
 }
 
-/// Adds the segment's stretches to the replay. Observers are asked where these end, and are shown nothing.
+/// Adds the segment's stretches to the replay. Observers are asked where stretches end, but receive no states.
 void replay_segment(const isa::Program& program, std::uint32_t number, const machines::Machine& machine,
                     std::span<engine::Observer* const> observers, Replay& out) {
   const std::span instructions(program.segments[number].instructions);

@@ -9,42 +9,42 @@
 
 namespace csgsim::bench {
 
-/// What a tile of pixels takes in a stretch of instructions at the functional level.
+/// Work of a tile in a stretch of instructions at the functional level.
 struct TileShare {
-  std::uint64_t instructions = 0;  ///< carried out at it
-  std::uint64_t linear = 0;        ///< of these, those with a linear expression
-  std::uint64_t open = 0;          ///< of these, those that looked at words or lanes: blocks alone did not decide them
-  std::uint64_t steps = 0;         ///< clocks that pixel processors that work bit by bit take for them
+  std::uint64_t instructions = 0;  ///< number executed
+  std::uint64_t linear = 0;        ///< those with a linear expression
+  std::uint64_t open = 0;          ///< those that needed words or lanes, not decided by blocks alone
+  std::uint64_t steps = 0;         ///< clocks of bit-serial pixel processors for them
   double seconds = 0;
 };
 
-/// Threads that share out tiles meet at the end of each stretch (sim/functional/stretch.h).
+/// Threads that share tiles synchronize at the end of each stretch (sim/functional/stretch.h).
 struct StretchShares {
   std::uint32_t segment = 0;
   std::vector<TileShare> tiles;
 };
 
-/// A Program carried out once, on one thread, tile by tile.
+/// A Program executed once, on one thread, tile by tile.
 struct Replay {
   engine::Work work;
   std::vector<StretchShares> stretches;
 };
 
-/// The machine's figures say what a step takes.
+/// The machine's parameters determine the steps.
 Replay replay(const isa::Program& program, const machines::Machine& machine);
 
-/// What a Program takes at the functional level. The same on every computer.
+/// Work of a Program at the functional level, equal on every computer.
 struct ProgramWork {
   std::uint64_t segments = 0;
   std::uint64_t stretches = 0;
-  std::uint64_t tiles = 0;          ///< of all segments
-  engine::Work work{};              ///< over all tiles
-  std::uint64_t linear = 0;         ///< of the instructions at tiles, those with a linear expression
-  std::uint64_t open = 0;           ///< of the instructions at tiles, those that looked at words or lanes
+  std::uint64_t tiles = 0;          ///< tiles of all segments
+  engine::Work work{};              ///< sum over all tiles
+  std::uint64_t linear = 0;         ///< instructions at tiles with a linear expression
+  std::uint64_t open = 0;           ///< instructions at tiles that needed words or lanes
   std::uint64_t steps = 0;          ///< bit steps of these instructions at all tiles
-  std::uint64_t longest = 0;        ///< instructions at the tile that has most of them, of each stretch
-  std::uint64_t longest_open = 0;   ///< `open`, likewise
-  std::uint64_t longest_steps = 0;  ///< `steps`, likewise
+  std::uint64_t longest = 0;        ///< sum over stretches of the instructions at the busiest tile
+  std::uint64_t longest_open = 0;   ///< `open` of the busiest tiles
+  std::uint64_t longest_steps = 0;  ///< `steps` of the busiest tiles
 };
 
 ProgramWork work_of(const isa::Program& program, const Replay& replay);

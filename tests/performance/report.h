@@ -10,19 +10,19 @@
 
 namespace csgsim::bench {
 
-/// All results, with the command of each figure.
+/// All results, with the command for each number.
 nlohmann::ordered_json to_json(const Results& results);
 
 nlohmann::ordered_json to_json(const ProgramWork& work);
 
-/// The same for people, as tables in Markdown.
+/// All results as tables in Markdown.
 std::string to_tables(const Results& results);
 
-/// Times against what grows, a plot each, by the name growth_NAME.
+/// Plots of time against each size, named growth_NAME.
 std::vector<plots::Plot> plots_of_growths(const std::vector<Growth>& growths);
 
-/// Draws them as SVG and, by gnuplot, as PNG into the folder. Returns the files. Throws InputError if gnuplot cannot be
-/// run.
+/// Draws them as SVG and, with gnuplot, as PNG into the folder. Returns the files. Throws InputError if gnuplot cannot
+/// be run.
 std::vector<std::filesystem::path> draw_growths(const Results& results);
 
 }  // namespace csgsim::bench

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Into a row that has its seconds.
+/// Adds the other build's seconds to a row.
 void put_other(const Compared& compared, Json& json) {
   if (!compared.other) return;
   json["other_wall_seconds"] = compared.other->seconds;

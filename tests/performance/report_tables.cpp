@@ -9,7 +9,7 @@ namespace csgsim::bench {
 
 namespace {
 
-/// Three significant digits.
+/// The value with three significant digits.
 std::string short_number(double value) { return fmt::format("{:.3g}", value); }
 
 /// Time and ratio of the other build; empty if there is none.

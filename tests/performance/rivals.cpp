@@ -15,10 +15,10 @@ namespace csgsim::bench {
 
 namespace {
 
-constexpr unsigned side = 512;    // pixels of the pictures
-constexpr unsigned longest = 20;  // seconds that another program may take
+constexpr unsigned side = 512;    // size of the pictures in pixels
+constexpr unsigned longest = 20;  // time limit of another program in seconds
 
-/// OpenSCAD draws with OpenGL: it takes a display, a real one or Xvfb.
+/// OpenSCAD draws with OpenGL and needs a display, a real one or Xvfb.
 Words openscad_words(const std::filesystem::path& model, const std::filesystem::path& picture, bool exact) {
   Words words{"openscad"};
   if (exact) words.emplace_back("--render");
@@ -27,7 +27,7 @@ Words openscad_words(const std::filesystem::path& model, const std::filesystem::
   return words;
 }
 
-/// POV-Ray on one thread, as csgsim.
+/// POV-Ray on one thread, like csgsim.
 Words povray_words(const Settings& settings, const std::filesystem::path& model) {
   const model::Tree tree = read::read_csg_file(model);
   const facet::Geometry scene = facet::make_geometry(tree);
@@ -44,7 +44,7 @@ Words povray_words(const Settings& settings, const std::filesystem::path& model)
           "+O" + (settings.folder / "povray.png").native()};
 }
 
-/// Another program cannot be run here.
+/// Reason why another program cannot be run on this computer.
 struct NotMeasured {
   std::string reason;
 };
@@ -58,7 +58,7 @@ double seconds_of(const Words& words) {
   throw NotMeasured{"not installed"};
 }
 
-/// In turn with csgsim, which draws the same into a PNG.
+/// Measures a rival in turns with csgsim, which draws the same picture into a PNG.
 Rival rival_of(const Settings& settings, const std::filesystem::path& model, const Words& words) {
   const Words ours{settings.csgsim.native(),
                    "render",

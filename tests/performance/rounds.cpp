@@ -20,7 +20,7 @@ double median(std::vector<double> values) {
 
 namespace {
 
-/// Seconds of each, a row each, a column a round.
+/// Seconds of each measurement, one row each, one column per round.
 std::vector<std::vector<double>> times_in_turn(std::span<const Timed> all, Rounds rounds) {
   std::vector<std::vector<double>> taken(all.size());
   const auto begin = std::chrono::steady_clock::now();

@@ -7,25 +7,25 @@
 
 namespace csgsim::bench {
 
-/// How often something is measured.
+/// Number of repetitions of a measurement.
 struct Rounds {
   unsigned most = 5;
-  double seconds = 20;  ///< no further round begins when it has taken so long; the first always does
+  double seconds = 20;  ///< no further round begins after this time; the first always does
 };
 
-/// Something that is measured: does it once, and tells how many seconds that took.
+/// A measured function: runs once and returns its seconds.
 using Timed = std::function<double()>;
 
-/// Measures each once a round, in turn, so that what else the machine does meets all alike: A B C A B C. Returns each
-/// one's median.
+/// Measures each function once per round, in turns, so that other load on the computer affects all equally: A B C A B
+/// C. Returns the median of each.
 std::vector<double> medians_in_turn(std::span<const Timed> all, Rounds rounds);
 
 double median(std::vector<double> values);
 
-/// What another build takes for the same.
+/// Result of the other build.
 struct Other {
   double seconds = 0;  ///< median
-  double ratio = 0;    ///< the other's seconds by these, of the same round: median of the rounds
+  double ratio = 0;    ///< median over the rounds of the other's seconds divided by these
 };
 
 struct Compared {
@@ -33,8 +33,8 @@ struct Compared {
   std::optional<Other> other{};
 };
 
-/// The same with another build beside it, A A' B B' A A' B B': `others` are as many as `all`, or none. A ratio of one
-/// round is steady where the computer is faster in one round than in the next.
+/// The same in turns with another build, A A' B B' A A' B B'; `others` is as long as `all`, or empty. The ratio within
+/// a round is stable even if the speed of the computer varies between rounds.
 std::vector<Compared> compare_in_turn(std::span<const Timed> all, std::span<const Timed> others, Rounds rounds);
 
 struct Point {
@@ -42,8 +42,8 @@ struct Point {
   double y = 0;
 };
 
-/// The power p of the law y = c x^p that fits best, by least squares of the logarithms. None for fewer than three
-/// different x: any two points are of such a law, whether there is one or not.
+/// The exponent p of the best fit y = c x^p, by least squares of the logarithms. Empty for fewer than three different
+/// x, because any two points fit such a law.
 std::optional<double> exponent(std::span<const Point> points);
 
 }  // namespace csgsim::bench

@@ -17,7 +17,7 @@ constexpr std::array max_threads{1U, 2U, 4U, 8U, 16U, 64U};
 constexpr unsigned replays = 3;
 constexpr const char* level = "functional";
 
-/// With the shortest seconds of each tile of some replays: what else the computer did is in the others.
+/// A replay with the shortest seconds of each tile over several replays, to exclude other load.
 Replay shortest_replay(const isa::Program& program, const machines::Machine& machine) {
   Replay shortest = replay(program, machine);
   for (unsigned i = 1; i < replays; ++i) {

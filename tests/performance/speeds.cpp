@@ -9,7 +9,7 @@ namespace {
 
 std::string name_of(const std::filesystem::path& model) { return model.stem().native(); }
 
-/// The levels of one model on one machine, in turn.
+/// Measures the levels of one model on one machine, in turns.
 std::vector<Speed> speeds_of(const Settings& settings, const std::filesystem::path& model, const std::string& machine) {
   const std::vector<Settings> sides = sides_of(settings);
   std::vector<Speed> speeds(settings.levels.size());

@@ -39,7 +39,7 @@ std::string drilled_sphere(unsigned fragments) {
 }
 
 std::string deep_tree(unsigned boxes) {
-  // As many boxes are in every unit of space, whatever their number.
+  // The density of boxes does not depend on their number.
   const double side = 2 * std::cbrt(static_cast<double>(boxes));
   std::mt19937_64 random(1987);
   std::uniform_real_distribution<double> place(-side / 2, side / 2);

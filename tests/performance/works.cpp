@@ -13,12 +13,12 @@ namespace csgsim::bench {
 
 namespace {
 
-constexpr unsigned million_fragments = 1416;  ///< of a sphere of 1,001,114 half-spaces
+constexpr unsigned million_fragments = 1416;  ///< fragments of a sphere with 1,001,114 half-spaces
 constexpr unsigned holes = 857;
 constexpr unsigned hole_facets = 583;
 constexpr const char* machine = "pixel-planes-4";
 
-/// The stand-ins for the thesis's models, as the pages look at them.
+/// The stand-ins for the thesis's models, with the cameras of the pages.
 struct StandIn {
   std::string_view name;
   std::string_view camera;
@@ -28,7 +28,7 @@ constexpr StandIn vehicle{"terrain_vehicle", "560,-590,420,-5,0,68"};
 constexpr StandIn house{"rietveld_house", "3430,-2900,1950,590,230,220"};
 constexpr std::array stand_ins{carburettor, vehicle, house};
 
-/// As seen from the folder that this runs in.
+/// A path relative to the current folder.
 std::string source(std::string_view path) {
   return std::filesystem::proximate(std::filesystem::path(CSGSIM_SOURCE_DIR) / path).native();
 }
@@ -36,11 +36,11 @@ std::string source(std::string_view path) {
 /// A command of a row.
 struct Step {
   Words words;
-  std::filesystem::path folder{};  ///< of a study: gone before it begins, which else goes on from what it finds there
+  std::filesystem::path folder{};  ///< folder of a study, removed before it starts, as it would otherwise resume
 };
 using Steps = std::vector<Step>;
 
-/// `csgsim COMMAND MODEL` of a stand-in.
+/// `csgsim COMMAND MODEL` for a stand-in.
 Words of_stand_in(const Settings& settings, const std::string& command, const StandIn& model) {
   return {settings.csgsim.native(), command, source(fmt::format("tests/models/{}.csg", model.name)), "--camera",
           std::string(model.camera)};
@@ -51,7 +51,7 @@ Words with(Words words, const Words& more) {
   return words;
 }
 
-/// A study of each of the stand-ins.
+/// A study of each stand-in.
 Steps studies(const Settings& settings, const std::string& study) {
   Steps all;
   for (const StandIn& model : stand_ins) {
@@ -71,12 +71,12 @@ Words shadowed(const Settings& settings, const Words& more) {
       with({"--scene", source("tests/scenes/shadows.toml"), "-o", (settings.folder / "shadows.png").native()}, more));
 }
 
-/// A row of the table: the steps, in order, of one build.
+/// A row of the table: the steps of one build, in order.
 struct WorkRow {
   std::string_view name;
   std::string_view what;
   Steps (*steps)(const Settings& settings);
-  double halfspaces = 0;  ///< of the model, where memory is told for these
+  double halfspaces = 0;  ///< half-spaces of the model, if memory is stated per half-space
 };
 
 Steps picture(const Settings& settings) {
@@ -89,7 +89,7 @@ Steps reference(const Settings& settings) {
   return {{run_words(settings, compiled, "reference")}};
 }
 
-/// Writes the Program that million_run needs.
+/// Writes the Program used by million_run.
 Steps million_compile(const Settings& settings) {
   const auto model = put_model(settings, "million", drilled_sphere(million_fragments));
   return {{compile_words(settings, model, million(settings), settings.size)}};
@@ -129,7 +129,7 @@ const std::array rows{
     WorkRow{"compare", "the three compared on all machines", compare},
 };
 
-/// Of all commands of a row: the sum of their seconds. `memory` becomes the most that one of them took.
+/// Total seconds of all commands of a row. Sets `memory` to the peak of any of them.
 double run_all(const Steps& steps, double& memory) {
   double seconds = 0;
   for (const Step& step : steps) {

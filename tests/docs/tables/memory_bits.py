@@ -63,8 +63,8 @@ def strategies(figures):
 
 
 def stored(figures):
-    """What keeping depths takes and saves, with facets and without, with all prunings and with none."""
     """Memory and clocks of stored depths, with facets and without, with all prunings and with none."""
+    rows = []
     for model in MODELS:
         for how, options in ((model, ""), (f"{model}, without prunings", " --pruning none"),
                              (f"{model} on `pixel-powers`, without facets", " --machine pixel-powers")):
