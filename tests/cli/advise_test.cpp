@@ -191,7 +191,7 @@ TEST_CASE("advise rejects impossible wishes and ranges before it measures") {
   misused(ask + "--max-bits 0", "--max-bits");
   misused(ask + "--max-wrong-pixels -1", "whole number");
   misused(ask + "--min-fps fast", "not a number");
-  misused(ask + "--min-fps=-2", "not a number");
+  misused(ask + "--min-fps=-2", "not a non-negative number");
   misused(ask + "--min-colour-bits 25", "24");
   misused(ask + "--strategy auto", "there is no strategy 'auto'");
   misused(ask + "--strategy lst", "did you mean list?");

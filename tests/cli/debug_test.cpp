@@ -79,7 +79,7 @@ TEST_CASE("rejects impossible checkpoints in one line and leaves no file") {
   misused(run_it + " --checkpoint " + file + " --level cycle", "the cycle level cannot stop");
   misused(run_it + " --resume " + file + " --level cycle", "the cycle level cannot stop");
   misused(run_it + " --checkpoint-every 5", "--checkpoint FILE");
-  misused(run_it + " --checkpoint-every 0 --checkpoint " + file, "take 1");
+  misused(run_it + " --checkpoint-every 0 --checkpoint " + file, "take at least 1");
   misused(run_it + " --checkpoint " + (folder / "p.png") + " -o " + (folder / "p.png"), "same file");
   CHECK(run(run_it + " --checkpoint " + (folder / "none/c.csgs")).code == 1);
   CHECK(folder.files() == 0);

@@ -43,7 +43,7 @@ TEST_CASE("solids other than orthographic spheres stay facets with a single warn
   const std::string three_warnings = warnings(three, "");
   CHECK(one_line(three_warnings));
   CHECK(three_warnings.find("model.csg:3:1: warning: ") != std::string::npos);
-  CHECK(three_warnings.find("this is an ellipsoid and is drawn in facets, as is 1 more curved solid") !=
+  CHECK(three_warnings.find("this solid is an ellipsoid and is drawn as facets, as is 1 more curved solid") !=
         std::string::npos);
   CHECK(warnings(ball, "--projection p").find("is an ellipse in a perspective picture and is drawn as facets") !=
         std::string::npos);

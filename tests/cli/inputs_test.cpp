@@ -43,7 +43,7 @@ TEST_CASE("no command overwrites its own input under any name") {
     const Outcome outcome = run_words(all, folder.path());
     CAPTURE(words[0]);
     CAPTURE(words.back());
-    fails(outcome, 2, {"which is read"});
+    fails(outcome, 2, {"the same file as the input"});
   }
   CHECK(content(folder / "m.csg") == cube);
   CHECK(content(folder / "mine.toml") == machine_text());

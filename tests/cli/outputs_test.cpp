@@ -31,7 +31,7 @@ TEST_CASE("csgsim without its picture module writes PNG and names the missing pa
     if (outcome.code != 0) CHECK(one_line(outcome.err));
     return outcome;
   };
-  const std::string needed = "p.tif: csgsim_pictures.so, the part of csgsim that writes this format, is in no folder";
+  const std::string needed = "p.tif: csgsim_pictures.so, the part of csgsim that writes this format, was not found";
   CHECK(draw("p.png").code == 0);
   const Outcome missing = draw("p.tif");
   CHECK(missing.code == 1);

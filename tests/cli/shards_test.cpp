@@ -143,7 +143,7 @@ TEST_CASE("gathers shards from separate folders into one that the study can cont
   succeeded(run_words(sweep + Words{"-o", "one"}, folder.path()));
   succeeded(run_words(sweep + Words{"-o", "here"} + shard(1, 2), folder.path()));
   succeeded(run_words(sweep + Words{"-o", "there"} + shard(2, 2), folder.path()));
-  refuses_to_gather({"here", "--no-plots"}, folder.path(), {"shard 2 of 2 is not done"});
+  refuses_to_gather({"here", "--no-plots"}, folder.path(), {"shard 2 of 2 is not complete"});
   CHECK(run_words({"gather", "here", "there"}, folder.path()).code == 2);
   succeeded(run_words({"gather", "here", "there", "-o", "out", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
@@ -162,7 +162,7 @@ TEST_CASE("names missing shards with the commands that measure them") {
   for (const unsigned number : {2U, 5U}) REQUIRE(run_words(sweep + shard(number, 6), folder.path()).code == 0);
   refuses_to_gather(
       {"out"}, folder.path(),
-      {"out: ", "shards 1,3-4,6 of 6 are not done", "csgsim sweep --shard 1/6 -o out a.csg b.csg --z-bits"});
+      {"out: ", "shards 1,3-4,6 of 6 are not complete", "csgsim sweep --shard 1/6 -o out a.csg b.csg --z-bits"});
   const Outcome missing = succeeded(run_words({"gather", "out", "--missing"}, folder.path()));
   std::istringstream commands(missing.out);
   std::size_t count = 0;

@@ -79,7 +79,7 @@ TEST_CASE("sweep writes a table and plots for every model and reuses its points"
   const Outcome first = run(command + "3..5");
   CHECK(first.err.empty());
   REQUIRE(first.code == 0);
-  CHECK(first.out.find("All pictures of a model with the same size and z bits are the same") != std::string::npos);
+  CHECK(first.out.find("All pictures of a model with the same size and z bits are identical") != std::string::npos);
   CHECK(first.out.find("number of scan-conversions of primitives in active trees") != std::string::npos);
   CHECK(first.out.find("fewest clocks: ") != std::string::npos);
   for (const std::string name : {"old_example011", "thesis_fig_2_3"}) {
@@ -164,7 +164,7 @@ TEST_CASE("rejects meaningless ranges and names before it measures") {
   const std::string sweep = "sweep " + model("old_example011") + " -o " + (folder / "s") + " ";
   misused(sweep + "--stack-bits 8..3", "3..8");
   misused(sweep + "--stack-bits 2", "3 to 64");
-  misused(sweep + "--z-bits 16,", "comma");
+  misused(sweep + "--z-bits 16,", "empty element in list");
   misused(sweep + "--strategy stack,lst", "did you mean list?");
   misused(sweep + "--pruning no-spice", "did you mean no-space?");
   misused(sweep + "--colouring red", "rebroadcast");

@@ -61,7 +61,7 @@ void refuse_other_format(const std::string& option, const std::filesystem::path&
 
 void refuse_terminal(const std::string& option, const std::filesystem::path& path) {
   if (path.empty() || !is_terminal(path)) return;
-  throw UsageError(option, "a terminal cannot show binary data; name a file or use a pipe");
+  throw UsageError(option, "a terminal cannot show binary data; name a file, or pipe the output to a program");
 }
 
 }  // namespace csgsim::session

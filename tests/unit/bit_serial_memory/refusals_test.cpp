@@ -157,7 +157,7 @@ TEST_CASE("accepts Programs of its picture with no more memory than it has") {
   const auto refused = [&] { return testing::error_of([&] { machine.kind->check(program, machine); }); };
   CHECK(refused() == "");
   program.shape.memory_bits = 257;
-  CHECK(refused().find("pixels of 257 bits") != std::string::npos);
+  CHECK(refused().find("257 bits") != std::string::npos);
   program.shape.memory_bits = 256;
   program.segments.front().region.width = 32;
   CHECK(refused().find("are not the 1 regions") != std::string::npos);

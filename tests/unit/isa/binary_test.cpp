@@ -179,10 +179,10 @@ TEST_CASE("finds an indefinite-length string after items of every kind") {
   const std::vector<std::uint8_t> items{0x18, 0xff, 0x39, 1,    2,    0x1b, 1,    2,    3,    4,    5,    6,
                                         7,    8,    0x62, 'a',  0x7f, 0x42, 0x7f, 0x7f, 0x82, 0xa1, 0xc1, 0xf4,
                                         0xf9, 0x7f, 0x7f, 0xfb, 1,    2,    3,    4,    5,    6,    7,    0x7f};
-  CHECK_FALSE(contains(refusal([&] { decode(file_of(items), "p.csgt"); }), "in pieces"));
+  CHECK_FALSE(contains(refusal([&] { decode(file_of(items), "p.csgt"); }), "indefinite-length string"));
   std::vector<std::uint8_t> one_more = items;
   one_more.push_back(0x7f);
-  CHECK(contains(refusal([&] { decode(file_of(one_more), "p.csgt"); }), "in pieces"));
+  CHECK(contains(refusal([&] { decode(file_of(one_more), "p.csgt"); }), "indefinite-length string"));
 }
 
 TEST_CASE("errors in the bytes have specific messages") {

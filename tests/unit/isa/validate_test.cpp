@@ -142,7 +142,7 @@ TEST_CASE("a skip omits at least one instruction and stays in its segment") {
   CHECK(refusal_of(skip(1)).empty());
   CHECK(refusal_of(skip(0)) == "skip_if_none 0 skips nothing; skip at least one instruction, or remove it");
   CHECK(refusal_of(skip(0xffffffffU)).empty());
-  CHECK(contains(refusal_of(skip(0x100000000U)), "can skip 4294967295 instructions at most"));
+  CHECK(contains(refusal_of(skip(0x100000000U)), "can skip at most 4294967295 instructions"));
   Program program = sample_program();
   std::vector<Instruction>& instructions = program.segments[0].instructions;
   const std::size_t last = instructions.size() - 1;

@@ -192,7 +192,7 @@ TEST_CASE("a model and its spills must fit the divider's memory to the bit") {
   const auto spilling = [&](std::uint64_t halfspaces, std::uint64_t nodes, std::uint64_t bits) {
     program.segments[0].division->steps = {{.halfspaces = halfspaces, .nodes = nodes}};
     CHECK(refusal(model_bits + bits) == "");
-    if (bits > 0) CHECK(refusal(model_bits + bits - 1).starts_with("the square at 0,0 has ") == (bits > 8 * planes));
+    if (bits > 0) CHECK(refusal(model_bits + bits - 1).starts_with("the square at 0,0 needs ") == (bits > 8 * planes));
   };
   spilling(2, 5, 0);
   spilling(3, 5, 266);

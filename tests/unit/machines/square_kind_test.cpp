@@ -205,8 +205,8 @@ TEST_CASE("rejects any excess of half-spaces or nodes without overflow") {
        {isa::DivisionStep{.halfspaces = many + 2}, isa::DivisionStep{.nodes = many + 3}}) {
     program.segments[0].division->steps = {surface};
     CHECK(error_of([&] { pixel_square::check_storage(program, make_machine(2, figures)); })
-              .starts_with("the square at 4,2 has " + std::to_string(surface.halfspaces) + " half-spaces and " +
-                           std::to_string(surface.nodes) + " nodes of the tree"));
+              .starts_with("the square at 4,2 needs " + std::to_string(surface.halfspaces) + " half-spaces and " +
+                           std::to_string(surface.nodes) + " tree nodes"));
   }
 }
 

@@ -50,16 +50,16 @@ TEST_CASE("reports an error in a set key together with the key") {
   CHECK(error_of_set("lights").find("KEY=VALUE") != std::string::npos);
   CHECK(error_of_set("lights.5.intensity=1").find("count from 0") != std::string::npos);
   CHECK(error_of_set("camera.eey=1,2,3").find("camera.eye") != std::string::npos);
-  CHECK(error_of_set("camera..eye=1,2,3").find("dots between") != std::string::npos);
+  CHECK(error_of_set("camera..eye=1,2,3").find("separated by dots") != std::string::npos);
   CHECK(error_of_set("ambient.intensity=2").find("ambient.intensity=2") != std::string::npos);
   CHECK(error_of_set("ambient.intensity.x=2").find("unknown key") == std::string::npos);
   CHECK_FALSE(error_of_set("ambient.intensity.x=2").empty());
 }
 
 TEST_CASE("a key has at most eight parts") {
-  CHECK(error_of_set("a.b.c.d.e.f.g.h=1").find("dots between") == std::string::npos);
+  CHECK(error_of_set("a.b.c.d.e.f.g.h=1").find("separated by dots") == std::string::npos);
   CHECK_FALSE(error_of_set("a.b.c.d.e.f.g.h=1").empty());
-  CHECK(error_of_set("a.b.c.d.e.f.g.h.i=1").find("dots between") != std::string::npos);
+  CHECK(error_of_set("a.b.c.d.e.f.g.h.i=1").find("separated by dots") != std::string::npos);
 }
 
 TEST_CASE("names the set key if its table is unknown") {

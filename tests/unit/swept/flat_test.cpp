@@ -144,8 +144,8 @@ TEST_CASE("a patch is halved at most twelve times by default and sixteen on requ
   const swept::Accuracy usual;
   CHECK(usual.tolerance == 0.1);
   CHECK(usual.flatness == swept::Flatness::sides);
-  CHECK(halved({0}).find("where it is halved 12 times") != std::string::npos);
-  CHECK(halved({0, swept::Flatness::sides, 16}).find("where it is halved 16 times") != std::string::npos);
-  CHECK(halved({0, swept::Flatness::sides, 20}).find("where it is halved 16 times") != std::string::npos);
-  CHECK(halved({0, swept::Flatness::sides, 0}).find("where it is halved 0 times") != std::string::npos);
+  CHECK(halved({0}).find("after 12 halvings") != std::string::npos);
+  CHECK(halved({0, swept::Flatness::sides, 16}).find("after 16 halvings") != std::string::npos);
+  CHECK(halved({0, swept::Flatness::sides, 20}).find("after 16 halvings") != std::string::npos);
+  CHECK(halved({0, swept::Flatness::sides, 0}).find("after 0 halvings") != std::string::npos);
 }

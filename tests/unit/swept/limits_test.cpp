@@ -247,7 +247,7 @@ TEST_CASE("the limits on levels and elements and work of a surface are exact") {
   };
   const swept::Flatness sides = swept::Flatness::sides;
   CHECK(subdividing({0.01, sides, levels}, 0) == "");
-  CHECK(subdividing({0.01, sides, levels - 1}, 0).find("where it is halved " + std::to_string(levels - 1) + " times") !=
+  CHECK(subdividing({0.01, sides, levels - 1}, 0).find("after " + std::to_string(levels - 1) + " halvings") !=
         std::string::npos);
   CHECK(subdividing({0.01}, swept::most_elements - leaves.size()) == "");
   CHECK(subdividing({0.01}, swept::most_elements - leaves.size() + 1) ==
