@@ -56,12 +56,12 @@ def planes_5(figures):
     ball = own(figures.render(SPHERE, "--machine pixel-powers"))
     house = figures.render("house", "--machine pixel-planes-5+frame_buffer.banks=8+renderers.count=16+processors.count=32")
     return ruled(("", "published", "ours"), [
-        ("triangles a second, a renderer", "", f"{clock / triangle:,.0f}"),
-        ("triangles a second, 16 renderers", "1,000,000", f"{renderers * clock / triangle:,.0f}"),
-        ("clocks of a renderer a triangle, of 16 renderers", f"{renderers * clock / 1e6:,.0f}", f"{triangle}"),
-        ("spheres a second, a renderer", "", f"{clock / ball:,.0f}"),
-        ("spheres a second, 16 renderers", "", f"{renderers * clock / ball:,.0f}"),
-        ("pixels a second to the frame buffer, a renderer", "", f"{20e6 * 32 / 24:,.0f}"),
-        ("the same, the house on 16 renderers, 8 banks", "", f"{512 * 512 / house.simulated_seconds:,.0f}"),
+        ("triangles per second, one renderer", "", f"{clock / triangle:,.0f}"),
+        ("triangles per second, 16 renderers", "1,000,000", f"{renderers * clock / triangle:,.0f}"),
+        ("renderer clocks per triangle, with 16 renderers", f"{renderers * clock / 1e6:,.0f}", f"{triangle}"),
+        ("spheres per second, one renderer", "", f"{clock / ball:,.0f}"),
+        ("spheres per second, 16 renderers", "", f"{renderers * clock / ball:,.0f}"),
+        ("pixels per second to the frame buffer, one renderer", "", f"{20e6 * 32 / 24:,.0f}"),
+        ("the same for the house, 16 renderers, 8 banks", "", f"{512 * 512 / house.simulated_seconds:,.0f}"),
         ("ring, bits a second", "5 · 10⁹", f"{8 * 32 * 20e6 / 1e9:.2f} · 10⁹"),
     ])

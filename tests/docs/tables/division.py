@@ -63,12 +63,12 @@ def divider(figures):
     add_counts("**one level**: ", "one level", (("boxes", 0), ("half-spaces", 1), ("cells", 2)))
     add_counts("**two levels**: ", "two: groups", (("boxes of groups", 0), ("half-spaces of groups", 1), ("cells of groups", 2)))
     add_counts("", "two: squares", (("boxes of squares", 0), ("half-spaces of squares", 1), ("cells of squares", 2)))
-    add("entries of a group's list: in the middle, at most", r"list: (\d+) entries in the middle, (\d+) at most", 2)
+    add("entries of a group's list: median, maximum", r"list: (\d+) entries in the middle, (\d+) at most", 2)
     add_counts("", "two: squares", (("nodes", 3), ("instructions", 4)))
     add("tests, one level, clocks", r"tests: (\d+) clocks at one")
     add("tests, two levels, clocks", r"one level, (\d+) at two")
     add("the same in groups of 4 × 4", r"groups of 4: (\d+)")
-    rows.append(("half-spaces of the current surface: one level, two",
+    rows.append(("half-spaces of the current surface, maximum: one level, two levels",
                  *(", ".join(with_commas(each.numbers(r"at hand: (\d+) half-spaces and \d+ nodes at one level, (\d+)"))) for each in models)))
     add("nodes of the current surface", r"half-spaces and (\d+) nodes")
     add("words of a square's commands, at most", r"; (\d+) words of commands")
@@ -105,6 +105,6 @@ def table_7_3(figures):
     halfspaces = [each.halfspaces for each in points]
     rows = [("", "", "", "", ratios(halfspaces), "*1.62, 3.08*")]
     rows += [(name, *with_commas(values), ratios(values), thesis) for name, values, thesis in measured]
-    rows.insert(9, ("half-spaces of the current surface: one level, two",
+    rows.insert(9, ("half-spaces of the current surface, maximum: one level, two levels",
                     *(", ".join(with_commas(each.numbers(r"at hand: (\d+) half-spaces and \d+ nodes at one level, (\d+)"))) for each in points), "", ""))
     return ruled(("half-spaces in the model", *with_commas(halfspaces), "ratios", "*thesis: ratios*"), rows)

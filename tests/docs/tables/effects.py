@@ -25,4 +25,4 @@ def samples(figures):
         differences = [abs(a - b) for a, b in zip(picture, full) if a != b]
         square_mean = (sum(each * each for each in differences) / len(full)) ** 0.5
         rows.append((count, least_difference, f"{clocks:,}", f"{clocks / full_clocks:.3f}", max(differences, default=0), f"{square_mean:.1f}"))
-    return ruled(("samples", "`least_difference`", "clocks", "of full", "greatest difference", "root mean square"), rows, numbers_from=0)
+    return ruled(("samples", "`least_difference`", "clocks", "fraction of full", "maximum difference", "root mean square"), rows, numbers_from=0)

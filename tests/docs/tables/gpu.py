@@ -74,19 +74,19 @@ def seconds(work, dense):
 def tile(_):
     """Cost of a tile and of an instruction."""
     sizes = tile_bytes(BITS), tile_bytes(BITS - NUMBER_BITS, NUMBERS)
-    rows = [("bytes of shared memory a tile", *(f"{size:,}" for size in sizes)),
-            ("tiles at a time, of a processor and of the GPU", *(f"{blocks(size)}, {blocks(size) * PROCESSORS}" for size in sizes)),
-            ("operations of an instruction at a tile", f"{STEP * THREADS:,} a clock of the machine", f"{CHAIN * THREADS:,}; twice that if open"),
-            ("bytes to and from shared memory", f"{STEP_BYTES * THREADS:,} a clock of the machine", f"{8 * THREADS:,}; twice that if open"),
-            (f"operations a byte, where the processor has {LANES / SHARED_WIDTH:.1f}", f"{STEP / STEP_BYTES:.2f}", f"{CHAIN / 8:.2f}"),
-            ("clocks of the GPU, if operations alone bound it", f"{step_clocks():.0f} a clock of the machine", f"{CHAIN * THREADS / LANES:.0f}"),
+    rows = [("bytes of shared memory per tile", *(f"{size:,}" for size in sizes)),
+            ("concurrent tiles per SM, per GPU", *(f"{blocks(size)}, {blocks(size) * PROCESSORS}" for size in sizes)),
+            ("operations of an instruction at a tile", f"{STEP * THREADS:,} per clock of the machine", f"{CHAIN * THREADS:,}; twice that if open"),
+            ("bytes to and from shared memory", f"{STEP_BYTES * THREADS:,} per clock of the machine", f"{8 * THREADS:,}; twice that if open"),
+            (f"operations per byte (an SM sustains {LANES / SHARED_WIDTH:.1f})", f"{STEP / STEP_BYTES:.2f}", f"{CHAIN / 8:.2f}"),
+            ("clocks of the GPU, if operations are the only limit", f"{step_clocks():.0f} per clock of the machine", f"{CHAIN * THREADS / LANES:.0f}"),
             ("clocks from an instruction to the next", "the same", f"{chain()}; twice that if open")]
-    return ruled((f"{BITS} bits a pixel", "bit by bit", "by corners"), rows)
+    return ruled((f"{BITS} bits per pixel", "bit by bit", "by corners"), rows)
 
 
 def estimate(figures):
     head = ("model", "pixels", "tiles", "instructions at tiles", "side by side", "one core, ms", "GPU bit by bit, ms",
-            "GPU by corners, ms", "cores that do the same", "picture to the host, ms")
+            "GPU by corners, ms", "equivalent cores", "picture to the host, ms")
     rows = []
     for model, size in SUBJECTS:
         work = counts(figures, model, size)
@@ -98,8 +98,8 @@ def estimate(figures):
 
 
 def published(_):
-    rows = [("processors (SM), clock", f"{PROCESSORS}, {CLOCK / 1e9:.2f} GHz"), ("integer operations a clock of one", LANES),
-            ("shared memory of one", f"{SHARED // 1024} KiB, {SHARED_WIDTH} bytes a clock"),
-            ("operation that needs the last one's result", f"{DEPENDENT} clocks"),
-            ("word from shared memory, from the second cache", f"{SHARED_LATENCY}, {L2_LATENCY} clocks")]
+    rows = [("processors (SM), clock", f"{PROCESSORS}, {CLOCK / 1e9:.2f} GHz"), ("integer operations per clock per SM", LANES),
+            ("shared memory per SM", f"{SHARED // 1024} KiB, {SHARED_WIDTH} bytes per clock"),
+            ("latency of a dependent operation", f"{DEPENDENT} clocks"),
+            ("latency of shared memory, of the L2 cache", f"{SHARED_LATENCY}, {L2_LATENCY} clocks")]
     return ruled(("NVIDIA A100", ""), rows)

@@ -19,7 +19,7 @@ def stages(figures):
 
 # Changes to the machine's file.
 PROGRAMS = (("", "unchanged"), ("+node.branches=none", "without branches"), ("+lists.kind=instructions", "whole instructions in lists"),
-            ("+lists.kind=instructions+node.branches=none", "neither"), ("+node.program=native", "a native program"),
+            ("+lists.kind=instructions+node.branches=none", "no branches, whole instructions"), ("+node.program=native", "a native program"),
             ("+rendering.order=scan-line", "scan-line order"), ("+rendering.order=scan-line+node.program=native", "and a native program"),
             ("+rendering.order=pixel", "pixel order"), ("+rendering.order=pixel+node.program=native", "and a native program"))
 

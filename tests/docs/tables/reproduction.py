@@ -64,14 +64,14 @@ def of_classification(figures):
     times = lambda over, under: [listed(quotients(seconds, (over, all_points), (under, all_points)), ".2g") for seconds in both]  # noqa: E731
     return [("4, p. 37; 4.1, p. 39", "classifying takes a small part of a picture's time", "",
              f"{listed(parts[0], '.0f')} % by `status`, `list-structure`; {listed(parts[1], '.0f')} % by `standard`, `all-points`"),
-            ("4.4.1, p. 47; 6.1, p. 74", "a tree of n levels takes n bits of a stack: n, and bits of `stack`, with the mask", "",
+            ("4.4.1, p. 47; 6.1, p. 74", "a tree of n levels needs n bits of stack: n, and the bits of `stack`, mask included", "",
              "; ".join(f"{each.tree_depth - 1}, {each.classification_bits}" for each in stacks)),
-            ("4.5.1, p. 50", "most evaluations are of first points: their share of all, %", *(listed(each, ".0f") for each in first_points)),
+            ("4.5.1, p. 50", "most evaluations are for first points: their share of all, %", *(listed(each, ".0f") for each in first_points)),
             ("4.6.1, p. 55", "unions keep the lists short: points of a ray, to the first in the solid", *(listed(each, ".1f") for each in lists)),
-            ("4.6.1, p. 56", "with the list structure most seconds are of lists: %, by `standard`", *(list_processing(*each) for each in zip(both, evaluated))),
+            ("4.6.1, p. 56", "with the list structure, lists take most of the time: %, by `standard`", *(list_processing(*each) for each in zip(both, evaluated))),
             ("4.6.1, p. 56", "bit-parallel is slightly faster than standard: times as fast", *times(standard, "bit-parallel")),
             ("4.6.1, p. 56", "and, with status, than the status tree: times as fast", *times("status", "bit-parallel-status")),
-            ("4.6.1, p. 56", "with the list structure the method hardly matters: slowest by fastest", *(listed(each, ".2f") for each in spread)),
+            ("4.6.1, p. 56", "with the list structure the method hardly matters: slowest ÷ fastest", *(listed(each, ".2f") for each in spread)),
             ("4.6.2, p. 56", "positional codes are efficient: times as fast as standard", *times(standard, "positional")),
             ("4.6.2, p. 56", "so is the status tree: times as fast as standard", *times(standard, "status")),
             ("4.6.2, p. 56", "first point and one list save 90 %: of standard, %", *(listed(each, ".0f") for each in saved)),
@@ -95,15 +95,15 @@ def of_list_priority(figures):
     return [("5.2, p. 62", "clipping strongly increases the number of polygons: times",
              span([after / before for after, before in zip(theirs["clipped_polygons"], theirs["polygons"])], ".1f"),
              f"cylinders {span([clipped(each) for each in points], '.1f')}; {listed([clipped(display.shown(figures, name, 'list-priority')) for name in THESIS_MODELS], '.1f')}"),
-            ("5.2.1, p. 62", "memory is excessive: words, by those of scan lines", "", f"cylinders {words[0]:.1f}; {listed(words[1:], '.1f')}"),
+            ("5.2.1, p. 62", "memory is excessive: words ÷ words of scan lines", "", f"cylinders {words[0]:.1f}; {listed(words[1:], '.1f')}"),
             ("5.2.1, p. 63", "sorting is linear: ms a clipped polygon", *(span(each, ".1f") for each in sorting)),
-            ("5.2.1, p. 63", "seconds grow as the polygons do: last column by first",
+            ("5.2.1, p. 63", "time grows with the polygons: last column ÷ first",
              grown.format(theirs["clipped_polygons"][-1] / theirs["clipped_polygons"][0], theirs["total"][-1] / theirs["total"][0]),
              grown.format(polygons[-1] / polygons[0], seconds[-1] / seconds[0])),
             ("5.2.1, p. 63", "more than 10,000 polygons take 50 to 100 times table 5.1", "",
              f"{many.polygons:,} of the carburettor: {many.seconds.mc68000.total:.0f} s, {many.seconds.mc68000.total / seconds[-1]:.0f} to "
              f"{many.seconds.mc68000.total / seconds[0]:.0f} times"),
-            ("5.2.1, p. 63", "no improvement on scan lines: what these take, by list priority", "", span(scan_line, ".2f"))]
+            ("5.2.1, p. 63", "no improvement on scan lines: time of scan lines ÷ time of list priority", "", span(scan_line, ".2f"))]
 
 
 def of_projection(figures):
@@ -127,12 +127,12 @@ def of_rays(figures):
     a_cell = lambda one: one.seconds.mc68000.traversal / one.cell_visits  # noqa: E731
     return [("5.1.3, p. 60", "cells take constant time, boxes logarithmic", "",
              f"from {least:,} to {most:,} polygons: EXCELL {slower(grown)} times the seconds, boxes {slower(boxes)}"),
-            ("5.3, p. 64", "an address is better than descending an octree (Glassner 1984): clocks a cell of the octree by EXCELL's", "",
+            ("5.3, p. 64", "an address is better than descending an octree (Glassner 1984): clocks per cell, octree ÷ EXCELL", "",
              listed([a_cell(b) / a_cell(a) for a, b in zip(by_steps, descent)], ".2f")),
             ("5.3, p. 66", "more than two or three cells a ray", "", listed([each.cell_visits / each.rays for each in by_steps], ".2f")),
-            ("5.3, p. 66", "no clear difference between going by steps and by halves: by halves, %", "",
+            ("5.3, p. 66", "no clear difference between stepping through cells and halving: halving, % of stepping", "",
              listed([per_cent(b.seconds.mc68000.traversal, a.seconds.mc68000.traversal) for a, b in zip(by_steps, by_halves)], ".0f")),
-            ("5.3, p. 67", "holding polygons against rays takes most of the time: %", "",
+            ("5.3, p. 67", "testing polygons against rays takes most of the time: %", "",
              listed([per_cent(each.seconds.mc68000.intersection, each.seconds.mc68000.all) for each in by_steps], ".0f")),
             ("5.3, p. 67; 8.1, p. 97", "the constant time is very high: ms a primary ray", f"{float(tracing.TABLE_5_2['primary'][2][0]) * 60e3 / 65_536:.0f}",
              listed([1e3 * each.seconds.mc68000.all / each.rays for each in by_steps], ".0f")),
@@ -158,7 +158,7 @@ def of_trees(figures):
             ("6.4, p. 80", "three bits are the least: bits that `bits` 3 uses", "3", f"{listed(least, '')}, the mask"),
             ("6.4, p. 82", "enough bits save 50 % of the active trees, against m = 3", f"{saved[0]:.0f} %",
              f"{saved[1]:.0f} %; without prunings {saved[2]:.0f} %"),
-            ("6.4, p. 82", "few bits are enough: no more is saved from m on", "7?", f"{enough}")]
+            ("6.4, p. 82", "few bits are enough: smallest m beyond which nothing more is saved", "7?", f"{enough}")]
 
 
 def of_machines(figures):
@@ -187,8 +187,8 @@ def claims(figures):
     patch = sweeps.patch(figures)
     an_element = ([float(taken.rstrip("?")) / elements for taken, elements in zip(sweeps.SECONDS, sweeps.TABLE_3_1["elements"])],
                   [patch["filter", tolerance].seconds.mc68000.repairing / patch["filter", tolerance].elements for tolerance in sweeps.TOLERANCES])
-    rows = [("3.3.3, p. 35", "what is held grows with the root of the elements: held by √elements", *(span(each, ".1f") for each in held)),
-            ("3.3.3, p. 35", "the filter takes O(L) time: most ms an element by least",
+    rows = [("3.3.3, p. 35", "the filter holds O(√elements): peak elements held ÷ √elements", *(span(each, ".1f") for each in held)),
+            ("3.3.3, p. 35", "the filter takes O(L) time: largest ÷ smallest ms per element",
              f"{most_by_least(an_element[0])}? ({most_by_least(an_element[0][1:])} without the first)", most_by_least(an_element[1])),
             *of_projection(figures), *of_classification(figures), *of_list_priority(figures), *of_rays(figures), *of_trees(figures), *of_machines(figures)]
     return ruled(("section", "the thesis's text says", "*its tables*", "ours"),

@@ -16,8 +16,8 @@ SECONDS = ("0.10?", "0.24", "1.02", "11.04")
 NAMES = {
     "elements": "elements",
     "vertices": "vertices",
-    "most_elements": "most elements held",
-    "most_vertices": "most vertices held",
+    "most_elements": "peak elements held",
+    "most_vertices": "peak vertices held",
 }
 
 
@@ -48,7 +48,7 @@ def table_3_1(figures):
         for i, tolerance in enumerate(TOLERANCES):
             cells += [f"{of['filter', tolerance][key]:,}", f"*{TABLE_3_1[key][i]:,}*"]
         rows.append(cells)
-    cells = ["elements held by √elements"]
+    cells = ["peak elements held ÷ √elements"]
     for i, tolerance in enumerate(TOLERANCES):
         own = of["filter", tolerance]
         cells += [f"{held_by_root(own.most_elements, own.elements):.1f}",

@@ -5,7 +5,7 @@ from figures import PERSPECTIVE, THESIS_MODELS, point, ruled
 from tables.software import italic, three_digits, whole
 
 CAST = ("primary", "shadow", "mirror")
-NAMES = {"primary": "primary rays", "shadow": "and to lights", "mirror": "and in mirrors"}
+NAMES = {"primary": "primary rays", "shadow": "plus shadow rays", "mirror": "plus mirror rays"}
 DIRECTORIES = ("excell", "excell-recursive", "boxes", "octree", "grid", "kd-tree", "bvh")
 BUCKETS = (1, 2, 4, 6, 8, 12, 16, 20, 24)
 TOLERANCES = "2,0.5,0.1,0.02,0.005"
@@ -149,4 +149,4 @@ def nodes(figures):
         words = one["mirror"].words + one["mirror"].directory_words + one["mirror"].bucket_words
         rows.append((model, *(three_digits(each.seconds.mc68000.all / NODES) for each in one.values()),
                      three_digits(drawn.simulated_seconds), whole(2 * words)))
-    return ruled(("seconds of 16 nodes", "primary rays", "and to lights", "and in mirrors", "depth buffer, as simulated", "words of 16 bits a node"), rows)
+    return ruled(("seconds of 16 nodes", "primary rays", "plus shadow rays", "plus mirror rays", "depth buffer, as simulated", "words of 16 bits a node"), rows)

@@ -17,4 +17,4 @@ def row(figures, model):
 
 
 def stepped(figures):
-    return ruled(("", "clocks", "worked out, ms", "stepped, ms", "times", "µs a clock"), [row(figures, model) for model in THESIS_MODELS])
+    return ruled(("", "clocks", "computed, ms", "stepped, ms", "ratio", "µs per clock"), [row(figures, model) for model in THESIS_MODELS])
