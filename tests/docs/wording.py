@@ -67,7 +67,7 @@ def page_texts(text):
         if line.lstrip().startswith("```"):
             fenced = not fenced
         if not fenced and not line.startswith("    "):
-            yield number, re.sub(r"`[^`]*`|\]\([^)]*\)", "", line), False
+            yield number, re.sub(r"`[^`]*`|\]\([^)]*\)|<!--.*?-->", "", line), False
 
 
 def texts(path, text):
@@ -88,7 +88,7 @@ def long_parts(path, text):
         fenced = made = False
         for number, line in enumerate(text.splitlines(), 1):
             fenced ^= line.lstrip().startswith("```")
-            made = (made or line.startswith("<!-- made")) and not line.startswith("<!-- end")
+            made = (made or line.startswith(("<!-- made", "<!-- measured"))) and not re.match(r"<!-- (?:end|/)", line)
             is_prose = not (fenced or made or re.match(r"\s*(?:\||<|\[?!\[|    )", line))
             if is_prose and len(line) > MAX_COLUMNS and " " in line[:MAX_COLUMNS].strip():
                 yield number, f"the line has {len(line)} columns; at most {MAX_COLUMNS}"
