@@ -57,8 +57,8 @@ struct DrawingLimits {
 std::string served_by(const isa::Instruction& instruction, const isa::Facts& facts);
 
 /// Runs the Program at the functional level and records what it draws. If the steps exceed the limits, every second one
-/// is removed until they do not, and `summary` mentions it. The first and the last step always stay. There are no stories
-/// yet (stories.h).
+/// is removed until they do not, and `summary` mentions it. The first and the last step always stay. There are no
+/// stories yet (stories.h).
 Drawing record_drawing(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits = {});
 
 /// Index of the first step after at least this number of instructions; of the last step if there is none.
