@@ -121,7 +121,7 @@ TEST_CASE("a study follows no link and waits for no pipe in its folder") {
       CHECK(outcome.code == 1);
       CHECK(one_line(outcome.err));
       CHECK(contains(outcome.err, name));
-      CHECK(contains(outcome.err, "delete it, or choose another -o"));
+      CHECK(contains(outcome.err, "delete it, or choose another"));
       CHECK(content(folder / "precious") == "precious\n");
       fs::remove_all(folder / "study");
     }
