@@ -241,7 +241,7 @@ TEST_CASE("a group without a drawn design has no front or knee and prints its si
                                             {"front", Json::array()}}}));
   CHECK(printed(rows, groups) ==
         "m: 0 on the front of 2 designs; 2 cannot be drawn\n"
-        "  alu.bits=1 cannot be drawn, as does 1 other design: no\n");
+        "  alu.bits=1 and 1 other design cannot be drawn: no\n");
 }
 
 TEST_CASE("designs differ in any figure or option printed in machine order") {
@@ -380,7 +380,7 @@ TEST_CASE("plots each group with two axes and a knee under a unique name") {
   CHECK(chart.title == "m: trade-offs against time");
   CHECK(std::get<plots::Chart>(plots[1].content).title == "m-2: trade-offs against time");
   REQUIRE(chart.panels.size() == 2);
-  CHECK(chart.panels[0].title == "memory bits of the machine");
+  CHECK(chart.panels[0].title == "memory bits in total");
   CHECK(chart.panels[1].title == "wrong pixels");
   // One design: the front, the front of two axes, and the knee, in each panel.
   REQUIRE(chart.series.size() == 6);
