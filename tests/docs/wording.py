@@ -12,6 +12,9 @@ import subprocess
 import sys
 import tomllib
 
+import coverage
+import markdown
+
 FOLDER = pathlib.Path(__file__).resolve().parent
 ROOT = FOLDER.parent.parent
 CODE = {".h", ".cpp", ".in", ".v", ".vh", ".js"}
@@ -19,6 +22,8 @@ HASHED = {".py", ".sh", ".cmake", ".toml", ".txt"}
 MAX_NAME = 80
 MAX_COLUMNS = 120
 NAME = re.compile(r'TEST_CASE\(\s*((?:"(?:[^"\\]|\\.)*"\s*)+)')
+GENERATED = re.compile(r"<!-- (?:made|measured).*?<!-- (?:end|/measured)", re.DOTALL)
+UNBROKEN = re.compile(r"    |\s*(?:\||<|\[?!\[)")  # code, rows of tables, HTML, pictures
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
 
 
@@ -61,13 +66,9 @@ def hashed_texts(text):
 
 
 def page_texts(text):
-    """The same of pages in Markdown, without code."""
-    fenced = False
-    for number, line in enumerate(text.splitlines(), 1):
-        if line.lstrip().startswith("```"):
-            fenced = not fenced
-        if not fenced and not line.startswith("    "):
-            yield number, re.sub(r"`[^`]*`|\]\([^)]*\)|<!--.*?-->", "", line), False
+    """The same of pages in Markdown, without code and generated blocks."""
+    for number, line in enumerate(coverage.unmade(None, text).splitlines(), 1):
+        yield number, line, False
 
 
 def texts(path, text):
@@ -85,12 +86,10 @@ def long_parts(path, text):
             if len(name) > MAX_NAME:
                 yield text.count("\n", 0, match.start()) + 1, f"the test's name has {len(name)} characters; at most {MAX_NAME}"
     if path.suffix == ".md":
-        fenced = made = False
-        for number, line in enumerate(text.splitlines(), 1):
-            fenced ^= line.lstrip().startswith("```")
-            made = (made or line.startswith(("<!-- made", "<!-- measured"))) and not re.match(r"<!-- (?:end|/)", line)
-            is_prose = not (fenced or made or re.match(r"\s*(?:\||<|\[?!\[|    )", line))
-            if is_prose and len(line) > MAX_COLUMNS and " " in line[:MAX_COLUMNS].strip():
+        for block in GENERATED.finditer(text):
+            text = coverage.blank(text, *block.span())
+        for number, line in markdown.prose(text):
+            if len(line) > MAX_COLUMNS and " " in line[:MAX_COLUMNS].strip() and not UNBROKEN.match(line):
                 yield number, f"the line has {len(line)} columns; at most {MAX_COLUMNS}"
 
 

@@ -1,5 +1,5 @@
-// What csgsim explore shows of rows that are made up here: axes, groups, the JSON file, the text and the plots. All
-// figures follow from the rows by hand.
+// Tests of csgsim explore's output for made-up rows: axes, groups, the JSON file, the text and the plots. All expected
+// figures are calculated by hand.
 
 #include <doctest/doctest.h>
 #include <unistd.h>
@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// A row of a design that a figure and the z bits identify.
+/// A row of a design identified by a figure and the z bits.
 ExploreRow shown_row(const std::string& model, const char* alu_bits, unsigned z_bits, double fps, std::uint64_t bits) {
   ExploreRow one;
   one.point.model = model;
@@ -62,9 +62,9 @@ std::string printed(const std::vector<ExploreRow>& rows, const std::vector<Shown
   return output.text();
 }
 
-/// Two models on designs a (1 bit, z 8), b (4 bits, z 8) and c (4 bits, z 12). Of m all are drawn: a takes 100 ms and
-/// 10 bits, b 50 ms and 40 bits, c 100 ms and 40 bits, which is worse than either. Of n c cannot be drawn: a takes
-/// 20 ms and 30 bits, b 25 ms and 40 bits, which is worse.
+/// Two models on designs a (1 bit, z 8), b (4 bits, z 8) and c (4 bits, z 12). Model m draws all: a takes 100 ms and 10
+/// bits, b 50 ms and 40 bits, c 100 ms and 40 bits, which is worse than either. Model n cannot draw c: a takes 20 ms
+/// and 30 bits, b 25 ms and 40 bits, which is worse.
 std::vector<ExploreRow> two_models() {
   return {shown_row("m", "1", 8, 10, 10), shown_row("m", "4", 8, 20, 40), shown_row("m", "4", 12, 10, 40),
           shown_row("n", "1", 8, 50, 30), shown_row("n", "4", 8, 40, 40), refused_row("n", "4", 12, "too large")};
@@ -92,7 +92,7 @@ TEST_CASE("an empty row has zeros and empty cells in the order of its columns") 
         "interval_clocks,frames_per_second,used_bits,processors,machine_memory_bits,pixel_transistors,"
         "machine_transistors,machine_mm2,frame_joules,wrong,unexplained,reason");
   CHECK(studies::to_line(ExploreRow{}) == ",,,,0,0,0,0,0,,,,0,,,,,0,0,0,,0,0,0,0,0,0,,,,,0,0,");
-  // The columns before the inputs say which point it is.
+  // The columns before the inputs identify the point.
   CHECK(ExploreRow::point_columns == 14);
   CHECK(ExploreRow{}.compiled());
   CHECK_FALSE(refused_row("m", "1", 8, "why").compiled());
@@ -133,7 +133,7 @@ TEST_CASE("each axis reads its value from a row or has none if unpriced") {
     unpriced.frames_per_second = 40;
     CHECK(axis.value(unpriced).has_value() == has_price);
   }
-  // As they are listed, not as they are known.
+  // Axes keep their order in the list.
   const std::vector<studies::ExploreAxis> axes = studies::parse_axes("wrong,time");
   REQUIRE(axes.size() == 2);
   CHECK(std::string(axes[0].name) == "wrong");
@@ -153,10 +153,10 @@ TEST_CASE("over two models silicon is the maximum and energy the sum") {
 
 TEST_CASE("the knee considers only the front") {
   const std::vector<studies::ExploreAxis> axes = studies::parse_axes("time,memory");
-  // Of those that count, logarithms (0, 2), (1, 1), (2, 0) are stretched to (0, 1), (1/2, 1/2), (1, 0).
+  // The counting candidates' logarithms (0, 2), (1, 1), (2, 0) are stretched to (0, 1), (1/2, 1/2), (1, 0).
   const std::vector<Values> candidates{{0.001, 0.001}, {1, 100}, {10, 10}, {100, 1}, {1e6, 1e6}};
   CHECK(studies::knee_of(candidates, {false, true, true, true, false}, axes) == 2);
-  // Without the middle both ends are at 1: it is the first.
+  // If the middle is missing both ends are at distance 1: the first one is chosen.
   CHECK(studies::knee_of(candidates, {false, true, false, true, false}, axes) == 1);
   CHECK(studies::knee_of(candidates, {false, false, false, true, false}, axes) == 3);
   CHECK_FALSE(studies::knee_of(candidates, {false, false, false, false, false}, axes));
@@ -173,7 +173,7 @@ TEST_CASE("a design is marked in its model's group and all models have a separat
   for (std::size_t i = 0; i < 6; ++i) CHECK(points[i]["model"] == (i < 3 ? "m" : "n"));
   CHECK(points[0]["design"] == Json::parse(R"({"alu.bits":1,"z-bits":8})"));
   CHECK(points[5]["design"] == Json::parse(R"({"alu.bits":4,"z-bits":12})"));
-  // m: a and b are on the front, at (log 100, log 10) and (log 50, log 40): both ends, so the first is the knee.
+  // m: a and b are on the front, at (log 100, log 10) and (log 50, log 40): both are ends, so the first is the knee.
   const std::array<int, 6> on_front{1, 1, 0, 1, 0, -1};
   const std::array<int, 6> is_knee{1, 0, 0, 1, 0, -1};
   for (std::size_t i = 0; i < 6; ++i) {
@@ -269,14 +269,14 @@ TEST_CASE("designs differ in any figure or option printed in machine order") {
                                                  "pruning"});
   CHECK(names.values(rows[1].point) ==
         std::vector<std::string>{"2", "2", "2x3", "2", "2", "2", "2", "s2", "1", "c2", "u2", "p2"});
-  // Strategies that have none say no stack bits.
+  // Strategies without stack bits print none.
   CHECK(names.text(rows[0].point) ==
         "b=1, a=1, size=1x2, memory-bits=1, z-bits=1, fraction-bits=1, colour-bits=1, strategy=s1, colouring=c1, "
         "curves=u1, pruning=p1");
   rows[1].point.memory_bits.reset();
   const studies::DesignNames fitted(rows);
   CHECK(fitted.values(rows[1].point)[3].empty());
-  // One design is called by its machine.
+  // A single design is named by its machine.
   const studies::DesignNames alone(std::vector<ExploreRow>{rows[0]});
   CHECK(alone.keys().empty());
   CHECK(alone.text(rows[0].point) == "p+b=1+a=1");
@@ -284,7 +284,7 @@ TEST_CASE("designs differ in any figure or option printed in machine order") {
 
 TEST_CASE("the text has a line per front design and names the knee and its command") {
   std::vector<ExploreRow> rows = two_models();
-  rows.push_back(rows[1]);  // one more that is as good as b
+  rows.push_back(rows[1]);  // one more that equals b
   rows.back().point.z_bits = 20;
   std::vector<ShownGroup> groups = shown_groups({rows.begin(), rows.end()}, "time,memory");
   groups[0].commands = {"draw m", "draw it again"};
@@ -315,7 +315,7 @@ TEST_CASE("prints each reason once with its first design and the number of other
                   "  alu.bits=1, z-bits=9 cannot be drawn: never\n\nn: ") != std::string::npos);
   CHECK(text.find("n: 1 on the front of 2 designs; 1 cannot be drawn\n"
                   "  alu.bits=1, z-bits=8 cannot be drawn: no way\n  alu.bits") != std::string::npos);
-  // The group of all models does not print reasons again.
+  // The group of all models does not repeat reasons.
   CHECK(text.find("no way") == text.rfind("no way"));
 }
 
@@ -325,7 +325,7 @@ TEST_CASE("values have four digits but whole and large ones are grouped in full"
                                                            {0, "0"},
                                                            {1234.5678, "1235"},
                                                            {9999, "9,999"},
-                                                           {9998.5, "9998"},  // to even
+                                                           {9998.5, "9998"},  // rounds to even
                                                            {10000.4, "10,000"},
                                                            {12345.6, "12,346"},
                                                            {999'999'999'999'999, "999,999,999,999,999"},
@@ -349,14 +349,14 @@ TEST_CASE("values have four digits but whole and large ones are grouped in full"
 TEST_CASE("prints the first 40 designs of a front and the number of others") {
   for (const std::size_t count : {39U, 40U, 41U, 1241U}) {
     CAPTURE(count);
-    // Each is faster and larger than the one before.
+    // Each is faster and larger than its predecessor.
     std::vector<ExploreRow> rows;
     for (std::size_t i = 0; i < count; ++i)
       rows.push_back(shown_row("m", "1", static_cast<unsigned>(i), static_cast<double>(1 + i), 1 + i));
     const std::string text = printed(rows, shown_groups(rows, "time,memory"));
     std::size_t lines = 0;
     for (const char letter : text) lines += letter == '\n' ? 1U : 0U;
-    // The group, the columns, up to 40 designs and the knee; and how many more.
+    // The group, the columns, up to 40 designs and the knee; and the number of further ones.
     const std::size_t more = count > 40 ? count - 40 : 0;
     CHECK(lines == 3 + count - more + (more > 0 ? 1 : 0));
     CHECK((text.find(" more, in explore.json\n") != text.npos) == (more > 0));
@@ -371,7 +371,7 @@ TEST_CASE("plots each group with two axes and a knee under a unique name") {
   rows[0].wrong = 5;
   std::vector<ShownGroup> groups = shown_groups(rows, "time,memory,wrong");
   REQUIRE(groups.size() == 4);
-  // Nothing of c.csg is drawn, and so nothing of all models.
+  // Nothing of c.csg is drawn, and therefore nothing of all models.
   const std::vector<plots::Plot> plots = studies::plots_of_explore(groups);
   REQUIRE(plots.size() == 2);
   CHECK(plots[0].name == "m_front");
