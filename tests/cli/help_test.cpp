@@ -30,7 +30,7 @@ std::string longest_word(const std::string& text) {
   const std::size_t begin = text.find("Words: ");
   if (begin == std::string::npos) return {};
   const std::size_t first = begin + std::string("Words: ").size();
-  std::string list = text.substr(first, text.find(" [", first) - first);
+  std::string list = text.substr(first, text.find("  [", first) - first);
   std::ranges::replace(list, ',', '\n');
   std::string longest;
   for (const std::string& word : lines_of(list)) {
