@@ -30,11 +30,12 @@ std::string longest_word(const std::string& text) {
   const std::size_t begin = text.find("Words: ");
   if (begin == std::string::npos) return {};
   const std::size_t first = begin + std::string("Words: ").size();
-  std::string list = text.substr(first, text.find("  [", first) - first);
+  std::string list = text.substr(first, text.find('[', first) - first);
   std::ranges::replace(list, ',', '\n');
   std::string longest;
   for (const std::string& word : lines_of(list)) {
-    const std::string plain = word.substr(word.find_first_not_of(' '));
+    const std::size_t plain_begin = word.find_first_not_of(' ');
+    const std::string plain = word.substr(plain_begin, word.find_last_not_of(' ') + 1 - plain_begin);
     if (plain.size() > longest.size()) longest = plain;
   }
   return longest;
