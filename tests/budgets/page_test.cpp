@@ -34,7 +34,7 @@ TEST_CASE("docs/performance.md states the measured clocks of triangles and spher
   budgets::check_row("sphere of another radius", budgets::published_sphere, run("sphere_radius.csgt"));
 }
 
-TEST_CASE("docs/performance.md states the measured clocks of spheres of facets") {
+TEST_CASE("docs/performance.md states the measured clocks of faceted spheres") {
   const view::Camera camera = testing::camera({0, -1286.98, 0}, {0, 0, 0}, view::Projection::orthographic);
   for (const int facets : {16, 32}) {
     const isa::Program program = compiled(budgets::place(fmt::format("sphere_{}.csg", facets)), camera);

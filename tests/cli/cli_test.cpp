@@ -179,7 +179,7 @@ TEST_CASE("strategy and colouring and pruning change counts but not pictures") {
   }
 }
 
-TEST_CASE("a Program with early out is compiled for and runs on machines with a global OR") {
+TEST_CASE("a Program with early out compiles and runs on machines with a global OR") {
   const Folder folder;
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
   const std::string present = "[global_or.present]\nvalue = 1";
@@ -309,7 +309,7 @@ TEST_CASE("rejects a hundred megabytes of brackets quickly") {
   }
 }
 
-TEST_CASE("states what a machine lacks to hold the picture") {
+TEST_CASE("an error states what a machine lacks to hold the picture") {
   refuses(model("old_example002") + " --memory-bits 40", "--memory-bits");
   misused("render " + model("old_example002") + " --z-bits 31", "--z-bits: '31' is not a whole number from 4 to 30");
   misused("render " + model("old_example002") + " --machine pixel-plane-4", "pixel-planes-4");
@@ -379,7 +379,7 @@ TEST_CASE("suggests nothing for a word that resembles no known one") {
   CHECK(run("render m.csg --xylophone").err.find("did you mean") == std::string::npos);
 }
 
-TEST_CASE("a view for GTKWave names a field as the waveform does") {
+TEST_CASE("the GTKWave view and the waveform give a field the same name") {
   const Folder folder;
   std::string text = run("disasm " + std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt").out;
   for (std::size_t at = text.find("Z1"); at != std::string::npos; at = text.find("Z1", at))

@@ -46,7 +46,7 @@ TEST_CASE("writes binary STL by default and text on request; both report the con
   CHECK(content(folder / "b.stl").find("solid csgsim\nfacet normal ") == 0);
 }
 
-TEST_CASE("a block model reports its blocks and its volume is near that of the mesh") {
+TEST_CASE("convert reports a block model's blocks and its volume is near the mesh's") {
   const Folder folder;
   const double volume = converted(folder, model("thesis_fig_2_3"), "a.off")["volume"];
   succeeded(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.bintree") + " --resolution 64 --stats " +

@@ -29,7 +29,7 @@ nlohmann::json points(const Folder& folder) { return json(folder / "out/corpus.j
 
 }  // namespace
 
-TEST_CASE("corpus skips models that it cannot draw and states the reasons and ends with 1") {
+TEST_CASE("corpus skips models that it cannot draw with a reason each and exit code 1") {
   const Folder folder;
   make_models(folder);
   const Outcome outcome = run_words(words, folder.path());
@@ -62,7 +62,7 @@ TEST_CASE("corpus skips models that it cannot draw and states the reasons and en
   CHECK(all[6]["render"] == 0);
 }
 
-TEST_CASE("a point of a corpus equals the counts of render") {
+TEST_CASE("each point of a corpus study has the counts that render reports") {
   const Folder folder;
   make_models(folder);
   run_words(words, folder.path());
@@ -126,7 +126,7 @@ TEST_CASE("rejects a folder without models") {
   fails(run_words({"corpus", "empty", "-o", "out"}, folder.path()), 1, {"empty: contains no .csg, .scad or .jan file"});
 }
 
-TEST_CASE("corpus draws its plots") {
+TEST_CASE("corpus plots clocks and frames as PNG and SVG") {
   const Folder folder;
   write(folder / "m.csg", cube);
   succeeded(run_words({"corpus", "m.csg", "--machines", "pixel-planes-4,scan-line", "--size", "24x24", "-o", "out"},
@@ -137,7 +137,7 @@ TEST_CASE("corpus draws its plots") {
   }
 }
 
-TEST_CASE("sweep skips an unreadable model and ends with 1 and retries it after a change") {
+TEST_CASE("sweep skips an unreadable model with exit code 1 and retries it after a change") {
   const Folder folder;
   write(folder / "a.csg", cube);
   write(folder / "b.csg", broken);

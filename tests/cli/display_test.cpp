@@ -12,7 +12,7 @@ std::string display(const std::string& more) {
 
 }  // namespace
 
-TEST_CASE("display counts every method for growing models; exact ones see the same surfaces") {
+TEST_CASE("display counts every method and all exact methods see the same surfaces") {
   const Folder folder;
   const Outcome outcome = succeeded(run(display(" --fragments 12,24 -o " + (folder / "d"))));
   CHECK(outcome.out.find("Exact methods see the same surfaces") != std::string::npos);

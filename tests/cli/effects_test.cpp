@@ -21,7 +21,7 @@ bool draws_the_same(const Folder& folder, const std::string& with) {
 
 }  // namespace
 
-TEST_CASE("the cost table adds up over the effects and has a picture without each of them") {
+TEST_CASE("the cost table of effects adds up to the clocks of the frame") {
   const Folder folder;
   const Outcome outcome =
       run("effects " + model("old_example002") + small + two_effects(folder) + "-o " + (folder / "bill"));
@@ -64,7 +64,7 @@ TEST_CASE("effects draw the same picture at each level and on machines whose hos
   CHECK(draws_the_same(folder, "--machine pixel-planes-5 --level cycle"));
 }
 
-TEST_CASE("an error in a scene file ends with its place and code 1; an option with code 2") {
+TEST_CASE("an error in a scene file has its place and exit code 1 and in an option code 2") {
   const Folder folder;
   write(folder / "scene.toml", "[effects.shadow]\n");
   const std::string render = "render " + model("old_example002") + small;

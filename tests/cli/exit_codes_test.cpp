@@ -63,7 +63,7 @@ TEST_CASE("every command ends with exit code 1 for a wrong or missing file") {
   }
 }
 
-TEST_CASE("lists of machines are command-line arguments; lists of numbers may be empty") {
+TEST_CASE("a wrong list of machines is a usage error but a list of numbers may be empty") {
   const Folder folder;
   const std::string out = " -o " + (folder / "out");
   for (const std::string study : {"compare ", "sweep ", "corpus "}) {
@@ -84,7 +84,7 @@ TEST_CASE("help names the operand of -o FOLDER where a command writes several fi
     CHECK(run(command + " --help").out.find("-o, --output FOLDER") != std::string::npos);
 }
 
-TEST_CASE("prints shares as percentages and groups digits; JSON does neither") {
+TEST_CASE("the text output has percentages and grouped digits and the JSON output neither") {
   const Folder folder;
   const std::string of = " " + model("sphere") + " --size 64x64";
   const Outcome drawn = succeeded(run("render" + of + " --check --stats " + (folder / "s.json")));

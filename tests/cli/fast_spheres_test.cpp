@@ -73,7 +73,7 @@ TEST_CASE("fast spheres and facets are seen by the same camera") {
   CHECK(box("fast") == box("facets"));
 }
 
-TEST_CASE("72 bits of Pixel-planes 4 hold 18 bits of depth and colour for joined spheres") {
+TEST_CASE("joined fast spheres fit 72 bits with 18 bits of depth and 18 of colour") {
   const Folder folder;
   const std::string options = "render " + model("molecule") + " --view-all --curves fast --z-bits 18 -o " +
                               (folder / "p.png") + " --colour-bits ";

@@ -68,7 +68,7 @@ TEST_CASE("rejects stepped trees at other levels and on machines without trees")
         {"a machine of kind multi-processor has no multiplier trees that can be stepped"});
 }
 
-TEST_CASE("cycle level: facts and comments of a golden Program change nothing") {
+TEST_CASE("facts and comments of a golden Program change nothing at the cycle level") {
   for (const char* name : {"thesis_fig_2_3", "carburettor", "terrain_vehicle", "old_example002", "old_example002_lines",
                            "thesis_fig_2_3_squares", "thesis_fig_2_3_nodes"})
     check_same_at_cycle_level(trace(name));

@@ -88,7 +88,7 @@ TEST_CASE("repeats a render with options from all sources") {
   succeeded(run_words({"rerun", "a.json"}, folder.path()));
 }
 
-TEST_CASE("repeats the choice of the best settings of a render") {
+TEST_CASE("rerun repeats the settings that render chose for a wrong-pixel limit") {
   const Folder folder;
   runs_again(folder, {"render", model("thesis_fig_2_3"), "--size", "24x24", "--max-wrong-pixels", "40"});
 }

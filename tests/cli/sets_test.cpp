@@ -27,7 +27,7 @@ TEST_CASE("no machine parameter has the name of a scene key: --set is unambiguou
   CHECK(figures > 50);
 }
 
-TEST_CASE("--set of a parameter equals a machine named with it") {
+TEST_CASE("--set KEY=VALUE selects the same machine as the name MACHINE+KEY=VALUE") {
   const Folder folder;
   const auto clocks = [&](const std::string& words) {
     REQUIRE(
@@ -47,7 +47,7 @@ TEST_CASE("--set of a parameter equals a machine named with it") {
   CHECK(clocks("--machine pixel-square --set divider.kind=host").first == "pixel-square+divider.kind=host");
 }
 
-TEST_CASE("a machine file with changed parameters of a built-in one is named after them") {
+TEST_CASE("a machine file that changes a built-in machine is named after its changes") {
   const Folder folder;
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
   write(folder / "same.toml", text);

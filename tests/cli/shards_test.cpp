@@ -96,7 +96,7 @@ void refuses_to_gather(const Words& words, const fs::path& where, const Words& t
 
 }  // namespace
 
-TEST_CASE("gathered shards equal the results of one process without models or machines") {
+TEST_CASE("gather needs neither models nor machine files and equals a run of one process") {
   for (const std::string command : {"sweep", "accuracy", "compare"}) {
     CAPTURE(command);
     const Folder folder;
@@ -341,7 +341,7 @@ TEST_CASE("running the same shard in several processes at once is harmless") {
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
-TEST_CASE("a shard without points does nothing and gather does not miss it") {
+TEST_CASE("a shard without points writes nothing and gather succeeds without it") {
   const Folder folder;
   write_models(folder);
   const Words sweep{"sweep", "a.csg", "--size", "24x20", "--strategy", "stack", "-o", "out"};
@@ -354,7 +354,7 @@ TEST_CASE("a shard without points does nothing and gather does not miss it") {
   succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
 }
 
-TEST_CASE("a point that does not fit is a row of its shard; gather ends as one process") {
+TEST_CASE("gather reports a point that does not fit as a single process does") {
   const Folder folder;
   write_models(folder);
   const Words sweep{"sweep", "a.csg", "--size", "24x20", "--memory-bits", "30", "-o", "out", "--no-plots"};

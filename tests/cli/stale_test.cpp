@@ -95,7 +95,7 @@ TEST_CASE("remeasures points of another build of csgsim") {
   CHECK(content(folder / "out/sweep.csv") == table);
 }
 
-TEST_CASE("every option that changes the measurements makes it another study") {
+TEST_CASE("a study rejects a folder measured with other options") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());
@@ -138,7 +138,7 @@ TEST_CASE("accuracy measures the given strategy and prunings") {
   CHECK(unpruned[0]["clocks"] > usual[0]["clocks"]);
 }
 
-TEST_CASE("a study names the process that holds its folder and continues once it is free") {
+TEST_CASE("a study names the process that locks its folder and runs once it is unlocked") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());

@@ -234,7 +234,7 @@ TEST_CASE("rejects a shard whose command is no study or has foreign options") {
   CHECK(run_words({"gather", "out", "--no-plots"}, shards.folder.path()).code == 0);
 }
 
-TEST_CASE("the shards' command omits a flag that the command line switched off") {
+TEST_CASE("the command stored in a shard omits a flag that was switched off") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "s.toml", "view-all = true\n");
@@ -245,7 +245,7 @@ TEST_CASE("the shards' command omits a flag that the command line switched off")
   CHECK(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
 }
 
-TEST_CASE("rejects a shard with a byte that no text has and names the file") {
+TEST_CASE("rejects a shard with a byte that is invalid in text and names the file") {
   const std::map<std::string, std::string> of_compare{{",scan-line,", ",scan\x9fline,"}, {"cube@", "cu\xc0@"}};
   const std::map<std::string, std::string> of_sweep{{",auto,", ",au\x9fo,"}, {"Z1=", "Z\x1b="}};
   for (const auto& [study, changes] :
@@ -265,7 +265,7 @@ TEST_CASE("rejects a shard with a byte that no text has and names the file") {
   }
 }
 
-TEST_CASE("rejects numbers that cannot be measured and impossible numbers of points") {
+TEST_CASE("rejects a shard with a non-finite number or an impossible number of points") {
   const Shards shards(compare);
   for (const std::string number : {"nan", "inf", "-inf", "1e999"}) {
     REQUIRE(shards.replace(",16,16,0,,", ",16,16," + number + ",,") == 2);
@@ -281,7 +281,7 @@ TEST_CASE("rejects numbers that cannot be measured and impossible numbers of poi
   }
 }
 
-TEST_CASE("accepts rows of a study in any order and with any claimed memory") {
+TEST_CASE("gather accepts any name of an ideal parameter and any number of memory bits") {
   const Shards ideal({"compare", "m.csg", "--size", "16x16", "--machines", "pixel-planes-4", "--ideal"});
   REQUIRE(ideal.replace(",16,16,0,,", ",16,16,0,x,") == 1);
   CHECK(run_words({"gather", "out"}, ideal.folder.path()).code == 0);
@@ -293,7 +293,7 @@ TEST_CASE("accepts rows of a study in any order and with any claimed memory") {
   CHECK(outcome.code == 0);
 }
 
-TEST_CASE("does not blame csgsim for differing pictures in rows that it only read") {
+TEST_CASE("differing pictures in rows read from a file are not reported as a bug of csgsim") {
   for (const Words& study : {sweep, compare}) {
     const Shards shards(study);
     const std::string& text = shards.texts[0];

@@ -143,7 +143,7 @@ TEST_CASE("repeating the command of an interrupted sweep resumes it") {
   CHECK(content(output + "/sweep.json") == content(whole + "/sweep.json"));
 }
 
-TEST_CASE("a point that does not fit gives a reason unless no point fits") {
+TEST_CASE("a point that does not fit gives a reason and the study fails only if none fits") {
   const Folder folder;
   const std::string command = "sweep " + model("old_example011") +
                               " --size 48x36 --no-plots --strategy stack,list --z-bits 20,24 -o " + (folder / "s");

@@ -108,7 +108,7 @@ TEST_CASE("random Programs leave the reference's bits on complete and partial ti
     require_lockstep({width, height, 72}, 30);
 }
 
-TEST_CASE("blocks classified by their corners keep the exact pixel where F meets a number") {
+TEST_CASE("blocks decided by their corners are exact at the pixel where F equals a number") {
   const Field z{0, 20};
   const Field other{20, 20};
   constexpr std::uint64_t most = 0xfffff;
@@ -137,7 +137,7 @@ TEST_CASE("blocks classified by their corners keep the exact pixel where F meets
       }
 }
 
-TEST_CASE("a sphere's depth by a root has the reference's bits with any use of its field") {
+TEST_CASE("a sphere's depth computed by a root has the reference's bits") {
   // D has 41 bits, its root 20; depth = middle - root, for a sphere of radius 60 at (70, 40).
   const Field d{0, 41};
   const Field root{21, 20};
@@ -253,7 +253,7 @@ TEST_CASE("adds numbers in planes and in lanes in all combinations") {
       }
 }
 
-TEST_CASE("several threads give the same bits and the same tallies as one") {
+TEST_CASE("several threads give the same bits and the same counts as one") {
   CHECK(rc::check([] {
     const ArrayShape shape{70, 13, 40};
     const Program program = *test::arbitrary_program(shape, 30, 2);

@@ -148,7 +148,7 @@ TEST_CASE("an instruction retires `latency` clocks after its last step without a
   CHECK(watch.edges_since_start() == static_cast<double>(report.clocks));
 }
 
-TEST_CASE("a question takes its clock and the latency and then the controller resumes") {
+TEST_CASE("a global-OR query takes one clock plus the latency before the controller resumes") {
   PixelPlanes machine("machine", machine_8x8());
   const Program program = program_of({segment_of({{.opcode = Opcode::enable_all},
                                                   {.opcode = Opcode::global_or},
@@ -164,7 +164,7 @@ TEST_CASE("a question takes its clock and the latency and then the controller re
   CHECK(report.clocks == lead + 2 + 3 * question + latency_8x8);
 }
 
-TEST_CASE("a jump costs the clocks of the link for any number of skipped instructions") {
+TEST_CASE("a jump takes the clocks of the link for any number of skipped instructions") {
   PixelPlanes machine("machine", machine_8x8());
   constexpr std::uint64_t question = 1 + latency_8x8;
   for (const std::uint64_t count : {1U, 2U, 14U, 15U, 16U, 17U, 33U, 1000U}) {
@@ -402,7 +402,7 @@ TEST_CASE("records a window of a run and nothing outside it") {
   CHECK(dump.text.find("\n#") == std::string::npos);
 }
 
-TEST_CASE("values are unknown between two windows") {
+TEST_CASE("a wave has unknown values between two windows") {
   PixelPlanes machine("machine", machine_8x8());
   Dump dump(machine);
   RunListener nobody;
@@ -453,7 +453,7 @@ TEST_CASE("after a jump the wave shows the next instruction once the host has re
   CHECK(between("\n#1800000\n", "\n#1900000\n").find("\nb100 " + code) != std::string::npos);
 }
 
-TEST_CASE("closes a window at the program's end and rejects nonexistent pixels") {
+TEST_CASE("a wave's window ends with the program and nonexistent pixels are rejected") {
   PixelPlanes machine("machine", machine_8x8());
   Dump dump(machine);
   Stopwatch watch(machine);

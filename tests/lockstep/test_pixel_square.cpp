@@ -151,7 +151,7 @@ TEST_CASE("rejects a Program that omits squares of the picture") {
   CHECK_THROWS_AS(engine->run(program, {}), InputError);
 }
 
-TEST_CASE("both levels reject a question before they run") {
+TEST_CASE("both levels reject a global-OR query before they run") {
   isa::Program program = slow_square_first();
   program.segments[3].instructions.push_back({.opcode = Opcode::global_or});
   Watch watch(true);
@@ -161,13 +161,13 @@ TEST_CASE("both levels reject a question before they run") {
   CHECK(watch.steps.empty());
 }
 
-TEST_CASE("rejects a Program that needs more than the machine has") {
+TEST_CASE("rejects a Program that needs more pixel memory than the machine has") {
   isa::Program program = slow_square_first();
   program.shape.memory_bits = 17;
   CHECK_THROWS_AS(engine::make_cycle_engine(machine_8x8())->run(program, {}), InputError);
 }
 
-TEST_CASE("one process clocks one machine of one kind") {
+TEST_CASE("rejects a second clocked machine of other parameters or kind in one process") {
   const auto first = engine::make_cycle_engine(machine_8x8());
   CHECK_NOTHROW(engine::make_cycle_engine(machine_8x8()));
   machines::Machine other = machine_8x8();

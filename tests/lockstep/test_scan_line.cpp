@@ -55,7 +55,7 @@ std::vector<Instruction> ramp() {
 
 }  // namespace
 
-TEST_CASE("a frame of one line takes link and entry of packets and the path of the cells") {
+TEST_CASE("a frame of one line takes the clocks of link and packet entry and cells") {
   const machines::Machine machine = machine_of(6, {4, 1});
   const engine::RunResult result = engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
   CHECK(result.clocks == first_entry + 2 + 1 + 4 + 4);
@@ -86,7 +86,7 @@ TEST_CASE("a frame of one line takes link and entry of packets and the path of t
   CHECK(result.account == scan_line::account(expected, machine, result.clocks));
 }
 
-TEST_CASE("with trees all cells work in one clock that follows entry by the tree's depth") {
+TEST_CASE("all cells below a tree act in one clock that follows entry by the tree's depth") {
   machines::Machine machine = machine_of(6, {4, 2});
   machines::own<scan_line::Figures>(machine).network = scan_line::Network::trees;
   machines::own<scan_line::Figures>(machine).tree_bits = 8;
@@ -101,7 +101,7 @@ TEST_CASE("with trees all cells work in one clock that follows entry by the tree
   CHECK(result.account.count("busy_cells") == 2 * 3 * 4);
 }
 
-TEST_CASE("the refresh path sets the pace of lines with few packets") {
+TEST_CASE("the refresh path limits the rate of lines with few packets") {
   const machines::Machine machine = machine_of(16, {16, 3});
   const engine::RunResult result = engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
   CHECK(result.clocks == first_entry + 3 + 16 + 16 + 2 * 16);
@@ -167,7 +167,7 @@ TEST_CASE("reports an observer that reads a state without requesting it") {
   CHECK_THROWS_AS(engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), observers), std::logic_error);
 }
 
-TEST_CASE("every level rejects questions and segments other than lines and too much memory") {
+TEST_CASE("every level rejects queries and segments that are not lines and too much memory") {
   const machines::Machine machine = machine_of(4, {4, 2});
   for (const auto& engine : {engine::make_functional_engine(machine), engine::make_cycle_engine(machine),
                              engine::make_reference_engine(machine)}) {

@@ -119,7 +119,7 @@ TEST_CASE("at equal depth of a solid's surfaces the first primitive is visible")
     look_at_all(intersect({rod({0, 0, -5}, 10, 3.5), other, bowl}), coarse);
   }
 }
-TEST_CASE("colours of curved solids are equal in all variants and where surfaces meet") {
+TEST_CASE("colours of curved solids are equal on all machines and where surfaces meet") {
   const std::string red = "color([0.9,0.2,0.1,1]){" + ball({0, 0, 0}, 5) + "}\n";
   const std::string blue = "color([0.1,0.3,0.9,1]){" + rod({0, 0, -7}, 14, 3) + "}\n";
   check_seen(unite({red, blue}));

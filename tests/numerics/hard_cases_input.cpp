@@ -101,7 +101,7 @@ TEST_CASE("an intersection of disjoint solids is empty and subtracting it change
   check_empty(disjoint);
   check_seen(subtract({body, disjoint}));
 }
-TEST_CASE("an error names the primitive whose coefficients do not fit; no picture is wrong") {
+TEST_CASE("coefficients that do not fit are an error that names the primitive") {
   // Faces ever closer to edge-on, which the picture still has to show as surfaces.
   Look how;
   how.sampling.z_bits = 30;

@@ -62,7 +62,7 @@ std::set<std::string> texts_in(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("writes new or empty directories and those that it wrote before") {
+TEST_CASE("output goes into new or empty directories and replaces earlier output") {
   const Scratch scratch;
   fs::create_directory(scratch / "empty");
   for (const char* const name : {"new", "empty", "in/another", "slash/"}) {

@@ -4,14 +4,14 @@
 
 using namespace csgsim;
 
-TEST_CASE("unlimited work is never refused and not counted") {
+TEST_CASE("an unlimited Work object accepts every charge and counts none") {
   const Work work;
   work.charge(~std::uint64_t{0}, "counting");
   work.charge(~std::uint64_t{0}, "counting");
   CHECK(work.done() == 0);
 }
 
-TEST_CASE("work is accepted up to its limit and the error names the refused activity") {
+TEST_CASE("Work accepts charges up to its limit and names the activity that exceeds it") {
   const Work work(2'500'000);
   work.charge(2'000'000, "counting");
   work.charge(500'000, "counting");

@@ -98,7 +98,7 @@ TEST_CASE("the timing and shape of the memories match DRAMsim3's DDR4 file") {
   }
 }
 
-TEST_CASE("the energies of the memories follow from the currents of that file") {
+TEST_CASE("the energies of the memories follow from the currents in DRAMsim3's DDR4 file") {
   const double tras = Sheet::ras / clocks_per_ns;  // ns
   const double trp = Sheet::rp / clocks_per_ns;
   const double activation =
@@ -119,7 +119,7 @@ TEST_CASE("the energies of the memories follow from the currents of that file") 
   }
 }
 
-TEST_CASE("the remaining parameters of the memories match their designs") {
+TEST_CASE("the other parameters of the memories match the documented designs") {
   for (const std::string& name : names) {
     CAPTURE(name);
     const machines::Machine machine = kinds::load(name);
@@ -237,7 +237,7 @@ TEST_CASE("work and energy are zero before a frame begins") {
   CHECK(bit_serial_memory::energy_of(work, 0, kinds::load("simdram-ddr4")).sum() == 0);
 }
 
-TEST_CASE("a default memory has minimum sizes and delays") {
+TEST_CASE("default-constructed figures of a memory have minimum sizes and delays") {
   const Figures figures;
   CHECK(figures.design == bit_serial_memory::Design::latches);
   CHECK(figures.expressions == bit_serial_memory::Expressions::rows);
@@ -266,7 +266,7 @@ TEST_CASE("a default memory has minimum sizes and delays") {
   CHECK_FALSE(design.has_wired_or);
 }
 
-TEST_CASE("a row transfer is limited by the narrower of chip bus and host unit") {
+TEST_CASE("a row transfer is limited by the chip bus or the host's unit if that is narrower") {
   Figures figures;
   figures.bus_bits = 16;
   figures.chips = 8;
@@ -338,7 +338,7 @@ TEST_CASE("a one-instruction frame takes hand-calculated clocks") {
   CHECK(clocks("") == link + clear + 420 + enable);
 }
 
-TEST_CASE("a smaller picture takes the clocks and timeline of only its own slots") {
+TEST_CASE("a smaller picture takes only the clocks of the slots that it occupies") {
   isa::Program program;
   program.shape = {64, 64, 256};
   program.segments.push_back({.region = {0, 0, 64, 64}, .instructions = {instruction(isa::Opcode::enable_all)}});

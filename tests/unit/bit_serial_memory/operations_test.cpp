@@ -407,7 +407,7 @@ TEST_CASE("reads a held row once until the row or its latch is written") {
         }) == 1 + 1 + 2 + 2);
 }
 
-TEST_CASE("a Bit sets only the fields of its kind") {
+TEST_CASE("a Bit sets only the members of its kind") {
   CHECK(Bit::of_row(3) == Bit{Bit::Kind::row, 3, false, 0});
   CHECK(Bit::constant(true) == Bit{Bit::Kind::constant, 0, true, 0});
   CHECK(Bit::constant(false) == Bit{});

@@ -235,7 +235,7 @@ TEST_CASE("refreshes delay row commands as in a reference rank") {
   }
 }
 
-TEST_CASE("takes correct clocks after its table of states is full") {
+TEST_CASE("a rank computes correct clocks after its table of states is full") {
   Random random(5);
   Figures figures = random.figures();
   figures.banks = 3;

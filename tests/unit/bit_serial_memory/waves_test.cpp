@@ -104,7 +104,7 @@ TEST_CASE("a frame with a jump takes hand-calculated clocks and work at both lev
   check_account(report.account);
 }
 
-TEST_CASE("the timeline of that frame and its loads match the hand calculation") {
+TEST_CASE("the timeline and work of a frame with a jump match the hand calculation") {
   const machines::Machine& machine = testing::smallest_memory().machine;
   const isa::Program program = frame();
   const machines::RunOutcome outcome{{&skip, 1}, {}};

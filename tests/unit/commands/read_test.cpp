@@ -87,7 +87,7 @@ TEST_CASE("rotates about the axes of the model and scales about its origin") {
   CHECK(near(moved(tree, 0, {1, 2, 3, 1}), {-4, -18, 22}));
 }
 
-TEST_CASE("the last colour set for a whole solid applies") {
+TEST_CASE("the last colour command on a whole solid applies") {
   const model::Tree tree =
       tree_of("A = block 1 1 1\ncolour A 1 0 0\nB = sphere 1\nC = A + B\nE = C + A\ncolour C 0 0 1\nObject = C + E\n");
   CHECK(*tree.primitives[0].colour == glm::dvec3(0, 0, 1));
@@ -96,7 +96,7 @@ TEST_CASE("the last colour set for a whole solid applies") {
   CHECK(!tree.primitives[3].colour);
 }
 
-TEST_CASE("draws Object or otherwise the last solid") {
+TEST_CASE("the solid named Object is drawn and the last solid if there is none") {
   CHECK(std::holds_alternative<model::Sphere>(tree_of("Object = sphere 1\nB = block 1 1 1\n").primitives[0].shape));
   CHECK(std::holds_alternative<model::Cube>(tree_of("A = sphere 1\nB = block 1 1 1\n").primitives[0].shape));
   const model::Tree moved_last = tree_of("A = sphere 1\nB = block 1 1 1\nmove A 9\nmove B 7\n");

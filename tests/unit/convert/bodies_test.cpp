@@ -240,7 +240,7 @@ TEST_CASE("adjacent bodies in a plain union need no splitting") {
   }
 }
 
-TEST_CASE("a body with unknown polygons and its neighbours must be split") {
+TEST_CASE("a body whose polygons are unknown must be split and so must its neighbours") {
   const std::string cube = "cube([2,2,2]);";
   const model::Tree tree = read::read_csg_text(cube + moved_by(2, 0, 0, cube) + moved_by(9, 0, 0, cube), "m.csg");
   for (std::size_t unknown = 0; unknown < 3; ++unknown) {

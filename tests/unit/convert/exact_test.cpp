@@ -124,7 +124,7 @@ TEST_CASE("an unbounded body extends to the outermost wall") {
   CHECK(flat.box.empty());
 }
 
-TEST_CASE("faces share a plane only within a limit") {
+TEST_CASE("faces share a plane only within the tolerance for merging") {
   // Two plates of 0.1 with a gap between them. Six of their planes coincide, or more when the gap counts as closed:
   // three or four remain across x, two across y and z. Within 1e8 the tolerance is 1e-5 of the thickness, and 0.3
   // counts; at 5e11 rounding is 2^-50 of that, 4.4e-4, limited to a thousandth of the thickness.
@@ -238,7 +238,7 @@ TEST_CASE("bodies separated by a plane between crossing edges are not split") {
   CHECK(testing::fault_of(testing::judged(surface)) == "");
 }
 
-TEST_CASE("the work for one and two cubes matches a hand calculation") {
+TEST_CASE("converting one cube and two takes the hand-calculated work") {
   // Each of six faces is cut by its four neighbours at the cost of its corners, one and a quarter each time: 2.
   const model::Tree cube = tree_of("cube([1,1,1]);");
   const Work bodies(1'000'000);

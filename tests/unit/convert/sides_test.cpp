@@ -273,7 +273,7 @@ TEST_CASE("does not join sides that reverse direction") {
   }
 }
 
-TEST_CASE("open_side returns a side without its reverse or nothing if all have one") {
+TEST_CASE("open_side() returns a side without its reverse or nothing if all have one") {
   Outlines outlines{{}, {{{0, 0, 1}, {{0, 1}, {1, 2}, {2, 0}}}, {{0, 0, 1}, {{1, 0}, {2, 1}}}}};
   CHECK(convert::open_side(outlines) == std::optional<Side>(Side{2, 0}));
   outlines.outlines[1].sides.push_back({0, 2});

@@ -49,11 +49,11 @@ std::uint32_t ceil_log2(std::size_t number) { return static_cast<std::uint32_t>(
 
 }  // namespace
 
-TEST_CASE("a string matches Boolean evaluation for all small trees and assignments") {
+TEST_CASE("a bit string matches Boolean evaluation for all small trees and assignments") {
   for_all_trees(7, [](const ActiveTree& tree, std::uint32_t) { CHECK(is_correct_for_all_assignments(tree)); });
 }
 
-TEST_CASE("a string matches Boolean evaluation for random trees and all assignments") {
+TEST_CASE("a bit string matches Boolean evaluation for random trees and all assignments") {
   CHECK(rc::check([] { RC_ASSERT(is_correct_for_all_assignments(any_tree(10))); }));
 }
 

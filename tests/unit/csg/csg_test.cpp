@@ -70,7 +70,7 @@ TEST_CASE("the positive form of a tree has its value for every state of the prim
   }));
 }
 
-TEST_CASE("primitives under unions alone have no operands to test") {
+TEST_CASE("primitives joined only by unions have active trees without operands") {
   const Prepared p = prepare("union(){" + box(0, 2) + box(1, 2) + box(2, 2) + "}");
   for (std::uint32_t i = 0; i < 3; ++i) {
     CHECK_FALSE(p.active_tree(i).nothing);
@@ -173,7 +173,7 @@ TEST_CASE("primitives separated by a complemented one are not drawn as one") {
   CHECK(csg::convex_sets(p.positive, true) == std::vector<csg::ConvexSet>{{0}, {1}, {2, 3}});
 }
 
-TEST_CASE("the rest after subtracting intersections has one leaf each and one product") {
+TEST_CASE("fifty subtracted intersections are one leaf each and have a single product") {
   std::string text = "difference(){" + box(0, 10);
   for (int i = 0; i < 50; ++i) text += "intersection(){" + box(0.01 * i, 2) + box(0.5 + 0.01 * i, 2) + "}";
   const Prepared p = prepare(text + "}");

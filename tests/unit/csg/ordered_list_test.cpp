@@ -282,7 +282,7 @@ TEST_CASE("pixels waiting for different leaves hold different labels and none is
   });
 }
 
-TEST_CASE("a leaf gives its name to the nearest target without waiting pixels") {
+TEST_CASE("a leaf passes its label to the nearest target that no pixel waits for yet") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(60, Nesting::alternating);
     const OrderedList list = csg::make_ordered_list(tree);
@@ -336,7 +336,7 @@ TEST_CASE("no order of operands needs fewer labels than the chosen one") {
   }
 }
 
-TEST_CASE("the worst trees of each size reach the bounds and no tree exceeds them") {
+TEST_CASE("the worst trees of each size reach the bounds on labels and none exceeds them") {
   constexpr std::uint32_t most_leaves = 11;
   std::vector<std::uint32_t> most_labels(most_leaves + 1);
   std::vector<std::uint32_t> widest(most_leaves + 1);
@@ -350,7 +350,7 @@ TEST_CASE("the worst trees of each size reach the bounds and no tree exceeds the
   }
 }
 
-TEST_CASE("the bounds hold for random trees of up to 400 leaves") {
+TEST_CASE("the bounds on labels hold for random trees of up to 400 leaves") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(400);
     const OrderedList list = csg::make_ordered_list(tree);
@@ -373,7 +373,7 @@ TEST_CASE("two to four label bits suffice for 21 to 98301 leaves") {
   }
 }
 
-TEST_CASE("the smallest trees for each number of labels reach the bounds") {
+TEST_CASE("the smallest trees for each number of labels reach the bounds on labels") {
   for (std::uint32_t labels = 2; labels <= 17; ++labels) {
     const ActiveTree widest = widest_tree(labels);
     CHECK(csg::footprint(widest) == labels);

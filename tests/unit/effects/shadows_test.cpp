@@ -133,21 +133,21 @@ observe::Frame drawn(const std::string& csg, const testing::Setup& setup) {
 
 }  // namespace
 
-TEST_CASE("shadows of random models match rays: default light and orthographic") {
+TEST_CASE("orthographic shadows of random models in the default light match rays") {
   check(check_random(1, view::Projection::orthographic, ""));
 }
 
-TEST_CASE("shadows of random models match rays: light from above and perspective") {
+TEST_CASE("perspective shadows of random models in light from above match rays") {
   check(check_random(101, view::Projection::perspective, "[[lights]]\ndirection = [0.3, 0.5, -1]\n"));
 }
 
-TEST_CASE("shadows of random models match rays: two coloured lights and orthographic") {
+TEST_CASE("orthographic shadows of random models in two coloured lights match rays") {
   check(check_random(201, view::Projection::orthographic,
                      lamp({9, -7, 14}, {1, 0.5, 0.2}) +
                          "[[lights]]\ndirection = [-1, 0.2, -0.7]\ncolour = [0.2, 0.4, 1]\nintensity = 0.5\n"));
 }
 
-TEST_CASE("shadows of random models match rays: lamps among solids and perspective") {
+TEST_CASE("perspective shadows of random models with lamps among solids match rays") {
   check(check_random(
       301, view::Projection::perspective,
       lamp({0.3, 0.2, 0.7}, {1, 1, 1}) + lamp({2.3, -4.2, 3.7}, {1, 0, 0}) + lamp({-5.3, 4.2, 6.7}, {0, 1, 0})));

@@ -146,7 +146,7 @@ TEST_CASE("a union of 32 leaves takes an inversion and five ANDs") {
   CHECK(clocks_of(string, 32, 32) == 1 + 2 * 5);
 }
 
-TEST_CASE("string bits are those of the largest operand and leaves need none") {
+TEST_CASE("a bit string takes the bits of its largest operand and none for a leaf") {
   ActiveTree tree;
   const std::uint32_t alone = add_leaf(tree, 0);
   const std::uint32_t two = add_operator(tree, PositiveOperator::unite, {add_leaf(tree, 1), add_leaf(tree, 2)});

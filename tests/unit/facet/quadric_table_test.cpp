@@ -238,7 +238,7 @@ TEST_CASE("equal ellipsoids across six decades coincide") {
   }));
 }
 
-TEST_CASE("facets polygonal solids; without exact curves it facets every solid") {
+TEST_CASE("polygonal solids are faceted and without exact curves every solid is") {
   const auto quadrics_with = [](double fn, const facet::Faceting& faceting) {
     const model::Tree tree = tree_of({at(model::Cylinder{4, 5, 5, false, {fn, 12, 2}})});
     return facet::make_geometry(tree, faceting).solids[0].quadrics.size();

@@ -97,7 +97,7 @@ TEST_CASE("simple shapes have the minimum number of parts") {
   CHECK(checked_parts(notched).size() == 3);
 }
 
-TEST_CASE("parts cover areas with holes and touching outlines") {
+TEST_CASE("convex parts cover areas with holes and touching outlines") {
   const Area frame = flat::subtract(std::array{flat::square({8, 8}, true), flat::square({4, 4}, true)});
   CHECK(checked_parts(frame).size() == 4);
   const Area island = flat::unite(std::array{frame, flat::square({2, 2}, true)});
@@ -113,7 +113,7 @@ TEST_CASE("parts cover areas with holes and touching outlines") {
   checked_parts(flat::polygon(points, std::array{Path{0, 1, 2, 3}, Path{4, 5, 6, 7}, Path{5, 8, 9}}));
 }
 
-TEST_CASE("coincident sides bound nothing") {
+TEST_CASE("outlines with a common side form one convex part") {
   const Area halves{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{4, 0}, {8, 0}, {8, 4}, {4, 4}}}};
   const std::vector<Outline> parts = flat::convex_parts(halves);
   REQUIRE(parts.size() == 1);

@@ -47,7 +47,7 @@ std::vector<Plane*> pointers_to(std::vector<functional::TileBits>& planes) {
 
 }  // namespace
 
-TEST_CASE("sets a value where enabled") {
+TEST_CASE("a constant is written to exactly the enabled pixels") {
   CHECK(rc::check([] {
     Tile tile;
     const std::uint32_t value = tile.left_numbers.at(0, 0);
@@ -56,7 +56,7 @@ TEST_CASE("sets a value where enabled") {
   }));
 }
 
-TEST_CASE("copies a field where enabled") {
+TEST_CASE("a field is copied at exactly the enabled pixels") {
   CHECK(rc::check([] {
     Tile tile;
     functional::copy_lanes(tile.pixels(), *tile.left, *tile.right);
@@ -64,7 +64,7 @@ TEST_CASE("copies a field where enabled") {
   }));
 }
 
-TEST_CASE("adds a field where enabled and drops the carry") {
+TEST_CASE("a field is added at exactly the enabled pixels and drops the carry") {
   CHECK(rc::check([] {
     Tile tile;
     const std::uint32_t low_bits = ~std::uint32_t{0} >> (32 - tile.bits);

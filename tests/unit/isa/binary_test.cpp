@@ -40,11 +40,11 @@ void survives(const Bytes& bytes) {
   if (refusal([&] { program = decode(bytes, "p.csgt"); }).empty()) validate(program);
 }
 
-TEST_CASE("the sample survives the binary form") {
+TEST_CASE("the sample Program survives a binary round trip") {
   CHECK(decode(encode(sample_program()), "p.csgt") == sample_program());
 }
 
-TEST_CASE("every Program survives the binary form") {
+TEST_CASE("every Program survives a binary round trip") {
   CHECK(rc::check("decode(encode(p)) == p", [] {
     const auto program = *test::arbitrary_program({37, 20, 72}, 60, 2);
     RC_ASSERT(decode(encode(program), "p.csgt") == program);
@@ -64,7 +64,7 @@ TEST_CASE("reads files of the previous version without machine record or extents
   CHECK(decode(encode(lines), "p.csgt") == lines);
 }
 
-TEST_CASE("an instruction takes few bytes") {
+TEST_CASE("an instruction with a linear expression takes fewer than 14 bytes") {
   Program program = sample_program();
   const std::size_t before = encode(program).size();
   for (int i = 0; i < 1000; ++i)
@@ -185,7 +185,7 @@ TEST_CASE("finds an indefinite-length string after items of every kind") {
   CHECK(contains(refusal([&] { decode(file_of(one_more), "p.csgt"); }), "indefinite-length string"));
 }
 
-TEST_CASE("errors in the bytes have specific messages") {
+TEST_CASE("each error in a binary Program has a specific message") {
   Bytes bytes = encode(sample_program());
   const auto current_error = [&] { return refusal([&] { decode(bytes, "p.csgt"); }); };
 

@@ -59,7 +59,7 @@ TEST_CASE("the error for an unreadable file names it") {
   CHECK(contains(refusal([&] { load_program(path); }), "it is a folder; name a .csgt file"));
 }
 
-TEST_CASE("errors inside a file name the file") {
+TEST_CASE("an error in a Program file begins with the file's name") {
   const Scratch scratch("errors");
   const fs::path path = scratch / "p.csgt";
   std::ofstream(path) << "CSGT";

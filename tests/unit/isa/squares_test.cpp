@@ -23,7 +23,7 @@ Instruction first_of(const std::string& instructions) {
 
 Instruction squares(const Linear& linear) { return {Opcode::squares, {}, linear, 0, {}}; }
 
-TEST_CASE("squares are parsed in any order of terms and print round-trips") {
+TEST_CASE("squares are parsed in any order of terms and survive a text round trip") {
   const std::string next = "\nedge_negative x (w35)\n";
   for (const auto& [line, read] :
        {std::pair{"squares 3*x*x - 2*x*y + 5*y*y (w35)", Linear{3, -2, 5, 35, 0}},

@@ -89,7 +89,7 @@ TEST_CASE("values of the wrong kind or out of range are reported with their posi
   CHECK(error_in_line_5("copy [70000], [1]").starts_with("t:5:7: 70000 is out of range"));
 }
 
-TEST_CASE("a key of another directive is reported as such") {
+TEST_CASE("a key of another directive is reported with that directive's name") {
   CHECK(
       error_of(array + ".compile background=1").starts_with("t:2:10: background is a key of .frame, not of .compile"));
   CHECK(error_of(array + ".frame figures=[]").starts_with("t:2:8: figures is a key of .machine"));
@@ -107,7 +107,7 @@ TEST_CASE("a colour field must match the displayed colour declared before it") {
   CHECK(error_of(array + ".frame colour_base=30 colour_bits=6").starts_with("t:2:1: the colour shown: field [30+:6]"));
 }
 
-TEST_CASE("an extent consists of 16-bit rows of the picture") {
+TEST_CASE("rejects an extent whose rows are reversed or outside the picture") {
   CHECK(error_of(array + ".extent first=2 last=1").starts_with("t:2:1: the extent from row 2 to row 1"));
   CHECK(error_of(array + ".extent first=2 last=8").starts_with("t:2:1: the extent from row 2 to row 8"));
   CHECK(error_of(array + ".extent last=65536").starts_with("t:2:9: last takes a whole number of 0 to 65535"));

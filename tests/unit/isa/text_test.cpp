@@ -28,7 +28,7 @@ Instruction instruction_of(const std::string& line) {
   return parse(text, "t").segments.at(0).instructions.at(0);
 }
 
-TEST_CASE("the sample prints as expected") {
+TEST_CASE("the sample Program prints as the expected text") {
   CHECK(printed(sample_program()) == R"(# csgsim program
 .array width=8 height=4 memory_bits=40
 .machine name="pixel-planes-4+alu.bits=4" kind="frame-buffer" figures=["alu.bits=4", "scan_out.port=shared"]
@@ -59,9 +59,9 @@ TEST_CASE("the sample prints as expected") {
 )");
 }
 
-TEST_CASE("the sample survives the text form") { CHECK(parse(printed(sample_program()), "t") == sample_program()); }
+TEST_CASE("the sample Program survives a text round trip") { CHECK(parse(printed(sample_program()), "t") == sample_program()); }
 
-TEST_CASE("every Program survives the text form") {
+TEST_CASE("every Program survives a text round trip") {
   CHECK(rc::check("parse(print(p)) == p", [] {
     const auto program = *test::arbitrary_program({37, 20, 72}, 60, 2);
     RC_ASSERT(parse(printed(program), "t") == program);

@@ -29,7 +29,7 @@ Instruction streaming(Opcode opcode, Field field, std::uint16_t width, std::uint
   return {opcode, {field}, {1, 2, 3, width, shift}, 0, {}};
 }
 
-TEST_CASE("the sample is valid") { CHECK(refusal_of(sample_program()).empty()); }
+TEST_CASE("the sample Program is valid") { CHECK(refusal_of(sample_program()).empty()); }
 
 TEST_CASE("rejects an opcode outside the table") {
   Instruction instruction;

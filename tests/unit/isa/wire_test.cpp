@@ -114,7 +114,7 @@ TEST_CASE("a constant is as wide as its field") {
         "10100101");
 }
 
-TEST_CASE("a linear expression is encoded as width; shift; A; B; C") {
+TEST_CASE("a linear expression is encoded as width and shift and A and B and C") {
   CHECK(bits_of(Instruction{Opcode::linear_ge, {{{0, 3}}}, {-1, 2, -5, 6, 1}, 0, {}}, 54) ==
         "010100"
         "000000000000"
@@ -126,7 +126,7 @@ TEST_CASE("a linear expression is encoded as width; shift; A; B; C") {
         "110111");
 }
 
-TEST_CASE("squares are encoded as width; A; B; C") {
+TEST_CASE("squares are encoded as width and A and B and C") {
   CHECK(bits_of(Instruction{Opcode::squares, {}, {-1, 2, -5, 6, 0}, 0, {}}, 30) ==
         "100001"
         "011000"

@@ -81,7 +81,7 @@ TEST_CASE("the nearest double has an error of at most 2^-52 of the value") {
   }));
 }
 
-TEST_CASE("the rest of a number after rounding to double has the right sign") {
+TEST_CASE("the difference of a number and its nearest double has the right sign") {
   CHECK(rc::check([] {
     const Both value = any_expression();
     const double rounded = value.dyadic.approximately();
@@ -99,7 +99,7 @@ TEST_CASE("a double round-trips") {
   }));
 }
 
-TEST_CASE("adding a huge and a tiny number loses nothing") {
+TEST_CASE("the sum of a huge and a tiny number is exact") {
   const double huge = std::numeric_limits<double>::max();
   const double tiny = std::numeric_limits<double>::denorm_min();
   const Dyadic sum = Dyadic(huge) + Dyadic(tiny);
@@ -117,7 +117,7 @@ TEST_CASE("numbers beyond the range of doubles keep their sign") {
   CHECK(small.approximately() == 0.0);
 }
 
-TEST_CASE("a Real keeps all its digits") {
+TEST_CASE("a Dyadic keeps all digits of the multiprecision number it is made from") {
   for (const int of : {2, 3, 5, 1'000'003}) {
     const Real root = sqrt(Real(of)) * pow(Real(10), 30);
     CHECK(Dyadic(root).to_real() == root);

@@ -191,7 +191,7 @@ TEST_CASE("a wider ALU processes several bits per clock with a partial last grou
   CHECK(with(Opcode::field_lt, 20) == 2);
 }
 
-TEST_CASE("a wider ALU speeds up neither linear expressions nor enable nor questions") {
+TEST_CASE("a wider ALU speeds up neither linear expressions nor enable nor queries") {
   machines::Machine wide = machine(1);
   wide.alu_bits = 16;
   Instruction instruction;
@@ -203,12 +203,12 @@ TEST_CASE("a wider ALU speeds up neither linear expressions nor enable nor quest
   CHECK(machines::clocks({.opcode = Opcode::global_or}, wide) == 1 + 18);
 }
 
-TEST_CASE("an answer takes one clock plus the latency of the trees") {
+TEST_CASE("a global-OR query takes one clock plus the latency of the trees") {
   CHECK(clocks(Opcode::global_or) == 1 + 18);
   CHECK(clocks(Opcode::skip_if_none) == 1 + 18);
 }
 
-TEST_CASE("a Program's clocks are those of a run without skips") {
+TEST_CASE("the clocks of a Program are computed as if no instruction were skipped") {
   isa::Program program;
   program.shape = {512, 512, 72};
   const Instruction all{Opcode::enable_all, {}, {}, 0, {}};

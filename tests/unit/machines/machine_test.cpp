@@ -203,7 +203,7 @@ TEST_CASE("reads the tree bits per clock and limits them to the ALU width") {
   }
 }
 
-TEST_CASE("a machine either has a global OR or has none") {
+TEST_CASE("global_or.present accepts only 0 and 1") {
   const Machine without = read_description(changed("[global_or.present]\nvalue = 1", "[global_or.present]\nvalue = 0"),
                                            "my.toml", kinds::all());
   CHECK_FALSE(machines::own<pixel_planes::Figures>(without).has_global_or);
@@ -260,7 +260,7 @@ TEST_CASE("rejects out-of-range values and wrong units and provenances with thei
                                    ": provenance 'guessed' of memory.reads; write 'published' or 'assumed'");
 }
 
-TEST_CASE("names a missing key") {
+TEST_CASE("the error for a missing key names the key") {
   CHECK(message_of_change("name = \"pixel-planes-4\"", "").ends_with("key 'name' is missing; add name = \"...\""));
   CHECK(message_of_change("value = 72\n", "").ends_with("array.memory_bits has no value; add value = ..."));
   CHECK(message("name = \"x\"\ndescription = \"y\"\n").ends_with("key 'kind' is missing; add kind = \"...\""));

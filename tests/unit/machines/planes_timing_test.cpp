@@ -118,7 +118,7 @@ Work work_of(const isa::Program& program, const Machine& machine, std::span<cons
 
 }  // namespace
 
-TEST_CASE("an OR has one level per power of its fan-in") {
+TEST_CASE("a global OR has one level per power of its fan-in") {
   CHECK(pixel_planes::or_levels(512 * 512, 64) == 3);
   CHECK(pixel_planes::or_levels(64, 64) == 1);
   CHECK(pixel_planes::or_levels(65, 64) == 2);
@@ -150,7 +150,7 @@ TEST_CASE("a small frame takes the hand-counted clocks") {
 // Same clocks until edge 13, where the question starts: 1 clock, 6 for the trees and 2 levels of the OR. The answer is
 // available at 22; the host sees it at 23, sends FrameEnd from 27 on and stores it at 28. FrameEnd is read at 29 and
 // starts at 30.
-TEST_CASE("a jump takes the hand-counted clocks and counts words sent in vain") {
+TEST_CASE("a jump takes the hand-counted clocks and counts discarded words") {
   const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
   const std::vector<machines::Skip> skips{{0, 0}};
   isa::Program program = make_program({{.opcode = Opcode::skip_if_none, .constant = 3},
@@ -182,7 +182,7 @@ TEST_CASE("words read and sent after a jump include the skipped ones (hand calcu
   CHECK(moment.words_sent == 3 + 2 + 3 + 2);
 }
 
-TEST_CASE("at a pixel a question takes one clock and a skipped instruction none") {
+TEST_CASE("at a pixel a query takes one clock and a skipped instruction none") {
   const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
   const isa::Program program = make_program({{.opcode = Opcode::skip_if_none, .constant = 1},
                                              {.opcode = Opcode::enable_all},
@@ -201,7 +201,7 @@ TEST_CASE("at a pixel a question takes one clock and a skipped instruction none"
   CHECK(steps[3].end == 43 + latency);
 }
 
-TEST_CASE("a frame takes at least the work of its busiest part and at most that of all") {
+TEST_CASE("a frame takes at least the work of its busiest part and at most the total work") {
   CHECK(rc::check("a frame lies between the parallel and the sequential work of its parts", [] {
     const auto program = *test::arbitrary_program(shape, 30);
     const Machine machine =
@@ -277,7 +277,7 @@ TEST_CASE("refresh words precede the next command and fill the controller's wait
 
 // The clear of 40 clocks starts at 10, when the words of the first row have been sent. Those of the second row,
 // requested at 13, wait from 14 until 50.
-TEST_CASE("reports a scan-out that drawing delays") {
+TEST_CASE("the account counts the clocks by which drawing delays the scan-out") {
   const isa::Program program = coloured(make_program({{.opcode = Opcode::enable_all}}), 5);
   const Machine machine = with_buffers(
       machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 40), 2, ScanOutPort::shared);

@@ -47,7 +47,7 @@ std::size_t any_number() { return *rc::gen::resize(rc::kNominalSize, rc::gen::in
 
 }  // namespace
 
-TEST_CASE("visits numbers once around from any start until the visitor stops") {
+TEST_CASE("IndexSet visits its numbers once in cyclic order until the visitor stops") {
   CHECK(rc::check([] {
     IndexSet numbers(many);
     std::set<std::size_t> expected;
@@ -75,7 +75,7 @@ TEST_CASE("visits numbers once around from any start until the visitor stops") {
   }));
 }
 
-TEST_CASE("visits numbers at the ends of 64-bit words in order") {
+TEST_CASE("IndexSet visits numbers at the ends of 64-bit words in order") {
   const std::set<std::size_t> edges{0, 1, 62, 63, 64, 65, 127, 128, 191, 192};
   IndexSet numbers(193);
   for (const std::size_t number : edges) numbers.add(number);
@@ -88,14 +88,14 @@ TEST_CASE("visits numbers at the ends of 64-bit words in order") {
   CHECK(visited(IndexSet(64), 5).empty());
 }
 
-TEST_CASE("the last number in turn is followed by the first") {
+TEST_CASE("next_in_turn() returns the first number after the last") {
   CHECK(pixel_square::next_in_turn(0, 1) == 0);
   CHECK(pixel_square::next_in_turn(0, 2) == 1);
   CHECK(pixel_square::next_in_turn(1, 2) == 0);
   CHECK(pixel_square::next_in_turn(5, 9) == 6);
 }
 
-TEST_CASE("every part has a distinct number with pixels before decoders") {
+TEST_CASE("the parts of a machine are numbered consecutively with pixels before decoders") {
   const PartNumbers parts{.renderers = 3, .dividers = 2, .processors = 4};
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < 3; ++i) all.push_back(parts.pixels(i));

@@ -229,7 +229,7 @@ TEST_CASE("a machine's memory includes its pixels and pictures and stores and di
   CHECK(resources().memory_bits == of_pixels);
 }
 
-TEST_CASE("squares wait in a second buffer or in the backing store while there is room") {
+TEST_CASE("a second buffer holds one waiting square and a backing store as many as fit") {
   CHECK(pixel_square::squares_waiting({.buffers = 1}, 24) == 0);
   CHECK(pixel_square::squares_waiting({.buffers = 2}, 24) == 1);
   CHECK(pixel_square::squares_waiting({.buffers = 1, .backing_bits = 48}, 24) == 2);
@@ -238,7 +238,7 @@ TEST_CASE("squares wait in a second buffer or in the backing store while there i
   CHECK(pixel_square::squares_waiting({.buffers = 2, .backing_bits = 5}, 0) == 5);
 }
 
-TEST_CASE("questions take one clock per level of a renderer's OR") {
+TEST_CASE("queries take one clock per level of a renderer's OR") {
   Figures figures = dividing();
   figures.divider = pixel_square::DividerKind::host;
   figures.has_global_or = true;

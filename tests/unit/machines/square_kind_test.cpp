@@ -87,7 +87,7 @@ TEST_CASE("halves a picture in width and height alternately") {
   CHECK(size(2, subsegments) == machines::Size{25, 13});
 }
 
-TEST_CASE("pixels execute an instruction after the trees' latency and a question at once") {
+TEST_CASE("pixels execute an instruction after the trees' latency and a query at once") {
   // The trees of 4 x 2 pixels have three levels.
   Machine machine = make_machine(4, {.has_global_or = true});
   machine.array.height = 2;
@@ -116,7 +116,7 @@ TEST_CASE("a timeline reports when a square is cleared and its instructions are 
   CHECK(later.issued == std::vector<std::vector<machines::ClockSpan>>{{}, {{8, 9}, {9, 12}}});
 }
 
-TEST_CASE("only questions take the clocks of a renderer's OR and only if it has gates") {
+TEST_CASE("only queries take the clocks of a renderer's OR and only if it has gates") {
   Machine machine = make_machine(4, {.has_global_or = true, .or_fan_in = 4});
   machine.array = {4, 2, 16};  // eight lines: two gates, and one gate for their outputs
   const isa::Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
@@ -248,7 +248,7 @@ TEST_CASE("a group's first square includes the group's work if it has boxes or e
   CHECK(clocks({.steps = {}, .group_boxes = 5, .group_entries = 9}) == none + 5 * 7 + 9);
 }
 
-TEST_CASE("an ideal figure of a pixel-square machine is the documented one") {
+TEST_CASE("an ideal figure of a pixel-square machine has its documented meaning") {
   const auto own = [](const std::string& key) {
     return machines::own<Figures>(kinds::load("pixel-square+" + key + "=ideal"));
   };

@@ -84,7 +84,7 @@ TEST_CASE("a command of several words executes when its last word has arrived") 
   CHECK(timing.account.renderers == std::vector<Clocks>{{8, 0, 4, 0, 0, 4}});
 }
 
-TEST_CASE("a question waits for its answer and a dropped instruction takes one clock") {
+TEST_CASE("a query waits for its answer and a dropped instruction takes one clock") {
   // The question executes at 4 and its answer arrives at 7. Then the instructions are dropped, the first at 7, and the
   // end executes in the clock after the last; each of its words takes as long as above.
   const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
@@ -187,7 +187,7 @@ TEST_CASE("renderers take turns at the frame buffer word by word") {
   CHECK(timing.account.frame_buffer == Clocks{148, 0, 0, 8, 0, 0});
 }
 
-TEST_CASE("rejects questions on a machine of picture parts and suggests an alternative") {
+TEST_CASE("rejects a global-OR query on machines without the OR and suggests an alternative") {
   isa::Program program = make_program(2, {square(1, {enable, {.opcode = Opcode::global_or}})});
   for (const machines::Kind* const kind :
        std::initializer_list<const machines::Kind*>{&scan_line::kind, &pixel_square::kind}) {

@@ -41,7 +41,7 @@ TEST_CASE("each stage of a frame takes the hand-counted clocks") {
   CHECK(clocks_of(program_for(machine), machine) == 3613);
 }
 
-TEST_CASE("the rendering order changes the inner loop over pixels (hand calculation)") {
+TEST_CASE("each rendering order takes the hand-counted clocks of its loop over pixels") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   figures(machine).order = RenderingOrder::scan_line;

@@ -166,7 +166,7 @@ TEST_CASE("the part that bounds a frame is the reported bottleneck") {
             .starts_with("node "));
 }
 
-TEST_CASE("a figure's gain equals that of a run on the changed machine") {
+TEST_CASE("the gain that advice states for a figure equals that of the changed machine") {
   for (const std::string& name : all_machines) {
     CAPTURE(name);
     const Drawn drawn = draw(name, "carburettor");
@@ -188,7 +188,7 @@ TEST_CASE("a figure's gain equals that of a run on the changed machine") {
   }
 }
 
-TEST_CASE("a figure already changed in the machine's name is replaced there") {
+TEST_CASE("advice replaces a figure that the machine's name already changes") {
   const std::string name = "scan-line+link.width=4+cells.ports=2";
   const Drawn drawn = draw(name, "thesis_fig_2_3");
   const std::vector<observe::Knob> knobs = observe::parameter_knobs(drawn.program, drawn.machine, drawn.result, name);
