@@ -20,7 +20,7 @@ std::string import_of(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("importing a converted model gives the same volume and shape") {
+TEST_CASE("a converted model has the volume and shape of its source when imported again") {
   for (const char* const ending : {"stl", "off", "3mf"}) {
     CAPTURE(ending);
     const Folder folder;
@@ -36,7 +36,7 @@ TEST_CASE("importing a converted model gives the same volume and shape") {
   }
 }
 
-TEST_CASE("writes binary STL by default and text on request; both report the conversion") {
+TEST_CASE("convert writes binary STL by default and text on request and reports both") {
   const Folder folder;
   const Outcome outcome = succeeded(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.stl")));
   CHECK(outcome.out.find("3 primitives, 0 unions, 1 difference, 1 intersection") != std::string::npos);

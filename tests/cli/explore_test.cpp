@@ -116,7 +116,7 @@ TEST_CASE("the knee's commands reserve enough memory for several models in any o
   CHECK(bits_of(one + " " + other, "a") == bits_of(other + " " + one, "b"));
 }
 
-TEST_CASE("remeasures after each edited parameter of a process file of the same name") {
+TEST_CASE("explore remeasures after an edit of any parameter in a process file") {
   const Folder folder;
   std::string process = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/process/nmos-3um.toml");
   process.replace(process.find("\"nmos-3um\""), 10, "\"mine\"");

@@ -148,7 +148,7 @@ TEST_CASE("rejects a tree with exponential visibility conditions before it fills
         {"from this primitive on, comparing primitives with others takes more work than", "deep.csg:"});
 }
 
-TEST_CASE("limits the work of compiling by --limit in every command") {
+TEST_CASE("--limit limits the work of compiling in every command") {
   const Folder folder;
   std::string text;
   for (int i = 0; i < 100; ++i) {

@@ -226,7 +226,7 @@ TEST_CASE("the output of --dump-config is a settings file that changes nothing")
   CHECK(run_words({"render", "--config", "s.toml", "--dump-config"}, folder.path()).out == first);
 }
 
-TEST_CASE("the command line overrides the command's table and this the top of the file") {
+TEST_CASE("the command line overrides the command's table and that the top of the file") {
   const Folder folder;
   write(folder / "s.toml",
         "z-bits = 16\nview-all = true\n[render]\nz-bits = 18\nset = ['alu.bits=2']\n[levels]\nsnap = true\n");
@@ -288,7 +288,7 @@ TEST_CASE("reports an error in a settings file even if the command line override
         {"s.toml:1:1: --strategy: "});
 }
 
-TEST_CASE("a settings file with files of its folder draws the command line's picture") {
+TEST_CASE("a settings file that names files of its folder draws like the command line") {
   const Folder folder;
   fs::create_directory(folder / "job");
   fs::copy(model("old_example002"), folder / "job/m.csg");

@@ -329,7 +329,7 @@ TEST_CASE("a killed shard resumes and measures no point twice") {
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
-TEST_CASE("running the same shard in several processes at once is harmless") {
+TEST_CASE("a shard that runs in several processes at once gives the results of one") {
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"-o", "out"};

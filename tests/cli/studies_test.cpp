@@ -29,7 +29,7 @@ TEST_CASE("accuracy measures every knob and draws its plots and reuses its point
   CHECK(run(command + " --projection perspective").code == 1);
 }
 
-TEST_CASE("accuracy compares exact curves with facets of every number where supported") {
+TEST_CASE("accuracy compares exact curves with facets of each tolerance where supported") {
   const Folder folder;
   const std::string command =
       "accuracy " + model("thesis_fig_2_3") +

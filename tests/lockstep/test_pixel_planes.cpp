@@ -228,7 +228,7 @@ TEST_CASE("a skip can end its segment or the program") {
   }
 }
 
-TEST_CASE("an answer takes one clock without tree levels") {
+TEST_CASE("a global-OR query takes one clock without tree levels") {
   PixelPlanes machine("machine", csgsim::test::machine_of({1, 1, 8}, 1));
   const Instruction all{.opcode = Opcode::enable_all};
   const Instruction invert{.opcode = Opcode::enable_invert};

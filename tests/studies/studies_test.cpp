@@ -142,7 +142,7 @@ TEST_CASE("gathers shards of a study into the files of one process and names mis
     CHECK(place.content(std::string("out") + file) == place.content(std::string("one") + file));
 }
 
-TEST_CASE("checks the common options of studies for a new study") {
+TEST_CASE("a new study rejects wrong values of the options that all studies have") {
   const Place place("options");
   for (const Words& words : {Words{"--addends", "0"}, Words{"--shard", "3/2"}, Words{"--threads", "0"},
                              Words{"--report", "page.txt"}, Words{"--shard", "1/2", "--report", "page.html"}})

@@ -69,7 +69,7 @@ isa::Instruction some_instruction() { return *csgsim::test::arbitrary_instructio
 
 }  // namespace
 
-TEST_CASE("an instruction has one bit step per clock of the table; only the last is marked") {
+TEST_CASE("an instruction has one bit step per clock of the table and marks only the last") {
   for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     CHECK(rc::check([reads = reads, alu_bits = alu_bits, tree_bits = tree_bits] {
       const isa::Instruction instruction = some_instruction();

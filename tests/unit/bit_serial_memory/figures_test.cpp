@@ -147,7 +147,7 @@ TEST_CASE("the other parameters of the memories match the documented designs") {
   CHECK(figures_of(kinds::load("digital-bit-serial-ddr4")).design == bit_serial_memory::Design::latches);
 }
 
-TEST_CASE("charges a command for its work in each slot") {
+TEST_CASE("an account charges a command for its work in each slot") {
   const WordLine row{3, false};
   CHECK(work_of({.op = RowOp::copy, .from = WordLines(row), .to = WordLines(row)}) == Work{.activations = 8});
   CHECK(work_of({.op = RowOp::copy, .from = WordLines(row, row, row), .to = WordLines(row, row)}) ==

@@ -133,7 +133,7 @@ void check_replay(const std::string& name) {
 TEST_CASE("replaying the text of row commands yields the Program's pixel memory") {
   for (const std::string name : {"ambit-ddr4", "simdram-ddr4", "digital-bit-serial-ddr4"}) {
     CAPTURE(name);
-    CHECK(rc::check("of " + name, [&] { check_replay(name); }));
+    CHECK(rc::check("the replay matches the reference on " + name, [&] { check_replay(name); }));
   }
 }
 

@@ -186,7 +186,7 @@ TEST_CASE("writes the code of a bintree in lines of at most 120 characters") {
   CHECK(convert::text_of(bintree) == "bintree 1\nresolution 4\ncube 1 -2.5 0 0.1\n" + std::string(120, '0') + "\n(\n");
 }
 
-TEST_CASE("requires each keyword of a bintree and a valid resolution") {
+TEST_CASE("rejects a bintree without a keyword or with an invalid resolution") {
   const auto refusal = [](const std::string& text) {
     return testing::error_of([&] { convert::read_bintree(text, "b.bintree"); });
   };
@@ -228,7 +228,7 @@ TEST_CASE("a centre on a plane counts as belonging to the higher side") {
   for (std::size_t i = 0; i < 8; ++i) CHECK(cells[i] == (i == 0));
 }
 
-TEST_CASE("charges each face of a body for every ray of its rows") {
+TEST_CASE("converting to blocks counts work for each face of a body and ray of its rows") {
   const auto work_of = [](const std::string& csg, std::uint32_t resolution) {
     const Work work(1'000'000'000);
     convert::blocks(read::read_csg_text(csg, "m.csg"), resolution, {}, work);

@@ -125,7 +125,7 @@ TEST_CASE("the merge tolerance depends on the diagonal and the smallest node wid
   CHECK(tolerance("cube([1e11,1e11,1e-9]);") == doctest::Approx(std::sqrt(2.0) * 1e-13));
 }
 
-TEST_CASE("stores edges only for solids with at most two hundred") {
+TEST_CASE("a body stores its edges only if there are at most 200") {
   // A cone of n sides has n edges around its base and n up to its apex.
   CHECK(bodies_of(cone(100)).bodies[0].edges.size() == 200);
   CHECK(bodies_of(cone(101)).bodies[0].edges.empty());

@@ -171,7 +171,7 @@ TEST_CASE("finds the points near a line within the distance and in order") {
   CHECK(found_any > 500);
 }
 
-TEST_CASE("the distance from a line is inclusive; coincident ends search a sphere") {
+TEST_CASE("finds points at exactly the distance from a line or from two coincident ends") {
   const std::vector<glm::dvec3> points{{0, 0, 0}, {8, 0, 0},   {4, 0.125, 0}, {2, 0, 0.1251}, {6, 0, -0.125},
                                        {0, 0, 0}, {8.5, 0, 0}, {1, 0, 0},     {1, 0, 0}};
   const convert::NearPoints near(points, all_numbers(points.size()));

@@ -140,7 +140,7 @@ Polygon star(int points, double least, double most) {
 
 TEST_CASE("a transparent plate of many convex pieces has no seams") {
   Tally tally;
-  const bool holds = rc::check("plates", [&tally] {
+  const bool holds = rc::check("each pixel shows one pane for each entry of its ray", [&tally] {
     Plate plate{{star(*rc::gen::inRange(5, 12), 4, 11)}};
     if (*rc::gen::arbitrary<bool>()) plate.outlines.push_back(star(*rc::gen::inRange(3, 7), 1, 3));
     const double turn = *rc::gen::inRange(0, 628) / 100.0;

@@ -104,7 +104,7 @@ class AlwaysCalled final : public emit::EffectOf<NoSettings> {
 }  // namespace
 
 TEST_CASE("blends panes with an error of at most one level per pane") {
-  const bool holds = rc::check("panes", [] {
+  const bool holds = rc::check("the picture blends the panes at each pixel", [] {
     std::vector<Pane> panes;
     const int count = *rc::gen::inRange(1, 7);
     const auto part = [] { return *rc::gen::inRange(0, 1001) / 1000.0; };
@@ -293,7 +293,7 @@ TEST_CASE("a screen door opens the expected number of pixels per 4 x 4 block") {
 }
 
 TEST_CASE("most_overlapping() counts rectangles that share a pixel") {
-  const bool holds = rc::check("rectangles", [] {
+  const bool holds = rc::check("the count equals that of the pixel in most rectangles", [] {
     std::vector<view::PixelRect> all;
     std::array<unsigned, 64> covered{};
     for (int i = *rc::gen::inRange(0, 7); i > 0; --i) {

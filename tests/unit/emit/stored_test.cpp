@@ -140,7 +140,7 @@ TEST_CASE("half-spaces of compared primitives are broadcast once") {
   }
 }
 
-TEST_CASE("a refusal names the memory that stored depths need") {
+TEST_CASE("the error for too little memory names the bits that stored depths need") {
   const std::string model = "difference(){sphere($fn=12,r=9);" + cube(-8, 6) + cube(8, 6) + "}";
   testing::Setup how = setup(emit::Strategy::stored);
   how.memory_bits = 72;

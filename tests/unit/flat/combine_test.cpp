@@ -96,7 +96,7 @@ TEST_CASE("offsets match OpenSCAD") {
   check_as_openscad(flat::offset(rectangle(10, 4.5), -2, Corner::sharp, {}), "offset_vanishing");
 }
 
-TEST_CASE("handles vanishing offsets and rejects excessive ones") {
+TEST_CASE("an offset may make an area vanish and an excessive offset is rejected") {
   CHECK(flat::offset(rectangle(1, 1), -0.6, flat::Corner::round, {}).empty());
   CHECK(flat::area_of(flat::offset(rectangle(1, 1), 0, flat::Corner::round, {})) == 1);
   CHECK_THROWS_AS(flat::offset(rectangle(1, 1), 1.1e7, flat::Corner::sharp, {}), InputError);

@@ -45,7 +45,7 @@ TEST_CASE("the sample Program survives a binary round trip") {
 }
 
 TEST_CASE("every Program survives a binary round trip") {
-  CHECK(rc::check("decode(encode(p)) == p", [] {
+  CHECK(rc::check("decode() inverts encode()", [] {
     const auto program = *test::arbitrary_program({37, 20, 72}, 60, 2);
     RC_ASSERT(decode(encode(program), "p.csgt") == program);
   }));
@@ -92,7 +92,7 @@ TEST_CASE("rejects a varint of more than 64 bits") {
   CHECK_THROWS_AS(in.varint(), MalformedBytes);
 }
 
-TEST_CASE("detects every flipped bit") {
+TEST_CASE("decode() rejects a file with any flipped bit") {
   const Bytes sound = encode(sample_program());
   for (std::size_t i = 0; i < sound.size(); ++i)
     for (unsigned bit = 0; bit < 8; ++bit) {
@@ -102,7 +102,7 @@ TEST_CASE("detects every flipped bit") {
     }
 }
 
-TEST_CASE("detects every truncation regardless of the checksum") {
+TEST_CASE("decode() rejects any truncation even with a correct checksum") {
   const Bytes sound = encode(sample_program());
   for (std::size_t size = 0; size < sound.size(); ++size) {
     Bytes shortened(sound.begin(), sound.begin() + static_cast<std::ptrdiff_t>(size));
@@ -126,7 +126,7 @@ TEST_CASE("a hostile byte with a correct checksum is rejected or harmless") {
 
 TEST_CASE("random corruption with a correct checksum is rejected or harmless") {
   const Bytes sound = encode(sample_program());
-  CHECK(rc::check("decode is total", [&sound] {
+  CHECK(rc::check("decode() returns a valid Program or an error", [&sound] {
     Bytes hostile = sound;
     const auto changes = *rc::gen::inRange(1, 12);
     for (int i = 0; i < changes; ++i) {
@@ -140,7 +140,7 @@ TEST_CASE("random corruption with a correct checksum is rejected or harmless") {
 }
 
 TEST_CASE("random bytes after a valid header are rejected or harmless") {
-  CHECK(rc::check("decode is total", [] {
+  CHECK(rc::check("decode() returns a valid Program or an error", [] {
     const auto noise = *rc::gen::container<std::vector<std::uint8_t>>(
         rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint8_t>()));
     ByteWriter out;
@@ -175,7 +175,7 @@ TEST_CASE("rejects metadata nested a million deep without overflowing the stack"
   }
 }
 
-TEST_CASE("finds an indefinite-length string after items of every kind") {
+TEST_CASE("decode() finds an indefinite-length string after items of every kind") {
   const std::vector<std::uint8_t> items{0x18, 0xff, 0x39, 1,    2,    0x1b, 1,    2,    3,    4,    5,    6,
                                         7,    8,    0x62, 'a',  0x7f, 0x42, 0x7f, 0x7f, 0x82, 0xa1, 0xc1, 0xf4,
                                         0xf9, 0x7f, 0x7f, 0xfb, 1,    2,    3,    4,    5,    6,    7,    0x7f};

@@ -155,7 +155,7 @@ TEST_CASE("a skip to the end of its segment continues with the next segment") {
   CHECK(result.answers == std::vector<bool>{true});
 }
 
-TEST_CASE("a skipped skip has no effect and a reached one does") {
+TEST_CASE("a skip instruction that is skipped has no effect and one that is reached has") {
   Recorder skipped;
   CHECK(run({{skip(1), skip(2), all, ask}}, skipped).answers == std::vector<bool>{true});
   Recorder reached;
@@ -188,7 +188,7 @@ TEST_CASE("rejects a query on a machine without global OR before running") {
   CHECK_NOTHROW(make_reference_engine(machine)->run(program, {}));
 }
 
-TEST_CASE("the engine's level is reference") {
+TEST_CASE("the reference engine reports the level `reference`") {
   CHECK(make_reference_engine(machine_of({1, 1, 1}))->level() == "reference");
 }
 

@@ -157,7 +157,7 @@ TEST_CASE("corrupted text is rejected in one line or read as a valid Program") {
   std::ostringstream out;
   print(out, test::sample_program());
   const std::string sound = out.str();
-  CHECK(rc::check("parse is total", [&sound] {
+  CHECK(rc::check("parse() returns a valid Program or an error", [&sound] {
     std::string text = sound;
     const auto changes = *rc::gen::inRange(1, 6);
     for (int i = 0; i < changes; ++i) {

@@ -182,7 +182,7 @@ void check_arrival(const Instruction& instruction, unsigned link_width) {
 
 TEST_CASE("all instructions round-trip without origin and with reduced coefficients") {
   std::set<Opcode> sent;
-  CHECK(rc::check("decode(encode(i)) is i, on links of every width", [&] {
+  CHECK(rc::check("decode() inverts encode() on links of every width", [&] {
     for (int i = 0; i < 100; ++i) {
       const Instruction instruction = some_instruction();
       check_arrival(instruction, *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1U, 257U)));
@@ -204,7 +204,7 @@ TEST_CASE("every width of link carries the longest and the shortest commands") {
 }
 
 TEST_CASE("F computed from received coefficients equals F of the sent ones") {
-  CHECK(rc::check("F of the decoded is F of the sent", [] {
+  CHECK(rc::check("F of the decoded expression equals F of the sent one", [] {
     const auto any = rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::int64_t>());
     Linear linear{*any >> *rc::gen::inRange(2, 63), *any >> *rc::gen::inRange(2, 63), *any >> *rc::gen::inRange(2, 63),
                   0, 0};

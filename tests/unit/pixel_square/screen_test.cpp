@@ -55,7 +55,7 @@ TEST_CASE("a screen takes no turns with two pictures or without a rate or colour
   }
 }
 
-TEST_CASE("computed turns equal stepped ones at every edge") {
+TEST_CASE("the computed turns of a screen equal stepped ones at every clock edge") {
   CHECK(rc::check([] {
     Figures figures;
     figures.refresh_rate = *rc::gen::inRange(1U, 100U);

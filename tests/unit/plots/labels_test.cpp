@@ -91,7 +91,7 @@ TEST_CASE("a label in a corner turns inwards") {
   CHECK(placed[0].box.right < 695);
 }
 
-TEST_CASE("a number starting from 1 replaces a text without room") {
+TEST_CASE("a label without room is replaced by a number counted from 1") {
   const plots::Box narrow{0, 0, 60, 60};
   const std::vector<plots::LabelRequest> requests{{{30, 30}, 100}, {{30, 50}, 100}};
   const auto placed = plots::place_labels(requests, {narrow, {}, {}});

@@ -115,7 +115,7 @@ TEST_CASE("an axis that starts at 0 does so however close its values are") {
   CHECK(plots::make_extent(Values{-3, 5}, plots::Scale::by_range, plots::Begin::at_zero).low < -3);
 }
 
-TEST_CASE("groups digits of numbers that round to 1000 or more and prints others with four") {
+TEST_CASE("numbers that round to 1000 or more have grouped digits and others have four") {
   CHECK(plots::number_text(999.4) == "999.4");
   for (const double value : {999.5, 999.7, 1000.3}) CHECK(plots::number_text(value) == "1,000");
   CHECK(plots::number_text(-999.5) == "-1,000");

@@ -259,7 +259,7 @@ TEST_CASE("pixel clocks count executed instructions at each pixel of the region"
   CHECK(process::pixel_clocks(program, machine, {&skip, 1}) == 32 * (answer + 2));
 }
 
-TEST_CASE("pixel clocks are summed over segments without skipped instructions") {
+TEST_CASE("pixel clocks sum over segments and exclude skipped instructions") {
   const isa::Instruction any{.opcode = isa::Opcode::enable_all};
   const isa::Instruction question{.opcode = isa::Opcode::skip_if_none, .constant = 2};
   isa::Program program;
@@ -282,7 +282,7 @@ TEST_CASE("pixel clocks are summed over segments without skipped instructions") 
   CHECK(process::pixel_clocks({}, machine, {}) == 0);
 }
 
-TEST_CASE("no work in no time takes no energy") {
+TEST_CASE("a frame of no work and no time takes no energy") {
   const process::FrameWork none;
   CHECK(process::frame_joules(small_machine(), {4096, 4096 * 64}, none, round_process()) == 0.0);
   const process::Clock clock;

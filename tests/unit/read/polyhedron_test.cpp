@@ -239,7 +239,7 @@ TEST_CASE("a face without area closes the gap between its neighbours") {
                           "[[0,4,1,2],[0,3,1],[0,1,4],[0,2,3],[1,3,2]]")) == 1);
 }
 
-TEST_CASE("coordinates of 6 digits are accurate enough") {
+TEST_CASE("a rotated box with coordinates of 6 digits is one polyhedron") {
   // A box rotated about (1, 2, 3), as OpenSCAD prints its corners.
   CHECK(outline(read(polyhedron("[[0,0,0],[0.728028,0.543834,-0.0389452],[0.202868,1.27183,0.484494],"
                                 "[-0.525161,0.727999,0.523439],[0.314285,-0.273332,0.744126],"

@@ -132,7 +132,7 @@ TEST_CASE("a restored matrix has the six written digits within half a unit of th
   }));
 }
 
-TEST_CASE("a matrix of no recognised angles stays as written") {
+TEST_CASE("a matrix without recognised angles stays as written") {
   CHECK_FALSE(reader::restored(written(turn_about(2, 3333) * turn_about(0, 1234) * turn_about(2, 1111))));
   for (const double angle : {360.0 / 7.0, 33.333, 0.004}) {
     const double radians = angle * std::numbers::pi / 180.0;

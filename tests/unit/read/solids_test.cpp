@@ -55,7 +55,7 @@ TEST_CASE("raises $fa and $fs below 0.01 to 0.01") {
   CHECK(only<Sphere>("sphere(r = 1, $fn = -1, $fa = 0, $fs = 0);").facets == FacetControl{-1, 0.01, 0.01});
 }
 
-TEST_CASE("undef counts as absent") {
+TEST_CASE("an undef argument counts as absent") {
   CHECK_FALSE(only<Cube>("cube(size = 1, center = undef);").center);
   CHECK(error_of("cube(undef);") == "m.csg:1:1: cube() lacks its size; add size = [x, y, z]");
 }

@@ -68,7 +68,7 @@ TEST_CASE("rejects a file without statements") {
     CHECK(error_of(text) == message);
 }
 
-TEST_CASE("% and the disable modifier drop any subtree") {
+TEST_CASE("the % modifier and the disable modifier drop any subtree") {
   CHECK(outline(read("%cube(1); *cube(2); sphere(r = 1);")) == "sphere");
   CHECK(outline(read("%group() { hull() { cube(1); } } * frob(x = 1) { cube(size = true); } sphere(r = 1);")) ==
         "sphere");
@@ -83,7 +83,7 @@ TEST_CASE("# has no effect") {
   CHECK(outline(read("#%cube(1); sphere(r = 1);")) == "sphere");
 }
 
-TEST_CASE("! makes its subtree the whole model and drops its surroundings") {
+TEST_CASE("the ! modifier makes its subtree the whole model and drops the rest") {
   const Tree tree = read(
       "hull(); color([1, 0, 0]) { multmatrix([[2,0,0,1],[0,2,0,1],[0,0,2,1],[0,0,0,1]]) {"
       "cube(1); !union() { sphere(r = 1); %cube(1); cube(2); } } } frob();");
@@ -102,7 +102,7 @@ TEST_CASE("the first ! counts even under % but not under a disable modifier") {
   CHECK(outline(read("/* ! */ cube(1);")) == "cube");
 }
 
-TEST_CASE("reports errors under !") {
+TEST_CASE("reports an error in a subtree with the ! modifier") {
   CHECK(error_of("!group() { cub(1); }") == "m.csg:1:12: unknown node cub(); did you mean cube()?");
   CHECK(error_of("!cube(1); sphere(") ==
         "m.csg:1:18: expected `name = value`, a value or `)` in sphere(...), found the end of the file");
@@ -133,7 +133,7 @@ TEST_CASE("rejects children of solids") {
         "m.csg:2:2: cube() cannot have children; put sphere() next to it, in a union() or difference()");
 }
 
-TEST_CASE("counts are those of the written tree") {
+TEST_CASE("counts of primitives and operators are those of the tree as written") {
   const csgsim::model::Counts counts =
       count(read("difference() { cube(1); cube(2); union() { cube(1); cube(2); cube(3); } }"
                  "intersection() { cube(1); group() { cube(2); cube(0); } }"));

@@ -77,13 +77,13 @@ TEST_CASE("reports the work limit of 2-D and 3-D operations at their node") {
   CHECK(refusal(twisted("slices = 5, scale = [1, 1]", "[12, 5]"), 5'000).find("m.csg:1:1: linear_extrude(): ") == 0);
 }
 
-TEST_CASE("statements count and the one beyond the limit is named") {
+TEST_CASE("statements count as work and the error names the one beyond the limit") {
   const std::string cubes = "cube(1);\ncube(1);\ncube(1);";
   CHECK(refusal(cubes, 6'000) == "");
   CHECK(refusal(cubes, 5'999).find("m.csg:3:1: reading statements takes more work than the limit") == 0);
 }
 
-TEST_CASE("counts the same number of steps each time") {
+TEST_CASE("reading a model takes the same number of steps each time") {
   const std::string text = twisted("slices = 20, scale = [0.3, 0.4]", "[12, 5]") + crossing_polygon(50);
   const auto steps = [&] {
     read::Options options;

@@ -103,7 +103,7 @@ TEST_CASE("a section contains only the plots with contents") {
   CHECK(std::get<plots::Plot>(section.parts[1]).name == "bars");
 }
 
-TEST_CASE("lines of one name look alike in all plots of a page") {
+TEST_CASE("lines with the same name look alike in all plots of a page") {
   std::vector<plots::Plot> plots{make_chart({"a", "b", "c"}), make_chart({"c", "a"})};
   plots::give_common_looks(plots);
   const auto colour_of = [](const std::string& html, const std::string& name) {

@@ -33,7 +33,7 @@ TEST_CASE("lists and words need no brackets and quotes") {
   CHECK(one.camera.is_perspective == true);
 }
 
-TEST_CASE("the number after the last appends a table to a list and later values count") {
+TEST_CASE("the next number appends a table to a list and the last of equal keys counts") {
   const scene::Scene two =
       set({"lights.0.direction=1,0,0", "lights.1.direction=0,1,0", "lights.1.intensity=0.1", "lights.1.intensity=0.2"});
   REQUIRE(two.lights.size() == 2);

@@ -127,7 +127,7 @@ TEST_CASE("rejects a point behind the eye in perspective") {
   for (const char* const point : {"0,-49.9,0", "0,-49.5,0", "0,0,0", "0,90,0"}) CHECK(error(point) == "");
 }
 
-TEST_CASE("a point has three numbers") {
+TEST_CASE("rejects a point that is not three numbers") {
   for (const char* const point : {"1", "1,2", "1,2,3,4", "1,2,x", "1;2;3"})
     CHECK(point_error(seen({"--point", point})).starts_with("--point"));
 }
@@ -140,7 +140,7 @@ TEST_CASE("explain reports why a primitive is not seen on request") {
   CHECK(point_error(seen({"--pixel", "0,25"})) != "");
 }
 
-TEST_CASE("only a model's answer names half-spaces and a Program runs on its own machine") {
+TEST_CASE("explain names half-spaces only for a model and runs a Program on its own machine") {
   const isa::Program program = compiled_box("pixel-planes-4");
   const session::InPlace in_place{.text = {}, .program = &program};
   const story::Answer of_program = explanation({"box.csgt", "--pixel", "16,12"}, in_place);

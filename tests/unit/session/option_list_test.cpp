@@ -103,12 +103,12 @@ TEST_CASE("each kind of option rejects invalid values with its own message") {
   CHECK(refusal_of({"--bits", "5"}) == "MODEL is required");
 }
 
-TEST_CASE("accepts limits and rejects one beyond") {
+TEST_CASE("an option accepts the limits of its range and rejects numbers beyond") {
   for (const char* const bits : {"4", "30"}) CHECK(refusal_of({"a.csg", "--bits", bits}).empty());
   CHECK(refusal_of({"a.csg", "--count", "4294967295"}).empty());
 }
 
-TEST_CASE("rejects a zero byte where it would end a text") {
+TEST_CASE("rejects a zero byte in the text of an option or operand") {
   session::OptionList list("asked");
   Request request;
   request.add_to(list);
@@ -169,7 +169,7 @@ TEST_CASE("shows defaults as numbers are written") {
   CHECK(usual("near").empty());
 }
 
-TEST_CASE("a removed option is as if never added") {
+TEST_CASE("a removed option is unknown as if it had never been added") {
   session::OptionList list("asked");
   Request request;
   request.add_to(list);

@@ -147,7 +147,7 @@ TEST_CASE("settings for a Program are figures and not scene keys") {
   CHECK(testing::usage_error_of([&] { session::refuse_misuse(options); }) != "");
 }
 
-TEST_CASE("a Program in place runs like its file and has the file's hash") {
+TEST_CASE("a Program in memory runs like its file and has the file's hash") {
   const Folder folder("csgsim-calls-load");
   const isa::Program program = small_program();
   session::ProgramRequest options;

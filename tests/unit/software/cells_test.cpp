@@ -272,7 +272,7 @@ TEST_CASE("a ray that begins or ends on a wall between cells visits none beyond 
     CHECK(reported(wall - 1, 1, 99).first.size() > reported(wall, 1, 99).first.size());
   }
 }
-TEST_CASE("directory none has all facets in one cell along the whole ray") {
+TEST_CASE("the directory `none` has all facets in one cell along the whole ray") {
   Random random(3);
   const software::Facets facets = scattered_triangles(random, 1);
   const software::FacetShapes shapes(facets);

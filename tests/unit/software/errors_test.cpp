@@ -58,7 +58,7 @@ TEST_CASE("bit-parallel accepts a tree of 20 levels and rejects one of 21") {
                                 "weave", "interval-arithmetic"})
     check_draws_the_cube(of_21, way);
 }
-TEST_CASE("bit-parallel uses the tree shape that it requests") {
+TEST_CASE("bit-parallel methods accept a balanced union of 23 solids but no chain of them") {
   Scene scene = chain_of_cubes(23);
   for (model::Node& node : scene.tree.nodes) node.op = model::Operator::unite;
   const SoftwareScene software(scene.tree, scene.geometry, scene.view);

@@ -96,7 +96,7 @@ TEST_CASE("counts faults by cause starting from none") {
   CHECK(faults.order == 8);
   CHECK(faults.all() == 15);
 }
-TEST_CASE("rounding is one step plus 1.5 fraction units per pixel from the middle and one") {
+TEST_CASE("the rounding limit is a step and 1.5 fraction units per pixel from the middle") {
   for (const unsigned fraction_bits : {0U, 2U, 12U}) {
     view::Sampling sampling;
     sampling.width = 6;

@@ -122,7 +122,7 @@ TEST_CASE("software draws a lone primitive and a union with cells that miss an o
                   "multmatrix([[1,0,0,4],[0,1,0,3],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}",
                   aside, picture_of(70, 50)));
 }
-TEST_CASE("what a cell of the picture is inside does not affect adjacent cells") {
+TEST_CASE("primitives that contain a cell of the picture do not affect adjacent cells") {
   view::Sampling sampling = picture_of(48, 48);
   sampling.z_bits = 8;
   sampling.fraction_bits = 0;
@@ -144,7 +144,7 @@ TEST_CASE("a union's surface is seen where a subtracted back face ends at it") {
   CHECK(expected[21 * 10 + 5].owner == 2);
   check_all_ways(scene);
 }
-TEST_CASE("a counting method draws the same picture and only it counts") {
+TEST_CASE("a method draws the same picture whether it counts or not") {
   std::size_t number = 0;
   for (std::uint64_t seed = 1001; seed <= 1100; ++seed) {
     const std::optional<Scene> scene = testing::random_scene(seed);

@@ -198,7 +198,7 @@ TEST_CASE("a ray has no end if the last depth is beyond infinity") {
   CHECK(staged.traced.ray_of(3, 4).end == doctest::Approx(last + slack_of_block).epsilon(1e-12));
   CHECK(staged.traced.ray_of(3, 4).end > last);
 }
-TEST_CASE("depths are known up to a slack before the settled place of a ray") {
+TEST_CASE("depths of a ray are final up to a slack before its settled position") {
   for (const view::Camera& camera : {from_front, from_eye}) {
     const bool is_perspective = camera.projection == view::Projection::perspective;
     CAPTURE(is_perspective);

@@ -110,7 +110,7 @@ constexpr const char* bowl =
 
 }  // namespace
 
-TEST_CASE("owner and depth and working of random quadric models equal the picture's") {
+TEST_CASE("the story of random quadric models has the owners and depths of the picture") {
   const std::vector<Row> rows{
       {"pixel-powers+array.memory_bits=200"},
       {"pixel-powers+array.memory_bits=200", emit::Strategy::products},

@@ -142,7 +142,7 @@ TEST_CASE("a farther box drawn later fails the depth test and both depths are re
   CHECK(test.owner_before == 1);
 }
 
-TEST_CASE("through a hole nothing is seen: front and back of the hole are removed") {
+TEST_CASE("through a hole the background is seen because front and back are removed") {
   for (const emit::Strategy strategy : emit::default_strategies()) {
     CAPTURE(emit::name_of(strategy));
     const story::Story story = draw_case(through_hole, 3, 2, strategy).story();
@@ -315,7 +315,7 @@ TEST_CASE("each pixel has one visible surface with glass or mirrors or samples")
   }
 }
 
-TEST_CASE("clocks are those in which the pixel executes the instructions in order") {
+TEST_CASE("each event has the clocks in which the pixel executes its instruction") {
   const PixelCase pixel = draw_case(blind_hole + near_box, 3, 2);
   const story::Story story = pixel.story();
   const isa::Program& program = pixel.compiled.program;
@@ -386,7 +386,7 @@ TEST_CASE("among planes at one depth the first decides") {
   CHECK(right.depth == 6);
 }
 
-TEST_CASE("instructions skipped by a question are skipped at a pixel as well") {
+TEST_CASE("instructions that a query skips are skipped at a single pixel as well") {
   const std::string nowhere = "edge_negative 0 (w1); classify p0\n";
   const std::string right_alone = "edge_negative -x (w3); classify p0\n";
   const std::string question =

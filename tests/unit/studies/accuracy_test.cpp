@@ -53,7 +53,7 @@ TEST_CASE("the Pareto front has the points not beaten in clocks and wrong pixels
   CHECK(names == "abd");
 }
 
-TEST_CASE("halvings go from each point to the cheapest with at most half its wrong pixels") {
+TEST_CASE("each halving leads to the cheapest point with at most half as many wrong pixels") {
   const std::vector<studies::Measurement> front{point("a", 100, 90), point("b", 110, 50), point("c", 120, 45),
                                                 point("d", 180, 3), point("e", 200, 0)};
   const std::vector<studies::Halving> steps = studies::halvings(front);
@@ -154,7 +154,7 @@ studies::Measurement faceted(const char* knob, const char* value, std::uint64_t 
 
 }  // namespace
 
-TEST_CASE("facets as accurate as curves are the cheapest with as few pixels off") {
+TEST_CASE("facets as accurate as exact curves are the cheapest with no more pixels off") {
   std::vector<studies::Measurement> rows{faceted("fn", "8", 10, 90),          faceted("fn", "64", 70, 5),
                                          faceted("tolerance", "0.1", 60, 4),  faceted("tolerance", "0.01", 90, 0),
                                          faceted("curves", "facets", 30, 40), faceted("curves", "exact", 20, 5),
@@ -198,7 +198,7 @@ TEST_CASE("exact curves are limited by arithmetic and facets by their tolerance"
   CHECK(row("exact").halfspaces < row("facets").halfspaces);
 }
 
-TEST_CASE("varies only the named knobs with their values") {
+TEST_CASE("accuracy varies only the requested knobs") {
   studies::Knobs knobs{{"tolerance", "size"}, {0.5, 0.25}, {}};
   std::vector<std::string> points;
   for (const studies::Settings& one : studies::points(small_sampling(), {}, knobs))

@@ -161,7 +161,7 @@ const Requirement every_wish[] = {Requirement::bits, Requirement::wrong_pixels, 
 
 }  // namespace
 
-TEST_CASE("points of advice are all combinations once with ALU widths grouped") {
+TEST_CASE("advice tries each combination once and groups points that differ in ALU width") {
   const std::vector<DesignPoint> points = small_points();
   CHECK(points.size() == 2 * 2 * 2 * 2 * 4 * 2);
   CHECK(studies::point_cells<AdviceRow>(points[0]) == "12,2,24,rebroadcast,stack,0,1");
@@ -190,7 +190,7 @@ TEST_CASE("a choice without a Program is neither on the front nor recommended") 
   CHECK(studies::nearest_choices(rows, requirements, 9) == Rows{rows[1]});
 }
 
-TEST_CASE("each recommendation is the best by its wish among those that meet the others") {
+TEST_CASE("each recommendation is the best by one limit of the rows that meet the others") {
   // 1e7 / 400,000 is 25 frames a second.
   const studies::Requirements requirements{64, 10, 25, 24};
   const Rows rows{row(60, 8, 390'000), row(64, 2, 400'000), row(64, 9, 300'000),    row(58, 11, 390'000),
@@ -205,7 +205,7 @@ TEST_CASE("each recommendation is the best by its wish among those that meet the
   for (const studies::Recommendation& one : all) CHECK(one.miss == 0);
 }
 
-TEST_CASE("if no choice meets all wishes a recommendation states the shortfall") {
+TEST_CASE("a recommendation states the shortfall if no choice meets all limits") {
   const Rows rows{row(70, 3, 300'000), row(64, 30, 300'000), row(60, 3, 500'000), row(50, 500, 600'000, 3)};
   const studies::Requirements requirements{64, 10, 25, 24};
   const std::vector<studies::Recommendation> all = studies::recommend(rows, requirements);
@@ -343,7 +343,7 @@ TEST_CASE("a choice that exceeds the memory limit is a row with the reason") {
   CHECK(drawn(job, point_of_bits(16, 6, 24, "rebroadcast", "list", 0, 1)).compiled());
 }
 
-TEST_CASE("a Program fitted to its memory does not depend on the guess") {
+TEST_CASE("fitting a Program to its memory does not depend on the first guess") {
   const AdviceJobs job({"pixel-planes-4"});
   const view::View view =
       view::make_view(job.front().subject->scene, job.front().subject->tree, job.front().camera, job.front().sampling);

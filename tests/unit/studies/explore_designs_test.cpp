@@ -80,7 +80,7 @@ std::vector<Dimension> nine_hundreds() {
 // The expected cells come from an independent script with 60 digits: steps are the powers of 1 / 1.618034 (the root of
 // x^2 = x + 1), 1 / 1.324718 (x^3 = x + 1) and 1 / 1.220744 (x^4 = x + 1) in 32 bits; the sequence starts at SplitMix64
 // (SplitMix64 (seed) + axis); the first number of its seed 0 is the published e220a8397b1dcdaf.
-TEST_CASE("a sample is the additive recurrence of its axes from the seed's start") {
+TEST_CASE("a sample follows the additive recurrence from the start given by its seed") {
   CHECK(sampled({1000}, 1, 8) == std::vector<Cell>{{986}, {604}, {222}, {840}, {458}, {76}, {694}, {312}});
   CHECK(sampled({1000}, 2, 8) == std::vector<Cell>{{10}, {628}, {246}, {864}, {482}, {100}, {718}, {336}});
   CHECK(sampled({7, 11}, 1, 8) == std::vector<Cell>{{0, 1}, {6, 7}, {4, 2}, {2, 8}, {0, 4}, {6, 10}, {4, 5}, {2, 0}});
@@ -89,7 +89,7 @@ TEST_CASE("a sample is the additive recurrence of its axes from the seed's start
         std::vector<Cell>{{0, 0, 1}, {0, 3, 4}, {2, 2, 1}, {1, 0, 4}, {1, 3, 2}, {0, 2, 0}, {0, 0, 2}, {2, 3, 0}});
 }
 
-TEST_CASE("after 64 repeated cells in a row the rest follows in grid order") {
+TEST_CASE("after 64 repeated cells in a row a sample continues in grid order") {
   // Results of the same script: the 177th cell is the 64th tried after its predecessor; 64 tries find a new one three
   // more times, and then none.
   const std::vector<Cell> cells = sampled({10, 10, 2}, 8, 200);
@@ -122,7 +122,7 @@ TEST_CASE("a range includes both ends and has at most 1000 values") {
   CHECK(dimension_error("a=1..") != "");
 }
 
-TEST_CASE("a varied dimension needs a key that ends at the first equals sign") {
+TEST_CASE("--vary needs a key before the first equals sign") {
   const std::string words = " has no values; use KEY=a,b,c, as in alu.bits=1,2,4";
   for (const char* const text : {"", "alu.bits", "=1", "=a=1"})
     CHECK(dimension_error(text) == "'" + std::string(text) + "'" + words);
@@ -131,7 +131,7 @@ TEST_CASE("a varied dimension needs a key that ends at the first equals sign") {
   CHECK(studies::parse_dimension("z-bits=8..10,9,16") == Dimension{"z-bits", {"8", "9", "10", "16"}});
 }
 
-TEST_CASE("each option of render takes its own values up to its limits") {
+TEST_CASE("--vary accepts the values of each option of render up to its limits") {
   struct Row {
     const char* key;
     Texts right;
@@ -232,7 +232,7 @@ TEST_CASE("rejects an unknown key and lists options and the nearest figure") {
         "--vary: 'alu.bits' is given twice; list all its values once");
 }
 
-TEST_CASE("a value is wrong if impossible alone and with the last values of other figures") {
+TEST_CASE("rejects a value that is impossible alone and with the last values of the others") {
   // The trees of pixel-planes-4 deliver one bit per clock, and its ALU takes one: neither may be 4 without the other.
   const Dimension alu{"alu.bits", {"1", "4"}};
   const Dimension trees{"evaluator.bits", {"1", "4"}};
@@ -267,7 +267,7 @@ TEST_CASE("rejects a figure that conflicts with an option and accepts an equal o
         error("array.memory_bits", "91"));
 }
 
-TEST_CASE("neighbours follow key order with the lower value first and no repetition") {
+TEST_CASE("neighbours of a design follow key order with the lower value first") {
   // z bits 10 to 14 times fraction bits 2 to 6: four neighbours of the middle, none of them already known.
   const std::vector<Dimension> dimensions{{"z-bits", numbers_from(10, 5)}, {"fraction-bits", numbers_from(2, 5)}};
   const auto listed = [](const studies::DesignGrid& grid) {

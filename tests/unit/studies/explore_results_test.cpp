@@ -150,7 +150,7 @@ TEST_CASE("a knee drawn by one of two models has a command for that model only")
   CHECK(fronts[2]["knee"]["commands"].size() == 2);
 }
 
-TEST_CASE("a page has a table of each front with its knee and one of commands") {
+TEST_CASE("a page has a table of each front with its knee and a table of commands") {
   const Explored explored({"m.csg", "n.csg", "--vary", "z-bits=20", "--axes", "time,memory"});
   std::vector<ExploreRow> rows{made_row("m.csg", "p+alu.bits=1", 10, 10), made_row("m.csg", "p+alu.bits=4", 20, 40),
                                made_row("n.csg", "p+alu.bits=1", 50, 30), made_row("n.csg", "p+alu.bits=4", 40, 40)};
@@ -219,7 +219,7 @@ TEST_CASE("rejects contradictory options by name") {
   CHECK(usage_error({"--vary", "alu.bits=1"}) != "");
 }
 
-TEST_CASE("compares designs on four axes or five with a process or requested ones") {
+TEST_CASE("designs have four axes by default and five with a process unless requested") {
   studies::ExploreOptions options;
   CHECK(options.requested_axes() == "time,area,memory,wrong");
   CHECK_FALSE(options.loaded_process());

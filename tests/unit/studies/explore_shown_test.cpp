@@ -72,7 +72,7 @@ std::vector<ExploreRow> two_models() {
 
 }  // namespace
 
-TEST_CASE("every column that a study names is a column of its rows") {
+TEST_CASE("the column names of each study are those of its rows") {
   const auto visited = []<class Row>(Row row) {
     std::string names;
     Row::columns(
@@ -365,7 +365,7 @@ TEST_CASE("prints the first 40 designs of a front and the number of others") {
   }
 }
 
-TEST_CASE("plots each group with two axes and a knee under a unique name") {
+TEST_CASE("each group with a knee has a plot with a unique name") {
   std::vector<ExploreRow> rows{shown_row("a/m.csg", "1", 8, 10, 10), shown_row("b/m.csg", "1", 8, 20, 20),
                                refused_row("c.csg", "1", 8, "no")};
   rows[0].wrong = 5;
@@ -402,7 +402,7 @@ TEST_CASE("plots each group with two axes and a knee under a unique name") {
   CHECK(std::get<plots::Chart>(of_all[2].content).title == "all models: trade-offs against time");
 }
 
-TEST_CASE("beaten designs are named in the first panel's legend only") {
+TEST_CASE("dominated designs are named in the legend of only the first panel") {
   std::vector<ExploreRow> rows{shown_row("m", "1", 8, 10, 10), shown_row("m", "4", 8, 5, 20)};
   const std::vector<plots::Plot> plots = studies::plots_of_explore(shown_groups(rows, "time,memory,wrong"));
   REQUIRE(plots.size() == 1);

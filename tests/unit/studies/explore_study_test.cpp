@@ -33,7 +33,7 @@ using testing::row_in;
 using testing::Texts;
 namespace fs = std::filesystem;
 
-TEST_CASE("requests each model and design once with all its inputs and models first") {
+TEST_CASE("explore requests each design once per model with all inputs of the point") {
   const Models models;
   const std::string cube = models / "cube.csg";
   const std::string two = models / "two.csg";
@@ -76,7 +76,7 @@ TEST_CASE("requests each model and design once with all its inputs and models fi
   CHECK(explored.asked[0].inputs.machine_hash == explored.asked[4].inputs.machine_hash);
 }
 
-TEST_CASE("a point has memory if an option or a varied key or a figure sets it") {
+TEST_CASE("a point states its memory if an option or a varied key or a figure sets it") {
   const Models models;
   const std::string cube = models / "cube.csg";
   const auto memory = [&](const Texts& words) {
@@ -227,7 +227,7 @@ TEST_CASE("without a process a machine has its described clock and no silicon co
   CHECK(row_in(rows[0]).used_bits == row_in(rows[1]).used_bits);
 }
 
-TEST_CASE("designs measured together equal separate measurements") {
+TEST_CASE("designs measured together have the results of separate measurements") {
   const std::string house = testing::model_path("rietveld_house");
   const Texts common{"--size", "40x32", "--camera", "3430,-2900,1950,590,230,220", "--z-bits", "9"};
   std::set<std::uint64_t> wrong;

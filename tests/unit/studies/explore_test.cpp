@@ -240,7 +240,7 @@ TEST_CASE("over models times and wrong pixels add up while sizes take the maximu
   CHECK(all.values[1][2] == 10);
 }
 
-TEST_CASE("a plot has every design once per panel and the two-axis front and the knee") {
+TEST_CASE("each panel plots every design once with the two-axis front and the knee") {
   const std::vector<ExploreRow> rows{row("a/m.csg", "a", 10, 100, 0), row("a/m.csg", "b", 20, 200, 4),
                                      row("a/m.csg", "c", 5, 300, 0), row("a/m.csg", "d", 40, 150, 9)};
   std::vector<studies::ShownGroup> shown;

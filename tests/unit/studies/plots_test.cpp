@@ -90,7 +90,7 @@ TEST_CASE("prunings keep their requested names even if one is a prefix of anothe
   CHECK(tick_texts(studies::SweepAxis(rows).axis()) == Words{"space", "space+hidden"});
 }
 
-TEST_CASE("a strategy without stack bits is a level and coincident lines are merged") {
+TEST_CASE("a strategy without stack bits is a level line and coincident lines are merged") {
   const std::vector<studies::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 7),
                                             row(point("bits", 4), 8), row(point("bits", 3), 9)};
   const std::vector<plots::Plot> all = studies::plots_of_sweep(rows, "a");
@@ -102,7 +102,7 @@ TEST_CASE("a strategy without stack bits is a level and coincident lines are mer
   CHECK(chart.series[1].points.back().y == 8);
 }
 
-TEST_CASE("lines of one name look alike in all plots of a sweep") {
+TEST_CASE("lines with the same name look alike in all plots of a sweep") {
   std::vector<studies::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 8), row(point("bits", 3), 9),
                                       row(point("bits", 4), 6)};
   rows[1].rendered = 5;  // so that its line differs from that of the stack
@@ -149,7 +149,7 @@ TEST_CASE("points that cannot be compiled are in no plot") {
   CHECK(studies::plots_of_sweep(rows, "a").empty());
 }
 
-TEST_CASE("a knob's values are at their places across") {
+TEST_CASE("values of a knob are placed along the x axis by size") {
   std::vector<studies::Measurement> rows(5);
   const Words values{"1/4", "1/16", "128x64", "0.125", "12"};
   const Words knobs{"edge-on", "edge-on", "size", "tolerance", "z-bits"};
@@ -172,7 +172,7 @@ TEST_CASE("a knob's values are at their places across") {
   CHECK(chart_named(all, "z-bits").series[0].points[0].x == 12);
 }
 
-TEST_CASE("facets and curves share a plot of clocks and pixels off the true surfaces") {
+TEST_CASE("facets and curves share a plot of clocks and pixels off the true surface") {
   std::vector<studies::Measurement> rows(5);
   const Words knobs{"tolerance", "tolerance", "fn", "curves", "curves"};
   const Words values{"0.1", "0.5", "16", "facets", "exact"};

@@ -111,7 +111,7 @@ TEST_CASE("rejects an unknown name and suggests a similar one") {
   CHECK_THROWS_AS(session::parse_names("", "level", known), InputError);
 }
 
-TEST_CASE("the product has a point per combination and varies only effective stack bits") {
+TEST_CASE("a sweep has a point per combination and varies only stack bits that matter") {
   const std::vector<studies::DesignPoint> points = small_points();
   REQUIRE(points.size() == 2 * 2 * 3);
   CHECK(studies::point_cells<studies::SweepRow>(points[0]) == "a.csg,pixel-planes-4,,16,all,rebroadcast,stack,0,auto");
@@ -155,7 +155,7 @@ TEST_CASE("rejects a table line that an editor ended with CR LF") {
                        "the line contains a line break, perhaps from an editor that ends lines with CR LF", InputError);
 }
 
-TEST_CASE("names of points state what varies") {
+TEST_CASE("the name of a point lists only the parameters that vary") {
   std::vector<studies::SweepRow> rows;
   for (const studies::DesignPoint& point : small_points()) rows.push_back(row_of(point, ""));
   rows.resize(6);  // only those of the first model
@@ -201,7 +201,7 @@ TEST_CASE("points measured in parallel equal those measured one by one") {
   CHECK(measured(all.front(), false).picture.empty());
 }
 
-TEST_CASE("a second buffer's colour takes the transistors of its bits once") {
+TEST_CASE("the colour of a second buffer counts once in a pixel's transistors") {
   Drawn point = drawn_points().front();
   const studies::SweepRow one = measured(point, false);
   point.job.machine = kinds::load("pixel-planes-4+scan_out.buffers=2+array.memory_bits=128");
@@ -236,7 +236,7 @@ TEST_CASE("the page of a sweep counts its models or names the only one") {
   CHECK(subject({one}).model.model == one);
 }
 
-TEST_CASE("the hash is FNV-1a") {
+TEST_CASE("Hash::text() is the FNV-1a hash in hexadecimal digits") {
   Hash hash;
   hash.add("foobar");
   CHECK(hash.text() == "85944171f73967e8");

@@ -244,7 +244,7 @@ std::set<std::vector<std::array<double, 3>>> faces_of(const Record& record) {
 
 }  // namespace
 
-TEST_CASE("the vertex of thesis figure 3.4 moves to the line of the larger element before") {
+TEST_CASE("the vertex in thesis figure 3.4 moves onto the line of the larger element") {
   // (LLL(LLLL: 41 and 42 above 2, 41 and 43 beside 3.
   WrittenStream stream("(LLL(LLLL", bowl);
   Repaired repaired;
@@ -290,7 +290,7 @@ TEST_CASE("elements are emitted once no missing element touches them") {
   CHECK(repaired.counts.most_elements == 5);
 }
 
-TEST_CASE("after the repair no vertex is off a side although many were") {
+TEST_CASE("the repair leaves no vertex off a side although many were") {
   int before = 0;
   CHECK(rc::check([&] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));

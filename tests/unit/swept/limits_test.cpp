@@ -159,7 +159,7 @@ TEST_CASE("rejects a trajectory that stands still at its start or middle or end"
   }
 }
 
-TEST_CASE("rotation to and fro counts both ways up to a right angle") {
+TEST_CASE("rotation forwards and backwards adds up and may total a right angle") {
   const auto is_short = [](const Curve& rotation) {
     Sweep sweep = block();
     sweep.rotation = rotation;

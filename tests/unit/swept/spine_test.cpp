@@ -123,7 +123,7 @@ TEST_CASE("along the y axis v points to -z upwards and to z downwards") {
   CHECK(are_same(up_at(wave, 1), {0, 0, -1}));
 }
 
-TEST_CASE("at an end along the y axis v is carried over from the nearest known place") {
+TEST_CASE("v at an end along the y axis is that of the nearest place where it is defined") {
   // The plane of x and y: left of the tangent where it rises to the right or falls to the left.
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {0, 5, 0}, {5, 10, 0}}}}}), 0), {-1, 0, 0}));
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {0, 5, 0}, {-5, 10, 0}}}}}), 0), {1, 0, 0}));
@@ -194,7 +194,7 @@ TEST_CASE("computes the fraction of length for lines and for a parabola") {
     CHECK(parabola.length_fraction(0, x) == doctest::Approx(length(x) / length(1)).epsilon(1e-11));
 }
 
-TEST_CASE("a part is short if within one piece of each function and 90 degrees of turn") {
+TEST_CASE("a part is short within one piece of each function and 90 degrees of rotation") {
   const auto is_short = [](const Curve& rotation, const Curve& scale, double from, double to) {
     swept::Sweep sweep = along({1, false, {{0, 0, 0}, {0, 0, 8}}});
     sweep.rotation = rotation;
@@ -247,7 +247,7 @@ TEST_CASE("a contour is rotated from u to v and scaled along each by the length 
   CHECK(!swept::Section{{0, 0, 0}, {0, 0, 0}, {0, 1, 0}}.is_point());
 }
 
-TEST_CASE("corners but not open ends are mitred and sections between lean evenly") {
+TEST_CASE("corners are mitred unlike open ends and sections between them lean evenly") {
   // A corner from x to -z: v is up, u is across. At the corner the plane bisects the angle: u has length 1 / cos 45.
   const Spine spine(along({1, false, {{0, 0, 0}, {4, 0, 0}, {4, 0, -4}}}));
   const double length = std::sqrt(2.0);

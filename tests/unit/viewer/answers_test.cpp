@@ -80,7 +80,7 @@ TEST_CASE("a picture comes with its size and camera and drawing command and dura
                                  "alu.bits=4 --set 'background.colour=[0, 0, 1]'");
 }
 
-TEST_CASE("reports the pixels of a box that only one of two pictures has") {
+TEST_CASE("comparing two pictures reports the pixels of a box that only one has") {
   viewer::Session session = figure_session();
   const Json nothing = box_wish(moved("0,90", "cube(size=[1,1,1]);"));
   const auto two = [&](const Json& a, const Json& b) { return ask(session, "two", {{"a", a}, {"b", b}}); };
@@ -165,7 +165,7 @@ TEST_CASE("an instant defaults to the start and has the drawn surface's active t
   CHECK(ask(session, "instant", wish).status == 422);
 }
 
-TEST_CASE("a verdict counts wrong pixels and advice lists the knobs to turn") {
+TEST_CASE("a verdict counts wrong pixels and advice lists settings to change") {
   viewer::Session session = figure_session();
   const Json verdict = ask(session, "verdict", box_wish()).json;
   CHECK(verdict["accuracy"]["wrong"] == 0);
@@ -337,7 +337,7 @@ TEST_CASE("rejects a model whose evaluation exceeds the time limit") {
                            "model, or start csgsim view with a longer --evaluation-time SECONDS"}});
 }
 
-TEST_CASE("a recording passes on the pixel and the window and any probes") {
+TEST_CASE("a recording passes the pixel and the window and any probes to csgsim wave") {
   std::vector<std::string> words;
   viewer::SessionOptions options;
   options.recorder = [&](const isa::Program&, std::span<const std::string> all) {

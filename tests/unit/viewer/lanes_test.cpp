@@ -62,7 +62,7 @@ TEST_CASE("a zoomed-in lane has its original stretches") {
 }
 
 TEST_CASE("zooming out merges short stretches and counts each clock once") {
-  const bool holds = rc::check("lanes", [] {
+  const bool holds = rc::check("zoomed lanes count each clock once", [] {
     const auto runs = *rc::gen::container<std::vector<std::pair<int, int>>>(
         400, rc::gen::pair(rc::gen::inRange(0, 4), rc::gen::inRange(1, 12)));
     Clocks lane{*rc::gen::inRange<std::uint64_t>(0, 1000), {}};

@@ -241,7 +241,7 @@ TEST_CASE("a server without a patience limit continues when no page is open") {
   CHECK_FALSE(server.has_left());
 }
 
-TEST_CASE("announces the end before waiting for requests in progress") {
+TEST_CASE("a server announces its end before it waits for requests in progress") {
   std::atomic<bool> is_ending = false;
   std::atomic<bool> was_announced = false;
   viewer::Serving one = serving();
@@ -263,7 +263,7 @@ TEST_CASE("announces the end before waiting for requests in progress") {
   CHECK(was_announced);
 }
 
-TEST_CASE("handles up to eight requests at a time") {
+TEST_CASE("a server handles up to eight requests at a time") {
   std::atomic<int> inside = 0;
   std::atomic<int> most = 0;
   viewer::Serving one = serving();
@@ -397,7 +397,7 @@ TEST_CASE("a port in use is rejected and one of an ended server is free at once"
   CHECK(client.until("/a ") == plain_reply("GET /a "));
 }
 
-TEST_CASE("pages count as left after one was open and the patience has passed") {
+TEST_CASE("pages count as left once all are closed and the patience has passed") {
   viewer::Pages pages;
   CHECK_FALSE(pages.is_left_for(0ms));
   pages.open();

@@ -140,7 +140,7 @@ TEST_CASE("a rewritten model is drawn again") {
   std::filesystem::remove(model);
 }
 
-TEST_CASE("keeps lanes of a pixel and of the frame separate") {
+TEST_CASE("a session keeps lanes of a pixel and of the frame separate") {
   Recorder recorder;
   viewer::Session session({file, {}, Json::object()}, {.recorder = std::ref(recorder)});
   const Json frame{{"knobs", small}};
@@ -178,7 +178,7 @@ TEST_CASE("the last two drawings keep their lanes and a third is recorded again"
   CHECK(recordings_of("41") == 1);
 }
 
-TEST_CASE("a part of the lanes comes with the clocks of the whole") {
+TEST_CASE("a part of the lanes states the first and last clock of the whole") {
   Recorder recorder;
   viewer::Session session({file, {}, Json::object()}, {.recorder = std::ref(recorder)});
   const Json part = ask(session, "lanes", {{"knobs", small}, {"begin", 10}, {"end", 30}}).json;
