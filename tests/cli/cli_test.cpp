@@ -64,9 +64,9 @@ TEST_CASE("the stats have the documented keys and their accounts add up") {
   for (const std::string activity : {"clearing", "starved", "jumping"})
     clocks += controller[activity].get<std::uint64_t>();
   CHECK(clocks == stats["clocks"]);
-  std::uint64_t billed = 0;
-  for (const auto& [name, cost] : stats["by_effect"].items()) billed += cost["instructions"].get<std::uint64_t>();
-  CHECK(billed == stats["instructions"]["total"]);
+  std::uint64_t charged = 0;
+  for (const auto& [name, cost] : stats["by_effect"].items()) charged += cost["instructions"].get<std::uint64_t>();
+  CHECK(charged == stats["instructions"]["total"]);
   std::uint64_t named = 0;
   for (const auto& [name, cost] : stats["instructions"]["by_name"].items()) named += cost["count"].get<std::uint64_t>();
   CHECK(named == stats["instructions"]["total"]);

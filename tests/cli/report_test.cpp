@@ -56,7 +56,7 @@ std::size_t hold_cells(const std::string& html, const Json& file) {
 }
 
 /// Checks that the page loads nothing from elsewhere.
-void asks_for_nothing(const std::string& html) {
+void loads_nothing(const std::string& html) {
   for (const std::string part : {"http://", "https://", "src=\"/", "src=//", "url(", "@import", "<link rel=stylesheet"})
     CHECK(html.find(part) == std::string::npos);
 }
@@ -72,7 +72,7 @@ TEST_CASE("the page of a render shows the numbers of its stats and is reproducib
   const Json stats = json(folder / "s.json");
   CHECK(data_of(html) == without_wall_times(stats));
   CHECK(hold_cells(html, stats) > 40);
-  asks_for_nothing(html);
+  loads_nothing(html);
   CHECK(html.find("csgsim render ") != std::string::npos);
   CHECK(html.find("--size 64x48") != std::string::npos);
   CHECK(html.find("id=\"drawing-0\"") != std::string::npos);
@@ -112,7 +112,7 @@ TEST_CASE("the page of each study has the numbers of its file") {
     CHECK(hold_cells(html, expected) > 8);
     CHECK((html.find("src=\"data:image/png;base64,") != std::string::npos) == !command.starts_with("corpus"));
     CHECK(html.find("<th scope=row>clock.frequency</th>") != std::string::npos);
-    asks_for_nothing(html);
+    loads_nothing(html);
   }
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("the page of advise has the front and recommended commands but not all
     }
     CHECK(html.find("src=\"data:image/png;base64,") != std::string::npos);
     CHECK(html.find(std::to_string(expected["points"].size()) + " choices were searched") != std::string::npos);
-    asks_for_nothing(html);
+    loads_nothing(html);
   }
 }
 

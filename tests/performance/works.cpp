@@ -134,9 +134,9 @@ double run_all(const Steps& steps, double& memory) {
   double seconds = 0;
   for (const Step& step : steps) {
     if (!step.folder.empty()) std::filesystem::remove_all(step.folder);
-    const Took took = took_by(step.words);
-    seconds += took.wall;
-    memory = std::max(memory, took.memory);
+    const ProcessCost cost = run_to_end(step.words);
+    seconds += cost.wall;
+    memory = std::max(memory, cost.memory);
   }
   return seconds;
 }

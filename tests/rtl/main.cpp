@@ -95,7 +95,7 @@ int speed(const Words& words) {
 }
 
 /// Whether the Program asks questions, skips, and shows a picture.
-bool is_telling(const isa::Program& program, const systemc::RunReport& report) {
+bool uses_every_feature(const isa::Program& program, const systemc::RunReport& report) {
   return !report.answers.empty() && report.skipped > 0 && !report.picture.empty() && program.segments.size() == 1;
 }
 
@@ -111,7 +111,7 @@ int host(const Words& words) {
   for (std::uint64_t seed = std::stoul(words.at(1));; ++seed) {
     const isa::Program program = any_frames(rc::Random(seed), size).value().front();
     const systemc::RunReport report = machine.run(program, nobody);
-    if (!is_telling(program, report)) continue;
+    if (!uses_every_feature(program, report)) continue;
     const link::FrameWords frame = link::frame_words(program, figures.link.width);
     std::ofstream all_words("words.hex");
     for (const isa::LinkWord& word : frame.words) all_words << fmt::format("{:08x}\n", word.number(0, 32));

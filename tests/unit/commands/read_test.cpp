@@ -12,7 +12,7 @@ namespace {
 
 model::Tree tree_of(std::string_view text) {
   model::Tree tree = commands::read_text(text, "test.jan");
-  CHECK(read_test::broken_promise(tree) == "");
+  CHECK(read_test::broken_invariant(tree) == "");
   return tree;
 }
 

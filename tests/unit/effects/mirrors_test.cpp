@@ -228,9 +228,9 @@ TEST_CASE("squares without a visible mirror have no mirror instructions") {
   const auto compiled = testing::compile_text(model, setup);
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& instructions = compiled.program.segments[i].instructions;
-    const auto billed = std::count_if(instructions.begin(), instructions.end(),
-                                      [](const isa::Instruction& one) { return one.origin.effect != isa::no_effect; });
-    CHECK((billed > 0) == (i == 0));
+    const auto charged = std::count_if(instructions.begin(), instructions.end(),
+                                       [](const isa::Instruction& one) { return one.origin.effect != isa::no_effect; });
+    CHECK((charged > 0) == (i == 0));
   }
 }
 

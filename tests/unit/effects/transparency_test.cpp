@@ -251,9 +251,9 @@ TEST_CASE("squares without a transparent surface have no transparency instructio
   const auto with = testing::compile_text(union_of({wall, pane}), setup);
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& instructions = with.program.segments[i].instructions;
-    const auto billed = std::count_if(instructions.begin(), instructions.end(),
-                                      [](const isa::Instruction& one) { return one.origin.effect != isa::no_effect; });
-    CHECK((billed > 0) == (i == 0));
+    const auto charged = std::count_if(instructions.begin(), instructions.end(),
+                                       [](const isa::Instruction& one) { return one.origin.effect != isa::no_effect; });
+    CHECK((charged > 0) == (i == 0));
   }
 }
 

@@ -24,7 +24,7 @@ TEST_CASE("keeps the written structure except operators of one child or none") {
 
 TEST_CASE("children precede their parents and primitives are in tree order") {
   const Tree tree = read("difference() { cube(1); union() { sphere(r = 1); cube(2); } cylinder(1, 1, 1); }");
-  CHECK(broken_promise(tree) == "");
+  CHECK(broken_invariant(tree) == "");
   CHECK(tree.root == tree.nodes.size() - 1);
   CHECK(outline(tree) == "difference(cube, union(sphere, cube), cylinder)");
 }
@@ -51,7 +51,7 @@ TEST_CASE("an emptied operator leaves no nodes or primitives") {
   const Tree tree = read("cube(1); intersection() { union() { cube(1); cube(2); } cube(0); } sphere(r = 1);");
   CHECK(tree.primitives.size() == 2);
   CHECK(tree.nodes.size() == 3);
-  CHECK(broken_promise(tree) == "");
+  CHECK(broken_invariant(tree) == "");
 }
 
 TEST_CASE("a model of empty solids is an empty tree") {
@@ -90,7 +90,7 @@ TEST_CASE("the ! modifier makes its subtree the whole model and drops the rest")
   CHECK(outline(tree) == "union(sphere, cube)");
   CHECK(tree.primitives[0].transform == glm::dmat4(1));
   CHECK_FALSE(tree.primitives[0].colour);
-  CHECK(broken_promise(tree) == "");
+  CHECK(broken_invariant(tree) == "");
 }
 
 TEST_CASE("the first ! counts even under % but not under a disable modifier") {

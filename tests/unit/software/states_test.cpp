@@ -135,7 +135,7 @@ std::string wrong_node(const Tree& tree, std::size_t primitives) {
 }
 
 /// Makes some of the unknown states known.
-void learn(std::vector<Known>& known, Random& random) {
+void add_known(std::vector<Known>& known, Random& random) {
   for (Known& one : known) {
     if (one == Known::nothing && random.below(5) == 0) one = random.one_of({Known::out, Known::in});
   }
@@ -162,7 +162,7 @@ std::string find_fault(const model::Tree& model, Shape shape, Random& random, Ta
   Tree tree = software::make_tree(model, shape);
   std::string fault = find_fault(tree, question, random, tally);
   for (int i = 0; i < 2 && fault.empty(); ++i) {
-    learn(question.known, random);
+    add_known(question.known, random);
     const std::size_t nodes = tree.nodes.size();
     tree = software::reduced(tree, question.known);
     if (tree.nodes.size() > nodes) return "pruning added nodes";

@@ -77,7 +77,7 @@ constexpr double none_kept = 6 + 8;
 
 /// Edges of a face tested in the plane of the picture: all if the ray passes through the face, else those up to the
 /// first with the ray on another side.
-double edges_looked_at(std::span<const glm::dvec3> corners, const glm::dvec3& at) {
+double tested_edges(std::span<const glm::dvec3> corners, const glm::dvec3& at) {
   double edges = 0;
   double side = 0;
   glm::dvec3 from = corners.back();
@@ -108,7 +108,7 @@ TEST_CASE("primary rays tested in space take the hand-calculated clocks") {
     for (std::int32_t column = 0; column < width; ++column) {
       const glm::dvec3 at = block.traced.ray_of(column, row).origin;
       for (const software::ScreenFacet& face : block.faces())
-        edges += edges_looked_at(block.traced.facets().corners_of(face.facet), at);
+        edges += tested_edges(block.traced.facets().corners_of(face.facet), at);
     }
   }
   constexpr double edge = 4 * product + 3 * 16 + 6 * 8 + 8;

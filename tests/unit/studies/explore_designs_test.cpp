@@ -66,7 +66,7 @@ std::string option_error(const std::string& key, const std::string& value) {
 }
 
 /// Nine dimensions of a hundred values.
-std::vector<Dimension> nine_hundreds() {
+std::vector<Dimension> nine_dimensions() {
   std::vector<Dimension> dimensions{
       {"size", Texts(100, "8x8")}, {"pruning", Texts(100, "all")}, {"curves", Texts(100, "auto")}};
   for (const char* const key : {"z-bits", "fraction-bits", "colour-bits", "stack-bits", "memory-bits"})
@@ -213,10 +213,10 @@ TEST_CASE("a grid may have 10000 cells and a larger one must be sampled") {
   CHECK(design_error({}, dimensions, {1, 1}) == "");
 }
 
-TEST_CASE("a grid of 10^18 cells may be sampled") { CHECK(design_error({}, nine_hundreds(), {1, 1}) == ""); }
+TEST_CASE("a grid of 10^18 cells may be sampled") { CHECK(design_error({}, nine_dimensions(), {1, 1}) == ""); }
 
 TEST_CASE("rejects a sample of a grid of more than 10^18 cells") {
-  std::vector<Dimension> dimensions = nine_hundreds();
+  std::vector<Dimension> dimensions = nine_dimensions();
   dimensions[8].values.emplace_back("field");
   CHECK(design_error({}, dimensions, {1, 1}) == "--vary: the grid has more than 10^18 designs; vary fewer parameters");
 }

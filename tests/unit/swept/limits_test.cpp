@@ -169,7 +169,7 @@ TEST_CASE("rotation forwards and backwards adds up and may total a right angle")
   CHECK(is_short(function(1, {90, 0})));
   CHECK(!is_short(function(1, {0, 90.5})));
   CHECK(!is_short(function(1, {90.5, 0})));
-  // A parabola to 50 and back rotates by 100, one to 40 by 80.
+  // A parabola that rotates to 50 degrees and back totals 100, one to 40 and back 80.
   CHECK(!is_short(function(2, {0, 100, 0})));
   CHECK(!is_short(function(2, {0, -100, 0})));
   CHECK(is_short(function(2, {0, 80, 0})));
@@ -194,8 +194,8 @@ TEST_CASE("a twist to one side and back within a segment is not mistaken for non
 }
 
 TEST_CASE("rims of cones are within tolerance in both directions of the trajectory") {
-  // A side between corners 22.5 degrees apart is 0.058 off the circle, and the upper half of a patch three quarters of
-  // that in its middle: only the rim is beyond the tolerance.
+  // With corners 22.5 degrees apart, a side of the rim is 0.058 off the circle, and the middle of a patch's upper half
+  // three quarters of that: only the rim exceeds the tolerance.
   constexpr double tolerance = 0.05;
   for (const bool opens : {true, false}) {
     CAPTURE(opens);
@@ -217,12 +217,12 @@ TEST_CASE("rims of cones are within tolerance in both directions of the trajecto
 }
 
 TEST_CASE("a patch with one bent side is subdivided whichever side it is") {
-  // A side in the plane of the trajectory, from it to a point that the scale moves along a parabola: 4 off a line; an
-  // eighth of its length is 1/16 off.
+  // The patch has the trajectory on one side and, on the other, a point that the scale moves along a parabola, 4 off a
+  // line; an eighth of that side is 1/16 off.
   Sweep sweep{{1, true, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}}, line(10)};
   sweep.scale = {2, false, {{1, 1, 0}, {3, 3, 0}, {1, 1, 0}}};
-  CHECK(leaves_of(sweep, 0, {0.1}) >= 8);  // to the point on its eastern side
-  CHECK(leaves_of(sweep, 2, {0.1}) >= 8);  // from it on its western side
+  CHECK(leaves_of(sweep, 0, {0.1}) >= 8);  // bent in the east
+  CHECK(leaves_of(sweep, 2, {0.1}) >= 8);  // bent in the west
 }
 
 TEST_CASE("the limits on levels and elements and work of a surface are exact") {

@@ -317,18 +317,18 @@ TEST_CASE("a closed session cancels pending and later requests") {
 TEST_CASE("rejects a model whose evaluation exceeds the time limit") {
   viewer::Session session = figure_session({.evaluation_time = std::chrono::milliseconds(1500)});
   CHECK(Json::parse(session.answer({.method = "GET"}, "about").body)["evaluation_time"] == 1.5);
-  viewer::Session hasty({CSGSIM_SOURCE_DIR "/tests/models/carburettor.csg", {}, Json::object()},
-                        {.evaluation_time = std::chrono::milliseconds(0)});
+  viewer::Session limited({CSGSIM_SOURCE_DIR "/tests/models/carburettor.csg", {}, Json::object()},
+                          {.evaluation_time = std::chrono::milliseconds(0)});
   std::atomic<bool> is_done = false;
   std::thread watch([&] {
-    while (!is_done) hasty.end_overdue();
+    while (!is_done) limited.end_overdue();
   });
   // Seconds of work, so that the other thread runs before the end.
   std::string slow;
   for (int i = 0; i < 2000; ++i)
     slow += fmt::format("multmatrix([[1,0,0,{}],[0,1,0,{}],[0,0,1,0],[0,0,0,1]]) {{ sphere(r=3,$fn=60); }}\n", i % 50,
                         i / 50);
-  const Answer late = ask(hasty, "draw", Json{{"source", "difference() { cube(100);\n" + slow + "}"}});
+  const Answer late = ask(limited, "draw", Json{{"source", "difference() { cube(100);\n" + slow + "}"}});
   is_done = true;
   watch.join();
   CHECK(late.status == 422);

@@ -233,13 +233,13 @@ TEST_CASE("a surface must be in intersected operands and outside subtracted ones
   CHECK(active(intersection, 0) == "union\n  p1\n  p2\n");
   CHECK(active(intersection, 1) == "p0\n");
   CHECK(active("union(){" + cube_a + cylinder_c + "}", 0) == "");
-  // Outside a union is outside each operand.
+  // A point outside a union is outside each operand.
   const std::string both = "difference(){" + cube_a + "union(){" + sphere_b + cylinder_c + "}}";
   CHECK(active(both, 0) == "-p1\n-p2\n");
-  // Not in an intersection is outside one operand.
+  // A point outside an intersection is outside one operand at least.
   const std::string either = "difference(){" + cube_a + "intersection(){" + sphere_b + cylinder_c + "}}";
   CHECK(active(either, 0) == "union\n  -p1\n  -p2\n");
-  // Outside a difference is outside its first operand, or in the second.
+  // A point outside a difference is outside its first operand or in its second.
   const std::string hole = "difference(){" + cube_a + "difference(){" + sphere_b + cylinder_c + "}}";
   CHECK(active(hole, 0) == "union\n  -p1\n  p2\n");
 }
