@@ -85,7 +85,7 @@ TEST_CASE("each point of a corpus study has the counts that render reports") {
   }
 }
 
-TEST_CASE("a model that one machine rejects but another draws is not a failure") {
+TEST_CASE("corpus succeeds if one machine rejects a model that another draws") {
   const Folder folder;
   write(folder / "m.csg", cube);
   const Outcome outcome =
@@ -99,7 +99,7 @@ TEST_CASE("a model that one machine rejects but another draws is not a failure")
   CHECK(all[1]["clocks"] > 0);
 }
 
-TEST_CASE("an interrupted corpus or one with changed models resumes and retries failures") {
+TEST_CASE("corpus resumes after an interruption and retries failed models") {
   const Folder folder;
   make_models(folder);
   run_words(words, folder.path());
@@ -163,7 +163,7 @@ TEST_CASE("sweep skips an unreadable model with exit code 1 and retries it after
   CHECK(all[6]["clocks"] == all[0]["clocks"]);
 }
 
-TEST_CASE("columns of the corpus table align with their headings for any name and value") {
+TEST_CASE("columns of the corpus table are aligned with their headings for any name") {
   const Folder folder;
   write(folder / "a.csg", cube);
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
@@ -189,7 +189,7 @@ TEST_CASE("columns of the corpus table align with their headings for any name an
   }
 }
 
-TEST_CASE("separates table cells by two blanks and lets a single-cell row overflow") {
+TEST_CASE("a table separates cells by two blanks and lets a row of one cell overflow") {
   const std::vector<std::vector<std::string>> rows{{"name", "n", "why"},
                                                    {"a line that is alone in its row"},
                                                    {"\u00e4", "123,456,789,012,345,678", "x"},

@@ -42,7 +42,7 @@ TEST_CASE("the cost table of effects adds up to the clocks of the frame") {
   CHECK(content(folder / "bill/all.png") != content(folder / "bill/without_smooth.png"));
 }
 
-TEST_CASE("the cost table's frame without an effect equals render with the effect off") {
+TEST_CASE("effects draws a frame without an effect as render does with the effect off") {
   const Folder folder;
   const std::string options = model("old_example002") + small + two_effects(folder);
   succeeded(run("effects " + options + "-o " + (folder / "bill")));
@@ -85,7 +85,7 @@ TEST_CASE("an error names what a machine lacks and a machine that has it") {
         1, {"global OR"});
 }
 
-TEST_CASE("alpha in a model enables transparency automatically unless switched off") {
+TEST_CASE("alpha in a model enables transparency unless the scene switches it off") {
   const Folder folder;
   write(folder / "m.csg", "color([1,0,0,0.5]){cube(size=[4,4,4],center=true);}cube(size=[9,1,9],center=true);");
   const std::string render = "render " + (folder / "m.csg") + " --size 32x32 --memory-bits 256 --stats " +
@@ -117,7 +117,7 @@ std::string bits_in(const std::string& message) {
 
 }  // namespace
 
-TEST_CASE("falls back to screen-door with a warning if memory is too small for layers") {
+TEST_CASE("transparency falls back to a screen door with a warning if memory is short") {
   const Folder folder;
   write(folder / "m.csg", panes);
   const std::string render = "render " + (folder / "m.csg") + from_front;
@@ -139,7 +139,7 @@ TEST_CASE("falls back to screen-door with a warning if memory is too small for l
         std::string::npos);
 }
 
-TEST_CASE("rejects layers without memory if the scene sets transparency itself") {
+TEST_CASE("transparency set in the scene is rejected if memory is short for its layers") {
   const Folder folder;
   write(folder / "m.csg", panes);
   write(folder / "s.toml", "[[materials]]\nfrom_line = 2\nopacity = 0.5\n");

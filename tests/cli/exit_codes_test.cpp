@@ -77,7 +77,7 @@ TEST_CASE("a wrong list of machines is a usage error but a list of numbers may b
   CHECK(content(folder / "none/compare.csv") == content(folder / "empty/compare.csv"));
 }
 
-TEST_CASE("help names the operand of -o FOLDER where a command writes several files") {
+TEST_CASE("help shows -o FOLDER for each command that writes several files") {
   for (const std::string command : {"render", "compile", "run", "rerun", "disasm", "wave"})
     CHECK(run(command + " --help").out.find("-o, --output FILE") != std::string::npos);
   for (const std::string command : {"effects", "accuracy", "advise", "sweep", "corpus", "compare", "gather"})

@@ -102,7 +102,7 @@ TEST_CASE("explain rejects nonexistent pixels or points or primitives and states
   misused(program + "--pixel 1,1 --json " + subject.program, "the same file");
 }
 
-TEST_CASE("writes an owner picture together with its legend or neither") {
+TEST_CASE("an owner picture is written together with its legend or not at all") {
   const Subject subject;
   const Folder& folder = subject.folder;
   succeeded(run("run " + subject.program + " --owner " + (folder / "o.png")));

@@ -26,7 +26,7 @@ std::string without_line(const std::string& table, std::size_t number) {
 
 }  // namespace
 
-TEST_CASE("explore measures every design on every model and plots the front") {
+TEST_CASE("explore measures every design on every model and plots the Pareto front") {
   const Folder folder;
   const Outcome outcome = succeeded(run("explore " + model("old_example011") + " " + model("thesis_fig_2_3") + small +
                                         vary + " --report " + (folder / "p.html") + " -o " + (folder / "e")));
@@ -226,7 +226,7 @@ TEST_CASE("explore writes nothing if no model can be read") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("machines without pixel prices have no area axis in their fronts") {
+TEST_CASE("explore omits the area axis for machines without priced pixels") {
   const Folder folder;
   succeeded(run("explore " + model("thesis_fig_2_3") + small +
                 " --machine scan-line --vary chains.count=1,4 --no-plots -o " + (folder / "e")));
@@ -257,7 +257,7 @@ TEST_CASE("explore varies dependent parameters together and explains invalid com
         clocks.at("pixel-planes-4+evaluator.bits=1+alu.bits=4"));
 }
 
-TEST_CASE("reports errors in --vary and --axes in one line with a suggestion") {
+TEST_CASE("explore reports an error in --vary or --axes in one line with a suggestion") {
   const Folder folder;
   const std::string command = "explore " + model("sphere") + small + " -o " + (folder / "e");
   misused(command, "--vary");
@@ -275,7 +275,7 @@ TEST_CASE("reports errors in --vary and --axes in one line with a suggestion") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("a process determines the clock of a machine and the knee's command states it") {
+TEST_CASE("explore --process sets the machine's clock and the knee's command states it") {
   const Folder folder;
   succeeded(run("explore " + model("thesis_fig_2_3") + small +
                 " --process cmos-45nm --vary alu.bits=1,8 --vary z-bits=8,20" + " --no-plots -o " + (folder / "e")));

@@ -81,7 +81,7 @@ TEST_CASE("joined fast spheres fit 72 bits with 18 bits of depth and 18 of colou
   CHECK(run(options + "19").code == 1);
 }
 
-TEST_CASE("suggests facets if memory is too small for squares or the machine divides models") {
+TEST_CASE("render suggests --curves facets where fast spheres are unsupported") {
   const Folder folder;
   const std::string options = "render " + written(folder, ball) + " --view-all --curves fast -o " + (folder / "p.png");
   fails(run(options), 1, {"17 squares", "--curves facets"});

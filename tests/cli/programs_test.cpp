@@ -74,7 +74,7 @@ TEST_CASE("facts and comments of a golden Program change nothing at the cycle le
     check_same_at_cycle_level(trace(name));
 }
 
-TEST_CASE("a Program runs on its own machine with its parameters and render's clocks") {
+TEST_CASE("run draws a Program on its recorded machine in the clocks of render") {
   const Folder folder;
   for (const std::string machine : {"scan-line", "pixel-square", "multi-processor", "pixel-powers",
                                     "pixel-planes-4+alu.bits=4+array.memory_bits=96"}) {
@@ -136,7 +136,7 @@ TEST_CASE("rejects a Program on another kind or smaller machine and names the di
   CHECK(warned.err.find("array.memory_bits 100 instead of 72") != std::string::npos);
 }
 
-TEST_CASE("warns which machine is assumed for a Program that names none") {
+TEST_CASE("a warning names the machine that is assumed for a Program without one") {
   const Folder folder;
   isa::Program program = isa::load_program(trace("old_example002"));
   program.machine = {};
@@ -158,7 +158,7 @@ TEST_CASE("warns which machine is assumed for a Program that names none") {
   fails(run("run " + (folder / "p.csgt") + output), 1, {"'no-such-machine'"});
 }
 
-TEST_CASE("disasm --row-commands lists commands of rows and rejects other machines") {
+TEST_CASE("disasm --row-commands lists row commands of memories and rejects other machines") {
   const Folder folder;
   const std::string rows = compiled(folder, "rows.csgt", "--machine simdram-ddr4");
   const Outcome text = succeeded(run("disasm " + rows + " --row-commands"));

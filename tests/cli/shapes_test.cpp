@@ -68,7 +68,7 @@ TEST_CASE("warns that rotate_extrude() takes a number without a name as a file n
                     "rotate_extrude(angle = 180)") != std::string::npos);
 }
 
-TEST_CASE("imports from the --imports-from folder are part of the model") {
+TEST_CASE("files from the --imports-from folder are inputs of a study") {
   const Folder folder;
   fs::create_directory(folder / "models");
   fs::create_directory(folder / "parts");

@@ -44,7 +44,7 @@ nlohmann::json points(const Folder& folder, const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("reports and remeasures points of a machine or model that changed since") {
+TEST_CASE("a study reports and remeasures points whose machine or model has changed") {
   for (const std::string command : {"sweep", "compare", "accuracy", "advise"}) {
     CAPTURE(command);
     const Folder folder;
@@ -78,7 +78,7 @@ TEST_CASE("reports and remeasures points of a machine or model that changed sinc
   }
 }
 
-TEST_CASE("remeasures points of another build of csgsim") {
+TEST_CASE("a study remeasures points that another build of csgsim measured") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());

@@ -139,7 +139,7 @@ TEST_CASE("a stats file cannot name a settings file or an output") {
   CHECK(files_in(stats.folder) == before);
 }
 
-TEST_CASE("rerun claims equality only for results that it repeated and compared") {
+TEST_CASE("rerun reports equality only of results that it compared") {
   const Stats stats;
   for (const std::string name : {"help", "dump-config", "version", "no-such-option"}) {
     CAPTURE(name);
@@ -152,7 +152,7 @@ TEST_CASE("rerun claims equality only for results that it repeated and compared"
   refused(stats.rerun(), "t.json", "the run differs: /clocks was 1, is");
 }
 
-TEST_CASE("a value in a stats file sets only its own option for any bytes") {
+TEST_CASE("a value in a stats file sets no other option whatever its bytes") {
   const Stats stats;
   for (const std::string name : {"model", "machine", "camera", "size"}) {
     CAPTURE(name);
@@ -178,7 +178,7 @@ TEST_CASE("a value in a stats file sets only its own option for any bytes") {
   stats.refuses("where a list of at most 10000 texts should be");
 }
 
-TEST_CASE("rejects any malformed stats file in one line with its place and exit code 1") {
+TEST_CASE("rerun rejects any malformed stats file in one line with its place") {
   const Stats stats;
   write(stats.folder / "t.json", "{\"configuration\": {},\n \"clocks\": 1e999}");
   stats.refuses("t.json:2:");
@@ -212,7 +212,7 @@ TEST_CASE("rerun -o - writes to standard output and not to a file of that name")
   CHECK(!fs::exists(stats.folder / "-"));
 }
 
-TEST_CASE("rejects a shard whose command is no study or has foreign options") {
+TEST_CASE("gather rejects a shard whose command is not a study or has unknown options") {
   const Shards shards(sweep);
   write(shards.folder / "evil.toml", "[sweep]\noutput = 'else'\nreport = 'x.html'\n");
   write(shards.folder / "x.html", "precious");
@@ -316,7 +316,7 @@ TEST_CASE("differing pictures in rows read from a file are not reported as a bug
   }
 }
 
-TEST_CASE("reports a waveform that exceeds the disk space and leaves no file") {
+TEST_CASE("a waveform that exceeds the disk space is reported and leaves no file") {
   const Folder folder;
   const std::string command = fmt::format(
       "ulimit -f 10; trap '' XFSZ; exec {}/csgsim wave {} --size 16x16 --pixel 3,3 --window 0:4000 -o w.vcd",

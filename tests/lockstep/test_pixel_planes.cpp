@@ -185,7 +185,7 @@ TEST_CASE("a jump takes the clocks of the link for any number of skipped instruc
   }
 }
 
-TEST_CASE("skips nothing and sends the host no answer if a pixel is enabled") {
+TEST_CASE("skip_if_none skips nothing and sends no answer if a pixel is enabled") {
   PixelPlanes machine("machine", machine_8x8());
   const Program program = program_of({segment_of({{.opcode = Opcode::enable_all},
                                                   skip(2),
@@ -199,7 +199,7 @@ TEST_CASE("skips nothing and sends the host no answer if a pixel is enabled") {
   CHECK(report.skipped == 0);
 }
 
-TEST_CASE("a skip can end its segment or the program") {
+TEST_CASE("a skip can reach the end of its segment or of the Program") {
   struct Segments final : RunListener {
     void after_instruction(const Retired& retired, const PixelView& /*pixels*/) override {
       seen.push_back({retired.segment, retired.index});
@@ -301,7 +301,7 @@ TEST_CASE("frame intervals of two buffers equal the prediction with a shared por
   check_sequences(csgsim::pixel_planes::ScanOutPort::shared, 2, 2);
 }
 
-TEST_CASE("consecutive programs start with cleared pixels") {
+TEST_CASE("each of consecutive Programs starts with cleared pixels") {
   PixelPlanes machine("machine", machine_8x8());
   RunListener nobody;
   const Program first =
@@ -341,7 +341,7 @@ TEST_CASE("rejects a second array in one process but accepts the same array agai
                   std::logic_error);
 }
 
-TEST_CASE("the engine scans out the colour field after the program") {
+TEST_CASE("the engine scans out the colour field after the Program") {
   csgsim::isa::Program program;
   program.shape = shape_8x8;
   program.segments = {segment_of({{.opcode = Opcode::enable_all}})};
@@ -377,7 +377,7 @@ class Dump {
   csgsim::systemc::WaveRecorder recorder_;
 };
 
-TEST_CASE("records a window of a run and nothing outside it") {
+TEST_CASE("a wave records a window of a run and nothing outside it") {
   PixelPlanes machine("machine", machine_8x8());
   Dump dump(machine);
   RunListener nobody;
@@ -415,7 +415,7 @@ TEST_CASE("a wave has unknown values between two windows") {
   CHECK(dump.text.find("#500000\n") == std::string::npos);
 }
 
-TEST_CASE("samples a wave in the middle of each clock") {
+TEST_CASE("a wave is sampled in the middle of each clock") {
   const sc_core::sc_time period(100, sc_core::SC_NS);
   csgsim::systemc::WaveRecorder recorder("recorder", period);
   std::vector<sc_core::sc_time> sampled;

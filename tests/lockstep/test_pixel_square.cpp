@@ -136,7 +136,7 @@ TEST_CASE("a second frame takes the same clocks as the first") {
   CHECK(first.account == second.account);
 }
 
-TEST_CASE("passes on an observer's exception and draws the next frame") {
+TEST_CASE("an observer's exception leaves the run and the next frame is drawn") {
   const auto engine = engine::make_cycle_engine(machine_8x8());
   Thrower thrower;
   engine::Observer* const observers[] = {&thrower};
@@ -144,7 +144,7 @@ TEST_CASE("passes on an observer's exception and draws the next frame") {
   CHECK(engine->run(slow_square_first(), {}).scanned_out.back() == 2);
 }
 
-TEST_CASE("rejects a Program that omits squares of the picture") {
+TEST_CASE("rejects a Program that omits squares of the picture on a pixel-square machine") {
   const auto engine = engine::make_cycle_engine(machine_8x8());
   isa::Program program = slow_square_first();
   program.segments.pop_back();

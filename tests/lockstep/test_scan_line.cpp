@@ -109,7 +109,7 @@ TEST_CASE("the refresh path limits the rate of lines with few packets") {
   CHECK(result.account.count("refresh_clocks") == 2 * (16 - 4));
 }
 
-TEST_CASE("a line without instructions shows the background and takes its mark and refresh") {
+TEST_CASE("a line without instructions shows the background after its mark and refresh") {
   const machines::Machine machine = machine_of(4, {4, 3});
   isa::Program program = program_of(machine, ramp());
   program.segments[1].instructions.clear();

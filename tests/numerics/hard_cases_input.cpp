@@ -130,7 +130,7 @@ TEST_CASE("coefficients that do not fit are an error that names the primitive") 
   CHECK(errors > 4);
   CHECK(drawn > 4);
 }
-TEST_CASE("reports a size that no double holds and a camera that sees nothing") {
+TEST_CASE("an error reports a size that no double holds or a camera that sees nothing") {
   CHECK(holds(error_of("cube(size=[1e400,1,1],center=false);\n", {{0, -9, 0}, {0, 0, 0}, orthographic}), "test:1:"));
   CHECK_FALSE(error_of(cube, {{1, 2, 3}, {1, 2, 3}, perspective}).empty());
 }

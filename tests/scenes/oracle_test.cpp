@@ -75,7 +75,7 @@ double bound_of(const testing::RayEffects& effects, std::size_t samples) {
 
 }  // namespace
 
-TEST_CASE("every scene equals the ray-traced picture except where rounding decides") {
+TEST_CASE("every scene matches its ray-traced picture except where rounding decides") {
   const std::vector<testing::SceneFile> files = testing::scene_files();
   CHECK(files.size() >= 12);
   const auto step = testing::cases<std::size_t>(1, 2);

@@ -165,7 +165,7 @@ TEST_CASE("an account charges a command for its work in each slot") {
   CHECK(work_of({.op = RowOp::wired_or}) == Work{});
 }
 
-TEST_CASE("a frame's energy sums its work over all chips and columns") {
+TEST_CASE("a frame's energy is that of its work in all chips and columns") {
   const Work work{
       .activations = 1000, .further_rows = 500, .logic = 300, .leaves = 200, .transferred_bits = 4096, .refreshes = 3};
   // 1.2 million clocks are 1 ms.
@@ -224,7 +224,7 @@ TEST_CASE("an account reports the work of the frame and its energies") {
   CHECK(account.shares[1].part == 7);
 }
 
-TEST_CASE("work and energy are zero before a frame begins") {
+TEST_CASE("the account of a memory is zero before a frame begins") {
   const Work work;
   for (const std::uint64_t commands : work.commands) CHECK(commands == 0);
   CHECK(work.activations + work.further_rows + work.logic + work.leaves + work.transferred_bits + work.refreshes == 0);
@@ -302,7 +302,7 @@ TEST_CASE("slots use the columns of all chips and are assigned to banks in turn"
 
 // 512 x 512 pixels are 4 slots in separate banks: commands begin at 0, 4, 8 and 12 (tRRD). One clock to accept the
 // instruction comes first.
-TEST_CASE("single instructions take the clocks calculated by hand") {
+TEST_CASE("single instructions of a memory take the hand-calculated clocks") {
   // LOGIC, LOGIC, and WRITE from clock 8, in the last bank from 20; closing it takes 39 + 17.
   CHECK(clocks_of("digital-bit-serial-ddr4", isa::Opcode::enable_all) == 1 + 20 + 39 + 17);
   // AAP activates twice, at 0 and 5, 9 and 14. Only four activations fit in 26 clocks, so the next are at 26 and 31, 35
@@ -319,7 +319,7 @@ TEST_CASE("single instructions take the clocks calculated by hand") {
   CHECK(clocks_of("digital-bit-serial-ddr4+logic.enable=1", isa::Opcode::enable_invert) == 1 + 4);
 }
 
-TEST_CASE("a one-instruction frame takes hand-calculated clocks") {
+TEST_CASE("a frame of one instruction on a memory takes the hand-calculated clocks") {
   isa::Program program;
   program.shape = {512, 512, 256};
   program.segments.push_back({.region = {0, 0, 512, 512}, .instructions = {instruction(isa::Opcode::enable_all)}});

@@ -61,7 +61,7 @@ TEST_CASE("row commands of any instruction match the reference in every column")
   }
 }
 
-TEST_CASE("roots of every width match the reference in every design") {
+TEST_CASE("roots of every width match the reference on every design of a memory") {
   constexpr isa::ArrayShape array{13, 5, 62};
   for (const bit_serial_memory::MicroDesign& design : testing::all_designs()) {
     CAPTURE(name_of(design));

@@ -137,7 +137,7 @@ TEST_CASE("replaying the text of row commands yields the Program's pixel memory"
   }
 }
 
-TEST_CASE("prints row commands under a heading per instruction") {
+TEST_CASE("the text of row commands has a heading for each instruction") {
   machines::Machine machine = kinds::load("digital-bit-serial-ddr4+array.memory_bits=2");
   machines::set_picture_size(machine, {9, 7});
   isa::Program program;

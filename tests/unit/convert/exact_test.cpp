@@ -139,7 +139,7 @@ TEST_CASE("faces share a plane only within the tolerance for merging") {
   CHECK(planes("5e11", "0.1002") == 8);
 }
 
-TEST_CASE("compares slightly rotated planes at the location of the solids") {
+TEST_CASE("slightly rotated planes are compared at the location of their solids") {
   // Tilted by 1e-13 about its own location: within a cube the offset is equally small, but about the origin, a million
   // away, it would be 1e-7.
   const std::string beside = "multmatrix([[1,0,0,1],[0,1,0,1e6],[0,1e-13,1,0],[0,0,0,1]]){cube([1,1,1]);}";
@@ -179,7 +179,7 @@ TEST_CASE("an edge shorter than 2^-48 of the largest coordinate collapses to a p
   }
 }
 
-TEST_CASE("a face near many others stays whole if none of them cuts it") {
+TEST_CASE("a face stays whole if none of many nearby faces cuts it") {
   // Cubes starting at (a, 10.5 - a) next to the slanting side of a triangular prism: their planes pass through its
   // ends, the cubes do not.
   std::string csg =
@@ -216,7 +216,7 @@ TEST_CASE("a plate with many bars and bores has the expected volume and area") {
   CHECK(measures.genus() == 4);
 }
 
-TEST_CASE("fragments refer to the vertices at their corners") {
+TEST_CASE("fragments of faces refer to the vertices at their corners") {
   // Seven corners of the first cube remain, and one corner of the second lies in it.
   const auto found = parts_of(tree_of("difference(){cube([4,4,4]);" + at("2", "2", "2", "cube([4,4,4]);") + "}"));
   REQUIRE(found.size() == 2);

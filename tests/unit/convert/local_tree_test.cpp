@@ -171,7 +171,7 @@ TEST_CASE("a value is known if no open operand affects it and otherwise may diff
   CHECK(never_differs > 10);
 }
 
-TEST_CASE("dropping operands renumbers the remaining ones") {
+TEST_CASE("dropping operands of a tree renumbers the remaining ones") {
   Random random(6);
   for (int i = 0; i < 100; ++i) {
     const Near near(random);

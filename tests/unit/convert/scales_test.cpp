@@ -83,7 +83,7 @@ TEST_CASE("difficult models convert to closed meshes of the right volume") {
   CHECK(count == 10);
 }
 
-TEST_CASE("separates edges with the same two end points") {
+TEST_CASE("converting separates two edges with the same end points") {
   closed_volume(testing::converted(read::read_csg_file(models + "edges_that_repeat.csg")));
 }
 

@@ -142,7 +142,7 @@ TEST_CASE("triangles back to back on the same points cancel") {
   CHECK(testing::fault_of(testing::judged(made)) == "");
 }
 
-TEST_CASE("rejects outlines that are not closed") {
+TEST_CASE("a surface with outlines that are not closed is rejected") {
   CHECK_THROWS_WITH_AS(convert::make_surface({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{{0, 0, 1}, loop_of({0, 1, 2})}}}),
                        "the boundary of the model is not closed", std::logic_error);
 }

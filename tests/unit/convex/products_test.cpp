@@ -61,7 +61,7 @@ TEST_CASE("differences of disjoint intersections have no empty products") {
   CHECK(volume == doctest::Approx(160000.0 - 60.0 * 9.0).epsilon(1e-9));
 }
 
-TEST_CASE("rejects exponential products quickly and accepts deep trees") {
+TEST_CASE("exponentially many products are rejected quickly and deep trees accepted") {
   std::string text = "intersection(){\n";
   for (int i = 0; i < 12; ++i) text += many("union", 12, 0.01, 1.0 + 0.001 * i);
   const TestModel hard(text + "}");

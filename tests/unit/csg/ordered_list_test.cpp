@@ -255,13 +255,13 @@ TEST_CASE("an intersection of leaves keeps its order and the only label") {
   CHECK(list.labels == 1);
 }
 
-TEST_CASE("the list has the tree's value for all assignments to small trees") {
+TEST_CASE("an ordered list has the tree's value for all assignments to small trees") {
   for_all_trees(testing::cases<std::uint32_t>(7, 6),
                 [](const ActiveTree& tree, std::uint32_t) { REQUIRE(is_correct_for_all_assignments(tree)); });
   CHECK(rc::check([] { RC_ASSERT(is_correct_for_all_assignments(any_tree(10))); }));
 }
 
-TEST_CASE("the list has the tree's value for random assignments to larger trees") {
+TEST_CASE("an ordered list has the tree's value for random assignments to larger trees") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(60);
     const OrderedList list = csg::make_ordered_list(tree);
@@ -307,7 +307,7 @@ TEST_CASE("a leaf passes its label to the nearest target that no pixel waits for
   }));
 }
 
-TEST_CASE("no order of operands needs fewer labels than the chosen one") {
+TEST_CASE("no order of operands needs fewer labels than the chosen order") {
   const auto check = [](const ActiveTree& tree) {
     Waiting waiting(tree);
     Alive least{100, 100};
@@ -400,7 +400,7 @@ TEST_CASE("a tree a hundred thousand levels deep needs two labels") {
   CHECK(csg::footprint(tree) == 2);
 }
 
-TEST_CASE("a hundred thousand nested unions are flattened") {
+TEST_CASE("a hundred thousand nested unions become one operator of an ordered list") {
   ActiveTree tree;
   constexpr std::uint32_t depth = 100'000;
   std::uint32_t top = add_leaf(tree, 0);
