@@ -100,17 +100,17 @@ TEST_CASE("of two backs the one farther at all corners is inactive (thesis table
   CHECK(extremes(side_of({{false, 1, 0, 2}, {false, -1, 0, 9}}, false, row)) == Kept{{0, 1}, 2});
 }
 
-TEST_CASE("drops a half-space only if another is beyond it by a whole depth step") {
+TEST_CASE("the divider drops a half-space only if another is a whole depth step beyond it") {
   const Sides made = side_of({{false, 0, 0, 16}, {false, 0, 0, 23}, {false, 0, 0, 24}}, true, row, 3);
   CHECK(extremes(made) == Kept{{1, 2}, 3});
   CHECK(by_leaders(made) == Kept{{1, 2}, 3});
 }
 
-TEST_CASE("coincident half-spaces are all active") {
+TEST_CASE("the divider keeps all of several coincident half-spaces") {
   CHECK(extremes(side_of({{false, 1, 0, 2}, {false, 1, 0, 2}}, true, row)) == Kept{{0, 1}, 2});
 }
 
-TEST_CASE("a single half-space takes one test and an empty side none") {
+TEST_CASE("the divider tests a single half-space once and an empty side not at all") {
   CHECK(extremes(side_of({{false, 1, 0, 2}}, true, row)) == Kept{{0}, 1});
   CHECK(extremes(side_of({}, true, row)) == Kept{});
 }
@@ -127,7 +127,7 @@ TEST_CASE("half-spaces that no leading one excludes everywhere are compared by q
   CHECK(kept.tests == 7 * 3);
 }
 
-TEST_CASE("keeps exactly the half-spaces within a depth step of the extreme somewhere") {
+TEST_CASE("the divider keeps the half-spaces within a depth step of the extreme somewhere") {
   CHECK(rc::check([] {
     const bool forward = *rc::gen::arbitrary<bool>();
     const Sides made = any_side(forward);
@@ -135,7 +135,7 @@ TEST_CASE("keeps exactly the half-spaces within a depth step of the extreme some
   }));
 }
 
-TEST_CASE("a half-space has at most one test per cell of its rectangle") {
+TEST_CASE("the divider tests a half-space at most once per cell of its rectangle") {
   CHECK(rc::check([] {
     const Sides made = any_side(true);
     std::uint64_t cells = 1;

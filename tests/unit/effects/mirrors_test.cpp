@@ -234,7 +234,7 @@ TEST_CASE("squares without a visible mirror have no mirror instructions") {
   }
 }
 
-TEST_CASE("rejects too little memory for mirrors and suggests a fix") {
+TEST_CASE("too little memory for mirrors is an error that suggests a fix") {
   testing::Setup setup = view_of_room(64, 56, view::Projection::orthographic, to_depth(1), room());
   setup.memory_bits = 72;
   const std::string message = testing::error_of([&] { (void)testing::compile_text(room(), setup); });
@@ -243,7 +243,7 @@ TEST_CASE("rejects too little memory for mirrors and suggests a fix") {
   CHECK_NOTHROW((void)testing::compile_text(room(), setup));
 }
 
-TEST_CASE("rejects more mirrors than can be drawn") {
+TEST_CASE("more mirrors than can be drawn are an error") {
   std::string model = "union(){";
   for (int i = 0; i < 90; ++i) {
     const double x = 2.0 * i;

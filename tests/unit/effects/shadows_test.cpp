@@ -164,7 +164,7 @@ TEST_CASE("shadow errors with few depth bits stay within the depth steps") {
   }
 }
 
-TEST_CASE("light passes through a hole but not through seams between pieces") {
+TEST_CASE("light passes through a hole but not through seams between convex pieces") {
   const std::string hole = "multmatrix([[1,0,0,10],[0,1,0,0],[0,0,1,-10],[0,0,0,1]]){sphere($fn=16,$fa=12,$fs=2,r=4);}";
   const std::string csg = "union(){" + wall + "difference(){" + box_text({2, 0, -18}, {18, 1, -2}) + hole + "}}";
   const testing::Setup setup = wall_view(shadows + "[[lights]]\ndirection = [0.31, 1, -0.17]\n");
@@ -319,7 +319,7 @@ TEST_CASE("shadows can be limited to one light or to some lines of the model") {
   CHECK(dark_columns("from_line = 1\n") == ".........o......o.......");
 }
 
-TEST_CASE("rejects invalid shadow settings") {
+TEST_CASE("invalid settings of shadows are rejected") {
   CHECK(testing::error_of([] { drawn(wall, wall_view(shadows + "light = 2\n")); }).find("numbered 0 to 0") !=
         std::string::npos);
   CHECK(testing::error_of([] { testing::scene_of(shadows + "to_line = 2\n"); }).find("add from_line") !=

@@ -103,7 +103,7 @@ class AlwaysCalled final : public emit::EffectOf<NoSettings> {
 
 }  // namespace
 
-TEST_CASE("blends panes with an error of at most one level per pane") {
+TEST_CASE("blending of panes has an error of at most one level per pane") {
   const bool holds = rc::check("the picture blends the panes at each pixel", [] {
     std::vector<Pane> panes;
     const int count = *rc::gen::inRange(1, 7);
@@ -257,7 +257,7 @@ TEST_CASE("squares without a transparent surface have no transparency instructio
   }
 }
 
-TEST_CASE("rejects too little memory for transparency and suggests fixes") {
+TEST_CASE("too little memory for transparency is an error that suggests fixes") {
   testing::Setup setup = view_of_parts({});
   setup.memory_bits = 72;
   const std::string message = testing::error_of([&] { (void)testing::compile_text(union_of(parts()), setup); });
