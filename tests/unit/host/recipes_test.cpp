@@ -219,7 +219,7 @@ TEST_CASE("writing instructions takes a call each and the operations of their op
   CHECK(counts_of(host::model_long_operations()) == sum_of({{2, &counts_number}, {1, &counts_stored}}));
 }
 
-TEST_CASE("an operand takes its documented numbers and a long per 32 coefficient bits") {
+TEST_CASE("operands take the documented numbers and a long per 32 coefficient bits") {
   using isa::Opcode;
   const isa::Linear narrow{.a = 1, .b = 2, .c = 3, .width = 32};
   const isa::Linear wide{.a = 1, .b = 2, .c = 3, .width = 33};

@@ -51,7 +51,7 @@ TEST_CASE("every Program survives a binary round trip") {
   }));
 }
 
-TEST_CASE("reads files of the previous version without machine record or extents") {
+TEST_CASE("Programs of the previous version without machine record or extents are read") {
   const std::string folder = std::string(CSGSIM_SOURCE_DIR) + "/tests/fuzz/corpus/program_binary/";
   const Program lines = load_program(folder + "one_lines.csgt");
   CHECK(lines.machine == MachineRecord{});
@@ -86,7 +86,7 @@ TEST_CASE("varints of the binary form round-trip") {
   CHECK(zigzag(1) == 2);
 }
 
-TEST_CASE("rejects a varint of more than 64 bits") {
+TEST_CASE("a varint of more than 64 bits is rejected") {
   const Bytes bytes(10, std::byte{0xff});
   ByteReader in(bytes);
   CHECK_THROWS_AS(in.varint(), MalformedBytes);
@@ -113,7 +113,7 @@ TEST_CASE("decode() rejects any truncation even with a correct checksum") {
   }
 }
 
-TEST_CASE("a hostile byte with a correct checksum is rejected or harmless") {
+TEST_CASE("a hostile byte in a Program with a correct checksum is rejected or harmless") {
   const Bytes sound = encode(sample_program());
   for (std::size_t i = 5; i + checksum_size < sound.size(); ++i)
     for (const unsigned value : {0x00U, 0x01U, 0x7fU, 0x80U, 0x9bU, 0xbfU, 0xffU}) {
@@ -124,7 +124,7 @@ TEST_CASE("a hostile byte with a correct checksum is rejected or harmless") {
     }
 }
 
-TEST_CASE("random corruption with a correct checksum is rejected or harmless") {
+TEST_CASE("random corruption of a Program with a correct checksum is rejected or harmless") {
   const Bytes sound = encode(sample_program());
   CHECK(rc::check("decode() returns a valid Program or an error", [&sound] {
     Bytes hostile = sound;
@@ -139,7 +139,7 @@ TEST_CASE("random corruption with a correct checksum is rejected or harmless") {
   }));
 }
 
-TEST_CASE("random bytes after a valid header are rejected or harmless") {
+TEST_CASE("random bytes after a valid header of a Program are rejected or harmless") {
   CHECK(rc::check("decode() returns a valid Program or an error", [] {
     const auto noise = *rc::gen::container<std::vector<std::uint8_t>>(
         rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint8_t>()));
@@ -165,7 +165,7 @@ Bytes file_of(const std::vector<std::uint8_t>& metadata) {
   return bytes;
 }
 
-TEST_CASE("rejects metadata nested a million deep without overflowing the stack") {
+TEST_CASE("metadata nested a million deep is rejected without overflowing the stack") {
   constexpr std::size_t depth = 1000000;
   const Bytes arrays = file_of(std::vector<std::uint8_t>(depth, 0x81));
   CHECK(contains(refusal([&] { decode(arrays, "p.csgt"); }), "not CBOR"));
@@ -214,7 +214,7 @@ TEST_CASE("each error in a binary Program has a specific message") {
   CHECK(contains(current_error(), "undefined opcode " + std::to_string(opcode_table.size())));
 }
 
-TEST_CASE("rejects a count beyond the available bytes before allocating memory") {
+TEST_CASE("a count beyond the available bytes is rejected before memory is allocated") {
   Bytes bytes = encode(sample_program());
   // The instruction count of the first segment, 9, is the last element of its row: 0x09 before the next row's 0x8a.
   constexpr std::array pattern{std::byte{0x09}, std::byte{0x8a}};
@@ -225,7 +225,7 @@ TEST_CASE("rejects a count beyond the available bytes before allocating memory")
   CHECK(contains(refusal([&] { decode(bytes, "p.csgt"); }), "ends too soon"));
 }
 
-TEST_CASE("rejects an invalid Program when reading it") {
+TEST_CASE("an invalid Program is rejected when it is read") {
   Program program = sample_program();
   program.segments[0].instructions[3].linear.width = 3;
   CHECK(refusal([&] { decode(encode(program), "p.csgt"); }).starts_with("p.csgt: segment 0, instruction 3: "));

@@ -7,7 +7,7 @@ using namespace csgsim::isa;
 
 namespace {
 
-TEST_CASE("info() finds the row of an opcode by its number") {
+TEST_CASE("info() returns the row of an opcode by its number") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     CHECK(&info(row.opcode) == &row);
@@ -119,7 +119,7 @@ TEST_CASE("only uses of F and roots take wide fields and only skips and squares 
   }
 }
 
-TEST_CASE("fields overlap when they share a bit") {
+TEST_CASE("overlaps() is true for fields that share a bit") {
   CHECK(Field{0, 8}.overlaps({7, 1}));
   CHECK_FALSE(Field{0, 8}.overlaps({8, 1}));
   CHECK(Field{4, 1}.overlaps({0, 8}));

@@ -75,7 +75,7 @@ TEST_CASE("a Program prints the same after it was read") {
   }));
 }
 
-TEST_CASE("doubles round-trip exactly") {
+TEST_CASE("doubles in a Program's text survive a round trip exactly") {
   for (const double value : {0.1, 1.0 / 3, 5e-324, 1.7976931348623157e308, 123456789012345678.0}) {
     Program program = sample_program();
     program.facts->compile.edge_on_fraction = value;
@@ -83,7 +83,7 @@ TEST_CASE("doubles round-trip exactly") {
   }
 }
 
-TEST_CASE("names of arbitrary bytes round-trip") {
+TEST_CASE("names of arbitrary bytes in a Program's text survive a round trip") {
   Program program = sample_program();
   std::string all;
   for (int c = 0; c < 256; ++c) all += static_cast<char>(c);
@@ -95,7 +95,7 @@ TEST_CASE("names of arbitrary bytes round-trip") {
   CHECK(parse(printed(program), "t") == program);
 }
 
-TEST_CASE("accepts any whitespace and line endings") {
+TEST_CASE("the text of a Program may have any whitespace and line endings") {
   const std::string text =
       "# a program\r\n\r\n\t.array  height=4 width=4   memory_bits=32 # wide\r\n"
       ".field Z [ 0 +: 8 ] depth\r\n.segment width=4 height=4\r\n"
@@ -107,25 +107,25 @@ TEST_CASE("accepts any whitespace and line endings") {
   CHECK(program.segments[0].instructions[1].linear == Linear{-1, 2, 7, 12, 2});
 }
 
-TEST_CASE("linear expressions may be written in several ways") {
+TEST_CASE("linear expressions in a Program's text may have terms in any order") {
   CHECK(instruction_of("edge_negative x (w9)").linear == Linear{1, 0, 0, 9, 0});
   CHECK(instruction_of("edge_negative +y (w9)").linear == Linear{0, 1, 0, 9, 0});
   CHECK(instruction_of("edge_negative -5 + 3*y - 2*x (w9 >> 3)").linear == Linear{-2, 3, -5, 9, 3});
   CHECK(instruction_of("edge_negative 0*x + 0 (w9)").linear == Linear{0, 0, 0, 9, 0});
 }
 
-TEST_CASE("constants may be hexadecimal") {
+TEST_CASE("constants in a Program's text may be hexadecimal") {
   CHECK(instruction_of("set_constant Z, 0xfF").constant == 255);
   CHECK(instruction_of("set_constant Z, 017").constant == 17);
 }
 
-TEST_CASE("fields may be given by name or by position") {
+TEST_CASE("fields in a Program's text may be given by name or by position") {
   CHECK(instruction_of("set_constant Z, 1") == instruction_of("set_constant [0+:8], 1"));
   CHECK(instruction_of("set_constant \"Z\", 1") == instruction_of("set_constant [0+:8], 1"));
   CHECK(instruction_of("enable_load [7]") == instruction_of("enable_load [7+:1]"));
 }
 
-TEST_CASE("reads and prints a hundred thousand named fields quickly") {
+TEST_CASE("a hundred thousand named fields are read and printed quickly") {
   constexpr std::size_t count = 100'000;
   std::string text = ".array width=8 height=8 memory_bits=8\n";
   for (std::size_t i = 0; i < count; ++i) text += fmt::format(".field f{} [0] stack\n", i);
