@@ -131,7 +131,7 @@ TEST_CASE("a global OR has one level per power of its fan-in") {
 // 32: stored at 6, 7, 8 after a latency of 4, read at 7, 8, 9. Clearing starts at 10 and takes 3 clocks. The word of
 // enable_all is stored at 9 and read at 10, the edge that empties the register; the instruction starts at 13. FrameEnd
 // is stored at 10, read at 13 and starts at 14; its step executes 6 clocks later.
-TEST_CASE("a small frame takes the hand-counted clocks") {
+TEST_CASE("a small frame on a frame buffer takes the hand-counted clocks") {
   const machines::FrameTiming timing =
       machines::time_frame(make_program({{.opcode = Opcode::enable_all}}),
                            machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 3));
@@ -150,7 +150,7 @@ TEST_CASE("a small frame takes the hand-counted clocks") {
 // Same clocks until edge 13, where the question starts: 1 clock, 6 for the trees and 2 levels of the OR. The answer is
 // available at 22; the host sees it at 23, sends FrameEnd from 27 on and stores it at 28. FrameEnd is read at 29 and
 // starts at 30.
-TEST_CASE("a jump takes the hand-counted clocks and counts discarded words") {
+TEST_CASE("a jump on a frame buffer takes the hand-counted clocks and discards words") {
   const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
   const std::vector<machines::Skip> skips{{0, 0}};
   isa::Program program = make_program({{.opcode = Opcode::skip_if_none, .constant = 3},
@@ -217,7 +217,7 @@ TEST_CASE("a frame takes at least the work of its busiest part and at most the t
   }));
 }
 
-TEST_CASE("a better link never adds clocks") {
+TEST_CASE("a better link never adds clocks to a frame of a frame buffer") {
   CHECK(rc::check("a link that is wider, faster, deeper or of lower latency adds no clock", [] {
     const auto program = *test::arbitrary_program(shape, 30);
     const auto skips = arbitrary_skips(program);
@@ -235,7 +235,7 @@ TEST_CASE("a better link never adds clocks") {
 // previous row is shown for 8. Counted from 27 on, it has latched the last row after 2 * 5 + 6 * 8 = 58 clocks and
 // shown it after 5 + 8 * 8 = 69. The next frame also starts at 27; its picture is complete 14 clocks later, is copied
 // 58 clocks later, and the frame ends at 70. The frame after it starts at 71.
-TEST_CASE("with two buffers a frame is copied when its predecessor is latched (by hand)") {
+TEST_CASE("a frame in two buffers is copied when its predecessor is latched (hand count)") {
   const isa::Program program = coloured(make_program({{.opcode = Opcode::enable_all}}), 5);
   const Machine machine = with_buffers(machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 3),
                                        2, ScanOutPort::own);

@@ -108,7 +108,7 @@ TEST_CASE("the parts of a machine are numbered consecutively with pixels before 
   CHECK(PartNumbers{}.count() == 6);  // one renderer of three parts, the sender, the frame buffer, the ring
 }
 
-TEST_CASE("parts act at their latest scheduled edge in order of their numbers") {
+TEST_CASE("parts act at their latest scheduled clock edge in order of their numbers") {
   CHECK(rc::check([] {
     Agenda agenda(many);
     std::map<std::size_t, Time> due;
@@ -137,7 +137,7 @@ TEST_CASE("parts act at their latest scheduled edge in order of their numbers") 
   }));
 }
 
-TEST_CASE("a word is readable an edge after its write and frees its place likewise") {
+TEST_CASE("a FIFO's word is readable an edge after its write and likewise its place free") {
   Agenda agenda(2);
   Fifo<int> fifo(2, 0, 1, agenda);
   CHECK_FALSE(fifo.has_word(0));
