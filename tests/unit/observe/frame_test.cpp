@@ -68,7 +68,7 @@ TEST_CASE("a picture starts as background without depth or owners") {
   CHECK(frame.owner == std::vector<std::uint32_t>(width * height, observe::no_owner));
 }
 
-TEST_CASE("copies depth and colour of a segment to its place in the picture") {
+TEST_CASE("depth and colour of a segment are copied to its place in the picture") {
   observe::FrameObserver observer(program());
   FakePixels pixels({67, 1, 3, 2});
   for (std::uint32_t y = 0; y < 2; ++y) {
@@ -111,7 +111,7 @@ TEST_CASE("a pixel with merged depth is owned by the primitive of that depth") {
   CHECK(others_than(owner, observe::no_owner) == 4);
 }
 
-TEST_CASE("copies owners to the segment's place in the picture") {
+TEST_CASE("owners of a segment are copied to its place in the picture") {
   observe::FrameObserver observer(program());
   FakePixels pixels({67, 1, 3, 2});
   pixels.enable(2, 1);

@@ -61,7 +61,7 @@ TEST_CASE("the estimated time of a cycle-level run is within a factor of two") {
   CHECK(ratio < 2);
 }
 
-TEST_CASE("warns once and only of long work") {
+TEST_CASE("a warning of long work is printed once and only for long work") {
   double now = 0;
   observe::LongWork work(
       "this study", "take less", [&now] { return now; }, 60);

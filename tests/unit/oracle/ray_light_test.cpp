@@ -41,7 +41,7 @@ TEST_CASE("walls of a subtracted solid are green or in its colour") {
   CHECK(is_near(middle_of("difference(){" + wall + blue + "}", {}), glm::dvec3(0, 0, part)));
 }
 
-TEST_CASE("a light adds its colour times the cosine but nothing behind a face") {
+TEST_CASE("a light adds its colour times the cosine and nothing to a face turned away") {
   scene::Light light = testing::shining({3, 4, 0});
   light.colour = {1, 0.5, 0};
   light.intensity = 0.5;
@@ -50,7 +50,7 @@ TEST_CASE("a light adds its colour times the cosine but nothing behind a face") 
   CHECK(is_near(middle_of(wall, lit_by(light)), yellow * 0.3));
 }
 
-TEST_CASE("the sum of lights is clamped to white") {
+TEST_CASE("the ray oracle clamps the sum of lights to white") {
   scene::Scene scene = lit_by(testing::shining({0, 1, 0}));
   scene.lights.push_back(testing::shining({0, 1, 0}));
   CHECK(is_near(middle_of(testing::coloured({1, 0.5, 0.1}, wall), scene), {1, 0.85, 0.17}));

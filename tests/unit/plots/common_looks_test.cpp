@@ -34,7 +34,7 @@ plots::Names numbered(const std::string& stem, int count) {
 
 }  // namespace
 
-TEST_CASE("a series keeps its colour and its mark across plots") {
+TEST_CASE("a series has the same colour and mark in all plots of a study") {
   std::vector<plots::Plot> plots{make_chart("one", {"a", "b", "c"}), make_chart("other", {"c", "d", "a"})};
   plots::give_common_looks(plots);
   std::set<std::string_view> colours;

@@ -101,7 +101,7 @@ TEST_CASE("a label without room is replaced by a number counted from 1") {
   CHECK(placed[0].box.right - placed[0].box.left == doctest::Approx(plots::text_width("1")));
 }
 
-TEST_CASE("labels without any room are omitted") {
+TEST_CASE("labels of points without any room are omitted") {
   const std::vector<plots::LabelRequest> requests(200, request(20, 20));
   CHECK(plots::place_labels(requests, {{0, 0, 50, 50}, {}, {}}).size() < 20);
 }

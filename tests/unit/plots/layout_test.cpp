@@ -63,7 +63,7 @@ TEST_CASE("no two texts of a plot overlap and nothing leaves the picture") {
   }
 }
 
-TEST_CASE("no two texts overlap in random plots") {
+TEST_CASE("no two texts of random plots overlap") {
   const auto seeds = testing::cases<unsigned>(300, 30);
   for (unsigned seed = 0; seed < seeds; ++seed) {
     CAPTURE(seed);
@@ -83,7 +83,7 @@ TEST_CASE("the key names the largest series and counts the others with their tab
   CHECK(with(plots::lay_out(make_chart(8)), "more").empty());
 }
 
-TEST_CASE("series in the key have distinct colours and the others are grey") {
+TEST_CASE("series listed in the key have distinct colours and all others are grey") {
   const plots::Drawing drawing = plots::lay_out(make_chart(20));
   std::multiset<std::string_view> colours;
   for (const plots::Mark& mark : drawing.marks) colours.insert(mark.colour);
@@ -206,7 +206,7 @@ TEST_CASE("axis names stand upright where they do not fit and are omitted if nee
   CHECK(upright(axis(300)) > 20);
 }
 
-TEST_CASE("counts bars beyond the displayed maximum") {
+TEST_CASE("a plot counts the bars beyond the displayed maximum") {
   plots::Bars bars{"title", {"bit"}, {}, {}, "table.csv"};
   for (std::size_t i = 0; i < plots::max_bars + 7; ++i)
     bars.bars.push_back({"bar " + std::to_string(i), 8, {{"Z1", 0, 4}}});

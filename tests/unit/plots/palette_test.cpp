@@ -116,7 +116,7 @@ TEST_CASE("lines are distinct without colours: each has its own dash and mark") 
   }
 }
 
-TEST_CASE("lines contrast with the paper") {
+TEST_CASE("line colours contrast with white paper") {
   for (const std::string_view colour : line_colours()) CHECK(palette::contrast(colour, "#ffffff") > 2.25);
   for (const std::string_view colour : dark_page_colours()) CHECK(palette::contrast(colour, "#15181c") > 3);
 }

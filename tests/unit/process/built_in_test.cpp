@@ -81,7 +81,7 @@ TEST_CASE("published figures of the processes follow from their sources' stateme
   CHECK(today.memory_transistor_area == 4500);  // 0.027 um2 / 6
 }
 
-TEST_CASE("each process yields the hand-calculated clock and silicon and energy") {
+TEST_CASE("each built-in process yields the hand-calculated clock and silicon and energy") {
   const machines::Machine machine = kinds::load("pixel-planes-4");
   for (const Expected& one : all) {
     CAPTURE(one.name);

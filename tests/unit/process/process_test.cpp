@@ -111,7 +111,7 @@ TEST_CASE("each figure of each built-in process has a source") {
   }
 }
 
-TEST_CASE("loads a process by name or file with changed figures and reports errors in place") {
+TEST_CASE("a process is loaded by name or file with changed figures") {
   CHECK(process::load_process("nmos-3um+gate.delay=5000").gate_delay == 5000);
   CHECK(process::load_process("nmos-3um+gate.delay=5000").name == "nmos-3um+gate.delay=5000");
   CHECK_THROWS_AS(process::load_process("nmos-3um+gate.delay=0"), machines::ChangeError);
@@ -129,7 +129,7 @@ TEST_CASE("Pixel-planes 4 reaches its published 10 MHz in its contemporary proce
   CHECK(clock->path.name == "pixel");
 }
 
-TEST_CASE("clock paths equal the hand-counted sums of their gates") {
+TEST_CASE("the paths that limit the clock equal the hand-counted sums of their gates") {
   const Process one = round_process();
   // Register 100, access 1000; 6 address bits, two levels of gates with four inputs and a driver; 4 gates to select, 2
   // to carry a bit.
@@ -171,7 +171,7 @@ TEST_CASE("the longest wire is half the longer side and the global OR takes all 
   CHECK(path(machine, one, "global OR") == doctest::Approx(100 + 20));
 }
 
-TEST_CASE("a buffer's bits have one read port whatever a pixel's memory has") {
+TEST_CASE("bits of a second buffer have one read port whatever the pixel memory has") {
   const Process one = round_process();
   const double shared = (machines::controller_transistors + double{machines::fifo_transistors}) * 2e-6;
   const machines::Machine two_reads = small_machine("+memory.reads=2");
@@ -183,7 +183,7 @@ TEST_CASE("a buffer's bits have one read port whatever a pixel's memory has") {
   CHECK(process::machine_mm2(two_reads, {4096, 0}, one) == doctest::Approx(pixels + shared));
 }
 
-TEST_CASE("silicon includes pixels and buffers and controllers and FIFOs") {
+TEST_CASE("the silicon of a machine includes pixels and buffers and controllers and FIFOs") {
   const Process one = round_process();
   const machines::Machine machine = small_machine();
   const machines::Resources pixels{4096, 4096 * 64};
@@ -290,7 +290,7 @@ TEST_CASE("a frame of no work and no time takes no energy") {
   CHECK(clock.path.ps == 0);
 }
 
-TEST_CASE("an array of one pixel has no tree and no wire between levels") {
+TEST_CASE("the clock of an array of one pixel includes no tree and no wire between levels") {
   const Process one = round_process();
   machines::Machine machine = small_machine("+evaluator.register_levels=16");
   machine.array.width = 1;
@@ -306,7 +306,7 @@ TEST_CASE("an array of one pixel has no tree and no wire between levels") {
   CHECK(path(machine, one, "trees") == doctest::Approx(100 + 10 * 6 + 300 * side / 2));
 }
 
-TEST_CASE("trees are as deep as the longer side of the array") {
+TEST_CASE("the trees that limit the clock have the depth of the longer side of the array") {
   const Process one = round_process();
   machines::Machine machine = small_machine("+evaluator.register_levels=16");
   for (const bool is_high : {false, true}) {
@@ -324,7 +324,7 @@ TEST_CASE("an OR line of ideal fan-in combines all pixels in levels of process g
   CHECK(path(small_machine("+global_or.fan_in=ideal"), one, "global OR") == doctest::Approx(100 + 60));
 }
 
-TEST_CASE("a memory one bit larger than a decoder's capacity takes one more level") {
+TEST_CASE("pixel memory one bit beyond a decoder's capacity takes one more level of gates") {
   const Process one = round_process();
   machines::Machine machine = small_machine();
   const auto pixel = [&](std::uint32_t bits) {
@@ -341,7 +341,7 @@ TEST_CASE("a memory one bit larger than a decoder's capacity takes one more leve
   CHECK(pixel(4096) == doctest::Approx(others + 20));
 }
 
-TEST_CASE("a process lists its figures in file order with unit and value") {
+TEST_CASE("a process lists its figures in the order of its file with unit and value") {
   const Process one = round_process();
   CHECK(one.name == "round");
   CHECK(one.description == "of round figures");
