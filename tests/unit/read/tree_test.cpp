@@ -16,7 +16,7 @@ TEST_CASE("groups and renders and the file itself are unions") {
   CHECK(outline(read("cube(1); sphere(r = 1); cube(2);")) == "union(cube, sphere, cube)");
 }
 
-TEST_CASE("keeps the written structure except operators of one child or none") {
+TEST_CASE("a tree keeps the written structure except operators of one child or none") {
   CHECK(outline(read("union() { union() { cube(1); cube(1); } sphere(r = 1); }")) ==
         "union(union(cube, cube), sphere)");
   CHECK(outline(read("group() { intersection() { group() { sphere(r = 1); } } } group(); group() {}")) == "sphere");
@@ -62,7 +62,7 @@ TEST_CASE("a model of empty solids is an empty tree") {
   CHECK(tree.file == "m.csg");
 }
 
-TEST_CASE("rejects a file without statements") {
+TEST_CASE("a .csg file without statements is rejected") {
   const char* message = "m.csg: no model found; export one from OpenSCAD";
   for (const char* text : {"", " \n", "// nothing\n", "/* nothing */;", "\xEF\xBB\xBF"})
     CHECK(error_of(text) == message);
@@ -102,13 +102,13 @@ TEST_CASE("the first ! counts even under % but not under a disable modifier") {
   CHECK(outline(read("/* ! */ cube(1);")) == "cube");
 }
 
-TEST_CASE("reports an error in a subtree with the ! modifier") {
+TEST_CASE("an error in a subtree with the ! modifier is reported") {
   CHECK(error_of("!group() { cub(1); }") == "m.csg:1:12: unknown node cub(); did you mean cube()?");
   CHECK(error_of("!cube(1); sphere(") ==
         "m.csg:1:18: expected `name = value`, a value or `)` in sphere(...), found the end of the file");
 }
 
-TEST_CASE("rejects nodes without half-spaces and suggests a replacement") {
+TEST_CASE("a node without half-spaces is rejected with a suggested replacement") {
   for (const char* node : {"fill", "glide", "roof", "subdiv", "import_stl"}) {
     CHECK(error_of("group() {\n  " + std::string(node) + "(file = \"x\", timestamp = 0);\n}") ==
           "m.csg:2:3: " + std::string(node) +
@@ -117,7 +117,7 @@ TEST_CASE("rejects nodes without half-spaces and suggests a replacement") {
   }
 }
 
-TEST_CASE("rejects unknown nodes and suggests the nearest one") {
+TEST_CASE("an unknown node is rejected with the nearest known one") {
   CHECK(error_of("Sphere(r = 1);") == "m.csg:1:1: unknown node Sphere(); did you mean sphere()?");
   CHECK(error_of("diffrence() {}") == "m.csg:1:1: unknown node diffrence(); did you mean difference()?");
   CHECK(error_of("xyzzy();") ==
@@ -127,7 +127,7 @@ TEST_CASE("rejects unknown nodes and suggests the nearest one") {
   CHECK(error_of(std::string(100000, 'a') + "();").size() < 350);
 }
 
-TEST_CASE("rejects children of solids") {
+TEST_CASE("children of a solid are rejected") {
   CHECK(outline(read("cube(1) {} sphere(r = 1) { %cube(1); }")) == "union(cube, sphere)");
   CHECK(error_of("cube(1) {\n sphere(r = 1); }") ==
         "m.csg:2:2: cube() cannot have children; put sphere() next to it, in a union() or difference()");

@@ -32,7 +32,7 @@ report::Page page(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a hostile name is never markup and ends no script") {
+TEST_CASE("a hostile name in a page is never markup and ends no script") {
   const std::string plain = report::to_html(page("plain"));
   for (const std::string name : {"</script><script>alert(1)</script>", "\"><img src=x onerror=alert(1)>", "<!-- ",
                                  "]]></style></title><b>", "' onload='x"}) {
@@ -53,7 +53,7 @@ TEST_CASE("a table cell shows a value of the page's data and its JSON path") {
   CHECK(report::cell(data, "/none").value.is_null());
 }
 
-TEST_CASE("a share is a fraction or 0 for 0 of 0 or none for a missing number") {
+TEST_CASE("a share in a page is a fraction or 0 for 0 of 0 or absent for a missing number") {
   CHECK(report::share(3, 12).value == 0.25);
   CHECK(report::share(0, 0).value == 0.0);
   CHECK(report::share(nullptr, 12).value.is_null());
