@@ -245,7 +245,7 @@ TEST_CASE("a ray visits its cells in order from each entry to each exit") {
   }
   CHECK(cells > 4000);
 }
-TEST_CASE("a ray that begins or ends on a wall between cells visits none beyond it") {
+TEST_CASE("a ray that begins or ends on a wall between cells visits no cell beyond it") {
   std::vector<Corners> polygons;
   for (const double x : {-7.5, 7.5, -7.25, 7.25}) polygons.push_back({{x, -1, -1}, {x, 1, -1}, {x, 1, 1}, {x, -1, 1}});
   const software::Facets facets = facets_with(polygons);

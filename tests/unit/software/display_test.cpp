@@ -211,7 +211,7 @@ TEST_CASE("each facet method is found by name and all but two are exact") {
   CHECK_THROWS_AS(software::display_method(""), InputError);
   CHECK_THROWS_AS(software::display_method("list-priorit"), InputError);
 }
-TEST_CASE("a new picture has zero counts") {
+TEST_CASE("a new picture of a facet method has zero counts") {
   const software::DisplayCounts counts;
   CHECK(counts.polygons + counts.pieces + counts.shared + counts.references + counts.crossing_tests +
             counts.overlap_tests + counts.drawn_polygons + counts.pixel_events + counts.passes + counts.spans +

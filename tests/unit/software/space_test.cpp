@@ -431,6 +431,6 @@ TEST_CASE("the parts of halving directories fill space and contain the cells of 
     if (!row->halves_space) CHECK(row->make(shapes, {})->parts().empty());
   }
 }
-TEST_CASE("rejects an unknown directory and lists the valid ones") {
+TEST_CASE("an unknown directory of space is rejected with a list of the valid ones") {
   CHECK(testing::error_of([] { (void)software::directory_of("excel"); }).find("excell") != std::string::npos);
 }

@@ -222,7 +222,7 @@ TEST_CASE("every traversal obeys the rules in all states of a chain of 14 operat
   CHECK(find_fault(model, Shape::written, random, tally) == "");
   CHECK(find_fault(model, Shape::balanced, random, tally) == "");
 }
-TEST_CASE("tree shapes have their documented depth") {
+TEST_CASE("each tree shape has its documented depth") {
   for (const unsigned primitives : {2U, 3U, 5U, 8U, 9U, 16U, 17U, 100U, 1024U, 1025U}) {
     CAPTURE(primitives);
     const model::Tree model = union_of(primitives);

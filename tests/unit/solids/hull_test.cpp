@@ -115,7 +115,7 @@ TEST_CASE("subnormal coordinates count as 0 in a hull") {
   }
 }
 
-TEST_CASE("a hull thinner than rounding yields no piece") {
+TEST_CASE("a hull thinner than rounding has no piece") {
   std::vector<glm::dvec3> points;
   for (int i = 0; i < 8; ++i) points.emplace_back(i % 2, i / 2 % 2, i / 4 * 1e-14);
   CHECK(hull(points).faces.size() == 12);
