@@ -167,7 +167,7 @@ TEST_CASE("the story of random quadric models has the owners and depths of the p
   CHECK(by_plane > 100);
 }
 
-TEST_CASE("text and JSON name the visible quadric and its side and root bits") {
+TEST_CASE("a story's text and JSON name the visible quadric and its side and root bits") {
   const Drawn drawn = draw({"pixel-powers"}, bowl, view::Projection::orthographic);
   const story::HalfspaceFinder finder(drawn.tree, drawn.scene, drawn.view);
   const story::Subject subject{drawn.program, &finder};

@@ -45,7 +45,7 @@ const char* const bitten_cube = "difference(){cube(size=14,center=true);sphere($
 
 }  // namespace
 
-TEST_CASE("the Pareto front has the points not beaten in clocks and wrong pixels") {
+TEST_CASE("the Pareto front has the points that no other beats in clocks and wrong pixels") {
   const std::vector<studies::Measurement> all{point("d", 40, 2), point("a", 10, 90), point("c", 30, 50),
                                               point("b", 20, 50), point("e", 50, 2)};
   std::string names;
@@ -65,7 +65,7 @@ TEST_CASE("each halving leads to the cheapest point with at most half as many wr
   CHECK(steps[2].from.value + steps[2].to.value == "de");
 }
 
-TEST_CASE("more depth bits cost clocks and do not add wrong pixels beyond the bounds") {
+TEST_CASE("more depth bits take more clocks and do not increase depth errors") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   studies::Meter meter(tree, studies::turned_views(camera, 3), small_machine(), {});
   std::uint64_t clocks = 0;
@@ -85,7 +85,7 @@ TEST_CASE("more depth bits cost clocks and do not add wrong pixels beyond the bo
   }
 }
 
-TEST_CASE("counts are sums over the views and depth errors are the worst of them") {
+TEST_CASE("accuracy sums counts over its views and takes the worst depth error") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   const std::vector<view::Camera> views = studies::turned_views(camera, 2);
   studies::Settings settings{"z-bits", "8", {}, small_sampling()};
@@ -125,7 +125,7 @@ TEST_CASE("a tighter faceting tolerance improves the picture for more half-space
   }
 }
 
-TEST_CASE("chooses the cheapest settings that fit the machine and the wrong-pixel limit") {
+TEST_CASE("the cheapest settings that fit the machine and the wrong-pixel limit are chosen") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   studies::Meter meter(tree, {camera}, small_machine(), {});
   const std::vector<studies::Settings> grid = studies::grid(small_sampling(), {});
@@ -207,7 +207,7 @@ TEST_CASE("accuracy varies only the requested knobs") {
                                            "tolerance 0.25"});
 }
 
-TEST_CASE("a comparison row has a cell below each column name") {
+TEST_CASE("a row of accuracy has a cell for each column name") {
   studies::ComparisonRow row;
   row.point = {"a machine", 1001, 1002, 1003, "an ideal"};
   row.inputs = {"a model", "a hash", "a build"};

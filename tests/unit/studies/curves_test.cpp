@@ -111,7 +111,7 @@ TEST_CASE("points that vary curves ignore the faceting set for other points") {
   CHECK(drawn_as(emit::Curves::fast, exact).faceting.fast_spheres);
 }
 
-TEST_CASE("omits fast spheres with a reason if none can be drawn") {
+TEST_CASE("accuracy omits fast spheres with a reason if none can be drawn") {
   const std::string ball = "sphere($fn=16,$fa=12,$fs=2,r=9);";
   const std::string ellipsoid = "multmatrix([[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){" + ball + "}";
   const view::Camera near{camera.eye, camera.centre, view::Projection::perspective};

@@ -104,7 +104,7 @@ TEST_CASE("after 64 repeated cells in a row a sample continues in grid order") {
   CHECK(std::vector<Cell>{others.begin() + 246, others.end()} == std::vector<Cell>{{6, 0, 0}, {0, 5, 0}, {0, 5, 3}});
 }
 
-TEST_CASE("a range includes both ends and has at most 1000 values") {
+TEST_CASE("a range of --vary includes both ends and has at most 1000 values") {
   CHECK(studies::parse_dimension("a=0..2").values == Texts{"0", "1", "2"});
   CHECK(studies::parse_dimension("a=5..5").values == Texts{"5"});
   CHECK(studies::parse_dimension("a=2000000000..2000000000").values == Texts{"2000000000"});
@@ -154,7 +154,7 @@ TEST_CASE("--vary accepts the values of each option of render up to its limits")
   CHECK(option_error("memory-bits", "1,2") == "'1,2' is not a number");
 }
 
-TEST_CASE("assigns values to render's options and takes other keys as machine figures") {
+TEST_CASE("--vary assigns values to options of render or else to machine figures") {
   session::ModelRequest options;
   const std::vector<std::pair<std::string, std::string>> values{
       {"size", "9x7"},       {"memory-bits", "70"}, {"z-bits", "11"},    {"fraction-bits", "5"},
@@ -176,14 +176,14 @@ TEST_CASE("assigns values to render's options and takes other keys as machine fi
                                       "stack-bits", "colouring", "curves", "pruning"});
 }
 
-TEST_CASE("exactly four figures set the memory of a pixel") {
+TEST_CASE("exactly four figures of machines set the memory of a pixel") {
   for (const char* const key : {"array.memory_bits", "pixel.memory_bits", "cells.words", "cells.word_bits"})
     CHECK(studies::is_memory_figure(key));
   for (const char* const key : {"", "memory_bits", "memory.reads", "node.memory_words", "memory-bits"})
     CHECK_FALSE(studies::is_memory_figure(key));
 }
 
-TEST_CASE("the default is all designs or the sample of seed 1") {
+TEST_CASE("explore requests all designs by default or the sample of seed 1") {
   const std::vector<Dimension> dimensions{{"z-bits", numbers_from(4, 27)}};
   CHECK(studies::GridChoice{}.points == 0);
   CHECK(studies::GridChoice{}.seed == 1);
@@ -201,7 +201,7 @@ TEST_CASE("the default is all designs or the sample of seed 1") {
   CHECK(listed == drawn);
 }
 
-TEST_CASE("a grid may have 10000 cells and a larger one must be sampled") {
+TEST_CASE("a grid of designs may have 10000 cells and a larger one must be sampled") {
   CHECK(studies::max_designs == 10'000);
   const Texts tens(10, "20");
   std::vector<Dimension> dimensions{
@@ -213,15 +213,15 @@ TEST_CASE("a grid may have 10000 cells and a larger one must be sampled") {
   CHECK(design_error({}, dimensions, {1, 1}) == "");
 }
 
-TEST_CASE("a grid of 10^18 cells may be sampled") { CHECK(design_error({}, nine_dimensions(), {1, 1}) == ""); }
+TEST_CASE("a grid of 10^18 designs may be sampled") { CHECK(design_error({}, nine_dimensions(), {1, 1}) == ""); }
 
-TEST_CASE("rejects a sample of a grid of more than 10^18 cells") {
+TEST_CASE("a sample of a grid of more than 10^18 designs is rejected") {
   std::vector<Dimension> dimensions = nine_dimensions();
   dimensions[8].values.emplace_back("field");
   CHECK(design_error({}, dimensions, {1, 1}) == "--vary: the grid has more than 10^18 designs; vary fewer parameters");
 }
 
-TEST_CASE("rejects an unknown key and lists options and the nearest figure") {
+TEST_CASE("--vary rejects an unknown key and lists options and the nearest figure") {
   const std::string options =
       "size, memory-bits, z-bits, fraction-bits, colour-bits, strategy, stack-bits, colouring, curves, pruning";
   CHECK(design_error({}, {{"array.widt", {"1"}}}) ==
@@ -232,7 +232,7 @@ TEST_CASE("rejects an unknown key and lists options and the nearest figure") {
         "--vary: 'alu.bits' is given twice; list all its values once");
 }
 
-TEST_CASE("rejects a value that is impossible alone and with the last values of the others") {
+TEST_CASE("--vary rejects a value that is impossible alone and with the others' last values") {
   // The trees of pixel-planes-4 deliver one bit per clock, and its ALU takes one: neither may be 4 without the other.
   const Dimension alu{"alu.bits", {"1", "4"}};
   const Dimension trees{"evaluator.bits", {"1", "4"}};
@@ -248,7 +248,7 @@ TEST_CASE("rejects a value that is impossible alone and with the last values of 
   CHECK(design_error({}, {{"pruning", {"al"}}}).starts_with("--vary pruning: "));
 }
 
-TEST_CASE("rejects a figure that conflicts with an option and accepts an equal one") {
+TEST_CASE("--vary rejects a figure that conflicts with an option and accepts an equal one") {
   const auto error = [](const char* key, const char* value) {
     return std::string("--vary: an option overrides ") + key + "=" + value + "; omit --size or --memory-bits";
   };

@@ -72,7 +72,7 @@ std::string usage_error(const Texts& words) {
 
 }  // namespace
 
-TEST_CASE("rejects rows without drawings or with unexplained wrong pixels") {
+TEST_CASE("explore rejects rows without drawings or with unexplained wrong pixels") {
   std::vector<ExploreRow> rows{made_row("m.csg", "a", 10, 60), made_row("m.csg", "b", 10, 60)};
   CHECK(refusal_of(rows) == "");
   rows[0].reason = "no memory";
@@ -136,7 +136,7 @@ TEST_CASE("the knee's commands draw it on each model with all non-default option
   CHECK(commands(0) == Texts{expected});
 }
 
-TEST_CASE("a knee drawn by one of two models has a command for that model only") {
+TEST_CASE("a knee drawn with one of two models has a command for that model only") {
   const Explored explored({"m.csg", "n.csg", "--vary", "z-bits=20"});
   std::vector<ExploreRow> rows{made_row("m.csg", "a", 10, 60), made_row("m.csg", "b", 20, 50),
                                made_row("n.csg", "a", 10, 60), made_row("n.csg", "b", 5, 90)};
@@ -192,7 +192,7 @@ TEST_CASE("a page has a table of each front with its knee and a table of command
   CHECK(explored.study().sections(data).empty());
 }
 
-TEST_CASE("rejects contradictory options by name") {
+TEST_CASE("explore rejects contradictory options by name") {
   const Models models;
   const std::string cube = models / "cube.csg";
   CHECK(usage_error({cube, "--vary", "alu.bits=1,2", "--set", "alu.bits=4"}) ==
