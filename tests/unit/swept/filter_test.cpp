@@ -277,7 +277,7 @@ TEST_CASE("a larger element after smaller ones takes their vertices onto its lin
   CHECK(repaired.counts.snaps == 2);
 }
 
-TEST_CASE("elements are emitted once no missing element touches them") {
+TEST_CASE("the filter emits an element once no missing element touches it") {
   WrittenStream stream("(LLL(LLLL", bowl);
   Repaired repaired;
   repair(stream, swept::filter, repaired);
@@ -305,7 +305,7 @@ TEST_CASE("the repair leaves no vertex off a side although many were") {
   CHECK((!testing::draws_usual_cases() || before > 500));
 }
 
-TEST_CASE("each vertex is in all elements it touches: the mesh is closed within the patch") {
+TEST_CASE("a repaired mesh is closed within the patch") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
     Repaired repaired;
@@ -330,7 +330,7 @@ TEST_CASE("each vertex is in all elements it touches: the mesh is closed within 
   }));
 }
 
-TEST_CASE("peak counts of held elements and vertices equal a recount") {
+TEST_CASE("the filter's peak counts of held elements and vertices equal a recount") {
   std::size_t cases = 0;
   CHECK(rc::check([&] {
     const auto surface = swept::surface_of(random_net(4, 4, 30));
@@ -365,7 +365,7 @@ TEST_CASE("the quadtree makes the same mesh and holds all of it") {
   }));
 }
 
-TEST_CASE("between patches no side lacks a vertex in either repair") {
+TEST_CASE("no side between patches lacks a vertex after either repair") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(5, 6, 40));
     const auto way = *rc::gen::element(swept::Repair::filter, swept::Repair::quadtree);

@@ -95,7 +95,7 @@ TEST_CASE("three points are collinear if their triangle is 1e-9 as high as long"
   CHECK(off({1, 0, 0}, {1000, 2e-3, 0}) == 0);
 }
 
-TEST_CASE("an element is flat if it is within the tolerance of the plane without its tip") {
+TEST_CASE("an element is flat if its middle and tip are within the tolerance of a plane") {
   for (const FlatCase& one :
        std::vector<FlatCase>{{{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0.125}}}, {2, 2, 0}, true},
                              {{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0.126}}}, {2, 2, 0}, false},

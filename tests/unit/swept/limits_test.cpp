@@ -75,7 +75,7 @@ TEST_CASE("a fault in a curve of a sweep names the curve") {
   CHECK(swept::fault_of(sweep) == "the scale" + what);
 }
 
-TEST_CASE("rejects a point as contour or trajectory and closed functions") {
+TEST_CASE("a point as contour or trajectory and a closed function are rejected") {
   Sweep sweep = block();
   sweep.contour = {0, true, {{1, 1, 0}}};
   CHECK(swept::fault_of(sweep).find("the contour") == 0);
@@ -89,7 +89,7 @@ TEST_CASE("rejects a point as contour or trajectory and closed functions") {
   }
 }
 
-TEST_CASE("rejects a negative scale along u or v at any point and accepts 0") {
+TEST_CASE("a negative scale along u or v is rejected at any point and 0 accepted") {
   for (const glm::dvec3& point : {glm::dvec3{-0.1, 1, 0}, glm::dvec3{1, -0.1, 0}}) {
     for (const bool is_last : {false, true}) {
       Sweep sweep = block();
@@ -103,7 +103,7 @@ TEST_CASE("rejects a negative scale along u or v at any point and accepts 0") {
   CHECK(swept::fault_of(sweep).empty());
 }
 
-TEST_CASE("the limits on points and patches are exact") {
+TEST_CASE("a sweep with the most points and patches is accepted and with one more rejected") {
   CHECK(swept::fault_of(Curve{1, false, std::vector<glm::dvec3>(10'000)}).empty());
   CHECK(!swept::fault_of(Curve{1, false, std::vector<glm::dvec3>(10'001)}).empty());
   for (std::uint32_t degree = 1; degree <= 3; ++degree) {
@@ -122,7 +122,7 @@ TEST_CASE("the limits on points and patches are exact") {
   CHECK(swept::fault_of(sweep) == "contour and trajectory make more than 100000 patches; remove points");
 }
 
-TEST_CASE("a net needs four equal rows of four points and at most 100000 patches") {
+TEST_CASE("a net has at least four equal rows of four points and at most 100000 patches") {
   CHECK(swept::fault_of(make_net(4, 4)).empty());
   CHECK(swept::fault_of(make_net(3, 4)) == "a patch needs at least 4 rows of points, not 3");
   CHECK(swept::fault_of(make_net(4, 3)) == "a row of a patch needs at least 4 points, not 3");
@@ -150,7 +150,7 @@ TEST_CASE("on a closed trajectory the scale along u and v and the rotation must 
   }
 }
 
-TEST_CASE("rejects a trajectory that stands still at its start or middle or end") {
+TEST_CASE("a trajectory that stands still at its start or middle or end is rejected") {
   for (const std::size_t segment : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
     std::vector<glm::dvec3> points{{0, 0, 0}, {0, 0, 3}, {0, 0, 6}};
     points.insert(points.begin() + static_cast<std::ptrdiff_t>(segment), points[segment]);
@@ -176,7 +176,7 @@ TEST_CASE("rotation forwards and backwards adds up and may total a right angle")
   CHECK(is_short(function(2, {0, -80, 0})));
 }
 
-TEST_CASE("a twist to one side and back within a segment is not mistaken for none") {
+TEST_CASE("a twist to one side and back within a segment of a sweep is drawn") {
   // The rotation is 0 at both ends and in the middle.
   Sweep sweep = block();
   sweep.rotation = function(3, {0, 300, -300, 0});
@@ -225,7 +225,7 @@ TEST_CASE("a patch with one bent side is subdivided whichever side it is") {
   CHECK(leaves_of(sweep, 2, {0.1}) >= 8);  // bent in the west
 }
 
-TEST_CASE("the limits on levels and elements and work of a surface are exact") {
+TEST_CASE("a surface at its limits on levels and elements and work is accepted") {
   Sweep sweep{circle(3, 8), line(10)};
   sweep.scale = {2, false, {{1, 1, 0}, {3, 3, 0}, {1, 1, 0}}};
   const std::unique_ptr<swept::Surface> surface = swept::surface_of(sweep);

@@ -248,7 +248,7 @@ TEST_CASE("both repairs split patch edges into segments of the larger elements")
   }
 }
 
-TEST_CASE("vertices on nested lines and between patches end up on the larger lines") {
+TEST_CASE("vertices on nested lines and between patches move onto the larger lines") {
   // The west patch has quarters of quarters at the common edge, the east patch has quarters. The segments of the edge
   // are its halves, (4, 0, 16) to (4, 2, 20) to (4, 4, 32), with the vertices at 1 and 3 half-way.
   for (const Repair repair : both_repairs) {

@@ -92,7 +92,7 @@ TEST_CASE("a twisted square keeps its volume") {
   CHECK(volume_of(sweep, 0.002) == doctest::Approx(16).epsilon(0.002));
 }
 
-TEST_CASE("whole turns within a segment and scales that return are not mistaken for none") {
+TEST_CASE("whole turns within a segment and scales that return are drawn") {
   Sweep sweep{square(1), line({0, 0, 0}, {0, 0, 40})};
   sweep.rotation = {1, false, {{0, 0, 0}, {720, 0, 0}}};
   CHECK(swept::make_swept_solid(sweep, {0.1}).mesh.points.size() > 100);
@@ -224,7 +224,7 @@ TEST_CASE("any sweep is closed and oriented outwards and equals the quadtree's e
   }));
 }
 
-TEST_CASE("reports invalid sweeps with a fix") {
+TEST_CASE("an invalid sweep is reported with a fix") {
   const Sweep good{square(1), line({0, 0, 0}, {0, 0, 4})};
   CHECK(swept::fault_of(good) == "");
   Sweep open = good;

@@ -139,7 +139,7 @@ TEST_CASE("a missing or null member of a request is empty but a wrong type is an
   CHECK(errors("mixed")[1] == "mixed must be an array of texts");
 }
 
-TEST_CASE("sends text on one line with invalid UTF-8 replaced") {
+TEST_CASE("a message to the page is one line with invalid UTF-8 replaced") {
   CHECK(viewer::text_of(Json{{"b", {1, 2}}, {"a", "x"}}) == R"({"b":[1,2],"a":"x"})");
   CHECK(viewer::text_of(Json("a\xffz")) == "\"a\xef\xbf\xbdz\"");
 }

@@ -101,7 +101,7 @@ std::string lane_in(const testing::Answer& answer) {
 
 }  // namespace
 
-TEST_CASE("after any single change each request is answered as by a new session") {
+TEST_CASE("a session answers each request after any change as a new session does") {
   for (const Question& question : questions()) {
     const Json plain{{"knobs", small}};
     const Json expected = fresh_answer(question, plain);
@@ -116,7 +116,7 @@ TEST_CASE("after any single change each request is answered as by a new session"
   }
 }
 
-TEST_CASE("each change affects the instructions or the picture") {
+TEST_CASE("each of the tested changes affects the instructions or the picture") {
   const Json plain{{"knobs", small}};
   for (const Json& changed : changes()) {
     const std::string label = changed.dump();
@@ -127,7 +127,7 @@ TEST_CASE("each change affects the instructions or the picture") {
   }
 }
 
-TEST_CASE("a rewritten model is drawn again") {
+TEST_CASE("a rewritten model file is drawn again") {
   const std::filesystem::path model =
       std::filesystem::temp_directory_path() / ("csgsim-session-" + std::to_string(::getpid()) + ".csg");
   const auto write = [&](const char* text) { std::ofstream(model) << text; };
@@ -194,7 +194,7 @@ TEST_CASE("a part of the lanes states the first and last clock of the whole") {
   CHECK(recorder.count == 1);
 }
 
-TEST_CASE("compares two drawings again when either changes") {
+TEST_CASE("two drawings are compared again when either changes") {
   viewer::Session session({file, {}, Json::object()});
   const Json plain{{"knobs", small}};
   const auto pixels = [&](const Json& a, const Json& b) {

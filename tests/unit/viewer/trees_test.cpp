@@ -109,13 +109,13 @@ TEST_CASE("the model's tree has each node of the file once with operands after o
   for (std::uint32_t i = 0; i < primitives.size(); ++i) CHECK(primitives[i] == i);
 }
 
-TEST_CASE("an undrawn primitive has no active tree") {
+TEST_CASE("a primitive that is not drawn has no active tree") {
   const Compiled one = compiled("thesis_fig_2_3", {"--size", "64x48", "--view-all"});
   viewer::ActiveTrees trees(one.model, one.options, one.machine);
   CHECK_FALSE(trees.of(1000, 0));
 }
 
-TEST_CASE("shows the first 4000 rows of a tree and all rows of a smaller one") {
+TEST_CASE("the first 4000 rows of a tree are shown and all rows of a smaller one") {
   for (const std::uint32_t leaves : {3998U, 3999U, 4000U, 5000U}) {
     model::Tree tree;
     model::Node root;
@@ -194,7 +194,7 @@ TEST_CASE("a tree has its operators' names with operands one level deeper in ord
   CHECK(viewer::tree_of({}, {}) == Json::array());
 }
 
-TEST_CASE("pieces of one node are that node and an unnamed primitive has its number") {
+TEST_CASE("pieces of a node are named as the node and an unnamed primitive by its number") {
   model::Tree tree;
   const model::Primitive cube;
   model::Node pieces;
