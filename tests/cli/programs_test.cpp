@@ -116,8 +116,7 @@ TEST_CASE("rejects a Program on another kind or smaller machine and names the di
     CAPTURE(words);
     fails(outcome, 1, {text});
   };
-  const std::string other =
-      "was compiled for scan-line, of kind scan-line, and pixel-planes-4 is of kind frame-buffer";
+  const std::string other = "was compiled for scan-line, of kind scan-line, and pixel-planes-4 is of kind frame-buffer";
   refused("run " + lines + " --machine pixel-planes-4" + output, other);
   refused("explain " + lines + " --machine pixel-planes-4 --pixel 3,3", other);
   refused("wave " + lines + " --machine pixel-planes-4 --pixel 3,3 -o " + (folder / "out.vcd"), other);

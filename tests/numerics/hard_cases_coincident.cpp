@@ -52,8 +52,12 @@ TEST_CASE("coincident faces of a union belong to the first solid") {
 TEST_CASE("coincident faces of an intersection belong to the first solid") {
   check_seen(intersect({box({0, 0, 0}, {10, 10, 10}), box({2, 0, 3}, {18, 7, 10})}));
 }
-TEST_CASE("a cut that ends flush with the front face leaves no membrane") { check_seen(subtract({left, box({2, 0, 2}, {8, 5, 8})})); }
-TEST_CASE("a cut that ends flush with the back face leaves no membrane") { check_seen(subtract({left, box({2, 5, 2}, {8, 10, 8})})); }
+TEST_CASE("a cut that ends flush with the front face leaves no membrane") {
+  check_seen(subtract({left, box({2, 0, 2}, {8, 5, 8})}));
+}
+TEST_CASE("a cut that ends flush with the back face leaves no membrane") {
+  check_seen(subtract({left, box({2, 5, 2}, {8, 10, 8})}));
+}
 TEST_CASE("a cut that ends flush with a side face leaves no membrane") {
   check_seen(subtract({left, box({5, 2, 2}, {10, 8, 8})}));
   check_seen(subtract({left, box({2, 2, 5}, {8, 8, 10})}));

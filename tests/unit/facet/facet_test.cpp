@@ -76,7 +76,9 @@ TEST_CASE("circles have the number of fragments of OpenSCAD") {
   CHECK(model::fragments(100, {0, 1, 0.01}) == 360);
 }
 
-TEST_CASE("circles with too many fragments are rejected") { CHECK_THROWS_AS(model::fragments(10, {1e9, 12, 2}), InputError); }
+TEST_CASE("circles with too many fragments are rejected") {
+  CHECK_THROWS_AS(model::fragments(10, {1e9, 12, 2}), InputError);
+}
 
 TEST_CASE("solids have the half-spaces of OpenSCAD's facets") {
   const auto count = [](model::Shape shape) { return facet::make_solid(primitive(std::move(shape))).faces.size(); };

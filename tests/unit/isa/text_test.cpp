@@ -59,7 +59,9 @@ TEST_CASE("the sample Program prints as the expected text") {
 )");
 }
 
-TEST_CASE("the sample Program survives a text round trip") { CHECK(parse(printed(sample_program()), "t") == sample_program()); }
+TEST_CASE("the sample Program survives a text round trip") {
+  CHECK(parse(printed(sample_program()), "t") == sample_program());
+}
 
 TEST_CASE("every Program survives a text round trip") {
   CHECK(rc::check("parse() inverts print()", [] {
@@ -139,6 +141,8 @@ TEST_CASE("a hundred thousand named fields are read and printed quickly") {
   CHECK(again.find("  enable_load f1") == std::string::npos);
 }
 
-TEST_CASE("an instruction without an origin has the origin `setup`") { CHECK(instruction_of("enable_all").origin == Origin{}); }
+TEST_CASE("an instruction without an origin has the origin `setup`") {
+  CHECK(instruction_of("enable_all").origin == Origin{});
+}
 
 }  // namespace

@@ -40,7 +40,9 @@ TEST_CASE("a convex part that touches the axis is revolved as one piece") {
   CHECK(pieces_of("pawn_most") == 2 * 5);
 }
 
-TEST_CASE("a convex part away from the axis is revolved as one wedge per fragment") { CHECK(pieces_of("ring_full") == 9); }
+TEST_CASE("a convex part away from the axis is revolved as one wedge per fragment") {
+  CHECK(pieces_of("ring_full") == 9);
+}
 
 TEST_CASE("a profile on both sides of the axis is rejected with OpenSCAD's message") {
   const flat::Area area{{{{-1, 0}, {2, 0}, {2, 1}, {-1, 1}}}};
