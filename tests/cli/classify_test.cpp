@@ -52,7 +52,7 @@ TEST_CASE("classify prices stored counts for another processor without a new run
   CHECK(dear.begin().key() == "mc68000+price.load=24");
 }
 
-TEST_CASE("every tree shape sees the same surfaces or gives a reason if unsupported") {
+TEST_CASE("classify sees the same surfaces with every supported tree shape") {
   const Folder folder;
   const Outcome outcome =
       run(classify(" --shapes written,left-deep,balanced --reduced none,cells,inside --no-plots "

@@ -56,7 +56,7 @@ TEST_CASE("convert reports a block model's blocks and its volume is near the mes
   CHECK(json(folder / "s.json")["volume"].get<double>() == doctest::Approx(volume).epsilon(0.05));
 }
 
-TEST_CASE("reports what cannot be converted and writes nothing") {
+TEST_CASE("convert reports what it cannot convert and writes nothing") {
   const Folder folder;
   write(folder / "flat.csg", "square(size = [1, 2], center = false);");
   const std::string output = " -o " + (folder / "a.stl");
@@ -76,7 +76,7 @@ TEST_CASE("reports what cannot be converted and writes nothing") {
   CHECK(folder.files() == 1);
 }
 
-TEST_CASE("rejects a model too thin for the coordinates of a mesh") {
+TEST_CASE("convert rejects a model too thin for the coordinates of a mesh") {
   const Folder folder;
   fails(run("convert " + std::string(CSGSIM_SOURCE_DIR) + "/tests/unit/convert/models/sheet.csg -o " +
             (folder / "a.off")),
@@ -84,7 +84,7 @@ TEST_CASE("rejects a model too thin for the coordinates of a mesh") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("rejects a conversion that exceeds the work limit") {
+TEST_CASE("convert stops a conversion that exceeds the work limit") {
   const Folder folder;
   fails(run("convert " + model("molecule") + " --limit 1 -o " + (folder / "a.stl")), 1,
         {"converting the model to a boundary"});

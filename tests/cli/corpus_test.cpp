@@ -120,7 +120,7 @@ TEST_CASE("corpus resumes after an interruption and retries failed models") {
   CHECK(all[7]["clocks"] == all[1]["clocks"]);
 }
 
-TEST_CASE("rejects a folder without models") {
+TEST_CASE("corpus rejects a folder without models") {
   const Folder folder;
   fs::create_directories(folder.path() / "empty");
   fails(run_words({"corpus", "empty", "-o", "out"}, folder.path()), 1, {"empty: contains no .csg, .scad or .jan file"});

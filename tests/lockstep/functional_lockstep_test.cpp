@@ -312,7 +312,7 @@ TEST_CASE("one enabled pixel in any tile prevents a skip in all tiles") {
   }
 }
 
-TEST_CASE("skipped instructions do not overflow") {
+TEST_CASE("skipped instructions count no overflow") {
   Instruction skip = op(Opcode::skip_if_none);
   skip.constant = 2;
   const isa::Linear narrow{.a = 1, .b = 0, .c = 100, .width = 3, .shift = 0};

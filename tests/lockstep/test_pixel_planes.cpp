@@ -259,7 +259,7 @@ TEST_CASE("a step completes at the end of the same clock without tree levels") {
   CHECK(report.clocks == lead + 7);
 }
 
-TEST_CASE("a program without instructions costs a clear per segment and the latency") {
+TEST_CASE("a Program without instructions takes a clear per segment and the latency") {
   struct Segments final : RunListener {
     void after_segment(std::uint32_t segment, const PixelView& /*pixels*/) override { seen.push_back(segment); }
     std::vector<std::uint32_t> seen;
@@ -315,7 +315,7 @@ TEST_CASE("each of consecutive Programs starts with cleared pixels") {
   CHECK(empty.picture == std::vector<std::uint32_t>(64, 0));
 }
 
-TEST_CASE("run passes on a listener's exception and the machine remains usable") {
+TEST_CASE("an exception of a listener leaves run() and the machine remains usable") {
   struct Thrower final : RunListener {
     void after_instruction(const Retired&, const PixelView&) override { throw std::runtime_error("enough"); }
   } thrower;
@@ -453,7 +453,7 @@ TEST_CASE("after a jump the wave shows the next instruction once the host has re
   CHECK(between("\n#1800000\n", "\n#1900000\n").find("\nb100 " + code) != std::string::npos);
 }
 
-TEST_CASE("a wave's window ends with the program and nonexistent pixels are rejected") {
+TEST_CASE("a wave's window ends with the Program and nonexistent pixels are rejected") {
   PixelPlanes machine("machine", machine_8x8());
   Dump dump(machine);
   Stopwatch watch(machine);

@@ -128,7 +128,7 @@ TEST_CASE("the frame buffer shows each square in place and the background elsewh
   }
 }
 
-TEST_CASE("a second frame takes the same clocks as the first") {
+TEST_CASE("a second frame on a pixel-square machine takes the same clocks as the first") {
   const auto engine = engine::make_cycle_engine(machine_8x8());
   const engine::RunResult first = engine->run(slow_square_first(), {});
   const engine::RunResult second = engine->run(slow_square_first(), {});
@@ -136,7 +136,7 @@ TEST_CASE("a second frame takes the same clocks as the first") {
   CHECK(first.account == second.account);
 }
 
-TEST_CASE("an observer's exception leaves the run and the next frame is drawn") {
+TEST_CASE("an observer's exception leaves the run and the next frame is drawn correctly") {
   const auto engine = engine::make_cycle_engine(machine_8x8());
   Thrower thrower;
   engine::Observer* const observers[] = {&thrower};

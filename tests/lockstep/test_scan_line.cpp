@@ -118,7 +118,7 @@ TEST_CASE("a line without instructions shows the background after its mark and r
   CHECK(result.clocks == first_entry + 3 + 4 + 4 + 2 * 4);
 }
 
-TEST_CASE("a frame enters while the previous one drains and waits for the refresh path") {
+TEST_CASE("a frame enters the chain while the previous one leaves it") {
   const machines::Machine machine = machine_of(16, {16, 1});
   const std::vector<isa::Program> frames(3, program_of(machine, ramp()));
   engine::Observer nobody;
@@ -140,7 +140,7 @@ TEST_CASE("a frame enters while the previous one drains and waits for the refres
   CHECK(engine::make_cycle_engine(machine)->run(frames.front(), {}).interval_clocks == 16);
 }
 
-TEST_CASE("run passes on a listener's exception and the machine remains usable") {
+TEST_CASE("an exception of a listener leaves run() and the machine remains usable") {
   struct Thrower final : engine::Observer {
     void after_instruction(const engine::Step&, const engine::PixelState&) override {
       throw std::runtime_error("enough");
@@ -154,7 +154,7 @@ TEST_CASE("run passes on a listener's exception and the machine remains usable")
   CHECK(engine->run(program, {}).scanned_out == std::vector<std::uint32_t>{1, 4, 7, 10, 1, 4, 7, 10, 1, 4, 7, 10});
 }
 
-TEST_CASE("reports an observer that reads a state without requesting it") {
+TEST_CASE("an observer that reads a state without requesting it is an error") {
   struct Curious final : engine::Observer {
     [[nodiscard]] bool reads_after(const Instruction&) const override { return false; }
     void after_instruction(const engine::Step&, const engine::PixelState& state) override {

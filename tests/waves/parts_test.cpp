@@ -106,7 +106,7 @@ TEST_CASE("the lanes of ring and frame buffer have the working clocks that a run
   CHECK(buffer.contains("refreshing") == counted.contains("refreshing"));
   if (counted.contains("refreshing")) CHECK(buffer.at("refreshing") == counted.at("refreshing"));
 }
-TEST_CASE("trees and scan-out have separate lanes") {
+TEST_CASE("a file of lanes has separate lanes for trees and scan-out") {
   const Frame frame("pixel-planes-4");
   const Clocks root = clocks_of(frame.lanes.at("root.state"));
   CHECK(root.at("streaming") > 0);

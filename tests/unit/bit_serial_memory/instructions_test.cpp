@@ -54,7 +54,7 @@ Instruction of_constant(Opcode opcode, std::uint64_t constant) {
 
 }  // namespace
 
-TEST_CASE("instructions on E take the gates of their steps in sum") {
+TEST_CASE("an instruction on E takes the sum of the gates of its steps") {
   // A bit is read and becomes E; E is moved and written back.
   CHECK(gates_of(of_fields(Opcode::enable_load)) == Gates{1, 1 + 1, 1});
   // E is read and moved to its latch before it is combined.

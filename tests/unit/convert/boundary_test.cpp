@@ -78,7 +78,7 @@ TEST_CASE("solids that touch themselves along an edge keep consistent faces") {
   CHECK(measures.shells == 1);
 }
 
-TEST_CASE("an empty model has an empty surface") {
+TEST_CASE("an empty model converts to an empty surface") {
   CHECK(converted("difference(){cube([1,1,1]);cube([1,1,1]);}").triangles.empty());
   CHECK(converted("intersection(){cube([1,1,1]);" + moved(1, 0, 0, "cube([1,1,1]);") + "}").triangles.empty());
 }

@@ -171,7 +171,7 @@ TEST_CASE("points within a distance of a line are found in order along it") {
   CHECK(found_any > 500);
 }
 
-TEST_CASE("finds points at exactly the distance from a line or from two coincident ends") {
+TEST_CASE("points at exactly the distance from a line or from coincident ends are found") {
   const std::vector<glm::dvec3> points{{0, 0, 0}, {8, 0, 0},   {4, 0.125, 0}, {2, 0, 0.1251}, {6, 0, -0.125},
                                        {0, 0, 0}, {8.5, 0, 0}, {1, 0, 0},     {1, 0, 0}};
   const convert::NearPoints near(points, all_numbers(points.size()));

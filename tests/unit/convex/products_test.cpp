@@ -27,7 +27,7 @@ std::string many(const char* op, int count, double step, double size) {
 
 }  // namespace
 
-TEST_CASE("products list their primitive and the subtracted solids") {
+TEST_CASE("a product lists its primitive and the solids subtracted from it") {
   const TestModel model("difference(){union(){" + box(0, 0, 2) + box(1, 1, 2) + "}" + box(2.5, 2.5, 2) + box(9, 9, 1) +
                         "}");
   const std::vector<convex::SolidProduct> found = products(model);

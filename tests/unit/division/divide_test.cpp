@@ -150,7 +150,7 @@ TEST_CASE("squares in rows form groups that are clipped at the picture's edges")
   CHECK(groups[5].squares == std::vector<std::size_t>{14});
 }
 
-TEST_CASE("a group with too many survivors is divided from the whole model") {
+TEST_CASE("a group with too many remaining half-spaces is divided from the whole model") {
   testing::ModelDivider divider(testing::slab_with_hole());
   const division::DividedGroup fits = divider.divide_group({0, 0, 16, 16}, {top_left}, 6);
   CHECK(fits.fits);

@@ -72,7 +72,7 @@ TEST_CASE("an instruction with a linear expression takes fewer than 14 bytes") {
   CHECK(encode(program).size() - before < 1000 * 14);
 }
 
-TEST_CASE("varints of the binary form round-trip") {
+TEST_CASE("varints of the binary form survive a round trip") {
   for (const std::int64_t value :
        {std::int64_t{0}, std::int64_t{-1}, std::int64_t{1}, std::int64_t{63}, std::int64_t{-64},
         std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}) {

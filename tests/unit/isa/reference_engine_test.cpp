@@ -164,7 +164,7 @@ TEST_CASE("a skip instruction that is skipped has no effect and one that is reac
   CHECK(result.skipped == 2);
 }
 
-TEST_CASE("skipped instructions do not overflow") {
+TEST_CASE("skipped instructions count no overflow") {
   const isa::Instruction narrow{Opcode::edge_negative, {}, {0, 0, 2, 2, 0}, 0, {}};
   Recorder recorder;
   CHECK(run({{skip(2), all, narrow, all, narrow}}, recorder).overflows == 32);

@@ -123,7 +123,7 @@ TEST_CASE("wide fields are allowed only where F is loaded or added and for roots
   CHECK(contains(error_of("root [0+:63]"), "63 bits wide; a field has 1 to 62 bits"));
 }
 
-TEST_CASE("squares take five bytes in the binary form and round-trip") {
+TEST_CASE("squares take five bytes in the binary form and survive a round trip") {
   const Program program = parse(header + "squares 3*x*x - 2*x*y + 5*y*y (w35)\nload_linear [0+:34], 7*x (w35)\n", "t");
   const auto bytes = encode(program);
   CHECK(decode(bytes, "t") == program);

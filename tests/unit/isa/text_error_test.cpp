@@ -134,7 +134,7 @@ TEST_CASE("invalid skips are reported with their position") {
   CHECK(error_in_line_5("skip_if_none 1\n" + end).starts_with("t:5:1: skip_if_none 1 leaves the segment, which has 0"));
 }
 
-TEST_CASE("rejects preparation counts beyond the limit and their sum") {
+TEST_CASE("preparation counts beyond the limit are rejected and so is their sum") {
   constexpr const char* most = "281474976710656";
   const std::string segment = ".segment width=8 height=8\n";
   CHECK(error_of(array + ".prepare boxes=281474976710657\n" + segment) ==

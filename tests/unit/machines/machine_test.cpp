@@ -331,7 +331,7 @@ TEST_CASE("figures changed after a machine's name appear in the name and count a
   CHECK(kinds::file_of("pixel-square+divider.kind=host").empty());
 }
 
-TEST_CASE("rejects a change of an unknown figure or to an invalid value") {
+TEST_CASE("a change of an unknown figure or to an invalid value is rejected") {
   CHECK_THROWS_WITH_AS(kinds::load("pixel-square+divider.kin=host"),
                        "pixel-square.toml: unknown parameter 'divider.kin'; the nearest known is 'divider.kind'",
                        csgsim::InputError);

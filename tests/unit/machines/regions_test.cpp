@@ -73,7 +73,7 @@ TEST_CASE("interlaced lines begin with those of the even field") {
   CHECK(rows == std::vector<std::uint32_t>{0, 2, 4, 1, 3});
 }
 
-TEST_CASE("squares in serpentine order follow an adjacent one each") {
+TEST_CASE("each square in serpentine order is adjacent to the previous one") {
   const std::vector<isa::Region> all = machines::regions(squares_of(4, 4, {19, 13}, SquareOrder::serpentine));
   for (std::size_t i = 1; i < all.size(); ++i) {
     const auto apart = [](std::uint32_t a, std::uint32_t b) {

@@ -153,7 +153,7 @@ TEST_CASE("the account of a ring counts full clocks of ring and sending of proce
                                                       "frame buffer takes colours or shows them 3"});
 }
 
-TEST_CASE("the kind reports the clocks and the account of its timing model") {
+TEST_CASE("the pixel-square kind reports the clocks and the account of its timing model") {
   const isa::Program program = make_program(3, {square(2, {}), square(2, {enable, set({0, 3})})});
   for (const Figures& figures : {Figures{.renderers = 2, .buffers = 2, .port_bits = 32, .port_fifo_depth = 8},
                                  on_a_ring({.port_fifo_depth = 8, .processors = 2, .ring_bits = 32})}) {

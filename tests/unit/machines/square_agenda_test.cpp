@@ -137,7 +137,7 @@ TEST_CASE("parts act at their latest scheduled clock edge in order of their numb
   }));
 }
 
-TEST_CASE("a FIFO's word is readable an edge after its write and likewise its place free") {
+TEST_CASE("a word written to a FIFO and a place freed in it take effect one edge later") {
   Agenda agenda(2);
   Fifo<int> fifo(2, 0, 1, agenda);
   CHECK_FALSE(fifo.has_word(0));
@@ -214,7 +214,7 @@ TEST_CASE("a square can start when its last word is stored or when the store is 
   CHECK(both.may_begin(5));
 }
 
-TEST_CASE("reports each departing word with its rows in the square and in the picture") {
+TEST_CASE("a departing word reports its rows in the square and in the picture") {
   CHECK(rc::check([] {
     const isa::Region region{3, *rc::gen::inRange<std::uint32_t>(0, 50), *rc::gen::inRange<std::uint32_t>(1, 9),
                              *rc::gen::inRange<std::uint32_t>(1, 9)};
@@ -272,7 +272,7 @@ TEST_CASE("a latched row transfers when a word needs it and the next row is latc
   CHECK(quick.transfer_edge(1) == 3);
 }
 
-TEST_CASE("reports the clocks of a part from the first clock of the frame to the last") {
+TEST_CASE("the clocks of a part cover the frame from its first clock to its last") {
   pixel_square::PartClocks clocks;
   clocks.wait(SquareActivity::waiting_for_host, 4);  // clocks 1 to 3
   clocks.work(2);                                    // 4 and 5

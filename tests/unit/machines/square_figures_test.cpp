@@ -124,7 +124,7 @@ TEST_CASE("dividers take groups in turn and with one level single squares") {
   CHECK(pixel_square::dividers_of(program, machine) == std::vector<std::size_t>{0, 1, 2, 0, 1, 2});
 }
 
-TEST_CASE("accepts each count of a divider's tests up to 2^36 and rejects one more") {
+TEST_CASE("each count of a divider's tests may be 2^36 and no more") {
   constexpr std::uint64_t most = std::uint64_t{1} << 36U;
   using Counts = isa::DivisionCounts;
   const std::vector<std::function<void(Counts&, std::uint64_t)>> operands{
@@ -257,7 +257,7 @@ TEST_CASE("queries take one clock per level of a renderer's OR") {
   CHECK(machine.kind->clocks(enable, machine) == 1);
 }
 
-TEST_CASE("accepts each figure of a pixel-square machine at its limits and no further") {
+TEST_CASE("each figure of a pixel-square machine is accepted at its limits and no further") {
   constexpr std::int64_t million = 1'000'000;
   constexpr auto ranges = std::to_array<testing::FigureRange>({
       {"global_or.present", 0, 1},

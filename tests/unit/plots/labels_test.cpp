@@ -35,7 +35,7 @@ plots::LabelRequest request(double x, double y) { return {{x, y}, 40}; }
 
 }  // namespace
 
-TEST_CASE("labels overlap neither each other nor marks or lines and stay in their area") {
+TEST_CASE("labels overlap neither each other nor marks or lines and stay in the plot's area") {
   std::mt19937 random(1);
   int leaders = 0;
   int numbers = 0;

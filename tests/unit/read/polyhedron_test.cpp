@@ -108,7 +108,7 @@ TEST_CASE("a polyhedron with a malformed point is dropped and the rest drawn") {
   }
 }
 
-TEST_CASE("a thin and a tiny and a huge polyhedron are kept") {
+TEST_CASE("a thin polyhedron and a tiny and a huge one are kept") {
   const std::string_view faces = "[[0,1,2],[0,3,1],[0,2,3],[1,3,2]]";
   CHECK(outline(read(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1e-7]]", faces))) == "polyhedron");
   CHECK(outline(read(polyhedron("[[0,0,0],[1e-300,0,0],[0,1e-300,0],[0,0,1e-300]]", faces))) == "polyhedron");

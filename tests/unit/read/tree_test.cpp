@@ -78,7 +78,7 @@ TEST_CASE("the % modifier and the disable modifier drop any subtree") {
   CHECK(error_of("%cube(1;") == "m.csg:1:8: expected `,` or `)` in cube(...), found `;`");
 }
 
-TEST_CASE("# has no effect") {
+TEST_CASE("the # modifier has no effect") {
   CHECK(outline(read("difference() { #cube(1); # sphere(r = 1); }")) == "difference(cube, sphere)");
   CHECK(outline(read("#%cube(1); sphere(r = 1);")) == "sphere");
 }

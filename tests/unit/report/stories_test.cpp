@@ -87,7 +87,7 @@ TEST_CASE("a page contains the text of csgsim explain and the first step after e
   }
 }
 
-TEST_CASE("a page has one explanation per pixel and ends them at their limits") {
+TEST_CASE("a page has one explanation per pixel within limits on length and number") {
   const isa::Program program = testing::bitten_cube().program;
   const machines::Machine machine = testing::machine_of(program.shape);
   const report::Drawing drawing = report::record_drawing(program, machine);

@@ -40,7 +40,7 @@ nlohmann::ordered_json judged(const RenderRequest& options, const session::Compi
 
 }  // namespace
 
-TEST_CASE("render takes the options of models and runs and pages and two of its own") {
+TEST_CASE("render takes the options of models and runs and reports and two more") {
   const Parsed<RenderRequest> plain({"a.csg"});
   CHECK(plain.options.model.model == "a.csg");
   CHECK_FALSE(plain.options.check);

@@ -345,7 +345,7 @@ TEST_CASE("EXCELL has the cells of its rule and both walks report a ray's facets
   CHECK((!testing::draws_usual_cases() || rays.rays > 1000));
   CHECK(rays.cells > 2 * rays.rays);
 }
-TEST_CASE("EXCELL has 15 levels and from 4096 facets on 12 with directories of 9 more") {
+TEST_CASE("EXCELL has 15 levels below 4096 facets and otherwise 12 with directories of 9") {
   for (const bool has_two : {false, true}) {
     CAPTURE(has_two);
     Random random(5);

@@ -181,7 +181,7 @@ TEST_CASE("in a blind hole the back of the subtracted solid is seen") {
   CHECK(found->distance == doctest::Approx(3));
 }
 
-TEST_CASE("a pixel beside a box is removed by the side that it is beyond") {
+TEST_CASE("the story of a pixel beside a box names the side that removes it") {
   const PixelCase pixel = draw_case(big, 6, 2);
   const story::Story story = pixel.story();
   CHECK(story.owner == observe::no_owner);

@@ -58,7 +58,7 @@ Net make_net(std::size_t rows, std::size_t columns) {
 
 }  // namespace
 
-TEST_CASE("a fault in a curve of a sweep names the curve") {
+TEST_CASE("the error for a wrong curve of a sweep names the curve") {
   const Curve bad{4, false, {}};
   const std::string what = ": degree 4 is above 3; use 0 (constant), 1, 2 or 3";
   Sweep sweep = block();

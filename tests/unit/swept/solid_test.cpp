@@ -47,7 +47,7 @@ double volume_of(const Sweep& sweep, double tolerance) {
 
 }  // namespace
 
-TEST_CASE("a square along a line is a block for either contour direction") {
+TEST_CASE("a square swept along a line is a block for either direction of the contour") {
   Sweep sweep{square(2), line({0, 0, 1}, {0, 0, 6})};
   CHECK(volume_of(sweep, 0.1) == doctest::Approx(80));
   std::ranges::reverse(sweep.contour.points);
@@ -66,7 +66,7 @@ TEST_CASE("a contour along the z axis keeps its drawn orientation: u is x and v 
   CHECK(has({5, 0, 0}));
 }
 
-TEST_CASE("along the rising y axis v points backwards and otherwise forwards") {
+TEST_CASE("a sweep's v points backwards along the rising y axis and otherwise forwards") {
   for (const double up : {1.0, -1.0}) {
     const Sweep sweep{{1, true, {{0, 0, 0}, {1, 0, 0}, {0, 3, 0}}}, line({0, 0, 0}, {0, up, 0})};
     const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.1});

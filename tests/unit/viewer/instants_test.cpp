@@ -57,7 +57,7 @@ TEST_CASE("after the last instruction the picture is the drawn one on each machi
   }
 }
 
-TEST_CASE("fields at an instant equal the reference's forwards and backwards") {
+TEST_CASE("the fields of an instant equal the reference's in steps forwards and backwards") {
   const Subject of = subject("pixel-planes-4");
   viewer::Instants instants(of.program, of.machine);
   const std::vector<isa::Instruction>& all = of.program.segments.front().instructions;

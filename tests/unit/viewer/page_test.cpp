@@ -32,7 +32,7 @@ const Json& named_in(const Json& all, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("the page is its own first file and each file's type follows its extension") {
+TEST_CASE("the first file of the page is the page and a file's type is by its extension") {
   const std::optional<viewer::Reply> page = viewer::page_file("");
   REQUIRE(page);
   CHECK(page->status == 200);
