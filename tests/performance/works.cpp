@@ -40,7 +40,7 @@ struct Step {
 };
 using Steps = std::vector<Step>;
 
-/// `csgsim COMMAND MODEL` for a stand-in.
+/// The command `csgsim COMMAND MODEL` on a stand-in.
 Words of_stand_in(const Settings& settings, const std::string& command, const StandIn& model) {
   return {settings.csgsim.native(), command, source(fmt::format("tests/models/{}.csg", model.name)), "--camera",
           std::string(model.camera)};

@@ -9,7 +9,7 @@ using namespace csgsim;
 
 namespace {
 
-constexpr std::uint32_t side = 40;  // of a picture in pixels
+constexpr std::uint32_t side = 40;  // width and height of a picture in pixels
 
 /// Effects without a model in the ray tracer, which have separate tests: switched off, so that all others are checked.
 const std::vector<std::string> not_judged{"effects.smooth.on=false", "effects.equalise.on=false",

@@ -11,7 +11,7 @@ using namespace csgsim;
 
 namespace {
 
-constexpr std::uint32_t side = 256;  // of a picture in pixels
+constexpr std::uint32_t side = 256;  // width and height of a picture in pixels
 constexpr std::size_t every = 3;     // measures every third primitive
 
 testing::SceneFile vehicle(const std::string& scene) {

@@ -326,8 +326,8 @@ TEST_CASE("a frame of one instruction on a memory takes the hand-calculated cloc
   const auto clocks = [&](const std::string& change) {
     return machines::time_frame(program, kinds::load("digital-bit-serial-ddr4" + change)).clocks;
   };
-  // After 40 clocks come two words of 64 bits (an opcode of 6 bits and a region of 4 * 16), which are accepted a clock
-  // later. The word of the instruction overlaps with them.
+  // Two words of 64 bits arrive after 40 clocks (an opcode of 6 bits and a region of 4 * 16), which are accepted a
+  // clock later. The word of the instruction overlaps with them.
   constexpr std::uint64_t link = 40 + 2 + 1;
   // The first bank executes SET0 and WRITE for each of 256 bits, then SET0, MOVE and WRITE for E. A bit takes 4 + 56
   // clocks; the last bank ends 12 clocks later.

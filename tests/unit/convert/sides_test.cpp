@@ -286,7 +286,7 @@ TEST_CASE("crossing sides are split at a point midway for each direction of view
     CAPTURE(seat.outward.y);
     CAPTURE(seat.outward.z);
     const auto at = [&](double x, double y, double out) { return x * seat.right + y * seat.up + out * seat.outward; };
-    // From (0, 0) to (4, 4), and from (0, 3) to (4, -1): they cross at (1.5, 1.5), one 1 above the other.
+    // The sides from (0, 0) to (4, 4) and from (0, 3) to (4, -1) cross at (1.5, 1.5), one 1 above the other.
     const Ended crossed = ended({at(0, 0, 0), at(4, 4, 0), at(0, 3, 1), at(4, -1, 1)}, {{0, 1}, {3, 2}}, seat.outward);
     CHECK(crossed.any);
     REQUIRE(crossed.points.size() == 5);

@@ -31,7 +31,7 @@ TEST_CASE("overflows are counted at pixels enabled before the instruction") {
   cycle::Relay relay(program, {});
   relay.after_instruction({.index = 0}, test::NumberView(0b1111'1111));  // x from 2 to 7 overflow
   CHECK(relay.overflows() == 6);
-  relay.after_instruction({.index = 1}, test::NumberView(0b0100'1011));  // of these pixels, 3 and 6 overflow
+  relay.after_instruction({.index = 1}, test::NumberView(0b0100'1011));  // pixels 3 and 6 overflow among these
   CHECK(relay.overflows() == 8);
   relay.after_instruction({.index = 2}, test::NumberView(0b1111'1111));
   relay.after_instruction({.index = 3}, test::NumberView(0b1111'1111));

@@ -101,7 +101,7 @@ testing::Setup view_of_plate(double turn, double height_of_eye, view::Projection
 
 struct Tally {
   int judged = 0;
-  int through = 0;  ///< of these entered more than once
+  int through = 0;  ///< judged pixels whose rays enter more than once
   int wrong = 0;
 };
 

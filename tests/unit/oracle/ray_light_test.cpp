@@ -91,7 +91,7 @@ TEST_CASE("in perspective a facet's highlight is computed at the mean of its cor
   const scene::Material shiny{.ambient = 0, .diffuse = 0, .specular = 1, .shininess = 2};
   scene::Light light = testing::shining({0, 1, 0});
   light.intensity = 0.5;
-  // From 0, 5, 0 the eye is at an angle with tangent 3/4 from the normal; its half has tangent 1/3.
+  // The eye, seen from 0, 5, 0, is at an angle with tangent 3/4 from the normal; half of it has tangent 1/3.
   Stage stage(wall, with_material(lit_by(light), shiny));
   stage.shot.camera = {{60, -75, 0}, {0, 5, 0}, view::Projection::perspective};
   stage.cast();

@@ -276,7 +276,7 @@ TEST_CASE("pixel clocks sum over segments and exclude skipped instructions") {
   CHECK(clocks({}) == (32 + 15 + 4) * all);
   CHECK(clocks({{0, 0}}) == 32 * (all - 2) + (15 + 4) * all);
   CHECK(clocks({{1, 0}}) == 15 * (all - 2) + (32 + 4) * all);
-  CHECK(clocks({{1, 4}}) == 15 * (all - 2) + (32 + 4) * all);  // to the segment's end
+  CHECK(clocks({{1, 4}}) == 15 * (all - 2) + (32 + 4) * all);  // the skip reaches the segment's end
   CHECK(clocks({{0, 0}, {0, 4}, {2, 4}}) == 32 * (all - 4) + 15 * all + 4 * (all - 2));
   CHECK(clocks({{0, 4}, {1, 0}, {1, 4}, {2, 0}}) == 32 * (all - 2) + 15 * (all - 4) + 4 * (all - 2));
   CHECK(process::pixel_clocks({}, machine, {}) == 0);

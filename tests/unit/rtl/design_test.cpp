@@ -80,7 +80,7 @@ TEST_CASE("a Program's memory files hold its commands and the start of each inst
     RC_ASSERT(begins.size() == memory.begin_count);
     isa::WireDecoder decoder(width);
     std::vector<isa::Instruction> instructions;
-    std::vector<std::size_t> first_words{0};  // after each instruction
+    std::vector<std::size_t> first_words{0};  // number of the word after each instruction
     for (const std::string& word : words) {
       RC_ASSERT(word.size() == (width + 3) / 4);
       const auto command = decoder.take(parse_word(word));

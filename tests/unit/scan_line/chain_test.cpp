@@ -136,7 +136,7 @@ TEST_CASE("pixel x reaches the refresh port x clocks after the shift chain takes
   send(chain, packet({.opcode = Opcode::enable_all}, shape));
   send(chain, packet(ramp, shape));
   send(chain, mark());
-  std::vector<RefreshPixel> seen;  // from the clock after the mark's entry on
+  std::vector<RefreshPixel> seen;  // the pixels seen from the clock after the mark's entry on
   for (std::uint32_t i = 0; i < 8; ++i) {
     seen.push_back(chain.refresh());
     chain.step(nothing);

@@ -177,7 +177,7 @@ TEST_CASE("an item buffer takes a pass over facets and leaves one plane per cove
   constexpr double row = 4 * 16 + 2 * 8;
   constexpr double row_edge = 6 * 16 + 2 * 140 + 2 * 70 + 4 * 8 + 4 + 8;
   constexpr double column = 2 * 8 + 2 * (8 + 2 * 12) + 2 * 6 + 2 * 8 + 2 * 16 + 10;
-  double compared = 0;  // by the library's sort of two
+  double compared = 0;  // clocks of the library's sort of two
   std::vector<int> two = block.is_back_first() ? std::vector<int>{2, 1} : std::vector<int>{1, 2};
   std::sort(two.begin(), two.end(), [&](int a, int b) {
     ++compared;

@@ -275,7 +275,7 @@ TEST_CASE("a pixel reports its facet and its lights and mirrors only if requeste
   with_mirrors.mirrors.assign(6, 1);
   software::TraceOptions with_light;
   with_light.has_shadows = true;
-  with_light.lights = {{false, {0, 1, 0}}, {false, {0.5, -1, 0}}};  // from behind, and from the front
+  with_light.lights = {{false, {0, 1, 0}}, {false, {0.5, -1, 0}}};  // lights behind the face and in front of it
   for (const software::TraceOptions& options : {software::TraceOptions{}, with_mirrors, with_light}) {
     std::uint64_t seen = 0;
     for (const software::TracedPixel& pixel : staged.pixels(options).pixels) {

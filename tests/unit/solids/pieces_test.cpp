@@ -111,7 +111,7 @@ TEST_CASE("meshes from OpenSCAD are split into pieces that cover them once") {
   // Coordinates of 6 digits bend faces: the volume error is the rounding times the surface.
   struct Case {
     std::string name;
-    std::size_t max_pieces;  ///< for the first four, the number from CGAL's convex_decomposition_3
+    std::size_t max_pieces;  ///< in the first four rows, the number that CGAL's convex_decomposition_3 yields
   };
   for (const auto& known : {Case{"gear", 38}, Case{"letters", 104}, Case{"cup", 178}, Case{"bite", 395},
                             Case{"twisted", 100}, Case{"hollow", 80}}) {

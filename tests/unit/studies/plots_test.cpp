@@ -105,7 +105,7 @@ TEST_CASE("a strategy without stack bits is a level line and coincident lines ar
 TEST_CASE("lines with the same name look alike in all plots of a sweep") {
   std::vector<studies::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 8), row(point("bits", 3), 9),
                                       row(point("bits", 4), 6)};
-  rows[1].rendered = 5;  // so that its line differs from that of the stack
+  rows[1].rendered = 5;  // its line must differ from that of the stack
   const std::vector<plots::Plot> all = studies::plots_of_sweep(rows, "a");
   std::map<std::string, std::set<std::size_t>> looks;
   for (const char* const name : {"a_scan_conversions", "a_clocks", "a_bits"}) {

@@ -259,7 +259,7 @@ TEST_CASE("the vertex in thesis figure 3.4 moves onto the line of the larger ele
   CHECK(points.contains({3, 3, 18}));  // between four elements of one size, so on the surface
   CHECK(points.contains({4, 3, 25}));  // at the patch's edge
   CHECK(repaired.counts.snaps == 2);
-  CHECK(repaired.counts.splits == 4);  // of two edges of the patch, and of the sides of 2 and 3
+  CHECK(repaired.counts.splits == 4);  // two edges of the patch, and the sides of 2 and 3
   CHECK(repaired.counts.merges == 0);
   CHECK(repaired.counts.elements == 7);
   CHECK(repaired.counts.vertices == 14);
