@@ -157,16 +157,16 @@ TEST_CASE("a global-OR query takes one clock plus the latency before the control
                                                   {.opcode = Opcode::global_or}})});
   Stopwatch watch(machine);
   const auto report = machine.run(program, watch);
-  constexpr std::uint64_t question = 1 + latency_8x8;
+  constexpr std::uint64_t query = 1 + latency_8x8;
   CHECK(report.answers == std::vector<bool>{true, false, false});
-  CHECK(watch.clocks == std::vector<std::uint64_t>{1, question, 1, question, question});
+  CHECK(watch.clocks == std::vector<std::uint64_t>{1, query, 1, query, query});
   CHECK(watch.edges == std::vector<double>{lead + 7, lead + 8, lead + 15, lead + 16, lead + 23});
-  CHECK(report.clocks == lead + 2 + 3 * question + latency_8x8);
+  CHECK(report.clocks == lead + 2 + 3 * query + latency_8x8);
 }
 
 TEST_CASE("a jump takes the clocks of the link for any number of skipped instructions") {
   PixelPlanes machine("machine", machine_8x8());
-  constexpr std::uint64_t question = 1 + latency_8x8;
+  constexpr std::uint64_t query = 1 + latency_8x8;
   for (const std::uint64_t count : {1U, 2U, 14U, 15U, 16U, 17U, 33U, 1000U}) {
     CAPTURE(count);
     std::vector<Instruction> instructions{{.opcode = Opcode::enable_all}, {.opcode = Opcode::enable_invert}};
@@ -177,11 +177,11 @@ TEST_CASE("a jump takes the clocks of the link for any number of skipped instruc
     const Program program = program_of({segment_of(instructions)});
     Stopwatch watch(machine);
     const auto report = machine.run(program, watch);
-    CHECK(watch.clocks == std::vector<std::uint64_t>{1, 1, question, question, 1});
+    CHECK(watch.clocks == std::vector<std::uint64_t>{1, 1, query, query, 1});
     CHECK(watch.edges == std::vector<double>{lead + 7, lead + 8, lead + 9, lead + jump + 16, lead + jump + 23});
     CHECK(report.answers == std::vector<bool>{false});
     CHECK(report.skipped == count);
-    CHECK(report.clocks == lead + jump + 3 + 2 * question + latency_8x8);
+    CHECK(report.clocks == lead + jump + 3 + 2 * query + latency_8x8);
   }
 }
 
@@ -214,7 +214,7 @@ TEST_CASE("a skip can reach the end of its segment or of the Program") {
       {segment_of({skip(2), all, all}), segment_of({}), segment_of({all, skip(1), {.opcode = Opcode::global_or}}, 3, 5),
        segment_of({skip(1), all}), segment_of({skip(20), all, all, all, all, all, all, all, all, all, all,
                                                all,      all, all, all, all, all, all, all, all, all})});
-  constexpr std::uint64_t question = 1 + latency_8x8;
+  constexpr std::uint64_t query = 1 + latency_8x8;
   for (int run = 0; run < 2; ++run) {
     Segments listener;
     const auto report = machine.run(program, listener);
@@ -224,7 +224,7 @@ TEST_CASE("a skip can reach the end of its segment or of the Program") {
     CHECK(report.answers == std::vector<bool>{true});
     CHECK(report.skipped == 2 + 1 + 20);
     constexpr std::uint64_t clears = 4;  // in addition to the first
-    CHECK(report.clocks == lead + clears + 1 + 5 * question + 3 * jump + latency_8x8);
+    CHECK(report.clocks == lead + clears + 1 + 5 * query + 3 * jump + latency_8x8);
   }
 }
 
@@ -444,7 +444,7 @@ TEST_CASE("after a jump the wave shows the next instruction once the host has re
     const std::size_t begin = dump.text.find(from);
     return dump.text.substr(begin, dump.text.find(to) - begin);
   };
-  // controller.instruction: the question from clock 5 on, its answer at clock 12, the fourth and the fifth instruction
+  // controller.instruction: the query from clock 5 on, its answer at clock 12, the fourth and the fifth instruction
   // at clocks 16 and 17; each clock begins one period later.
   const std::size_t name = dump.text.find(" instruction [31:0]");
   const std::string code = dump.text.substr(dump.text.rfind(' ', name - 1) + 1, 1) + "\n";

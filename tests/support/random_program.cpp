@@ -453,7 +453,7 @@ rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_i
   });
 }
 
-void erase_questions(std::vector<Instruction>& instructions) {
+void erase_queries(std::vector<Instruction>& instructions) {
   std::erase_if(instructions, [](const Instruction& instruction) { return isa::needs_global_or(instruction.opcode); });
 }
 
@@ -479,7 +479,7 @@ rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machin
           if (instruction.opcode == Opcode::global_or)
             instruction = {Opcode::enable_invert, {}, {}, 0, instruction.origin};
       } else {
-        erase_questions(instructions);
+        erase_queries(instructions);
       }
       if (pick(0U, 9U) < without) instructions.clear();
     }

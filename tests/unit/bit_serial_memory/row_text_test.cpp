@@ -111,7 +111,7 @@ void check_replay(const std::string& name) {
   machines::Machine machine = kinds::load(name + "+array.memory_bits=32");
   machines::set_picture_size(machine, {7, 6});
   isa::Program program = *test::arbitrary_program_in_parts(machine, 12, 1);
-  test::erase_questions(program.segments.front().instructions);
+  test::erase_queries(program.segments.front().instructions);
   std::ostringstream text;
   bit_serial_memory::print_row_commands(text, program, machine);
   Replay replay(7, 6);

@@ -165,7 +165,7 @@ TEST_CASE("wider trees deliver several bits per clock and the remainder last") {
   // Each pass starts with one extra clock.
   CHECK(with(Opcode::keep_max, 4) == 18);
   CHECK(with(Opcode::keep_min, 32) == 4);
-  // Unaffected: the squares before a stream, roots and questions.
+  // Unaffected: the squares before a stream, roots and queries.
   CHECK(with(Opcode::squares, 32) == 1);
   CHECK(with(Opcode::global_or, 32) == 1 + 18);
   instruction.fields[0] = {0, 41};

@@ -56,7 +56,7 @@ std::uint64_t clocks_of(const machines::FrameTiming& timing, std::size_t part, s
   return std::find_if(clocks.begin(), clocks.end(), [&](const auto& one) { return one.activity == activity; })->clocks;
 }
 
-/// Returns jumps for a random subset of the Program's questions.
+/// Returns jumps for a random subset of the Program's queries.
 std::vector<machines::Skip> arbitrary_skips(const isa::Program& program) {
   std::vector<machines::Skip> skips;
   for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
@@ -147,7 +147,7 @@ TEST_CASE("a small frame on a frame buffer takes the hand-counted clocks") {
   CHECK(clocks_of(timing, 1, "done") == 10);
 }
 
-// Same clocks until edge 13, where the question starts: 1 clock, 6 for the trees and 2 levels of the OR. The answer is
+// Same clocks until edge 13, where the query starts: 1 clock, 6 for the trees and 2 levels of the OR. The answer is
 // available at 22; the host sees it at 23, sends FrameEnd from 27 on and stores it at 28. FrameEnd is read at 29 and
 // starts at 30.
 TEST_CASE("a jump on a frame buffer takes the hand-counted clocks and discards words") {
@@ -158,7 +158,7 @@ TEST_CASE("a jump on a frame buffer takes the hand-counted clocks and discards w
                                        {.opcode = Opcode::enable_all},
                                        {.opcode = Opcode::enable_all}});
   const machines::FrameTiming timing = machines::time_frame(program, machine, skips);
-  // The question has 38 bits, two words: stored at 9 and 10, read at 10 and 11. It starts at 13 and its bits leave the
+  // The query has 38 bits, two words: stored at 9 and 10, read at 10 and 11. It starts at 13 and its bits leave the
   // register.
   CHECK(timing.clocks == 36);
   CHECK(clocks_of(timing, 0, "answering") == 8);
@@ -169,7 +169,7 @@ TEST_CASE("a jump on a frame buffer takes the hand-counted clocks and discards w
 }
 
 // Same clocks, but the jump target replaces FrameEnd: its word is read at 29. FrameEnd's word is stored at 29 as well.
-// Three words of the segment, two of the question and three skipped words precede the jump target.
+// Three words of the segment, two of the query and three skipped words precede the jump target.
 TEST_CASE("words read and sent after a jump include the skipped ones (hand calculation)") {
   const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
   const std::vector<machines::Skip> skips{{0, 0}};

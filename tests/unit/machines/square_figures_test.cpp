@@ -243,10 +243,10 @@ TEST_CASE("queries take one clock per level of a renderer's OR") {
   figures.divider = pixel_square::DividerKind::host;
   figures.has_global_or = true;
   Machine machine = make_machine(8, figures);
-  const isa::Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
+  const isa::Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
   const auto clocks = [&](std::uint32_t fan_in) {
     machines::own<Figures>(machine).or_fan_in = fan_in;
-    return machine.kind->clocks(question, machine);
+    return machine.kind->clocks(query, machine);
   };
   const std::uint64_t at_once = clocks(0);
   CHECK(clocks(64) == at_once + 1);  // 64 pixels

@@ -119,17 +119,17 @@ TEST_CASE("a timeline reports when a square is cleared and its instructions are 
 TEST_CASE("only queries take the clocks of a renderer's OR and only if it has gates") {
   Machine machine = make_machine(4, {.has_global_or = true, .or_fan_in = 4});
   machine.array = {4, 2, 16};  // eight lines: two gates, and one gate for their outputs
-  const isa::Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
-  const std::uint64_t gated = machine.kind->clocks(question, machine);
+  const isa::Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
+  const std::uint64_t gated = machine.kind->clocks(query, machine);
   CHECK(machine.kind->clocks(set({0, 3}), machine) == 3);
   machines::own<Figures>(machine).or_fan_in = 0;
-  CHECK(machine.kind->clocks(question, machine) == gated - 2);
+  CHECK(machine.kind->clocks(query, machine) == gated - 2);
   CHECK(machine.kind->clocks(set({0, 3}), machine) == 3);
   // One pixel needs no gate.
   machine.array = {1, 1, 16};
-  const std::uint64_t at_once = machine.kind->clocks(question, machine);
+  const std::uint64_t at_once = machine.kind->clocks(query, machine);
   machines::own<Figures>(machine).or_fan_in = 4;
-  CHECK(machine.kind->clocks(question, machine) == at_once);
+  CHECK(machine.kind->clocks(query, machine) == at_once);
 }
 
 TEST_CASE("an answer for the host is rejected in any square of the pixel-square machine") {

@@ -85,23 +85,23 @@ TEST_CASE("a command of several words executes when its last word has arrived") 
 }
 
 TEST_CASE("a query waits for its answer and a dropped instruction takes one clock") {
-  // The question executes at 4 and its answer arrives at 7. Then the instructions are dropped, the first at 7, and the
+  // The query executes at 4 and its answer arrives at 7. Then the instructions are dropped, the first at 7, and the
   // end executes in the clock after the last; each of its words takes as long as above.
-  const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
+  const Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
   const machines::Skip none{.segment = 0, .index = 0};
   Machine machine = make_machine(2, {.buffers = 2, .port_bits = 32, .port_fifo_depth = 8, .has_global_or = true});
   for (std::uint64_t skipped = 1; skipped <= 3; ++skipped) {
     std::vector<Instruction> instructions(1 + skipped, set({0, 3}));
-    instructions[0] = question;
+    instructions[0] = query;
     instructions[0].constant = skipped;
     const isa::Program program = make_program(3, {square(2, std::move(instructions))});
     CHECK(pixel_square::time_squares(program, machine, {{none}}).clocks == 14 + skipped - 1);
     CHECK(time(program, machine).clocks == 13 + 3 * skipped);
   }
   machines::own<Figures>(machine).or_fan_in = 2;
-  const isa::Program program = make_program(3, {square(2, {question, set({0, 3})})});
+  const isa::Program program = make_program(3, {square(2, {query, set({0, 3})})});
   CHECK(pixel_square::time_squares(program, machine, {{none}}).clocks == 14 + 2);
-  CHECK(machines::clocks(question, machine) == 1 + 2 + 2);
+  CHECK(machines::clocks(query, machine) == 1 + 2 + 2);
 }
 
 TEST_CASE("a FIFO of one place passes a word every other clock into and out of a renderer") {

@@ -141,11 +141,11 @@ TEST_CASE("a square moves to the backing store a few bits of all pixels per cloc
 }
 
 TEST_CASE("a query without enabled pixels drops the skipped instructions a word per clock") {
-  // The question is issued at 7, and its answer arrives when its step has passed three levels of the tree, at 11. Then
+  // The query is issued at 7, and its answer arrives when its step has passed three levels of the tree, at 11. Then
   // the waiting instruction is dropped, the next at 12, and SegmentEnd is taken at 13.
-  const Instruction question{.opcode = Opcode::skip_if_none, .constant = 2};
+  const Instruction query{.opcode = Opcode::skip_if_none, .constant = 2};
   Board board(2, 0, 100);
-  board.send({question, ramp, enable_all});
+  board.send({query, ramp, enable_all});
   check_finished_at(board, 16);
   REQUIRE(board.listener.instructions.size() == 1);
   CHECK(board.listener.instructions[0].clocks == 4);
@@ -155,9 +155,9 @@ TEST_CASE("a query without enabled pixels drops the skipped instructions a word 
 }
 
 TEST_CASE("a query with an enabled pixel lets all instructions execute") {
-  const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
+  const Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
   Board board(2, 0, 100);
-  board.send({enable_all, question, ramp});
+  board.send({enable_all, query, ramp});
   check_finished_at(board, drawn_at + 4);
   REQUIRE(board.listener.instructions.size() == 3);
   CHECK(board.listener.instructions[1].skipped == 0);
@@ -166,9 +166,9 @@ TEST_CASE("a query with an enabled pixel lets all instructions execute") {
 
 TEST_CASE("each level of a renderer's OR delays a query by one clock") {
   // Eight pixels are combined by gates of three inputs, and those three gates by one.
-  const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
+  const Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
   Board board({.buffers = 2, .port_bits = port_bits, .has_global_or = true, .or_fan_in = 3}, 100);
-  board.send({question, ramp});
+  board.send({query, ramp});
   check_finished_at(board, 15 + 2);
   CHECK(board.listener.instructions.at(0).clocks == 4 + 2);
 }

@@ -246,14 +246,14 @@ TEST_CASE("pixel clocks count executed instructions at each pixel of the region"
   isa::Program program;
   isa::Instruction any;
   any.opcode = isa::Opcode::enable_all;
-  isa::Instruction question;
-  question.opcode = isa::Opcode::skip_if_none;
-  question.constant = 2;
+  isa::Instruction query;
+  query.opcode = isa::Opcode::skip_if_none;
+  query.constant = 2;
   program.segments.push_back({});
   program.segments[0].region = {0, 0, 8, 4};
-  program.segments[0].instructions = {any, question, any, any, any};
+  program.segments[0].instructions = {any, query, any, any, any};
   const machines::Machine machine = small_machine();
-  const std::uint64_t answer = machine.kind->clocks(question, machine);
+  const std::uint64_t answer = machine.kind->clocks(query, machine);
   CHECK(process::pixel_clocks(program, machine, {}) == 32 * (answer + 4));
   const machines::Skip skip{0, 1};
   CHECK(process::pixel_clocks(program, machine, {&skip, 1}) == 32 * (answer + 2));
@@ -261,13 +261,13 @@ TEST_CASE("pixel clocks count executed instructions at each pixel of the region"
 
 TEST_CASE("pixel clocks sum over segments and exclude skipped instructions") {
   const isa::Instruction any{.opcode = isa::Opcode::enable_all};
-  const isa::Instruction question{.opcode = isa::Opcode::skip_if_none, .constant = 2};
+  const isa::Instruction query{.opcode = isa::Opcode::skip_if_none, .constant = 2};
   isa::Program program;
   for (const isa::Region& region : {isa::Region{0, 0, 8, 4}, isa::Region{8, 0, 3, 5}, isa::Region{0, 4, 2, 2}})
-    program.segments.push_back({.region = region, .instructions = {question, any, any, any, question, any, any}});
+    program.segments.push_back({.region = region, .instructions = {query, any, any, any, query, any, any}});
   program.segments.push_back({.region = {2, 4, 6, 6}, .instructions = {}});
   const machines::Machine machine = small_machine();
-  const std::uint64_t answer = machine.kind->clocks(question, machine);
+  const std::uint64_t answer = machine.kind->clocks(query, machine);
   REQUIRE(machine.kind->clocks(any, machine) == 1);
   const auto clocks = [&](const std::vector<machines::Skip>& skips) {
     return process::pixel_clocks(program, machine, skips);

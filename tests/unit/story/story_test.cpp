@@ -389,9 +389,8 @@ TEST_CASE("the first of several planes at one depth decides a pixel") {
 TEST_CASE("a run of one pixel skips the instructions that the whole array skips") {
   const std::string nowhere = "edge_negative 0 (w1); classify p0\n";
   const std::string right_alone = "edge_negative -x (w3); classify p0\n";
-  const std::string question =
-      "skip_if_none 2; classify p0\nenable_all; classify p0\nset_constant Z2, 7; classify p0\n";
-  const story::Story skipped = by_hand(nowhere + question, 0);
+  const std::string query = "skip_if_none 2; classify p0\nenable_all; classify p0\nset_constant Z2, 7; classify p0\n";
+  const story::Story skipped = by_hand(nowhere + query, 0);
   CHECK(skipped.depth == 5);
   const auto skip = std::find_if(skipped.events.begin(), skipped.events.end(),
                                  [](const story::Event& event) { return event.what == What::skip; });
@@ -399,7 +398,7 @@ TEST_CASE("a run of one pixel skips the instructions that the whole array skips"
   CHECK(skip->first == 9);
   CHECK(skip->last == 10);
   CHECK(skip->decision->number == 8);
-  const story::Story carried_out = by_hand(right_alone + question, 0);
+  const story::Story carried_out = by_hand(right_alone + query, 0);
   CHECK(carried_out.depth == 7);
   CHECK(std::none_of(carried_out.events.begin(), carried_out.events.end(),
                      [](const story::Event& event) { return event.what == What::skip; }));
