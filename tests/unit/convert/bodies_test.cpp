@@ -53,7 +53,7 @@ glm::dvec3 corner_of(const Bodies& bodies, std::uint32_t plane, std::uint32_t be
 
 }  // namespace
 
-TEST_CASE("a block as a body matches a hand calculation") {
+TEST_CASE("the body of a block has the hand-calculated planes and points") {
   // The point of the block nearest to the origin is (10, -3, 0).
   const Bodies bodies = bodies_of(moved_by(10, -5, 0, "cube([1,2,3]);"));
   CHECK(bodies.reference == glm::dvec3(10, -3, 0));

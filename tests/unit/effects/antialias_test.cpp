@@ -260,7 +260,7 @@ TEST_CASE("adaptive anti-aliasing stops per pixel by its definition and keeps de
   }
 }
 
-TEST_CASE("adaptive and full pictures differ at straight edges within a bound") {
+TEST_CASE("adaptive and full anti-aliasing differ at straight edges within a bound") {
   // A rotated white square on black.
   const std::string csg =
       "color([1,1,1,1]){multmatrix([[0.8,0,0.6,30],[0,1,0,0],[-0.6,0,0.8,-24],[0,0,0,1]])"

@@ -259,7 +259,7 @@ TEST_CASE("a facet thinner than 1e-8 of the model is reduced to its longest exte
   CHECK(entered({from, to, {1, 0.999 * limit, 0}}) == Places{from, to});
   CHECK(entered({from, to, {1, 1.001 * limit, 0}}) == Places{from, to, {1, 1.001 * limit, 0}});
 }
-TEST_CASE("a degenerate facet across a wall is on the side of its middle") {
+TEST_CASE("a degenerate facet across a wall of cells is on the side of its middle") {
   const testing::Scene scene =
       drawn("cube(size=[8,8,8],center=true);", {{0, -60, 10}, {0, 0, 0}, view::Projection::orthographic});
   const auto is_above = [&](double from, double to) {

@@ -28,7 +28,7 @@ int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const
 
 }  // namespace
 
-TEST_CASE("a hull contains its points exactly and has no others") {
+TEST_CASE("a hull contains all of its points and its corners are among them") {
   std::mt19937_64 random(1);
   std::uniform_int_distribution<int> place(-3, 3);
   for (int round = 0; round < 20; ++round) {
