@@ -16,7 +16,7 @@
 #include "sim/viewer/knobs.h"
 #include "sim/viewer/session.h"
 #include "tests/support/test.h"
-#include "tests/unit/viewer/served.h"
+#include "tests/unit/viewer/asked.h"
 
 using namespace csgsim;
 using testing::Answer;
