@@ -80,17 +80,17 @@ TEST_CASE("the shadow of a triangle takes 135 more clocks") {
   check("shadow.csgt", {triangle + shadow, triangle + shadow, triangle + shadow});
 }
 
-TEST_CASE("a sphere takes 326 or 327 clocks for its circle and depth and three components") {
+TEST_CASE("a sphere takes 326 or 327 clocks for its outline and depth and colour channels") {
   static_assert(sphere(18, 15) == 327 && sphere(18, 14) == 326 && sphere(19, 13) == 326);
   check("sphere.csgt", {sphere(18, 15), sphere(18, 14), sphere(18, 14), sphere(19, 13)});
 }
 
-TEST_CASE("a sphere whose radius is no power of two takes 537 clocks to add Q twice") {
+TEST_CASE("a sphere takes 537 clocks if its radius is not a power of two") {
   static_assert(sphere(21, 14, 21, true) == 537);
   check("sphere_radius.csgt", {sphere(21, 14, 21, true)});
 }
 
-TEST_CASE("the Programs fit the published 512 x 512 pixels of 72 bits") {
+TEST_CASE("the Programs of the budgets fit the published 512 x 512 pixels of 72 bits") {
   for (const char* const name : {"triangle.csgt", "shadow.csgt", "sphere.csgt", "sphere_radius.csgt"})
     CHECK((isa::load_program(budgets::place(name)).shape == isa::ArrayShape{512, 512, 72}));
 }

@@ -20,7 +20,7 @@ Measured measure(const isa::Program& program) {
   return {stats.stats(), frame.frame()};
 }
 
-std::uint64_t dearest_primitive(const observe::Stats& stats) {
+std::uint64_t most_expensive_primitive(const observe::Stats& stats) {
   std::uint64_t most = 0;
   for (const observe::Cost& cost : stats.by_primitive) most = std::max(most, cost.clocks);
   return most;

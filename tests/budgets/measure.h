@@ -22,7 +22,7 @@ struct Measured {
 Measured measure(const isa::Program& program);
 
 /// Clocks that the controller spends on the most expensive primitive, without the trees' latency.
-std::uint64_t dearest_primitive(const observe::Stats& stats);
+std::uint64_t most_expensive_primitive(const observe::Stats& stats);
 
 /// Clocks of all instructions divided by the number of those with a linear expression.
 double clocks_an_expression(const observe::Stats& stats);

@@ -191,7 +191,7 @@ std::uint32_t wrong_pixels(const std::string& name, const std::vector<Sphere>& d
 
 }  // namespace
 
-TEST_CASE("triangles have the position and depth and interpolated colours of the geometry") {
+TEST_CASE("triangles cover the right pixels with the right depths and interpolated colours") {
   const Tally tally = judge_triangles("triangle.csgt", false);
   CHECK(tally.wrong == 0);
   CHECK(tally.judged > side * side * 97 / 100);
@@ -204,10 +204,10 @@ TEST_CASE("a pixel is in shadow if the ray from its surface to the light meets a
   CHECK(tally.dark > 5000);
 }
 
-TEST_CASE("spheres are exact circles with paraboloid depth and shades within two levels") {
+TEST_CASE("spheres are exact circles with paraboloid depths and shades within two levels") {
   CHECK(wrong_pixels("sphere.csgt", spheres) == 0);
 }
 
-TEST_CASE("a sphere of another radius is an exact circle and within a step in depth") {
+TEST_CASE("a sphere whose radius is not a power of two is exact within a depth step") {
   CHECK(wrong_pixels("sphere_radius.csgt", {of_another_radius}) == 0);
 }

@@ -84,7 +84,7 @@ TEST_CASE("a sphere without facets takes 993 clocks of Pixel-Powers and 88 bits"
   CHECK(bits == 88);
 }
 
-TEST_CASE("a second read port saves 246 clocks of a sphere; 171 of them in the root") {
+TEST_CASE("a second read port saves 246 clocks of a sphere including 171 of its root") {
   static_assert((root * root + 5 * root) / 2 == 399 - 171);
   const Drawn sphere = draw("sphere", "pixel-powers+memory.reads=2");
   CHECK(clocks_for(sphere, isa::Purpose::render) == surface(399 - 171));

@@ -22,7 +22,7 @@ def stats(csgsim, command, path, *options):
         return json.loads(out.read_text())
 
 
-def dearest_primitive(report):
+def most_expensive(report):
     return max(primitive["clocks"] for primitive in report["by_primitive"])
 
 
@@ -42,20 +42,20 @@ def main():
     csgsim = sys.argv[1]
     models = HERE.parent / "models"
     print("| | published | ours | ours / published |\n|---|--:|--:|--:|")
-    row("triangle", CLOCKS_A_SECOND / 30_000, dearest_primitive(stats(csgsim, "run", HERE / "triangle.csgt")))
-    row("triangle with shadow", CLOCKS_A_SECOND / 21_000, dearest_primitive(stats(csgsim, "run", HERE / "shadow.csgt")))
-    row("sphere", CLOCKS_A_SECOND / 25_000, dearest_primitive(stats(csgsim, "run", HERE / "sphere.csgt")))
+    row("triangle", CLOCKS_A_SECOND / 30_000, most_expensive(stats(csgsim, "run", HERE / "triangle.csgt")))
+    row("triangle with shadow", CLOCKS_A_SECOND / 21_000, most_expensive(stats(csgsim, "run", HERE / "shadow.csgt")))
+    row("sphere", CLOCKS_A_SECOND / 25_000, most_expensive(stats(csgsim, "run", HERE / "sphere.csgt")))
     other = stats(csgsim, "run", HERE / "sphere_radius.csgt")
-    row("sphere of another radius", CLOCKS_A_SECOND / 25_000, dearest_primitive(other))
+    row("sphere of another radius", CLOCKS_A_SECOND / 25_000, most_expensive(other))
     for facets in (16, 32):
         report = stats(csgsim, "render", HERE / f"sphere_{facets}.csg", *SPHERE_CAMERA)
-        row(f"sphere of {report['model']['halfspaces']} facets", CLOCKS_A_SECOND / 25_000, dearest_primitive(report))
+        row(f"sphere of {report['model']['halfspaces']} facets", CLOCKS_A_SECOND / 25_000, most_expensive(report))
     for name, options in (
         ("sphere without facets", POWERS),
         ("the same, two read ports", TWO_PORTS),
         ("the same, 14 bits of depth", [*TWO_PORTS, "--z-bits", "14"]),
     ):
-        row(name, CLOCKS_A_SECOND / 25_000, dearest_primitive(stats(csgsim, "render", models / "sphere.csg", *options)))
+        row(name, CLOCKS_A_SECOND / 25_000, most_expensive(stats(csgsim, "render", models / "sphere.csg", *options)))
     for name, camera in (
         ("carburettor", "220,-255,135,2,0,5"),
         ("terrain_vehicle", "560,-590,420,-5,0,68"),

@@ -49,7 +49,7 @@ TEST_CASE("advise recommends commands that draw with the stated cost and accurac
   }
 }
 
-TEST_CASE("advise: commands recommended with --quiet still print what they draw") {
+TEST_CASE("commands recommended under --quiet do not contain --quiet") {
   const Folder folder;
   for (const nlohmann::json& one : advice(narrow + "--max-wrong-pixels 1000 --quiet", folder))
     CHECK(one["command"].get<std::string>().find("--quiet") == std::string::npos);
@@ -80,7 +80,7 @@ TEST_CASE("the commands in docs/design-space.md draw what the page states") {
   CHECK(commands == 6);
 }
 
-TEST_CASE("advise covers every machine and its commands reproduce the recommendation there") {
+TEST_CASE("the commands that advise recommends have the stated figures on every machine") {
   for (const std::string machine : {"scan-line", "pixel-square", "pixel-square+divider.kind=host", "multi-processor",
                                     "pixel-planes-4+scan_out.buffers=2"}) {
     CAPTURE(machine);
@@ -96,7 +96,7 @@ TEST_CASE("advise covers every machine and its commands reproduce the recommenda
   }
 }
 
-TEST_CASE("advise names the conflicting wish and the nearest choice if no choice meets all") {
+TEST_CASE("advise names the conflicting limit and the nearest choice if none meets all") {
   const Folder folder;
   const std::string ask = "advise " + model("old_example011") + narrow + " --no-plots --max-wrong-pixels 1000 ";
   const Outcome fast = run(ask + "--min-fps 1e6 -o " + (folder / "a"));
@@ -126,7 +126,7 @@ TEST_CASE("advise names the conflicting wish and the nearest choice if no choice
   succeeded(run(ask + "--max-bits 49"));
 }
 
-TEST_CASE("advise reuses its measurements when the wishes change") {
+TEST_CASE("advise reuses its measurements when the limits change") {
   const Folder folder;
   const std::string ask =
       "advise " + model("old_example011") + narrow + "--colour-bits 12,24 --max-wrong-pixels 1000 -o " + (folder / "a");
@@ -157,7 +157,7 @@ TEST_CASE("advise reuses its measurements when the wishes change") {
   CHECK(run(ask + " --projection perspective").code == 1);
 }
 
-TEST_CASE("advise reports rows that differ from the drawn picture without blaming csgsim") {
+TEST_CASE("advise reports an edited table row whose figures differ from the drawn picture") {
   const Folder folder;
   const std::string ask =
       "advise " + model("old_example011") + narrow + "--max-wrong-pixels 1000 --no-plots -o " + (folder / "a");
@@ -185,7 +185,7 @@ TEST_CASE("advise without an output folder leaves no file behind") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("advise rejects impossible wishes and ranges before it measures") {
+TEST_CASE("advise rejects impossible limits and ranges before it measures") {
   const Folder folder;
   const std::string ask = "advise " + model("old_example011") + " -o " + (folder / "a") + " ";
   misused(ask + "--max-bits 0", "--max-bits");

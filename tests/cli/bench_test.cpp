@@ -86,7 +86,7 @@ TEST_CASE("bench counts the work of a Program reproducibly") {
   CHECK(bench({"count", std::string(CSGSIM_SOURCE_DIR) + "/README.md"}).code == 1);
 }
 
-TEST_CASE("bench fits the cost of growth and plots it") {
+TEST_CASE("bench fits a power law to the time of growing models and plots it") {
   const Folder folder;
   succeeded(measure({"--size", "64x64", "--seconds", "0", "--parts", "growth", "-o", folder / "b"}));
   const nlohmann::json growth = json(folder / "b/bench.json")["growth"];

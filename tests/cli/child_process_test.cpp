@@ -91,7 +91,7 @@ TEST_CASE("ending csgsim by any signal also ends its child processes") {
   }
 }
 
-TEST_CASE("terminates and reports an OpenSCAD that prints more than the limit") {
+TEST_CASE("csgsim terminates and reports an OpenSCAD that prints more than the limit") {
   const Outcome outcome = draw_source("exec yes 'ECHO: \"much\"' >&2");
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);
@@ -99,7 +99,7 @@ TEST_CASE("terminates and reports an OpenSCAD that prints more than the limit") 
         "part.scad: OpenSCAD was stopped: it wrote more than 16 MiB of messages; move its echo() out of loops\n");
 }
 
-TEST_CASE("terminates and reports an OpenSCAD that runs longer than the limit") {
+TEST_CASE("csgsim terminates and reports an OpenSCAD that runs longer than the limit") {
   const Outcome outcome = draw_source("sleep 300", {"--openscad-time", "1"});
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);
@@ -108,7 +108,7 @@ TEST_CASE("terminates and reports an OpenSCAD that runs longer than the limit") 
         "--openscad-time SECONDS\n");
 }
 
-TEST_CASE("limits OpenSCAD to 8 GiB of memory or to the lower limit of csgsim") {
+TEST_CASE("OpenSCAD is limited to 8 GiB of memory or to a lower limit of csgsim") {
   const std::string tells = "echo \"WARNING: $(ulimit -v)\" >&2; echo 'cube(size = [8, 6, 4]);'";
   CHECK(draw_source(tells).err == "openscad: WARNING: 8388608\n");
   const Folder folder;

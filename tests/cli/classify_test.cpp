@@ -14,7 +14,7 @@ std::string classify(const std::string& more) {
 
 }  // namespace
 
-TEST_CASE("classify counts and prices every method; all see the same surfaces") {
+TEST_CASE("classify counts and prices every method and all see the same surfaces") {
   const Folder folder;
   const Outcome first = succeeded(run(classify(" -o " + (folder / "c"))));
   CHECK(first.out.find("All methods see the same surfaces") != std::string::npos);
@@ -38,7 +38,7 @@ TEST_CASE("classify counts and prices every method; all see the same surfaces") 
   CHECK(again.substr(0, last - 200) == table.substr(0, last - 200));
 }
 
-TEST_CASE("classify applies prices to stored counts: another processor needs no new run") {
+TEST_CASE("classify prices stored counts for another processor without a new run") {
   const Folder folder;
   succeeded(run(classify(few + " --no-plots -o " + (folder / "c"))));
   const std::string table = content(folder / "c/classify.csv");
@@ -52,7 +52,7 @@ TEST_CASE("classify applies prices to stored counts: another processor needs no 
   CHECK(dear.begin().key() == "mc68000+price.load=24");
 }
 
-TEST_CASE("shapes and reductions see the same surfaces; an unsupported traversal says why") {
+TEST_CASE("classify sees the same surfaces with every supported tree shape") {
   const Folder folder;
   const Outcome outcome =
       run(classify(" --shapes written,left-deep,balanced --reduced none,cells,inside --no-plots "
@@ -96,7 +96,7 @@ TEST_CASE("classify rejects unknown names and suggests the nearest") {
   misused("compare " + model("thesis_fig_2_3") + " --with mc68000:weave/one-list", "no coherence");
 }
 
-TEST_CASE("compare lists software next to machines with equal surfaces and the bottleneck") {
+TEST_CASE("compare lists software methods beside machines and all see equal surfaces") {
   const Folder folder;
   const Outcome outcome =
       succeeded(run("compare " + model("thesis_fig_2_3") +

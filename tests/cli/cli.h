@@ -50,7 +50,7 @@ Outcome run_program(const std::string& program, const std::vector<std::string>& 
 void stand_in(const Folder& folder, const std::string& name, const std::string& commands);
 /// Runs csgsim in the folder, whose programs come first in PATH.
 Outcome run_beside(const Folder& folder, const std::vector<std::string>& words);
-/// `PATH=...` for env, with the folder first.
+/// The argument `PATH=...` of env, with the folder first.
 std::string path_with(const Folder& folder);
 std::string model(const std::string& name);
 nlohmann::json json(const std::string& path);

@@ -64,9 +64,9 @@ TEST_CASE("the stats have the documented keys and their accounts add up") {
   for (const std::string activity : {"clearing", "starved", "jumping"})
     clocks += controller[activity].get<std::uint64_t>();
   CHECK(clocks == stats["clocks"]);
-  std::uint64_t billed = 0;
-  for (const auto& [name, cost] : stats["by_effect"].items()) billed += cost["instructions"].get<std::uint64_t>();
-  CHECK(billed == stats["instructions"]["total"]);
+  std::uint64_t charged = 0;
+  for (const auto& [name, cost] : stats["by_effect"].items()) charged += cost["instructions"].get<std::uint64_t>();
+  CHECK(charged == stats["instructions"]["total"]);
   std::uint64_t named = 0;
   for (const auto& [name, cost] : stats["instructions"]["by_name"].items()) named += cost["count"].get<std::uint64_t>();
   CHECK(named == stats["instructions"]["total"]);
@@ -74,7 +74,7 @@ TEST_CASE("the stats have the documented keys and their accounts add up") {
   CHECK(stats["memory"]["memory_bits"] == 72);
 }
 
-TEST_CASE("all levels give the same pictures and counts") {
+TEST_CASE("render gives the same pictures and counts at all levels") {
   const Folder folder;
   for (const std::string level : {"functional", "cycle", "reference"}) {
     succeeded(run("render " + model("thesis_fig_2_3") + " --size 40x30 --projection perspective --level " + level +
@@ -179,7 +179,7 @@ TEST_CASE("strategy and colouring and pruning change counts but not pictures") {
   }
 }
 
-TEST_CASE("a Program with early out is compiled for and runs on machines with a global OR") {
+TEST_CASE("a Program with early out compiles and runs on machines with a global OR") {
   const Folder folder;
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
   const std::string present = "[global_or.present]\nvalue = 1";
@@ -211,7 +211,7 @@ TEST_CASE("a Program with early out is compiled for and runs on machines with a 
   }
 }
 
-TEST_CASE("colours of few bits are near those of 24 bits") {
+TEST_CASE("colours of few bits are within one step of those of 24 bits") {
   const Folder folder;
   const std::string draw = "render " + model("old_example003") + " --size 40x30 ";
   succeeded(run(draw + "-o " + (folder / "fine.ppm")));
@@ -293,7 +293,7 @@ TEST_CASE("rejects missing and empty files and directories and syntax errors in 
   refuses_text("sphere(r = 1e999);", "m.csg:1:");
 }
 
-TEST_CASE("names the place of a node that cannot be converted to half-spaces") {
+TEST_CASE("the error for a node that cannot become half-spaces states its place") {
   refuses_text("union() {\n  roof(method = \"voronoi\") { square(size = 2); }\n}", "m.csg:2:3: roof()");
   refuses_text("union() {\n  fill() { square(size = 2); }\n}", "m.csg:2:3: fill()");
 }
@@ -309,7 +309,7 @@ TEST_CASE("rejects a hundred megabytes of brackets quickly") {
   }
 }
 
-TEST_CASE("states what a machine lacks to hold the picture") {
+TEST_CASE("an error states what a machine lacks to hold the picture") {
   refuses(model("old_example002") + " --memory-bits 40", "--memory-bits");
   misused("render " + model("old_example002") + " --z-bits 31", "--z-bits: '31' is not a whole number from 4 to 30");
   misused("render " + model("old_example002") + " --machine pixel-plane-4", "pixel-planes-4");
@@ -323,7 +323,7 @@ TEST_CASE("rejects a broken Program file") {
   CHECK(run("run " + (folder / "none.csgt")).code == 1);
 }
 
-TEST_CASE("an empty model gives an empty picture") {
+TEST_CASE("rendering an empty model gives an empty picture") {
   const Folder folder;
   write(folder / "m.csg", "cube(size = 0);");
   succeeded(run("render " + (folder / "m.csg") + " --size 16x16 -o " + (folder / "p.png")));
@@ -351,7 +351,7 @@ TEST_CASE("every level rejects a Program that overflows with the same count") {
   CHECK(folder.files() == 1);
 }
 
-TEST_CASE("distinguishes models and Programs by file name") {
+TEST_CASE("csgsim distinguishes models and Programs by their file names") {
   const Folder folder;
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
   CHECK(run("render " + program).err.find("use csgsim run") != std::string::npos);
@@ -373,13 +373,13 @@ TEST_CASE("rejects a folder as machine file and a clock that is too fast") {
   CHECK(run("manual machines " + (folder / "fast.toml")).code == (at == std::string::npos ? 0 : 1));
 }
 
-TEST_CASE("suggests nothing for a word that resembles no known one") {
+TEST_CASE("an error suggests nothing for a word that resembles no known one") {
   misused("rendr x.csg", "did you mean render?");
   CHECK(run("xyzzy").err.find("did you mean") == std::string::npos);
   CHECK(run("render m.csg --xylophone").err.find("did you mean") == std::string::npos);
 }
 
-TEST_CASE("a view for GTKWave names a field as the waveform does") {
+TEST_CASE("the GTKWave view and the waveform give a field the same name") {
   const Folder folder;
   std::string text = run("disasm " + std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt").out;
   for (std::size_t at = text.find("Z1"); at != std::string::npos; at = text.find("Z1", at))

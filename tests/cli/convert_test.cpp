@@ -20,7 +20,7 @@ std::string import_of(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("importing a converted model gives the same volume and shape") {
+TEST_CASE("a converted model has the volume and shape of its source when imported again") {
   for (const char* const ending : {"stl", "off", "3mf"}) {
     CAPTURE(ending);
     const Folder folder;
@@ -36,7 +36,7 @@ TEST_CASE("importing a converted model gives the same volume and shape") {
   }
 }
 
-TEST_CASE("writes binary STL by default and text on request; both report the conversion") {
+TEST_CASE("convert writes binary STL by default and text on request and reports both") {
   const Folder folder;
   const Outcome outcome = succeeded(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.stl")));
   CHECK(outcome.out.find("3 primitives, 0 unions, 1 difference, 1 intersection") != std::string::npos);
@@ -46,7 +46,7 @@ TEST_CASE("writes binary STL by default and text on request; both report the con
   CHECK(content(folder / "b.stl").find("solid csgsim\nfacet normal ") == 0);
 }
 
-TEST_CASE("a block model reports its blocks and its volume is near that of the mesh") {
+TEST_CASE("convert reports a block model's blocks and its volume is near the mesh's") {
   const Folder folder;
   const double volume = converted(folder, model("thesis_fig_2_3"), "a.off")["volume"];
   succeeded(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.bintree") + " --resolution 64 --stats " +
@@ -56,7 +56,7 @@ TEST_CASE("a block model reports its blocks and its volume is near that of the m
   CHECK(json(folder / "s.json")["volume"].get<double>() == doctest::Approx(volume).epsilon(0.05));
 }
 
-TEST_CASE("reports what cannot be converted and writes nothing") {
+TEST_CASE("convert reports what it cannot convert and writes nothing") {
   const Folder folder;
   write(folder / "flat.csg", "square(size = [1, 2], center = false);");
   const std::string output = " -o " + (folder / "a.stl");
@@ -76,7 +76,7 @@ TEST_CASE("reports what cannot be converted and writes nothing") {
   CHECK(folder.files() == 1);
 }
 
-TEST_CASE("rejects a model too thin for the coordinates of a mesh") {
+TEST_CASE("convert rejects a model too thin for the coordinates of a mesh") {
   const Folder folder;
   fails(run("convert " + std::string(CSGSIM_SOURCE_DIR) + "/tests/unit/convert/models/sheet.csg -o " +
             (folder / "a.off")),
@@ -84,7 +84,7 @@ TEST_CASE("rejects a model too thin for the coordinates of a mesh") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("rejects a conversion that exceeds the work limit") {
+TEST_CASE("convert stops a conversion that exceeds the work limit") {
   const Folder folder;
   fails(run("convert " + model("molecule") + " --limit 1 -o " + (folder / "a.stl")), 1,
         {"converting the model to a boundary"});

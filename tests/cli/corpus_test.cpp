@@ -29,7 +29,7 @@ nlohmann::json points(const Folder& folder) { return json(folder / "out/corpus.j
 
 }  // namespace
 
-TEST_CASE("corpus skips models that it cannot draw and states the reasons and ends with 1") {
+TEST_CASE("corpus skips models that it cannot draw with a reason each and exit code 1") {
   const Folder folder;
   make_models(folder);
   const Outcome outcome = run_words(words, folder.path());
@@ -62,7 +62,7 @@ TEST_CASE("corpus skips models that it cannot draw and states the reasons and en
   CHECK(all[6]["render"] == 0);
 }
 
-TEST_CASE("a point of a corpus equals the counts of render") {
+TEST_CASE("each point of a corpus study has the counts that render reports") {
   const Folder folder;
   make_models(folder);
   run_words(words, folder.path());
@@ -85,7 +85,7 @@ TEST_CASE("a point of a corpus equals the counts of render") {
   }
 }
 
-TEST_CASE("a model that one machine rejects but another draws is not a failure") {
+TEST_CASE("corpus succeeds if one machine rejects a model that another draws") {
   const Folder folder;
   write(folder / "m.csg", cube);
   const Outcome outcome =
@@ -99,7 +99,7 @@ TEST_CASE("a model that one machine rejects but another draws is not a failure")
   CHECK(all[1]["clocks"] > 0);
 }
 
-TEST_CASE("an interrupted corpus or one with changed models resumes and retries failures") {
+TEST_CASE("corpus resumes after an interruption and retries failed models") {
   const Folder folder;
   make_models(folder);
   run_words(words, folder.path());
@@ -120,13 +120,13 @@ TEST_CASE("an interrupted corpus or one with changed models resumes and retries 
   CHECK(all[7]["clocks"] == all[1]["clocks"]);
 }
 
-TEST_CASE("rejects a folder without models") {
+TEST_CASE("corpus rejects a folder without models") {
   const Folder folder;
   fs::create_directories(folder.path() / "empty");
   fails(run_words({"corpus", "empty", "-o", "out"}, folder.path()), 1, {"empty: contains no .csg, .scad or .jan file"});
 }
 
-TEST_CASE("corpus draws its plots") {
+TEST_CASE("corpus plots clocks and frames as PNG and SVG") {
   const Folder folder;
   write(folder / "m.csg", cube);
   succeeded(run_words({"corpus", "m.csg", "--machines", "pixel-planes-4,scan-line", "--size", "24x24", "-o", "out"},
@@ -137,7 +137,7 @@ TEST_CASE("corpus draws its plots") {
   }
 }
 
-TEST_CASE("sweep skips an unreadable model and ends with 1 and retries it after a change") {
+TEST_CASE("sweep skips an unreadable model with exit code 1 and retries it after a change") {
   const Folder folder;
   write(folder / "a.csg", cube);
   write(folder / "b.csg", broken);
@@ -163,7 +163,7 @@ TEST_CASE("sweep skips an unreadable model and ends with 1 and retries it after 
   CHECK(all[6]["clocks"] == all[0]["clocks"]);
 }
 
-TEST_CASE("columns of the corpus table align with their headings for any name and value") {
+TEST_CASE("columns of the corpus table are aligned with their headings for any name") {
   const Folder folder;
   write(folder / "a.csg", cube);
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
@@ -189,7 +189,7 @@ TEST_CASE("columns of the corpus table align with their headings for any name an
   }
 }
 
-TEST_CASE("separates table cells by two blanks and lets a single-cell row overflow") {
+TEST_CASE("a table separates cells by two blanks and lets a row of one cell overflow") {
   const std::vector<std::vector<std::string>> rows{{"name", "n", "why"},
                                                    {"a line that is alone in its row"},
                                                    {"\u00e4", "123,456,789,012,345,678", "x"},

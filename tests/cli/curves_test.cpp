@@ -49,7 +49,7 @@ TEST_CASE("studies draw exact curved surfaces where the machine can and facets e
         std::string::npos);
 }
 
-TEST_CASE("a sweep varies the drawing of curved surfaces and reports memory and clocks") {
+TEST_CASE("sweep --curves varies the drawing of curves and reports memory and clocks") {
   const Folder folder;
   const Outcome sweep = succeeded(run(
       "sweep " + carburettor + "--machines pixel-powers --strategy stack --curves facets,exact -o " + (folder / "s")));
@@ -98,7 +98,7 @@ TEST_CASE("all levels and both forms of a Program draw the same curved surfaces"
   succeeded(run("levels " + powers));
 }
 
-TEST_CASE("advice for a machine with quadratic expressions fits and has the stated accuracy") {
+TEST_CASE("advise recommends settings for a quadratic machine with the stated accuracy") {
   const Folder folder;
   const Outcome outcome =
       succeeded(run("advise " + model("thesis_fig_2_3") + " --camera 42,-38,41,10,5.5,2 --size 64x64 " +

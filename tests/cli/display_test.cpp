@@ -12,7 +12,7 @@ std::string display(const std::string& more) {
 
 }  // namespace
 
-TEST_CASE("display counts every method for growing models; exact ones see the same surfaces") {
+TEST_CASE("display counts every method and all exact methods see the same surfaces") {
   const Folder folder;
   const Outcome outcome = succeeded(run(display(" --fragments 12,24 -o " + (folder / "d"))));
   CHECK(outcome.out.find("Exact methods see the same surfaces") != std::string::npos);
@@ -37,7 +37,7 @@ TEST_CASE("display counts every method for growing models; exact ones see the sa
   CHECK(fs::file_size(folder / "d/display.svg") > 1000);
 }
 
-TEST_CASE("display varies tolerances and bucket sizes and reuses its measurements") {
+TEST_CASE("display measures each tolerance and bucket size once") {
   const Folder folder;
   const std::string few = " --methods list-priority,scan-line --tolerances 2,0.5 --no-plots -o " + (folder / "d");
   succeeded(run(display(few + " --bucket-sizes 6,24")));
@@ -69,7 +69,7 @@ TEST_CASE("display counts the wrong pixels of list priority for coincident faces
   CHECK(outcome.out.find("coincident faces") != std::string::npos);
 }
 
-TEST_CASE("gathers shards of display into the table of one run and rejects unknown names") {
+TEST_CASE("gathering shards of display gives the table of a single run") {
   const Folder folder;
   const std::string common = " --methods scan-line,depth-lists --no-plots --progress none -o " + (folder / "s");
   succeeded(run(display(common + " --shard 1/2")));

@@ -21,7 +21,7 @@ bool draws_the_same(const Folder& folder, const std::string& with) {
 
 }  // namespace
 
-TEST_CASE("the cost table adds up over the effects and has a picture without each of them") {
+TEST_CASE("the cost table of effects adds up to the clocks of the frame") {
   const Folder folder;
   const Outcome outcome =
       run("effects " + model("old_example002") + small + two_effects(folder) + "-o " + (folder / "bill"));
@@ -42,7 +42,7 @@ TEST_CASE("the cost table adds up over the effects and has a picture without eac
   CHECK(content(folder / "bill/all.png") != content(folder / "bill/without_smooth.png"));
 }
 
-TEST_CASE("the cost table's frame without an effect equals render with the effect off") {
+TEST_CASE("effects draws a frame without an effect as render does with the effect off") {
   const Folder folder;
   const std::string options = model("old_example002") + small + two_effects(folder);
   succeeded(run("effects " + options + "-o " + (folder / "bill")));
@@ -64,7 +64,7 @@ TEST_CASE("effects draw the same picture at each level and on machines whose hos
   CHECK(draws_the_same(folder, "--machine pixel-planes-5 --level cycle"));
 }
 
-TEST_CASE("an error in a scene file ends with its place and code 1; an option with code 2") {
+TEST_CASE("an error in a scene file has its place and exit code 1 and in an option code 2") {
   const Folder folder;
   write(folder / "scene.toml", "[effects.shadow]\n");
   const std::string render = "render " + model("old_example002") + small;
@@ -85,7 +85,7 @@ TEST_CASE("an error names what a machine lacks and a machine that has it") {
         1, {"global OR"});
 }
 
-TEST_CASE("alpha in a model enables transparency automatically unless switched off") {
+TEST_CASE("alpha in a model enables transparency unless the scene switches it off") {
   const Folder folder;
   write(folder / "m.csg", "color([1,0,0,0.5]){cube(size=[4,4,4],center=true);}cube(size=[9,1,9],center=true);");
   const std::string render = "render " + (folder / "m.csg") + " --size 32x32 --memory-bits 256 --stats " +
@@ -117,7 +117,7 @@ std::string bits_in(const std::string& message) {
 
 }  // namespace
 
-TEST_CASE("falls back to screen-door with a warning if memory is too small for layers") {
+TEST_CASE("transparency falls back to a screen door with a warning if memory is short") {
   const Folder folder;
   write(folder / "m.csg", panes);
   const std::string render = "render " + (folder / "m.csg") + from_front;
@@ -139,7 +139,7 @@ TEST_CASE("falls back to screen-door with a warning if memory is too small for l
         std::string::npos);
 }
 
-TEST_CASE("rejects layers without memory if the scene sets transparency itself") {
+TEST_CASE("transparency set in the scene is rejected if memory is short for its layers") {
   const Folder folder;
   write(folder / "m.csg", panes);
   write(folder / "s.toml", "[[materials]]\nfrom_line = 2\nopacity = 0.5\n");

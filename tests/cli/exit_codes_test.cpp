@@ -63,7 +63,7 @@ TEST_CASE("every command ends with exit code 1 for a wrong or missing file") {
   }
 }
 
-TEST_CASE("lists of machines are command-line arguments; lists of numbers may be empty") {
+TEST_CASE("a wrong list of machines is a usage error but a list of numbers may be empty") {
   const Folder folder;
   const std::string out = " -o " + (folder / "out");
   for (const std::string study : {"compare ", "sweep ", "corpus "}) {
@@ -77,14 +77,14 @@ TEST_CASE("lists of machines are command-line arguments; lists of numbers may be
   CHECK(content(folder / "none/compare.csv") == content(folder / "empty/compare.csv"));
 }
 
-TEST_CASE("help names the operand of -o FOLDER where a command writes several files") {
+TEST_CASE("help shows -o FOLDER for each command that writes several files") {
   for (const std::string command : {"render", "compile", "run", "rerun", "disasm", "wave"})
     CHECK(run(command + " --help").out.find("-o, --output FILE") != std::string::npos);
   for (const std::string command : {"effects", "accuracy", "advise", "sweep", "corpus", "compare", "gather"})
     CHECK(run(command + " --help").out.find("-o, --output FOLDER") != std::string::npos);
 }
 
-TEST_CASE("prints shares as percentages and groups digits; JSON does neither") {
+TEST_CASE("the text output has percentages and grouped digits and the JSON output neither") {
   const Folder folder;
   const std::string of = " " + model("sphere") + " --size 64x64";
   const Outcome drawn = succeeded(run("render" + of + " --check --stats " + (folder / "s.json")));

@@ -43,7 +43,7 @@ TEST_CASE("explain accepts a point of the model in place of its pixel") {
   CHECK(outcome.out.starts_with("point 4.4,0,-2.6 is 15.082 model units from the eye\npixel 4,2 shows p1 "));
 }
 
-TEST_CASE("explain says why another primitive is hidden; named by index or name or line") {
+TEST_CASE("explain says why a primitive is hidden that is named by index or name or line") {
   const Subject subject;
   for (const std::string name : {"0", "p0", "cube@1:64", "cube@1", "@1"}) {
     CAPTURE(name);
@@ -70,7 +70,7 @@ TEST_CASE("explain numbers instructions as disasm does") {
   CHECK(decisions >= 4);
 }
 
-TEST_CASE("writes the explanation as JSON to standard output with the reason for hiding") {
+TEST_CASE("explain writes JSON to standard output with the reason why a primitive is hidden") {
   const Subject subject;
   const Outcome outcome =
       succeeded(run("explain " + subject.model + front + "--pixel 2,2 --why-not 1 --json /dev/stdout"));
@@ -102,7 +102,7 @@ TEST_CASE("explain rejects nonexistent pixels or points or primitives and states
   misused(program + "--pixel 1,1 --json " + subject.program, "the same file");
 }
 
-TEST_CASE("writes an owner picture together with its legend or neither") {
+TEST_CASE("an owner picture is written together with its legend or not at all") {
   const Subject subject;
   const Folder& folder = subject.folder;
   succeeded(run("run " + subject.program + " --owner " + (folder / "o.png")));

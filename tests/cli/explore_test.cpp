@@ -26,7 +26,7 @@ std::string without_line(const std::string& table, std::size_t number) {
 
 }  // namespace
 
-TEST_CASE("explore measures every design on every model and plots the front") {
+TEST_CASE("explore measures every design on every model and plots the Pareto front") {
   const Folder folder;
   const Outcome outcome = succeeded(run("explore " + model("old_example011") + " " + model("thesis_fig_2_3") + small +
                                         vary + " --report " + (folder / "p.html") + " -o " + (folder / "e")));
@@ -75,7 +75,7 @@ TEST_CASE("a design's row equals the counts of render and the wrong pixels of ac
   CHECK(wrong.at(8) > wrong.at(20));
 }
 
-TEST_CASE("the command of the knee reproduces its counts") {
+TEST_CASE("the command printed for the knee reproduces the counts of its row") {
   const Folder folder;
   const std::string scene = " --camera 42,-38,41,10,5.5,2 --set background.colour=0,0,0.5";
   REQUIRE(run("explore " + model("thesis_fig_2_3") + small + scene + vary + " --no-plots -o " + (folder / "e")).code ==
@@ -96,7 +96,7 @@ TEST_CASE("the command of the knee reproduces its counts") {
   CHECK(knees == 1);
 }
 
-TEST_CASE("knee commands for several models reserve memory for each in any order") {
+TEST_CASE("the knee's commands reserve enough memory for several models in any order") {
   const Folder folder;
   const std::string words = small + " --vary z-bits=16 --vary strategy=stack --no-plots -o ";
   const auto bits_of = [&](const std::string& models, const std::string& output) {
@@ -116,7 +116,7 @@ TEST_CASE("knee commands for several models reserve memory for each in any order
   CHECK(bits_of(one + " " + other, "a") == bits_of(other + " " + one, "b"));
 }
 
-TEST_CASE("remeasures after each edited parameter of a process file of the same name") {
+TEST_CASE("explore remeasures after an edit of any parameter in a process file") {
   const Folder folder;
   std::string process = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/process/nmos-3um.toml");
   process.replace(process.find("\"nmos-3um\""), 10, "\"mine\"");
@@ -184,7 +184,7 @@ TEST_CASE("gathering shards of explore gives the results of one process") {
     CHECK(content(folder.path() / "parts" / file) == content(folder.path() / "whole" / file));
 }
 
-TEST_CASE("a sample of the grid has the requested size and grows to a larger sample") {
+TEST_CASE("explore samples the requested number of designs and can extend the sample") {
   const Folder folder;
   const std::string command = "explore " + model("sphere") + small + " --no-plots -o " + (folder / "e") +
                               " --vary z-bits=4..30 --vary fraction-bits=0..16 --vary link.width=8,16,32 "
@@ -226,7 +226,7 @@ TEST_CASE("explore writes nothing if no model can be read") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("machines without pixel prices have no area axis in their fronts") {
+TEST_CASE("explore omits the area axis for machines without priced pixels") {
   const Folder folder;
   succeeded(run("explore " + model("thesis_fig_2_3") + small +
                 " --machine scan-line --vary chains.count=1,4 --no-plots -o " + (folder / "e")));
@@ -235,7 +235,7 @@ TEST_CASE("machines without pixel prices have no area axis in their fronts") {
   CHECK(file["fronts"][0]["axes"] == nlohmann::json{"time", "memory", "wrong"});
 }
 
-TEST_CASE("varies dependent parameters together and gives a reason for invalid combinations") {
+TEST_CASE("explore varies dependent parameters together and explains invalid combinations") {
   const Folder folder;
   succeeded(run("explore " + model("thesis_fig_2_3") + small +
                 " --vary evaluator.bits=1,4 --vary alu.bits=1,4 --no-plots -o " + (folder / "e")));
@@ -257,7 +257,7 @@ TEST_CASE("varies dependent parameters together and gives a reason for invalid c
         clocks.at("pixel-planes-4+evaluator.bits=1+alu.bits=4"));
 }
 
-TEST_CASE("reports errors in --vary and --axes in one line with a suggestion") {
+TEST_CASE("explore reports an error in --vary or --axes in one line with a suggestion") {
   const Folder folder;
   const std::string command = "explore " + model("sphere") + small + " -o " + (folder / "e");
   misused(command, "--vary");
@@ -275,7 +275,7 @@ TEST_CASE("reports errors in --vary and --axes in one line with a suggestion") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("a process determines the clock of a machine and the knee's command states it") {
+TEST_CASE("explore --process sets the machine's clock and the knee's command states it") {
   const Folder folder;
   succeeded(run("explore " + model("thesis_fig_2_3") + small +
                 " --process cmos-45nm --vary alu.bits=1,8 --vary z-bits=8,20" + " --no-plots -o " + (folder / "e")));
@@ -298,7 +298,7 @@ TEST_CASE("a process determines the clock of a machine and the knee's command st
   CHECK(file["points"][0]["clock_hz"] > file["points"][2]["clock_hz"]);
 }
 
-TEST_CASE("a process gives no price without synthesis and remeasures after a changed value") {
+TEST_CASE("an unsynthesised machine has no price and a changed process is measured again") {
   const Folder folder;
   const std::string command = "explore " + model("thesis_fig_2_3") + small + " --no-plots -o " + (folder / "e");
   succeeded(run(command + " --machine scan-line --process nmos-3um --vary chains.count=1,4"));
@@ -321,7 +321,7 @@ TEST_CASE("a process gives no price without synthesis and remeasures after a cha
           "the process determines the clock");
 }
 
-TEST_CASE("a search tries every neighbour of the front and resumes and is not sharded") {
+TEST_CASE("a search tries every neighbour of the front and resumes but cannot be sharded") {
   const Folder folder;
   const std::string search = "explore " + model("old_example011") + small +
                              " --vary z-bits=8..20 --vary fraction-bits=0..12 --axes memory,wrong --no-plots -o " +

@@ -73,7 +73,7 @@ TEST_CASE("fast spheres and facets are seen by the same camera") {
   CHECK(box("fast") == box("facets"));
 }
 
-TEST_CASE("72 bits of Pixel-planes 4 hold 18 bits of depth and colour for joined spheres") {
+TEST_CASE("joined fast spheres fit 72 bits with 18 bits of depth and 18 of colour") {
   const Folder folder;
   const std::string options = "render " + model("molecule") + " --view-all --curves fast --z-bits 18 -o " +
                               (folder / "p.png") + " --colour-bits ";
@@ -81,7 +81,7 @@ TEST_CASE("72 bits of Pixel-planes 4 hold 18 bits of depth and colour for joined
   CHECK(run(options + "19").code == 1);
 }
 
-TEST_CASE("suggests facets if memory is too small for squares or the machine divides models") {
+TEST_CASE("render suggests --curves facets where fast spheres are unsupported") {
   const Folder folder;
   const std::string options = "render " + written(folder, ball) + " --view-all --curves fast -o " + (folder / "p.png");
   fails(run(options), 1, {"17 squares", "--curves facets"});

@@ -64,7 +64,7 @@ TEST_CASE("the debugger overwrites none of its input files under any name") {
   refused({"p.csgt", "--config", "settings.toml"}, "checkpoint settings.toml", "settings.toml");
 }
 
-TEST_CASE("the debugger rewrites a checkpoint and a picture in place") {
+TEST_CASE("the debugger may overwrite a checkpoint and a picture that it wrote") {
   const Folder folder;
   fill(folder);
   write(folder / "commands",
@@ -91,7 +91,7 @@ TEST_CASE("no command overwrites a file that the model imports") {
   }
 }
 
-TEST_CASE("does not overwrite a file that is its standard input") {
+TEST_CASE("no command overwrites a file that is its standard input") {
   const Folder folder;
   write(folder / "m.csg", small_cube);
   const std::string program = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
@@ -101,7 +101,7 @@ TEST_CASE("does not overwrite a file that is its standard input") {
   CHECK(content(folder / "m.csg") == small_cube);
 }
 
-TEST_CASE("a study follows no link and waits for no pipe in its folder") {
+TEST_CASE("a study follows no symbolic link and opens no pipe in its folder") {
   const Folder folder;
   write(folder / "m.csg", small_cube);
   const auto refused = [&](const std::string& name, const auto& make) {
@@ -181,7 +181,7 @@ TEST_CASE("rejects an import that is a pipe or a device at once") {
   }
 }
 
-TEST_CASE("warns about a missing import at its place and draws the rest") {
+TEST_CASE("a missing import causes a warning with its place and the rest is drawn") {
   const Folder folder;
   fs::create_symlink("nowhere.stl", folder / "dangling.stl");
   for (const std::string node :
@@ -228,7 +228,7 @@ TEST_CASE("a link in the model's folder does not import a file outside it") {
   for (const std::string file : {"in.svg", "absolute_in.svg", "below/plate.svg"}) CHECK(drawn(file).code == 0);
 }
 
-TEST_CASE("searches imports in the model's folder and then in the --imports-from folder") {
+TEST_CASE("imports are found in the model's folder or else in the --imports-from folder") {
   const Folder folder;
   fs::create_directories(folder / "models");
   fs::create_directories(folder / "parts/below");

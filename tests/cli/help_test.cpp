@@ -56,7 +56,7 @@ TEST_CASE("no line of any help exceeds 80 columns") {
   }
 }
 
-TEST_CASE("remarks in help are filled: lines break only if the next word does not fit") {
+TEST_CASE("lines of remarks in help break only if the next word does not fit") {
   for (const std::string& command : commands()) {
     const std::vector<std::string> lines = lines_of(run(command + " --help").out);
     const auto example = std::ranges::find(lines, "Example:");
@@ -71,7 +71,7 @@ TEST_CASE("remarks in help are filled: lines break only if the next word does no
   }
 }
 
-TEST_CASE("help groups options by subject and leaves none under further options") {
+TEST_CASE("help lists every option under a subject") {
   const std::string help = run("render --help").out;
   std::size_t at = 0;
   for (const std::string subject : {"Model and scene:", "View:", "Machine:", "Algorithm and pixel memory:", "Accuracy:",
@@ -118,7 +118,7 @@ TEST_CASE("a wrong word of any option is reported with the nearest and all valid
   }
 }
 
-TEST_CASE("unknown machines and effects and settings and fields are reported alike") {
+TEST_CASE("errors for unknown machines and effects and settings and fields have one form") {
   const Outcome machine = run("render " + model("old_example003") + " --machine scanline");
   fails(machine, 2, {"there is no machine 'scanline'; did you mean scan-line? The machines are pixel-planes-4, "});
   misused("manual machines foo", "there is no machine 'foo'; the machines are pixel-planes-4, ");

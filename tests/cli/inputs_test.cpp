@@ -103,7 +103,7 @@ TEST_CASE("rejects empty file names and negative counts") {
   CHECK(folder.files() == 1);
 }
 
-TEST_CASE("rejects a near plane too near for any depth and suggests a valid one") {
+TEST_CASE("rejects a near plane that leaves no depths and suggests a valid one") {
   const Folder folder;
   write(folder / "m.csg", cube);
   for (const std::string near : {"4.9e-324", "1e-300", "1e-17"}) {
@@ -138,7 +138,7 @@ TEST_CASE("every command that reads a model rejects one that exceeds --limit wit
   CHECK(run_words({"compile", "twisted.csg", "-o", "t.csgt", "--limit", "0"}, folder.path()).code == 2);
 }
 
-TEST_CASE("rejects a tree with exponential visibility conditions before it fills memory") {
+TEST_CASE("rejects a tree with exponentially many products before it fills memory") {
   const Folder folder;
   std::string text;
   for (int i = 0; i < 8'000; ++i) text += "difference() { cube(size = [9, 9, 9], center = true);\n";
@@ -148,7 +148,7 @@ TEST_CASE("rejects a tree with exponential visibility conditions before it fills
         {"from this primitive on, comparing primitives with others takes more work than", "deep.csg:"});
 }
 
-TEST_CASE("limits the work of compiling by --limit in every command") {
+TEST_CASE("--limit limits the work of compiling in every command") {
   const Folder folder;
   std::string text;
   for (int i = 0; i < 100; ++i) {

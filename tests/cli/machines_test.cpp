@@ -74,7 +74,7 @@ TEST_CASE("both levels of every machine draw the same picture and predict the sa
   }
 }
 
-TEST_CASE("draws parts that exceed a multi-processor's node memory in several passes") {
+TEST_CASE("a multi-processor draws lists that exceed its nodes' memory in several passes") {
   const Folder folder;
   for (const char* const part : {"bolt_and_nut", "vase"}) {
     CAPTURE(part);
@@ -206,7 +206,7 @@ TEST_CASE("subdivide resumes and adds levels and tolerances and writes plots and
   CHECK(content(folder / "p.html").find("data-at=\"/points/1/subsegments/clocks\"") != std::string::npos);
 }
 
-TEST_CASE("subdivide's stage times of a multi-processor add up except for barriers") {
+TEST_CASE("subdivide's stage times of a multi-processor add up except for waiting") {
   const Folder folder;
   const std::string options = model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128";
   const Outcome outcome =

@@ -57,7 +57,7 @@ TEST_CASE("a command's page has every option of its help with the same value") {
   }
 }
 
-TEST_CASE("writes the same pages and completions each time and reports unwritable folders") {
+TEST_CASE("manual pages are reproducible and an unwritable folder is reported") {
   const Folder folder;
   for (const std::string name : {"a", "b"}) REQUIRE(run_words({"--describe", folder / name}).code == 0);
   succeeded(run_program("diff", {"-r", folder / "a", folder / "b"}));

@@ -35,7 +35,7 @@ TEST_CASE("mesh compares filter and quadtree on one mesh and reuses its measurem
   CHECK(json(folder / "m/mesh.json")["points"].size() == 6);
 }
 
-TEST_CASE("a tolerance too fine for a surface gives a reason; it is an error if alone") {
+TEST_CASE("a tolerance too fine for a surface gives a reason and alone it is an error") {
   const Folder folder;
   const std::string words = "mesh " + commands("jug") + " --repairs filter --flatness sides ";
   const Outcome both = succeeded(run(words + "--tolerances 1,1e-12 -o " + (folder / "m")));

@@ -59,7 +59,7 @@ TEST_CASE("accuracy draws plots for a model whose name has quotes and line break
   CHECK_FALSE(is_there(folder.path(), "PWNED"));
 }
 
-TEST_CASE("names are bytes: invalid UTF-8 and long names are read and stored escaped") {
+TEST_CASE("file names that are not UTF-8 are read and are stored escaped") {
   const Folder folder;
   for (const std::string& name :
        {std::string("Geh\xe4use.csg"), std::string("\xff\xfe.csg"), std::string(246, 'n') + ".csg"}) {
@@ -141,7 +141,7 @@ TEST_CASE("messages are one line without control characters for any name or key"
   }
 }
 
-TEST_CASE("escapes control characters in the description of a machine file") {
+TEST_CASE("control characters in the description of a machine file are printed escaped") {
   const Folder folder;
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
   text.replace(text.find("description = \""), 15, "description = \"\\u001b[2J\\u202e");

@@ -85,7 +85,7 @@ TEST_CASE("a camera of six or seven numbers matches OpenSCAD except on the outli
   CHECK(count == 10);
 }
 
-TEST_CASE("accepts OpenSCAD's letters of projections and commas in sizes and --viewall") {
+TEST_CASE("render accepts OpenSCAD's forms of --projection and --size and --viewall") {
   const std::string part = cameras + "part.csg ";
   CHECK(drawn(part + "--size 40x30 --projection p") == drawn(part + "--imgsize 40,30 --projection perspective"));
   CHECK(drawn(part + "--size 40x30 --projection o") == drawn(part + "--size 40x30"));

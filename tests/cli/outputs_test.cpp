@@ -48,7 +48,7 @@ TEST_CASE("csgsim without its picture module writes PNG and names the missing pa
   CHECK(content(folder / "p.tif").starts_with("II*"));
 }
 
-TEST_CASE("writes through an output that is a symbolic link and keeps the link") {
+TEST_CASE("an output that is a symbolic link stays a link to the written file") {
   const Folder folder;
   fs::create_directory(folder / "real");
   write(folder / "real/old.png", "old");
@@ -143,7 +143,7 @@ std::string said_within(int kilobytes, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("reports the size of a picture that exceeds the memory") {
+TEST_CASE("the error for a picture that exceeds the memory states its size") {
   const Folder folder;
   const std::string text =
       said_within(600000, "render " + model("old_example011") + " --size 12000x11000 -o " + (folder / "p.png"));
@@ -154,7 +154,7 @@ TEST_CASE("reports the size of a picture that exceeds the memory") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("reports the number of half-spaces that exceed memory for any picture size") {
+TEST_CASE("the error for half-spaces that exceed the memory states their number") {
   const Folder folder;
   {
     // 10,000 disjoint spheres with 62 half-spaces each.

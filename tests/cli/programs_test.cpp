@@ -68,13 +68,13 @@ TEST_CASE("rejects stepped trees at other levels and on machines without trees")
         {"a machine of kind multi-processor has no multiplier trees that can be stepped"});
 }
 
-TEST_CASE("cycle level: facts and comments of a golden Program change nothing") {
+TEST_CASE("facts and comments of a golden Program change nothing at the cycle level") {
   for (const char* name : {"thesis_fig_2_3", "carburettor", "terrain_vehicle", "old_example002", "old_example002_lines",
                            "thesis_fig_2_3_squares", "thesis_fig_2_3_nodes"})
     check_same_at_cycle_level(trace(name));
 }
 
-TEST_CASE("a Program runs on its own machine with its parameters and render's clocks") {
+TEST_CASE("run draws a Program on its recorded machine in the clocks of render") {
   const Folder folder;
   for (const std::string machine : {"scan-line", "pixel-square", "multi-processor", "pixel-powers",
                                     "pixel-planes-4+alu.bits=4+array.memory_bits=96"}) {
@@ -116,8 +116,7 @@ TEST_CASE("rejects a Program on another kind or smaller machine and names the di
     CAPTURE(words);
     fails(outcome, 1, {text});
   };
-  const std::string other =
-      "was compiled for scan-line, of kind scan-line, and pixel-planes-4 is of kind frame-buffer";
+  const std::string other = "was compiled for scan-line, of kind scan-line, and pixel-planes-4 is of kind frame-buffer";
   refused("run " + lines + " --machine pixel-planes-4" + output, other);
   refused("explain " + lines + " --machine pixel-planes-4 --pixel 3,3", other);
   refused("wave " + lines + " --machine pixel-planes-4 --pixel 3,3 -o " + (folder / "out.vcd"), other);
@@ -136,7 +135,7 @@ TEST_CASE("rejects a Program on another kind or smaller machine and names the di
   CHECK(warned.err.find("array.memory_bits 100 instead of 72") != std::string::npos);
 }
 
-TEST_CASE("warns which machine is assumed for a Program that names none") {
+TEST_CASE("a warning names the machine that is assumed for a Program without one") {
   const Folder folder;
   isa::Program program = isa::load_program(trace("old_example002"));
   program.machine = {};
@@ -158,7 +157,7 @@ TEST_CASE("warns which machine is assumed for a Program that names none") {
   fails(run("run " + (folder / "p.csgt") + output), 1, {"'no-such-machine'"});
 }
 
-TEST_CASE("disasm --row-commands lists commands of rows and rejects other machines") {
+TEST_CASE("disasm --row-commands lists row commands of memories and rejects other machines") {
   const Folder folder;
   const std::string rows = compiled(folder, "rows.csgt", "--machine simdram-ddr4");
   const Outcome text = succeeded(run("disasm " + rows + " --row-commands"));

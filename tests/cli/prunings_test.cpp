@@ -28,7 +28,7 @@ TEST_CASE("rejects contradictory and unknown prunings") {
   misused("render m.csg --pruning no-spice", "did you mean no-space?");
 }
 
-TEST_CASE("sweep and diff use the same names for prunings") {
+TEST_CASE("sweep and diff accept the same names of prunings as render") {
   const Folder folder;
   const std::string part = model("old_example011") + " --size 16x16 ";
   succeeded(run("sweep " + part + "--strategy stack --pruning all,none,no-sets+no-hidden,space --no-plots -o " +

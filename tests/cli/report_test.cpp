@@ -56,14 +56,14 @@ std::size_t hold_cells(const std::string& html, const Json& file) {
 }
 
 /// Checks that the page loads nothing from elsewhere.
-void asks_for_nothing(const std::string& html) {
+void loads_nothing(const std::string& html) {
   for (const std::string part : {"http://", "https://", "src=\"/", "src=//", "url(", "@import", "<link rel=stylesheet"})
     CHECK(html.find(part) == std::string::npos);
 }
 
 }  // namespace
 
-TEST_CASE("the page of a render shows the numbers of its stats and is reproducible") {
+TEST_CASE("the report of a render shows the numbers of its stats and is reproducible") {
   const Folder folder;
   const std::string command = "render " + model("old_example011") + " --size 64x48 --view-all --stats " +
                               (folder / "s.json") + " --report " + (folder / "r.html");
@@ -72,7 +72,7 @@ TEST_CASE("the page of a render shows the numbers of its stats and is reproducib
   const Json stats = json(folder / "s.json");
   CHECK(data_of(html) == without_wall_times(stats));
   CHECK(hold_cells(html, stats) > 40);
-  asks_for_nothing(html);
+  loads_nothing(html);
   CHECK(html.find("csgsim render ") != std::string::npos);
   CHECK(html.find("--size 64x48") != std::string::npos);
   CHECK(html.find("id=\"drawing-0\"") != std::string::npos);
@@ -81,14 +81,14 @@ TEST_CASE("the page of a render shows the numbers of its stats and is reproducib
   CHECK(content(folder / "r.html") == html);
 }
 
-TEST_CASE("the page of an ordinary render is below 2 MB") {
+TEST_CASE("the report of an ordinary render is smaller than 2 MB") {
   const Folder folder;
   succeeded(run("render " + model("terrain_vehicle") +
                 " --camera 560,-590,420,-5,0,68 --projection perspective --report " + (folder / "r.html")));
   CHECK(fs::file_size(folder / "r.html") < 2'000'000);
 }
 
-TEST_CASE("the page of each study has the numbers of its file") {
+TEST_CASE("the report of each study has the numbers of its JSON file") {
   const Folder folder;
   const std::string of = " " + model("old_example011") + " --size 32x32 ";
   const std::vector<std::pair<std::string, std::string>> studies{
@@ -112,11 +112,11 @@ TEST_CASE("the page of each study has the numbers of its file") {
     CHECK(hold_cells(html, expected) > 8);
     CHECK((html.find("src=\"data:image/png;base64,") != std::string::npos) == !command.starts_with("corpus"));
     CHECK(html.find("<th scope=row>clock.frequency</th>") != std::string::npos);
-    asks_for_nothing(html);
+    loads_nothing(html);
   }
 }
 
-TEST_CASE("the page of advise has the front and recommended commands but not all choices") {
+TEST_CASE("the report of advise has the front and the recommended commands") {
   const Folder folder;
   const std::string of =
       "advise " + model("old_example011") + " --size 32x32 --z-bits 12,14 --fraction-bits 2,6 --no-plots ";
@@ -140,11 +140,11 @@ TEST_CASE("the page of advise has the front and recommended commands but not all
     }
     CHECK(html.find("src=\"data:image/png;base64,") != std::string::npos);
     CHECK(html.find(std::to_string(expected["points"].size()) + " choices were searched") != std::string::npos);
-    asks_for_nothing(html);
+    loads_nothing(html);
   }
 }
 
-TEST_CASE("writing a page changes neither a study's table title nor its stored points") {
+TEST_CASE("writing a report changes neither a study's title nor its stored points") {
   const Folder folder;
   const std::string command =
       "sweep " + model("old_example011") + " --size 16x16 --strategy stack --no-plots -o " + (folder / "s");
@@ -154,7 +154,7 @@ TEST_CASE("writing a page changes neither a study's table title nor its stored p
   CHECK(content(folder / "s/sweep.csv") == table);
 }
 
-TEST_CASE("rejects a page that is an input or another output or not .html") {
+TEST_CASE("rejects a report that is an input or another output or not .html") {
   const Folder folder;
   fs::copy_file(model("old_example011"), folder / "m.csg");
   fs::create_symlink("m.csg", folder / "m.html");
@@ -169,7 +169,7 @@ TEST_CASE("rejects a page that is an input or another output or not .html") {
   CHECK_FALSE(fs::exists(folder / "a.html"));
 }
 
-TEST_CASE("the page of a model with a hostile name contains no injected markup") {
+TEST_CASE("the report of a model with a hostile name contains no injected markup") {
   const Folder folder;
   const std::string name = "</script><img src=x onerror=alert(1)>'\"&.csg";
   // A folder's name cannot contain the slash of a closing tag.

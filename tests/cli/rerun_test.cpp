@@ -47,7 +47,7 @@ void write_imported(const Folder& folder, int height) {
 
 }  // namespace
 
-TEST_CASE("repeats a render from its stats byte for byte on every kind of machine") {
+TEST_CASE("rerun repeats a render byte for byte on every kind of machine") {
   const Folder folder;
   for (const std::string machine :
        {"pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5", "multi-processor"}) {
@@ -56,7 +56,7 @@ TEST_CASE("repeats a render from its stats byte for byte on every kind of machin
   }
 }
 
-TEST_CASE("repeats a render with options from all sources") {
+TEST_CASE("rerun repeats a render whose options come from several sources") {
   const Folder folder;
   write(folder / "look.toml", "[ambient]\nintensity = 0.6\n[[lights]]\ndirection = [0, 1, -1]\n");
   write(folder / "s.toml",
@@ -88,12 +88,12 @@ TEST_CASE("repeats a render with options from all sources") {
   succeeded(run_words({"rerun", "a.json"}, folder.path()));
 }
 
-TEST_CASE("repeats the choice of the best settings of a render") {
+TEST_CASE("rerun repeats the settings that render chose for a wrong-pixel limit") {
   const Folder folder;
   runs_again(folder, {"render", model("thesis_fig_2_3"), "--size", "24x24", "--max-wrong-pixels", "40"});
 }
 
-TEST_CASE("repeats the run of a Program and one resumed from a checkpoint") {
+TEST_CASE("rerun repeats the run of a Program and one resumed from a checkpoint") {
   const Folder folder;
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/old_example002_lines.csgt";
   runs_again(folder, {"run", program, "--machine", "scan-line", "--set", "cells.words=6"});
@@ -103,7 +103,7 @@ TEST_CASE("repeats the run of a Program and one resumed from a checkpoint") {
   CHECK(!fs::exists(folder / "c.csgs"));
 }
 
-TEST_CASE("repeats a run of the cycle level at the cycle level") {
+TEST_CASE("rerun repeats a run of the cycle level at the cycle level") {
   const Folder folder;
   runs_again(folder, {"render", model("thesis_fig_2_3"), "--size", "24x24", "--level", "cycle"});
   CHECK(json(folder / "b.json")["level"] == "cycle");
@@ -112,7 +112,7 @@ TEST_CASE("repeats a run of the cycle level at the cycle level") {
   CHECK(json(folder / "b.json")["configuration"]["options"]["evaluator"] == "stepped");
 }
 
-TEST_CASE("resolves relative names in the folder of the original run") {
+TEST_CASE("rerun resolves relative names in the folder of the original run") {
   const Folder folder;
   fs::create_directory(folder / "there");
   fs::create_directory(folder / "here");
@@ -125,7 +125,7 @@ TEST_CASE("resolves relative names in the folder of the original run") {
   CHECK(content(folder / "here/b.png") == content(folder / "there/a.png"));
 }
 
-TEST_CASE("detects a changed file before it runs or writes") {
+TEST_CASE("rerun detects a changed input before it runs or writes") {
   const Folder folder;
   write_imported(folder, 9);
   write(folder / "look.toml", "[ambient]\nintensity = 0.6\n");
@@ -152,7 +152,7 @@ TEST_CASE("detects a changed file before it runs or writes") {
   CHECK(fs::exists(folder / "b.png"));
 }
 
-TEST_CASE("detects a change in a file that OpenSCAD source includes") {
+TEST_CASE("rerun detects a change in a file that OpenSCAD source includes") {
   const Folder folder;
   stand_in(folder, "openscad", "cat part.scad");
   write(folder / "m.scad", "include <part.scad>\n");
@@ -165,7 +165,7 @@ TEST_CASE("detects a change in a file that OpenSCAD source includes") {
   CHECK(!fs::exists(folder / "b.png"));
 }
 
-TEST_CASE("reports stats of another version and differing counts with both values") {
+TEST_CASE("rerun reports another version and each differing count with both values") {
   const Folder folder;
   succeeded(run("render " + model("old_example002") + " --size 16x16 --stats " + (folder / "a.json")));
   nlohmann::ordered_json stats = nlohmann::ordered_json::parse(content(folder / "a.json"));
@@ -180,7 +180,7 @@ TEST_CASE("reports stats of another version and differing counts with both value
         std::string::npos);
 }
 
-TEST_CASE("rejects a file that is no stats file and names the place") {
+TEST_CASE("rerun rejects a file that is not a stats file with the place of the error") {
   const Folder folder;
   write(folder / "a.json", "{\n  \"clocks\": 3,\n}");
   refused(run_words({"rerun", "a.json"}, folder.path()), "a.json:3:1: not valid JSON");

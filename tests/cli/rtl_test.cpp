@@ -57,7 +57,7 @@ void check_filled(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("writes a complete design with a Program and overwrites it and describes it") {
+TEST_CASE("rtl writes a complete design with a Program and can overwrite it") {
   const Folder folder;
   for (int i = 0; i < 2; ++i) {
     const Outcome outcome = succeeded(rtl(folder, {"pixel-planes-4", "m.csg", "--size", "8x4", "-o", "d"}));
@@ -73,7 +73,7 @@ TEST_CASE("writes a complete design with a Program and overwrites it and describ
   CHECK(system.find(".HEIGHT(4), ") != std::string::npos);
 }
 
-TEST_CASE("a design without a model has a serial line but no testbench") {
+TEST_CASE("rtl without a model writes a design with a serial line and no testbench") {
   const Folder folder;
   succeeded(rtl(folder, {"pixel-planes-4", "--size", "8x4", "--set", "alu.bits=2", "-o", "d"}));
   CHECK(files_below(folder.path() / "d") ==
@@ -84,7 +84,7 @@ TEST_CASE("a design without a model has a serial line but no testbench") {
   CHECK(system.find(".ALU_BITS(2), ") != std::string::npos);
 }
 
-TEST_CASE("does not write a design over foreign files or into the current folder") {
+TEST_CASE("rtl writes no design over foreign files or into the current folder") {
   refused({"pixel-planes-4", "m.csg", "--size", "8x8", "-o", "."}, 1, ".: it contains the current folder",
           "name an empty folder or a new one");
   const Folder folder;
@@ -96,7 +96,7 @@ TEST_CASE("does not write a design over foreign files or into the current folder
   CHECK(content(folder / "d/board.v") == "mine\n");
 }
 
-TEST_CASE("rejects what the Verilog does not support with a fix and writes nothing") {
+TEST_CASE("rtl rejects a machine that the Verilog does not support and suggests a fix") {
   const Words model{"m.csg", "--size", "8x8", "-o", "d"};
   const auto with = [&](Words words, const Words& more) {
     words.insert(words.end(), model.begin(), model.end());
@@ -113,7 +113,7 @@ TEST_CASE("rejects what the Verilog does not support with a fix and writes nothi
   refused({"pixel-planes-4", "m.csg", "--size", "8x8", "-o", "-"}, 2, "a design is several files", "name a folder");
 }
 
-TEST_CASE("rejects compile options where nothing is compiled and gives the actual reason") {
+TEST_CASE("rtl rejects compile options if it compiles no model") {
   const std::string name_one = "is for models; name one after the machine";
   refused({"pixel-planes-4", "--size", "8x8", "--colour-bits", "12", "-o", "d"}, 2, "--colour-bits", name_one);
   refused({"pixel-planes-4", "--set", "background.colour=0,0,0", "-o", "d"}, 2, "'background.colour=0,0,0'", name_one);

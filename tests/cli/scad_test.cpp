@@ -16,7 +16,7 @@ Outcome draw_source(const std::string& commands, const std::vector<std::string>&
 
 }  // namespace
 
-TEST_CASE("draws source as OpenSCAD evaluates it and forwards its warnings") {
+TEST_CASE("OpenSCAD source is drawn as OpenSCAD evaluates it with its warnings") {
   const Outcome outcome =
       draw_source("echo 'WARNING: Ignoring unknown variable' >&2; echo 'ECHO: 1' >&2; echo 'cube(size = [8, 6, 4]);'");
   CHECK(outcome.code == 0);
@@ -24,7 +24,7 @@ TEST_CASE("draws source as OpenSCAD evaluates it and forwards its warnings") {
   CHECK(outcome.err == "openscad: WARNING: Ignoring unknown variable\n");
 }
 
-TEST_CASE("forwards the first of many OpenSCAD warnings and counts the rest") {
+TEST_CASE("the first of many OpenSCAD warnings are printed and the rest counted") {
   const Outcome outcome =
       draw_source("for i in $(seq 25); do echo \"WARNING: $i\" >&2; done; echo 'cube(size = [8, 6, 4]);'");
   CHECK(outcome.code == 0);
@@ -33,13 +33,13 @@ TEST_CASE("forwards the first of many OpenSCAD warnings and counts the rest") {
   CHECK(outcome.err.find("openscad: 15 more warnings") != outcome.err.npos);
 }
 
-TEST_CASE("rejects source that makes no shape") {
+TEST_CASE("rejects OpenSCAD source that makes no shape") {
   const Outcome outcome = draw_source("echo 'ECHO: 1' >&2; echo");
   CHECK(outcome.code == 1);
   CHECK(outcome.err == "part.scad: it creates no shape, so there is nothing to draw; call a module that creates one\n");
 }
 
-TEST_CASE("every command that takes models and Programs accepts source") {
+TEST_CASE("every command that takes models accepts OpenSCAD source") {
   const std::string cube = "echo 'cube(size = [8, 6, 4]);'";
   CHECK(draw_source(cube, {"explain", "part.scad", "--pixel", "8,8"}).code == 0);
   CHECK(draw_source(cube, {"wave", "part.scad", "--pixel", "8,8", "-o", "part.vcd"}).code == 0);
@@ -47,7 +47,7 @@ TEST_CASE("every command that takes models and Programs accepts source") {
   CHECK(draw_source(cube, {"debug", "part.scad"}).code == 0);
 }
 
-TEST_CASE("recognizes a Program by its first bytes under any name") {
+TEST_CASE("a Program is recognised by its first bytes under any file name") {
   const Folder folder;
   write(folder / "model.csg", "cube(size = [8, 6, 4]);\n");
   succeeded(run_words({"compile", "model.csg", "--size", "16x16", "-o", "program.csgt"}, folder.path()));

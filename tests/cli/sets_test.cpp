@@ -11,7 +11,7 @@ namespace kinds = csgsim::kinds;
 namespace machines = csgsim::machines;
 namespace scene = csgsim::scene;
 
-TEST_CASE("no machine parameter has the name of a scene key: --set is unambiguous") {
+TEST_CASE("no machine parameter has the name of a scene key") {
   std::vector<std::string> words{"effects"};
   for (const scene::Section& section : scene::common_sections()) words.emplace_back(section.name);
   for (const scene::Section& section : effects::sections()) CHECK(section.name.starts_with("effects."));
@@ -27,7 +27,7 @@ TEST_CASE("no machine parameter has the name of a scene key: --set is unambiguou
   CHECK(figures > 50);
 }
 
-TEST_CASE("--set of a parameter equals a machine named with it") {
+TEST_CASE("--set KEY=VALUE selects the same machine as the name MACHINE+KEY=VALUE") {
   const Folder folder;
   const auto clocks = [&](const std::string& words) {
     REQUIRE(
@@ -47,7 +47,7 @@ TEST_CASE("--set of a parameter equals a machine named with it") {
   CHECK(clocks("--machine pixel-square --set divider.kind=host").first == "pixel-square+divider.kind=host");
 }
 
-TEST_CASE("a machine file with changed parameters of a built-in one is named after them") {
+TEST_CASE("a machine file that changes a built-in machine is named after its changes") {
   const Folder folder;
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
   write(folder / "same.toml", text);
@@ -80,7 +80,7 @@ TEST_CASE("reports a wrong --set in one line with the nearest parameter or key")
   misused("manual machines --set ambient.intensity=1", "'ambient.intensity=1' is for models");
 }
 
-TEST_CASE("--set applies to the machines that have the parameter and fails if none has it") {
+TEST_CASE("--set applies to each machine with the parameter and fails if there is none") {
   const Folder folder;
   const std::string compare = "compare " + model("thesis_fig_2_3") +
                               " --size 16x16 --sides '' --fragments '' --no-plots -o " + (folder / "out") +

@@ -226,7 +226,7 @@ TEST_CASE("the output of --dump-config is a settings file that changes nothing")
   CHECK(run_words({"render", "--config", "s.toml", "--dump-config"}, folder.path()).out == first);
 }
 
-TEST_CASE("the command line overrides the command's table and this the top of the file") {
+TEST_CASE("the command line overrides a settings file's table of the command and its top") {
   const Folder folder;
   write(folder / "s.toml",
         "z-bits = 16\nview-all = true\n[render]\nz-bits = 18\nset = ['alu.bits=2']\n[levels]\nsnap = true\n");
@@ -288,7 +288,7 @@ TEST_CASE("reports an error in a settings file even if the command line override
         {"s.toml:1:1: --strategy: "});
 }
 
-TEST_CASE("a settings file with files of its folder draws the command line's picture") {
+TEST_CASE("a settings file that names files of its folder draws like the command line") {
   const Folder folder;
   fs::create_directory(folder / "job");
   fs::copy(model("old_example002"), folder / "job/m.csg");
@@ -313,7 +313,7 @@ TEST_CASE("a settings file with files of its folder draws the command line's pic
   CHECK(by_file == by_words);
 }
 
-TEST_CASE("operands on the command line replace those in a settings file") {
+TEST_CASE("operands on the command line replace those of a settings file") {
   const Folder folder;
   write(folder / "s.toml", "program = 'no.csgt'\noutput = 'text'\n");
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
@@ -321,7 +321,7 @@ TEST_CASE("operands on the command line replace those in a settings file") {
   CHECK(run_words({"disasm", "--config", "s.toml"}, folder.path()).err.find("no.csgt") != std::string::npos);
 }
 
-TEST_CASE("the table of a sweep does not depend on where its options are set") {
+TEST_CASE("a sweep's table is equal with options in a file or on the command line") {
   const Folder folder;
   write(folder / "s.toml", "size = '16x16'\n[sweep]\nstrategy = ['stack', 'list']\nno-plots = true\nno-draw = true\n");
   const std::vector<std::string> words{"sweep", model("thesis_fig_2_3"), "-o", "out"};

@@ -17,7 +17,7 @@ const std::string nothing =
 
 }  // namespace
 
-TEST_CASE("warns about faces moved apart by six-digit rounding; --snap restores them") {
+TEST_CASE("warns about faces that six-digit rounding moved apart and --snap restores them") {
   const Folder folder;
   write(folder / "nothing.csg", nothing);
   write(folder / "empty.csg", "cube(0);");
@@ -59,7 +59,7 @@ TEST_CASE("warns once about a font that is not installed and names its place and
   CHECK(warnings("cube(1); linear_extrude(height = 1) { text(text = \"\", font = \"Nowhere\"); }").empty());
 }
 
-TEST_CASE("warns that a number without a name is a file of rotate_extrude()") {
+TEST_CASE("warns that rotate_extrude() takes a number without a name as a file name") {
   const Folder folder;
   write(folder / "m.csg", "cube(1);\nrotate_extrude(file = \"180\", angle = 360) { square(1); }\n");
   const std::string warned =
@@ -68,7 +68,7 @@ TEST_CASE("warns that a number without a name is a file of rotate_extrude()") {
                     "rotate_extrude(angle = 180)") != std::string::npos);
 }
 
-TEST_CASE("imports from the --imports-from folder are part of the model") {
+TEST_CASE("files from the --imports-from folder are inputs of a study") {
   const Folder folder;
   fs::create_directory(folder / "models");
   fs::create_directory(folder / "parts");

@@ -96,7 +96,7 @@ void refuses_to_gather(const Words& words, const fs::path& where, const Words& t
 
 }  // namespace
 
-TEST_CASE("gathered shards equal the results of one process without models or machines") {
+TEST_CASE("gather needs neither models nor machine files and equals a run of one process") {
   for (const std::string command : {"sweep", "accuracy", "compare"}) {
     CAPTURE(command);
     const Folder folder;
@@ -136,7 +136,7 @@ TEST_CASE("plots of gathered shards equal those of one process") {
   }
 }
 
-TEST_CASE("gathers shards from separate folders into one that the study can continue") {
+TEST_CASE("gather merges shards from several folders into one that the study can continue") {
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"--no-plots"};
@@ -152,7 +152,7 @@ TEST_CASE("gathers shards from separate folders into one that the study can cont
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
-TEST_CASE("names missing shards with the commands that measure them") {
+TEST_CASE("gather names each missing shard with the command that measures it") {
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"-o", "out"};
@@ -179,7 +179,7 @@ TEST_CASE("names missing shards with the commands that measure them") {
   CHECK(results(folder / "out") == wanted);
 }
 
-TEST_CASE("quotes the command of a shard so that a shell repeats its arguments") {
+TEST_CASE("the printed command of a shard is quoted so that a shell repeats its arguments") {
   const Folder folder;
   const std::string name = "- it's,\"odd\" \xff.csg";
   write(folder / name, two_cubes);
@@ -204,7 +204,7 @@ TEST_CASE("quotes the command of a shard so that a shell repeats its arguments")
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
-TEST_CASE("does not gather shards of several studies or duplicates of a shard") {
+TEST_CASE("gather rejects shards of several studies and duplicates of a shard") {
   const Folder folder;
   write_models(folder);
   const Words accuracy = study("accuracy");
@@ -276,7 +276,7 @@ TEST_CASE("gather does not overwrite points that the shards lack") {
   CHECK(content(folder / "out/sweep.csv") == before);
 }
 
-TEST_CASE("remeasures a shard after the model changed and rejects another study") {
+TEST_CASE("a shard is measured again after its model changed") {
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"-o", "out"};
@@ -329,7 +329,7 @@ TEST_CASE("a killed shard resumes and measures no point twice") {
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
-TEST_CASE("running the same shard in several processes at once is harmless") {
+TEST_CASE("a shard that runs in several processes at once gives the results of one") {
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"-o", "out"};
@@ -341,7 +341,7 @@ TEST_CASE("running the same shard in several processes at once is harmless") {
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
-TEST_CASE("a shard without points does nothing and gather does not miss it") {
+TEST_CASE("a shard without points writes nothing and gather succeeds without it") {
   const Folder folder;
   write_models(folder);
   const Words sweep{"sweep", "a.csg", "--size", "24x20", "--strategy", "stack", "-o", "out"};
@@ -354,7 +354,7 @@ TEST_CASE("a shard without points does nothing and gather does not miss it") {
   succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
 }
 
-TEST_CASE("a point that does not fit is a row of its shard; gather ends as one process") {
+TEST_CASE("gather reports a point that does not fit as a single process does") {
   const Folder folder;
   write_models(folder);
   const Words sweep{"sweep", "a.csg", "--size", "24x20", "--memory-bits", "30", "-o", "out", "--no-plots"};
@@ -368,7 +368,7 @@ TEST_CASE("a point that does not fit is a row of its shard; gather ends as one p
   CHECK(gathered.out == one.out);
 }
 
-TEST_CASE("rejects unknown shard numbers and suggests a fix") {
+TEST_CASE("rejects an unknown shard number and suggests a valid one") {
   const Folder folder;
   for (const std::string command : {"sweep", "accuracy", "compare"}) {
     const std::string words = command + " " + model("old_example011") + " -o " + (folder / "s") + " --shard ";

@@ -44,7 +44,7 @@ nlohmann::json points(const Folder& folder, const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("reports and remeasures points of a machine or model that changed since") {
+TEST_CASE("a study reports and remeasures points whose machine or model has changed") {
   for (const std::string command : {"sweep", "compare", "accuracy", "advise"}) {
     CAPTURE(command);
     const Folder folder;
@@ -78,7 +78,7 @@ TEST_CASE("reports and remeasures points of a machine or model that changed sinc
   }
 }
 
-TEST_CASE("remeasures points of another build of csgsim") {
+TEST_CASE("a study remeasures points that another build of csgsim measured") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());
@@ -95,7 +95,7 @@ TEST_CASE("remeasures points of another build of csgsim") {
   CHECK(content(folder / "out/sweep.csv") == table);
 }
 
-TEST_CASE("every option that changes the measurements makes it another study") {
+TEST_CASE("a study rejects a folder measured with other options") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());
@@ -138,7 +138,7 @@ TEST_CASE("accuracy measures the given strategy and prunings") {
   CHECK(unpruned[0]["clocks"] > usual[0]["clocks"]);
 }
 
-TEST_CASE("a study names the process that holds its folder and continues once it is free") {
+TEST_CASE("a study names the process that locks its folder and runs once it is unlocked") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());

@@ -38,7 +38,7 @@ const std::string draw = " --size 40x30 ";
 
 }  // namespace
 
-TEST_CASE("- reads a model or a Program from standard input and detects its form") {
+TEST_CASE("an input named - is a model or a Program on standard input") {
   const Folder folder;
   const std::string part = model("old_example003");
   succeeded(run("render " + part + draw + "-o " + (folder / "p.png")));
@@ -63,7 +63,7 @@ TEST_CASE("- reads a model or a Program from standard input and detects its form
   CHECK(shell(binary() + " debug - <" + part).code == 2);
 }
 
-TEST_CASE("a model on standard input imports from the current folder") {
+TEST_CASE("a model on standard input imports files from the current folder") {
   const Folder folder;
   write(folder / "t.stl", "solid t\nendsolid t\n");
   const auto in_folder = [&](const std::string& csg, const std::string& below = ".") {
@@ -78,7 +78,7 @@ TEST_CASE("a model on standard input imports from the current folder") {
   CHECK(in_folder("cub(1);").err.starts_with("standard input:1:1: unknown node cub()"));
 }
 
-TEST_CASE("- writes only data to standard output and the summary to standard error") {
+TEST_CASE("an output named - is standard output and the summary goes to standard error") {
   const Folder folder;
   const std::string part = model("old_example003");
   succeeded(run("render " + part + draw + "-o " + (folder / "p.png") + " --depth " + (folder / "z.exr") + " --owner " +
@@ -113,7 +113,7 @@ TEST_CASE("rejects standard output for several outputs or for a folder") {
   misused("run " + std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt --checkpoint -", "name a file");
 }
 
-TEST_CASE("writes to pipes and process substitutions in the format of their name") {
+TEST_CASE("outputs may be pipes and process substitutions in the format of their name") {
   const Folder folder;
   const std::string render = binary() + " render " + model("old_example003") + draw;
   REQUIRE(shell(render + "-o " + (folder / "p.png") + " -o " + (folder / "p.png") + " 2>&1").code != 0);
@@ -128,7 +128,7 @@ TEST_CASE("writes to pipes and process substitutions in the format of their name
   }
 }
 
-TEST_CASE("writes text but never binary data to a terminal") {
+TEST_CASE("text is written to a terminal but binary data is rejected") {
   const std::string part = model("old_example003");
   for (const std::string& words :
        std::vector<std::string>{"render " + part + draw + "-o -", "render " + part + draw + "--depth /dev/tty",

@@ -139,7 +139,7 @@ TEST_CASE("a stats file cannot name a settings file or an output") {
   CHECK(files_in(stats.folder) == before);
 }
 
-TEST_CASE("rerun claims equality only for results that it repeated and compared") {
+TEST_CASE("rerun reports equality only of results that it compared") {
   const Stats stats;
   for (const std::string name : {"help", "dump-config", "version", "no-such-option"}) {
     CAPTURE(name);
@@ -152,7 +152,7 @@ TEST_CASE("rerun claims equality only for results that it repeated and compared"
   refused(stats.rerun(), "t.json", "the run differs: /clocks was 1, is");
 }
 
-TEST_CASE("a value in a stats file sets only its own option for any bytes") {
+TEST_CASE("a value in a stats file sets no other option whatever its bytes") {
   const Stats stats;
   for (const std::string name : {"model", "machine", "camera", "size"}) {
     CAPTURE(name);
@@ -178,7 +178,7 @@ TEST_CASE("a value in a stats file sets only its own option for any bytes") {
   stats.refuses("where a list of at most 10000 texts should be");
 }
 
-TEST_CASE("rejects any malformed stats file in one line with its place and exit code 1") {
+TEST_CASE("rerun rejects any malformed stats file in one line with its place") {
   const Stats stats;
   write(stats.folder / "t.json", "{\"configuration\": {},\n \"clocks\": 1e999}");
   stats.refuses("t.json:2:");
@@ -212,7 +212,7 @@ TEST_CASE("rerun -o - writes to standard output and not to a file of that name")
   CHECK(!fs::exists(stats.folder / "-"));
 }
 
-TEST_CASE("rejects a shard whose command is no study or has foreign options") {
+TEST_CASE("gather rejects a shard whose command is not a study or has unknown options") {
   const Shards shards(sweep);
   write(shards.folder / "evil.toml", "[sweep]\noutput = 'else'\nreport = 'x.html'\n");
   write(shards.folder / "x.html", "precious");
@@ -234,7 +234,7 @@ TEST_CASE("rejects a shard whose command is no study or has foreign options") {
   CHECK(run_words({"gather", "out", "--no-plots"}, shards.folder.path()).code == 0);
 }
 
-TEST_CASE("the shards' command omits a flag that the command line switched off") {
+TEST_CASE("the command stored in a shard omits a flag that was switched off") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "s.toml", "view-all = true\n");
@@ -245,7 +245,7 @@ TEST_CASE("the shards' command omits a flag that the command line switched off")
   CHECK(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
 }
 
-TEST_CASE("rejects a shard with a byte that no text has and names the file") {
+TEST_CASE("rejects a shard with a byte that is invalid in text and names the file") {
   const std::map<std::string, std::string> of_compare{{",scan-line,", ",scan\x9fline,"}, {"cube@", "cu\xc0@"}};
   const std::map<std::string, std::string> of_sweep{{",auto,", ",au\x9fo,"}, {"Z1=", "Z\x1b="}};
   for (const auto& [study, changes] :
@@ -265,7 +265,7 @@ TEST_CASE("rejects a shard with a byte that no text has and names the file") {
   }
 }
 
-TEST_CASE("rejects numbers that cannot be measured and impossible numbers of points") {
+TEST_CASE("rejects a shard with a non-finite number or an impossible number of points") {
   const Shards shards(compare);
   for (const std::string number : {"nan", "inf", "-inf", "1e999"}) {
     REQUIRE(shards.replace(",16,16,0,,", ",16,16," + number + ",,") == 2);
@@ -281,7 +281,7 @@ TEST_CASE("rejects numbers that cannot be measured and impossible numbers of poi
   }
 }
 
-TEST_CASE("accepts rows of a study in any order and with any claimed memory") {
+TEST_CASE("gather accepts any name of an ideal parameter and any number of memory bits") {
   const Shards ideal({"compare", "m.csg", "--size", "16x16", "--machines", "pixel-planes-4", "--ideal"});
   REQUIRE(ideal.replace(",16,16,0,,", ",16,16,0,x,") == 1);
   CHECK(run_words({"gather", "out"}, ideal.folder.path()).code == 0);
@@ -293,7 +293,7 @@ TEST_CASE("accepts rows of a study in any order and with any claimed memory") {
   CHECK(outcome.code == 0);
 }
 
-TEST_CASE("does not blame csgsim for differing pictures in rows that it only read") {
+TEST_CASE("differing pictures in rows read from a file are not reported as a bug of csgsim") {
   for (const Words& study : {sweep, compare}) {
     const Shards shards(study);
     const std::string& text = shards.texts[0];
@@ -316,7 +316,7 @@ TEST_CASE("does not blame csgsim for differing pictures in rows that it only rea
   }
 }
 
-TEST_CASE("reports a waveform that exceeds the disk space and leaves no file") {
+TEST_CASE("a waveform that exceeds the disk space is reported and leaves no file") {
   const Folder folder;
   const std::string command = fmt::format(
       "ulimit -f 10; trap '' XFSZ; exec {}/csgsim wave {} --size 16x16 --pixel 3,3 --window 0:4000 -o w.vcd",

@@ -43,7 +43,7 @@ TEST_CASE("an output file never receives text for a closed standard stream") {
   CHECK(content(folder / "closed.csgt") == content(folder / "whole.csgt"));
 }
 
-TEST_CASE("no signal that can be caught leaves a file behind") {
+TEST_CASE("csgsim ended by a signal that can be caught leaves no file behind") {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGALRM, SIGXCPU, SIGXFSZ, SIGVTALRM,
                            SIGPROF, SIGPIPE, SIGRTMIN}) {
     CAPTURE(signal);

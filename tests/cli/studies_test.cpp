@@ -10,7 +10,7 @@
 
 using namespace csgsim::testing::cli;
 
-TEST_CASE("accuracy measures every knob and draws its plots and reuses its points") {
+TEST_CASE("accuracy measures and plots every knob and reuses its points") {
   const Folder folder;
   const std::string command = "accuracy " + model("old_example011") + " --size 48x48 --views 2 -o " + (folder / "a");
   succeeded(run(command));
@@ -29,7 +29,7 @@ TEST_CASE("accuracy measures every knob and draws its plots and reuses its point
   CHECK(run(command + " --projection perspective").code == 1);
 }
 
-TEST_CASE("accuracy compares exact curves with facets of every number where supported") {
+TEST_CASE("accuracy compares exact curves with facets of each tolerance where supported") {
   const Folder folder;
   const std::string command =
       "accuracy " + model("thesis_fig_2_3") +
@@ -72,7 +72,7 @@ TEST_CASE("accuracy compares fast spheres with facets and names the curves it om
   fails(run(command + (folder / "c") + " --projection perspective"), 1, {"not fast: ", "not exact: "});
 }
 
-TEST_CASE("sweep writes a table and plots for every model and reuses its points") {
+TEST_CASE("sweep writes a table and plots for every model and measures no point twice") {
   const Folder folder;
   const std::string command = "sweep " + model("old_example011") + " " + model("thesis_fig_2_3") +
                               " --size 48x36 --threads 2 -o " + (folder / "s") + " --stack-bits ";
@@ -113,7 +113,7 @@ TEST_CASE("sweep writes a table and plots for every model and reuses its points"
   CHECK(run(command + "3..5 --no-plots --projection perspective").code == 1);
 }
 
-TEST_CASE("repeating the command of an interrupted sweep resumes it") {
+TEST_CASE("an interrupted sweep resumes when its command is repeated") {
   const Folder folder;
   const std::string output = folder / "s";
   const std::string whole = folder / "whole";
@@ -143,7 +143,7 @@ TEST_CASE("repeating the command of an interrupted sweep resumes it") {
   CHECK(content(output + "/sweep.json") == content(whole + "/sweep.json"));
 }
 
-TEST_CASE("a point that does not fit gives a reason unless no point fits") {
+TEST_CASE("a point that does not fit gives a reason and the study fails only if none fits") {
   const Folder folder;
   const std::string command = "sweep " + model("old_example011") +
                               " --size 48x36 --no-plots --strategy stack,list --z-bits 20,24 -o " + (folder / "s");
@@ -159,7 +159,7 @@ TEST_CASE("a point that does not fit gives a reason unless no point fits") {
   CHECK(one_line(none.err));
 }
 
-TEST_CASE("rejects meaningless ranges and names before it measures") {
+TEST_CASE("studies reject empty ranges and unknown names before they measure") {
   const Folder folder;
   const std::string sweep = "sweep " + model("old_example011") + " -o " + (folder / "s") + " ";
   misused(sweep + "--stack-bits 8..3", "3..8");
@@ -174,7 +174,7 @@ TEST_CASE("rejects meaningless ranges and names before it measures") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("render reports its accuracy and can choose the cheapest accurate settings") {
+TEST_CASE("render can report wrong pixels and choose the cheapest settings with few of them") {
   const Folder folder;
   const std::string options =
       "render " + model("old_example002") + " --size 100x80 --check --stats " + (folder / "s.json");

@@ -56,7 +56,7 @@ TEST_CASE("--version prints the library versions of pkg-config") {
   }
 }
 
-TEST_CASE("finds the commit of the sources and marks changes; uses a given one outside git") {
+TEST_CASE("the version has the sources' commit with a mark for changes or a given commit") {
   const Folder folder;
   const std::string source = folder / "source";
   fs::create_directory(source);

@@ -21,14 +21,14 @@ TEST_CASE("render and its stats end with the bottleneck and costliest primitives
   CHECK(outcome.out.find(stats["knobs"][0]["option"].get<std::string>()) != std::string::npos);
 }
 
-TEST_CASE("measures advice only on request and the summary names the option") {
+TEST_CASE("render measures advice only on request and its summary names the option") {
   const Folder folder;
   const Outcome outcome = run("render " + model("thesis_fig_2_3") + " --size 48x48 --stats " + (folder / "s.json"));
   CHECK(json(folder / "s.json")["knobs"].empty());
   CHECK(outcome.out.find("--advice") != std::string::npos);
 }
 
-TEST_CASE("the savings that advice states equal those of render with the option") {
+TEST_CASE("the saving that advice states for an option equals that of render with it") {
   for (const std::string machine : {"pixel-planes-4", "pixel-square"}) {
     CAPTURE(machine);
     const Folder folder;
@@ -52,7 +52,7 @@ TEST_CASE("the savings that advice states equal those of render with the option"
   }
 }
 
-TEST_CASE("effects have separate lines next to the primitives") {
+TEST_CASE("render's summary lists the clocks of effects apart from those of primitives") {
   const Folder folder;
   const Outcome outcome =
       run("render " + model("thesis_fig_2_3") +

@@ -124,7 +124,7 @@ void check_traced(const Drawn& drawn) {
 
 }  // namespace
 
-TEST_CASE("software draws models facet by facet as the machine except for listed pixels") {
+TEST_CASE("software facet methods draw models as the machine does except for listed pixels") {
   std::string lines;
   std::set<std::string> displayed;
   for (const auto& models : {testing::corpus_models(), models_of_pages()}) {
@@ -135,10 +135,10 @@ TEST_CASE("software draws models facet by facet as the machine except for listed
   }
   CHECK(lines == listed(displayed));
 }
-TEST_CASE("software traces the corpus as the machine draws it with each directory") {
+TEST_CASE("software ray tracing draws the corpus as the machine does") {
   for_each_model(testing::corpus_models(),
                  [&](const std::string& /*name*/, const Drawn& drawn) { check_traced(drawn); });
 }
-TEST_CASE("software traces the models of the pages as the machine draws them") {
+TEST_CASE("software ray tracing draws the models of the pages as the machine does") {
   for_each_model(models_of_pages(), [&](const std::string& /*name*/, const Drawn& drawn) { check_traced(drawn); });
 }

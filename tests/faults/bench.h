@@ -13,7 +13,7 @@ namespace csgsim::testing::faults {
 /// A command of csgsim that writes files.
 struct Command {
   std::string name;
-  std::string words;                 ///< with OUT for the output folder and SOURCE for the source tree
+  std::string words;                 ///< arguments, with OUT for the output folder and SOURCE for the source tree
   std::vector<std::string> outputs;  ///< files in OUT that exist before, each replaced as a whole
   std::string table;                 ///< a study's table in OUT that grows by whole lines, next to a title file
   std::size_t lines_before = 0;      ///< complete lines of the table before, followed by half a line; 0 for no table

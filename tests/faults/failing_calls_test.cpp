@@ -229,7 +229,7 @@ TEST_CASE("a study resumes even if its table can neither be written nor truncate
   }
 }
 
-TEST_CASE("partial or interrupted writes and interrupted syncs are not errors") {
+TEST_CASE("partial or interrupted writes and interrupted syncs cause no error") {
   for (const char* const name : {"render", "wave", "sweep"}) {
     CAPTURE(name);
     const Bench bench(command(name));
@@ -237,7 +237,7 @@ TEST_CASE("partial or interrupted writes and interrupted syncs are not errors") 
   }
 }
 
-TEST_CASE("reports a full disk once even if later calls fail as well") {
+TEST_CASE("a full disk is reported once even if later calls fail as well") {
   for (const char* const name : {"render", "wave", "sweep"}) {
     const Bench bench(command(name));
     for (const char* const fault : {"write:1+:ENOSPC", "fsync:1+:EIO", "rename:1+:ENOSPC"}) {

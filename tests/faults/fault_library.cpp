@@ -5,10 +5,9 @@
 /// written, and the next write fails with ENOSPC). CSGSIM_FAULT_REPORT names a file that receives a line `failed KIND N
 /// after R renames` for each failed call, and at the end `calls KIND COUNT` for each kind.
 ///
-/// Counted are files in folders, written through the C library's functions. Not counted are files without a name
-/// (memfd_create), pipes, devices, and the optional text in a lock file. Calls inside the C library, as from stdio, are
-/// invisible to the library.
-/// from stdio, are not seen.
+/// The library counts files in folders that are written through the C library's functions. It does not count files
+/// without a name (memfd_create), pipes, devices, and the optional text in a lock file. It cannot see calls inside the
+/// C library, as from stdio.
 
 #include <dlfcn.h>
 #include <fcntl.h>

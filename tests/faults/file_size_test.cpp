@@ -36,22 +36,22 @@ void try_limits(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("reports pictures and stats beyond the file size limit and keeps the old ones") { try_limits("render"); }
+TEST_CASE("pictures and stats that exceed the file size limit leave the old files") { try_limits("render"); }
 
-TEST_CASE("reports a Program that exceeds the file size limit and keeps the old one") { try_limits("compile"); }
+TEST_CASE("a Program that exceeds the file size limit leaves the old file") { try_limits("compile"); }
 
-TEST_CASE("reports a text that exceeds the file size limit and keeps the old one") { try_limits("disasm"); }
+TEST_CASE("a text that exceeds the file size limit leaves the old file") { try_limits("disasm"); }
 
-TEST_CASE("reports a waveform that exceeds the file size limit and keeps the old one") { try_limits("wave"); }
+TEST_CASE("a waveform that exceeds the file size limit leaves the old file") { try_limits("wave"); }
 
-TEST_CASE("reports subdivide's results that exceed the file size limit and keeps old ones") { try_limits("subdivide"); }
+TEST_CASE("results of subdivide that exceed the file size limit leave the old files") { try_limits("subdivide"); }
 
-TEST_CASE("reports a table that exceeds the file size limit and keeps complete lines") {
+TEST_CASE("a table that exceeds the file size limit keeps its complete lines") {
   try_limits("sweep");
   try_limits("accuracy going on");
 }
 
-TEST_CASE("reports a plot that exceeds the file size limit and keeps the old one") { try_limits("compare with plots"); }
+TEST_CASE("a plot that exceeds the file size limit leaves the old file") { try_limits("compare with plots"); }
 
 TEST_CASE("the file size signal ends csgsim but leaves old files and nothing else") {
   for (const char* const name : {"render", "wave", "sweep"}) {

@@ -22,8 +22,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     csgsim::read::Options options;
     options.work = csgsim::Work(most_work);
     const csgsim::model::Tree tree = csgsim::commands::read_text(text, "fuzz.jan", options);
-    const std::string promise = csgsim::read_test::broken_promise(tree);
-    fuzz::require(promise.empty(), promise);
+    const std::string invariant = csgsim::read_test::broken_invariant(tree);
+    fuzz::require(invariant.empty(), invariant);
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.jan");
   }

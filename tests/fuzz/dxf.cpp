@@ -2,7 +2,7 @@
 
 #include "host/flat/dxf.h"
 
-#include "tests/fuzz/area_promises.h"
+#include "tests/fuzz/area_invariants.h"
 #include "tests/fuzz/property.h"
 
 namespace fuzz = csgsim::fuzz;

@@ -8,7 +8,7 @@
 
 #include "host/solids/limits.h"
 #include "host/solids/read_mesh.h"
-#include "tests/fuzz/mesh_promises.h"
+#include "tests/fuzz/mesh_invariants.h"
 #include "tests/fuzz/property.h"
 
 namespace fuzz = csgsim::fuzz;

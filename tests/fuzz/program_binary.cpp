@@ -11,7 +11,7 @@
 
 #include "hw/isa/binary.h"
 #include "hw/isa/bytes.h"
-#include "tests/fuzz/program_promises.h"
+#include "tests/fuzz/program_invariants.h"
 #include "tests/fuzz/property.h"
 
 namespace fuzz = csgsim::fuzz;

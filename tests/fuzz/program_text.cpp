@@ -1,7 +1,7 @@
 // The text form of Programs.
 
 #include "hw/isa/text.h"
-#include "tests/fuzz/program_promises.h"
+#include "tests/fuzz/program_invariants.h"
 #include "tests/fuzz/property.h"
 
 namespace fuzz = csgsim::fuzz;

@@ -8,8 +8,8 @@
 
 namespace csgsim::fuzz {
 
-void broken(std::string_view promise) {
-  std::fprintf(stderr, "broken promise: %s\n", std::string(promise).c_str());
+void broken(std::string_view invariant) {
+  std::fprintf(stderr, "broken invariant: %s\n", std::string(invariant).c_str());
   std::abort();
 }
 

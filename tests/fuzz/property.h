@@ -10,10 +10,10 @@
 namespace csgsim::fuzz {
 
 /// Aborts the process after a violated property, so that the fuzzer keeps the input.
-[[noreturn]] void broken(std::string_view promise);
+[[noreturn]] void broken(std::string_view invariant);
 
-inline void require(bool holds, std::string_view promise) {
-  if (!holds) broken(promise);
+inline void require(bool holds, std::string_view invariant) {
+  if (!holds) broken(invariant);
 }
 
 /// Checks that the message is one printable line, which begins with `file` and a colon if a file is given.

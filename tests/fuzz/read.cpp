@@ -14,8 +14,8 @@ namespace fuzz = csgsim::fuzz;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const csgsim::model::Tree tree = csgsim::read::read_csg_text(fuzz::text_of(data, size), "fuzz.csg");
-    const std::string promise = csgsim::read_test::broken_promise(tree);
-    fuzz::require(promise.empty(), promise);
+    const std::string invariant = csgsim::read_test::broken_invariant(tree);
+    fuzz::require(invariant.empty(), invariant);
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.csg");
     const bool has_strings = fuzz::text_of(data, size).find('"') != std::string_view::npos;

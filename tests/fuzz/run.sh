@@ -46,7 +46,7 @@ while read -r name _; do
   total=$((total + cases))
   if [ "$code" != 0 ]; then
     failed=1
-    grep -E 'ERROR: |SUMMARY: |broken promise|runtime error|Test unit written' "$logs/$name.log" || true
+    grep -E 'ERROR: |SUMMARY: |broken invariant|runtime error|Test unit written' "$logs/$name.log" || true
   fi
 done <"$build/fuzzers.txt"
 echo "$total cases in total; findings in $findings"

@@ -3,7 +3,7 @@
 #include "host/solids/surface.h"
 
 #include "host/solids/limits.h"
-#include "tests/fuzz/mesh_promises.h"
+#include "tests/fuzz/mesh_invariants.h"
 #include "tests/fuzz/property.h"
 
 namespace fuzz = csgsim::fuzz;

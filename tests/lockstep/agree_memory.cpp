@@ -15,7 +15,7 @@ namespace csgsim::test {
 
 namespace {
 
-/// A random Program that sometimes ends with a question to the host.
+/// A random Program that sometimes ends with a query to the host.
 isa::Program random_program(const machines::Machine& machine, unsigned instructions) {
   isa::Program program = *arbitrary_program_in_parts(machine, instructions, machine.evaluator_degree);
   if (*rc::gen::inRange(0, 3) == 0) program.segments.front().instructions.push_back({.opcode = isa::Opcode::global_or});

@@ -79,22 +79,22 @@ class EachInstructionSet {
 
 }  // namespace
 
-TEST_CASE("random Programs leave the reference's bits on small arrays") {
+TEST_CASE("random Programs leave the same bits as the reference on small arrays") {
   for (const std::uint32_t bits : {8U, 72U, 208U})
     for (const auto& [width, height] : {std::pair{1U, 1U}, {8U, 8U}}) require_lockstep({width, height, bits}, 60);
 }
 
-TEST_CASE("random Programs leave the reference's bits if rows end within a word") {
+TEST_CASE("random Programs leave the same bits as the reference if rows end within a word") {
   for (const std::uint32_t bits : {8U, 72U}) require_lockstep({100, 30, bits}, 25);
   require_lockstep({65, 65, 72}, 25);
 }
 
-TEST_CASE("random Programs leave the reference's bits if rows fill words") {
+TEST_CASE("random Programs leave the same bits as the reference if rows fill words") {
   for (const std::uint32_t bits : {8U, 72U}) require_lockstep({64, 64, bits}, 25);
   require_lockstep({512, 8, 72}, 25);
 }
 
-TEST_CASE("random Programs leave the reference's bits with every instruction set") {
+TEST_CASE("random Programs leave the same bits as the reference with every SIMD target") {
   const EachInstructionSet each;
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     INFO(hwy::TargetName(target));
@@ -103,12 +103,12 @@ TEST_CASE("random Programs leave the reference's bits with every instruction set
   }
 }
 
-TEST_CASE("random Programs leave the reference's bits on complete and partial tiles") {
+TEST_CASE("random Programs leave the same bits as the reference on full and partial tiles") {
   for (const auto& [width, height] : {std::pair{65U, 9U}, {130U, 70U}, {20U, 129U}})
     require_lockstep({width, height, 72}, 30);
 }
 
-TEST_CASE("blocks classified by their corners keep the exact pixel where F meets a number") {
+TEST_CASE("blocks decided by their corners are exact at the pixel where F equals a number") {
   const Field z{0, 20};
   const Field other{20, 20};
   constexpr std::uint64_t most = 0xfffff;
@@ -137,7 +137,7 @@ TEST_CASE("blocks classified by their corners keep the exact pixel where F meets
       }
 }
 
-TEST_CASE("a sphere's depth by a root has the reference's bits with any use of its field") {
+TEST_CASE("a sphere's depth computed by a root has the same bits as in the reference") {
   // D has 41 bits, its root 20; depth = middle - root, for a sphere of radius 60 at (70, 40).
   const Field d{0, 41};
   const Field root{21, 20};
@@ -166,7 +166,7 @@ TEST_CASE("a sphere's depth by a root has the reference's bits with any use of i
                                              })) == "");
 }
 
-TEST_CASE("a field used as a number and then bit by bit keeps its bits") {
+TEST_CASE("a field keeps its bits if used as a number and then bit by bit") {
   const Field z{4, 20};
   const Field part{10, 9};
   const Field bit{23, 1};
@@ -197,7 +197,7 @@ TEST_CASE("a bit read from a number's lanes has no pixels beyond the row's end")
                                            })) == "");
 }
 
-TEST_CASE("compares a wrapped F by its wrapped value and counts the overflow") {
+TEST_CASE("a comparison uses the wrapped value of F and counts the overflow") {
   const Field z{0, 8};
   const isa::Linear steep{.a = 100, .b = 7, .c = -1000, .width = 9, .shift = 0};
   for (const Opcode opcode : {Opcode::linear_ge, Opcode::linear_gt, Opcode::linear_le, Opcode::linear_lt,
@@ -207,7 +207,7 @@ TEST_CASE("compares a wrapped F by its wrapped value and counts the overflow") {
   }
 }
 
-TEST_CASE("F wraps from the first number beyond its width") {
+TEST_CASE("F wraps at the first number beyond its width") {
   for (const std::int64_t sign : {1, -1})
     for (const std::int64_t beyond : {-1, 0, 1}) {
       CAPTURE(sign);
@@ -221,7 +221,7 @@ TEST_CASE("F wraps from the first number beyond its width") {
     }
 }
 
-TEST_CASE("a sum that wraps many times over the picture has the reference's stripes") {
+TEST_CASE("a sum that wraps many times over the picture has the stripes of the reference") {
   for (const std::uint16_t width : {std::uint16_t{1}, std::uint16_t{3}, std::uint16_t{7}, std::uint16_t{20}}) {
     CAPTURE(width);
     const isa::Linear pattern{.a = 37, .b = -91, .c = -1000, .width = width, .shift = 0};
@@ -233,7 +233,7 @@ TEST_CASE("a sum that wraps many times over the picture has the reference's stri
   }
 }
 
-TEST_CASE("adds numbers in planes and in lanes in all combinations") {
+TEST_CASE("sums of numbers in planes and in lanes are exact in all combinations") {
   const isa::Linear plane{.a = 3, .b = -7, .c = 300, .width = 30, .shift = 0};
   const isa::Linear edge{.a = 1, .b = -2, .c = 5, .width = 10, .shift = 0};
   for (const Field source : {Field{0, 1}, {0, 7}, {1, 5}, {0, 8}})
@@ -253,7 +253,7 @@ TEST_CASE("adds numbers in planes and in lanes in all combinations") {
       }
 }
 
-TEST_CASE("several threads give the same bits and the same tallies as one") {
+TEST_CASE("several threads give the same bits and the same counts as one") {
   CHECK(rc::check([] {
     const ArrayShape shape{70, 13, 40};
     const Program program = *test::arbitrary_program(shape, 30, 2);
@@ -293,7 +293,7 @@ TEST_CASE("random Programs skip instructions and contain skips that are not take
   CHECK((!testing::draws_from_fixed_seed() || skips.passed > 0));
 }
 
-TEST_CASE("one enabled pixel in any tile keeps all tiles from skipping") {
+TEST_CASE("one enabled pixel in any tile prevents a skip in all tiles") {
   const ArrayShape shape{70, 13, 40};
   const machines::Machine machine = test::machine_of(shape, 1);
   Instruction skip = op(Opcode::skip_if_none);
@@ -312,7 +312,7 @@ TEST_CASE("one enabled pixel in any tile keeps all tiles from skipping") {
   }
 }
 
-TEST_CASE("skipped instructions do not overflow") {
+TEST_CASE("skipped instructions count no overflow") {
   Instruction skip = op(Opcode::skip_if_none);
   skip.constant = 2;
   const isa::Linear narrow{.a = 1, .b = 0, .c = 100, .width = 3, .shift = 0};

@@ -75,7 +75,7 @@ std::size_t instructions_of(const isa::Program& program) {
       [](std::size_t sum, const isa::Segment& segment) { return sum + segment.instructions.size(); });
 }
 
-/// The questions after which the run skipped instructions.
+/// The queries after which the run skipped instructions.
 std::vector<machines::Skip> skips_of(const Recorder& run, const isa::Program& program) {
   std::vector<machines::Skip> skips;
   for (const Boundary& boundary : run.boundaries) {

@@ -49,7 +49,7 @@ const std::map<std::string_view, Ends> nearer{
     {"chips.rows", {300, 1024}},
     {"timing.refresh_interval", {0, 3000}},
     {"node.instruction_loop_clocks", {1, max_parameter_clocks}},  // 0 clocks have no place in a timeline
-    {"node.call_clocks", {1, max_parameter_clocks}},              // same reason
+    {"node.call_clocks", {1, max_parameter_clocks}},              // the same
 };
 
 Ends ends_of(const machines::FigureSchema& figure) {

@@ -39,7 +39,7 @@ std::vector<std::uint8_t> bytes_of(const division::DisplayModel& model) {
 
 }  // namespace
 
-TEST_CASE("draws the display model: recolouring a facet there recolours it in the picture") {
+TEST_CASE("a multi-processor draws a display model in which a facet was recoloured") {
   const machines::Machine machine = machine_32x32();
   const auto engine = engine::make_cycle_engine(machine);
   isa::Program program = program_for(machine);
@@ -64,7 +64,7 @@ TEST_CASE("draws the display model: recolouring a facet there recolours it in th
     CHECK((after[i] == before[i] || (before[i] == old && after[i] == other)));
 }
 
-TEST_CASE("rejects a display model with a flipped bit or draws the same picture") {
+TEST_CASE("a display model with a flipped bit is rejected or gives the same picture") {
   const machines::Machine machine = machine_32x32();
   const auto engine = engine::make_cycle_engine(machine);
   const isa::Program program = program_for(machine);
@@ -85,7 +85,7 @@ TEST_CASE("rejects a display model with a flipped bit or draws the same picture"
   CHECK(2 * refused > tried);
 }
 
-TEST_CASE("counts its own tests and ignores the numbers stated in a Program") {
+TEST_CASE("a multi-processor counts its tests and ignores those stated in a Program") {
   const machines::Machine machine = machine_32x32();
   const auto engine = engine::make_cycle_engine(machine);
   isa::Program program = program_for(machine);
@@ -103,7 +103,7 @@ TEST_CASE("counts its own tests and ignores the numbers stated in a Program") {
 }
 
 /// The pictures themselves are tested with random models (tests/lockstep/multi_processor.cpp).
-TEST_CASE("nodes with little memory render lists in the predicted number of passes") {
+TEST_CASE("a multi-processor's nodes render long lists in the predicted number of passes") {
   machines::Machine machine = machine_32x32();
   const isa::Program program = program_for(machine);
   const engine::RunResult whole = engine::make_functional_engine(machine)->run(program, {});

@@ -148,7 +148,7 @@ TEST_CASE("an instruction retires `latency` clocks after its last step without a
   CHECK(watch.edges_since_start() == static_cast<double>(report.clocks));
 }
 
-TEST_CASE("a question takes its clock and the latency and then the controller resumes") {
+TEST_CASE("a global-OR query takes one clock plus the latency before the controller resumes") {
   PixelPlanes machine("machine", machine_8x8());
   const Program program = program_of({segment_of({{.opcode = Opcode::enable_all},
                                                   {.opcode = Opcode::global_or},
@@ -157,16 +157,16 @@ TEST_CASE("a question takes its clock and the latency and then the controller re
                                                   {.opcode = Opcode::global_or}})});
   Stopwatch watch(machine);
   const auto report = machine.run(program, watch);
-  constexpr std::uint64_t question = 1 + latency_8x8;
+  constexpr std::uint64_t query = 1 + latency_8x8;
   CHECK(report.answers == std::vector<bool>{true, false, false});
-  CHECK(watch.clocks == std::vector<std::uint64_t>{1, question, 1, question, question});
+  CHECK(watch.clocks == std::vector<std::uint64_t>{1, query, 1, query, query});
   CHECK(watch.edges == std::vector<double>{lead + 7, lead + 8, lead + 15, lead + 16, lead + 23});
-  CHECK(report.clocks == lead + 2 + 3 * question + latency_8x8);
+  CHECK(report.clocks == lead + 2 + 3 * query + latency_8x8);
 }
 
-TEST_CASE("a jump costs the clocks of the link for any number of skipped instructions") {
+TEST_CASE("a jump takes the clocks of the link for any number of skipped instructions") {
   PixelPlanes machine("machine", machine_8x8());
-  constexpr std::uint64_t question = 1 + latency_8x8;
+  constexpr std::uint64_t query = 1 + latency_8x8;
   for (const std::uint64_t count : {1U, 2U, 14U, 15U, 16U, 17U, 33U, 1000U}) {
     CAPTURE(count);
     std::vector<Instruction> instructions{{.opcode = Opcode::enable_all}, {.opcode = Opcode::enable_invert}};
@@ -177,15 +177,15 @@ TEST_CASE("a jump costs the clocks of the link for any number of skipped instruc
     const Program program = program_of({segment_of(instructions)});
     Stopwatch watch(machine);
     const auto report = machine.run(program, watch);
-    CHECK(watch.clocks == std::vector<std::uint64_t>{1, 1, question, question, 1});
+    CHECK(watch.clocks == std::vector<std::uint64_t>{1, 1, query, query, 1});
     CHECK(watch.edges == std::vector<double>{lead + 7, lead + 8, lead + 9, lead + jump + 16, lead + jump + 23});
     CHECK(report.answers == std::vector<bool>{false});
     CHECK(report.skipped == count);
-    CHECK(report.clocks == lead + jump + 3 + 2 * question + latency_8x8);
+    CHECK(report.clocks == lead + jump + 3 + 2 * query + latency_8x8);
   }
 }
 
-TEST_CASE("skips nothing and sends the host no answer if a pixel is enabled") {
+TEST_CASE("skip_if_none skips nothing and sends no answer if a pixel is enabled") {
   PixelPlanes machine("machine", machine_8x8());
   const Program program = program_of({segment_of({{.opcode = Opcode::enable_all},
                                                   skip(2),
@@ -199,7 +199,7 @@ TEST_CASE("skips nothing and sends the host no answer if a pixel is enabled") {
   CHECK(report.skipped == 0);
 }
 
-TEST_CASE("a skip can end its segment or the program") {
+TEST_CASE("a skip can reach the end of its segment or of the Program") {
   struct Segments final : RunListener {
     void after_instruction(const Retired& retired, const PixelView& /*pixels*/) override {
       seen.push_back({retired.segment, retired.index});
@@ -214,7 +214,7 @@ TEST_CASE("a skip can end its segment or the program") {
       {segment_of({skip(2), all, all}), segment_of({}), segment_of({all, skip(1), {.opcode = Opcode::global_or}}, 3, 5),
        segment_of({skip(1), all}), segment_of({skip(20), all, all, all, all, all, all, all, all, all, all,
                                                all,      all, all, all, all, all, all, all, all, all})});
-  constexpr std::uint64_t question = 1 + latency_8x8;
+  constexpr std::uint64_t query = 1 + latency_8x8;
   for (int run = 0; run < 2; ++run) {
     Segments listener;
     const auto report = machine.run(program, listener);
@@ -224,11 +224,11 @@ TEST_CASE("a skip can end its segment or the program") {
     CHECK(report.answers == std::vector<bool>{true});
     CHECK(report.skipped == 2 + 1 + 20);
     constexpr std::uint64_t clears = 4;  // in addition to the first
-    CHECK(report.clocks == lead + clears + 1 + 5 * question + 3 * jump + latency_8x8);
+    CHECK(report.clocks == lead + clears + 1 + 5 * query + 3 * jump + latency_8x8);
   }
 }
 
-TEST_CASE("an answer takes one clock without tree levels") {
+TEST_CASE("a global-OR query takes one clock without tree levels") {
   PixelPlanes machine("machine", csgsim::test::machine_of({1, 1, 8}, 1));
   const Instruction all{.opcode = Opcode::enable_all};
   const Instruction invert{.opcode = Opcode::enable_invert};
@@ -259,7 +259,7 @@ TEST_CASE("a step completes at the end of the same clock without tree levels") {
   CHECK(report.clocks == lead + 7);
 }
 
-TEST_CASE("a program without instructions costs a clear per segment and the latency") {
+TEST_CASE("a Program without instructions takes a clear per segment and the latency") {
   struct Segments final : RunListener {
     void after_segment(std::uint32_t segment, const PixelView& /*pixels*/) override { seen.push_back(segment); }
     std::vector<std::uint32_t> seen;
@@ -301,7 +301,7 @@ TEST_CASE("frame intervals of two buffers equal the prediction with a shared por
   check_sequences(csgsim::pixel_planes::ScanOutPort::shared, 2, 2);
 }
 
-TEST_CASE("consecutive programs start with cleared pixels") {
+TEST_CASE("each of consecutive Programs starts with cleared pixels") {
   PixelPlanes machine("machine", machine_8x8());
   RunListener nobody;
   const Program first =
@@ -315,7 +315,7 @@ TEST_CASE("consecutive programs start with cleared pixels") {
   CHECK(empty.picture == std::vector<std::uint32_t>(64, 0));
 }
 
-TEST_CASE("run passes on a listener's exception and the machine remains usable") {
+TEST_CASE("an exception of a listener leaves run() and the machine remains usable") {
   struct Thrower final : RunListener {
     void after_instruction(const Retired&, const PixelView&) override { throw std::runtime_error("enough"); }
   } thrower;
@@ -341,7 +341,7 @@ TEST_CASE("rejects a second array in one process but accepts the same array agai
                   std::logic_error);
 }
 
-TEST_CASE("the engine scans out the colour field after the program") {
+TEST_CASE("the engine scans out the colour field after the Program") {
   csgsim::isa::Program program;
   program.shape = shape_8x8;
   program.segments = {segment_of({{.opcode = Opcode::enable_all}})};
@@ -377,7 +377,7 @@ class Dump {
   csgsim::systemc::WaveRecorder recorder_;
 };
 
-TEST_CASE("records a window of a run and nothing outside it") {
+TEST_CASE("a wave records a window of a run and nothing outside it") {
   PixelPlanes machine("machine", machine_8x8());
   Dump dump(machine);
   RunListener nobody;
@@ -402,7 +402,7 @@ TEST_CASE("records a window of a run and nothing outside it") {
   CHECK(dump.text.find("\n#") == std::string::npos);
 }
 
-TEST_CASE("values are unknown between two windows") {
+TEST_CASE("a wave has unknown values between two windows") {
   PixelPlanes machine("machine", machine_8x8());
   Dump dump(machine);
   RunListener nobody;
@@ -415,7 +415,7 @@ TEST_CASE("values are unknown between two windows") {
   CHECK(dump.text.find("#500000\n") == std::string::npos);
 }
 
-TEST_CASE("samples a wave in the middle of each clock") {
+TEST_CASE("a wave is sampled in the middle of each clock") {
   const sc_core::sc_time period(100, sc_core::SC_NS);
   csgsim::systemc::WaveRecorder recorder("recorder", period);
   std::vector<sc_core::sc_time> sampled;
@@ -444,7 +444,7 @@ TEST_CASE("after a jump the wave shows the next instruction once the host has re
     const std::size_t begin = dump.text.find(from);
     return dump.text.substr(begin, dump.text.find(to) - begin);
   };
-  // controller.instruction: the question from clock 5 on, its answer at clock 12, the fourth and the fifth instruction
+  // controller.instruction: the query from clock 5 on, its answer at clock 12, the fourth and the fifth instruction
   // at clocks 16 and 17; each clock begins one period later.
   const std::size_t name = dump.text.find(" instruction [31:0]");
   const std::string code = dump.text.substr(dump.text.rfind(' ', name - 1) + 1, 1) + "\n";
@@ -453,7 +453,7 @@ TEST_CASE("after a jump the wave shows the next instruction once the host has re
   CHECK(between("\n#1800000\n", "\n#1900000\n").find("\nb100 " + code) != std::string::npos);
 }
 
-TEST_CASE("closes a window at the program's end and rejects nonexistent pixels") {
+TEST_CASE("a wave's window ends with the Program and nonexistent pixels are rejected") {
   PixelPlanes machine("machine", machine_8x8());
   Dump dump(machine);
   Stopwatch watch(machine);

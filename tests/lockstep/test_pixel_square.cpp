@@ -128,7 +128,7 @@ TEST_CASE("the frame buffer shows each square in place and the background elsewh
   }
 }
 
-TEST_CASE("a second frame takes the same clocks as the first") {
+TEST_CASE("a second frame on a pixel-square machine takes the same clocks as the first") {
   const auto engine = engine::make_cycle_engine(machine_8x8());
   const engine::RunResult first = engine->run(slow_square_first(), {});
   const engine::RunResult second = engine->run(slow_square_first(), {});
@@ -136,7 +136,7 @@ TEST_CASE("a second frame takes the same clocks as the first") {
   CHECK(first.account == second.account);
 }
 
-TEST_CASE("passes on an observer's exception and draws the next frame") {
+TEST_CASE("an observer's exception leaves the run and the next frame is drawn correctly") {
   const auto engine = engine::make_cycle_engine(machine_8x8());
   Thrower thrower;
   engine::Observer* const observers[] = {&thrower};
@@ -144,14 +144,14 @@ TEST_CASE("passes on an observer's exception and draws the next frame") {
   CHECK(engine->run(slow_square_first(), {}).scanned_out.back() == 2);
 }
 
-TEST_CASE("rejects a Program that omits squares of the picture") {
+TEST_CASE("rejects a Program that omits squares of the picture on a pixel-square machine") {
   const auto engine = engine::make_cycle_engine(machine_8x8());
   isa::Program program = slow_square_first();
   program.segments.pop_back();
   CHECK_THROWS_AS(engine->run(program, {}), InputError);
 }
 
-TEST_CASE("both levels reject a question before they run") {
+TEST_CASE("both levels reject a global-OR query before they run") {
   isa::Program program = slow_square_first();
   program.segments[3].instructions.push_back({.opcode = Opcode::global_or});
   Watch watch(true);
@@ -161,13 +161,13 @@ TEST_CASE("both levels reject a question before they run") {
   CHECK(watch.steps.empty());
 }
 
-TEST_CASE("rejects a Program that needs more than the machine has") {
+TEST_CASE("rejects a Program that needs more pixel memory than the machine has") {
   isa::Program program = slow_square_first();
   program.shape.memory_bits = 17;
   CHECK_THROWS_AS(engine::make_cycle_engine(machine_8x8())->run(program, {}), InputError);
 }
 
-TEST_CASE("one process clocks one machine of one kind") {
+TEST_CASE("rejects a second clocked machine of other parameters or kind in one process") {
   const auto first = engine::make_cycle_engine(machine_8x8());
   CHECK_NOTHROW(engine::make_cycle_engine(machine_8x8()));
   machines::Machine other = machine_8x8();

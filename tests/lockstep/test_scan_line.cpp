@@ -55,7 +55,7 @@ std::vector<Instruction> ramp() {
 
 }  // namespace
 
-TEST_CASE("a frame of one line takes link and entry of packets and the path of the cells") {
+TEST_CASE("a frame of one line takes the clocks of link and packet entry and cells") {
   const machines::Machine machine = machine_of(6, {4, 1});
   const engine::RunResult result = engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
   CHECK(result.clocks == first_entry + 2 + 1 + 4 + 4);
@@ -86,7 +86,7 @@ TEST_CASE("a frame of one line takes link and entry of packets and the path of t
   CHECK(result.account == scan_line::account(expected, machine, result.clocks));
 }
 
-TEST_CASE("with trees all cells work in one clock that follows entry by the tree's depth") {
+TEST_CASE("all cells below a tree act in one clock that follows entry by the tree's depth") {
   machines::Machine machine = machine_of(6, {4, 2});
   machines::own<scan_line::Figures>(machine).network = scan_line::Network::trees;
   machines::own<scan_line::Figures>(machine).tree_bits = 8;
@@ -101,7 +101,7 @@ TEST_CASE("with trees all cells work in one clock that follows entry by the tree
   CHECK(result.account.count("busy_cells") == 2 * 3 * 4);
 }
 
-TEST_CASE("the refresh path sets the pace of lines with few packets") {
+TEST_CASE("the refresh path limits the rate of lines with few packets") {
   const machines::Machine machine = machine_of(16, {16, 3});
   const engine::RunResult result = engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
   CHECK(result.clocks == first_entry + 3 + 16 + 16 + 2 * 16);
@@ -109,7 +109,7 @@ TEST_CASE("the refresh path sets the pace of lines with few packets") {
   CHECK(result.account.count("refresh_clocks") == 2 * (16 - 4));
 }
 
-TEST_CASE("a line without instructions shows the background and takes its mark and refresh") {
+TEST_CASE("a line without instructions shows the background after its mark and refresh") {
   const machines::Machine machine = machine_of(4, {4, 3});
   isa::Program program = program_of(machine, ramp());
   program.segments[1].instructions.clear();
@@ -118,7 +118,7 @@ TEST_CASE("a line without instructions shows the background and takes its mark a
   CHECK(result.clocks == first_entry + 3 + 4 + 4 + 2 * 4);
 }
 
-TEST_CASE("a frame enters while the previous one drains and waits for the refresh path") {
+TEST_CASE("a frame enters the chain while the previous one leaves it") {
   const machines::Machine machine = machine_of(16, {16, 1});
   const std::vector<isa::Program> frames(3, program_of(machine, ramp()));
   engine::Observer nobody;
@@ -140,7 +140,7 @@ TEST_CASE("a frame enters while the previous one drains and waits for the refres
   CHECK(engine::make_cycle_engine(machine)->run(frames.front(), {}).interval_clocks == 16);
 }
 
-TEST_CASE("run passes on a listener's exception and the machine remains usable") {
+TEST_CASE("an exception of a listener leaves run() and the machine remains usable") {
   struct Thrower final : engine::Observer {
     void after_instruction(const engine::Step&, const engine::PixelState&) override {
       throw std::runtime_error("enough");
@@ -154,7 +154,7 @@ TEST_CASE("run passes on a listener's exception and the machine remains usable")
   CHECK(engine->run(program, {}).scanned_out == std::vector<std::uint32_t>{1, 4, 7, 10, 1, 4, 7, 10, 1, 4, 7, 10});
 }
 
-TEST_CASE("reports an observer that reads a state without requesting it") {
+TEST_CASE("an observer that reads a state without requesting it is an error") {
   struct Curious final : engine::Observer {
     [[nodiscard]] bool reads_after(const Instruction&) const override { return false; }
     void after_instruction(const engine::Step&, const engine::PixelState& state) override {
@@ -167,7 +167,7 @@ TEST_CASE("reports an observer that reads a state without requesting it") {
   CHECK_THROWS_AS(engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), observers), std::logic_error);
 }
 
-TEST_CASE("every level rejects questions and segments other than lines and too much memory") {
+TEST_CASE("every level rejects queries and segments that are not lines and too much memory") {
   const machines::Machine machine = machine_of(4, {4, 2});
   for (const auto& engine : {engine::make_functional_engine(machine), engine::make_cycle_engine(machine),
                              engine::make_reference_engine(machine)}) {

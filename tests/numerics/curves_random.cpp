@@ -102,9 +102,9 @@ TEST_CASE("random curved scenes that once failed are drawn and judged correctly"
   for (const unsigned seed : {20U, 121U, 363U, 466U, 489U, 999U, 1779U, 15327U, 15993U, 19894U})
     CHECK(faults_of(seed, view::Projection::perspective, Variants::all, tally).empty());
 }
-TEST_CASE("random orthographic curved scenes follow the rules in all variants") {
+TEST_CASE("random orthographic curved scenes match the rule-based oracle on all machines") {
   check_scenes(view::Projection::orthographic);
 }
-TEST_CASE("random perspective curved scenes follow the rules in all variants") {
+TEST_CASE("random perspective curved scenes match the rule-based oracle on all machines") {
   check_scenes(view::Projection::perspective);
 }

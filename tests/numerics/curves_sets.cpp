@@ -49,11 +49,11 @@ TEST_CASE("two intersecting balls form a lens and three a triangle of arcs") {
   check_seen(intersect({ball({-2, 0, 0}, 6), ball({2, 0, 0}, 6)}));
   check_seen(intersect({ball({-2, 0, 0}, 6), ball({2, 0, 0}, 6), ball({0, 1, 3}, 6)}));
 }
-TEST_CASE("crossing holes through a ball are open") {
+TEST_CASE("holes that cross each other in a ball are open") {
   const std::string across = placed(rotation(90, 0), rod({0, 0, -8}, 16, 2));
   check_seen(subtract({ball({0, 0, 0}, 6), rod({0, 0, -8}, 16, 2), across, placed(rotation(0, 90), across)}));
 }
-TEST_CASE("subtracts many balls from a cube") {
+TEST_CASE("a cube minus many balls is drawn correctly") {
   std::vector<std::string> parts{block};
   for (int i = 0; i < 12; ++i) {
     const int row = i / 3;
@@ -62,7 +62,7 @@ TEST_CASE("subtracts many balls from a cube") {
   CurvedLook how;
   check_seen(subtract(parts), how);
 }
-TEST_CASE("subtracting solids that are themselves drilled leaves cores") {
+TEST_CASE("subtracting a drilled solid leaves the core of its hole") {
   check_seen(subtract({block, subtract({rod({0, 0, -8}, 16, 5), rod({0, 0, -9}, 18, 3)})}));
   check_seen(
       subtract({ball({0, 0, 0}, 6), subtract({ball({0, 0, 0}, 5), ball({0, -1, 0}, 3)}), box({0, -7, 0}, {7, 7, 7})}));
@@ -119,7 +119,7 @@ TEST_CASE("at equal depth of a solid's surfaces the first primitive is visible")
     look_at_all(intersect({rod({0, 0, -5}, 10, 3.5), other, bowl}), coarse);
   }
 }
-TEST_CASE("colours of curved solids are equal in all variants and where surfaces meet") {
+TEST_CASE("colours of curved solids are equal on all machines and where surfaces meet") {
   const std::string red = "color([0.9,0.2,0.1,1]){" + ball({0, 0, 0}, 5) + "}\n";
   const std::string blue = "color([0.1,0.3,0.9,1]){" + rod({0, 0, -7}, 14, 3) + "}\n";
   check_seen(unite({red, blue}));

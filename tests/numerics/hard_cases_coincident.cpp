@@ -52,18 +52,22 @@ TEST_CASE("coincident faces of a union belong to the first solid") {
 TEST_CASE("coincident faces of an intersection belong to the first solid") {
   check_seen(intersect({box({0, 0, 0}, {10, 10, 10}), box({2, 0, 3}, {18, 7, 10})}));
 }
-TEST_CASE("a cut flush with the front leaves no membrane") { check_seen(subtract({left, box({2, 0, 2}, {8, 5, 8})})); }
-TEST_CASE("a cut flush with the back leaves no membrane") { check_seen(subtract({left, box({2, 5, 2}, {8, 10, 8})})); }
-TEST_CASE("a cut flush with a side leaves no membrane") {
+TEST_CASE("a cut that ends flush with the front face leaves no membrane") {
+  check_seen(subtract({left, box({2, 0, 2}, {8, 5, 8})}));
+}
+TEST_CASE("a cut that ends flush with the back face leaves no membrane") {
+  check_seen(subtract({left, box({2, 5, 2}, {8, 10, 8})}));
+}
+TEST_CASE("a cut that ends flush with a side face leaves no membrane") {
   check_seen(subtract({left, box({5, 2, 2}, {10, 8, 8})}));
   check_seen(subtract({left, box({2, 2, 5}, {8, 8, 10})}));
 }
-TEST_CASE("a hole flush at both ends is open") {
+TEST_CASE("a hole whose ends are flush with both faces is open") {
   check_seen(subtract({left, box({3, 0, 3}, {7, 10, 7})}));
   check_seen(subtract({cylinder({0, 0, 0}, 6, 8, 8, 24), cylinder({0, 0, 0}, 6, 4, 4, 24)}));
   check_seen(subtract({left, cylinder({5, 5, 0}, 10, 3, 3, 9)}));
 }
-TEST_CASE("three holes through each other along the axes are open") {
+TEST_CASE("three holes along the axes that cross each other are open") {
   const Verdict verdict =
       look_around(subtract({left, box({3, 0, 3}, {7, 10, 7}), box({0, 3, 3}, {10, 7, 7}), box({3, 3, 0}, {7, 7, 10})}));
   // Seen along the axis in perspective, four pixel centres are on the edges between two walls, at the same depth.

@@ -50,7 +50,7 @@ TEST_CASE("eight cubes around a common vertex leave no crack") {
   cubes.insert(cubes.begin(), box({0, 0, 0}, {16, 16, 16}));
   check_empty(subtract(cubes));
 }
-TEST_CASE("classifies three planes of different solids with a common line correctly") {
+TEST_CASE("three planes of different solids with a common line are classified correctly") {
   // The faces x = 8, z = 8 and x = z all contain the line x = z = 8.
   const std::string wedge = placed(
       "[[0.70710678118654757,0,-0.70710678118654757,8],[0,1,0,0],[0.70710678118654757,0,0.70710678118654757,8],"

@@ -50,7 +50,7 @@ TEST_CASE("a solid seen parallel to all its side faces covers the correct pixels
     CHECK(look(cylinder({0, 0, 0}, 9, 5, 5, 7), {{0, 0, -70}, {0, 0, 0}, projection}).wrong == 0);
   }
 }
-TEST_CASE("faces between 1e-3 and 1e-12 from edge-on are drawn within the stated bounds") {
+TEST_CASE("faces 1e-3 to 1e-12 from edge-on are drawn within the stated error bounds") {
   std::uint64_t covered = 0;
   for (int exponent = 3; exponent <= 12; ++exponent) {
     for (const double sign : {-1.0, 1.0}) {

@@ -61,7 +61,7 @@ TEST_CASE("an eye at a vertex or on an edge sees the solid within the bounds") {
   look(block, {{0, 0, 5}, {5, 5, 5}, perspective});
   look(block, {{0, 0, 5}, {-5, 8, 5}, perspective});
 }
-TEST_CASE("an eye a pixel away from a face sees it fill the picture") {
+TEST_CASE("a face one pixel from the eye fills the picture") {
   const std::string block = box({-5, 0, -5}, {5, 10, 5});
   const csgsim::view::Camera camera{{0.2, -0.004, 0.1}, {0.2, 5, 0.1}, perspective};
   const Verdict verdict = look(block, camera);

@@ -101,7 +101,7 @@ TEST_CASE("an intersection of disjoint solids is empty and subtracting it change
   check_empty(disjoint);
   check_seen(subtract({body, disjoint}));
 }
-TEST_CASE("an error names the primitive whose coefficients do not fit; no picture is wrong") {
+TEST_CASE("coefficients that do not fit are an error that names the primitive") {
   // Faces ever closer to edge-on, which the picture still has to show as surfaces.
   Look how;
   how.sampling.z_bits = 30;
@@ -130,7 +130,7 @@ TEST_CASE("an error names the primitive whose coefficients do not fit; no pictur
   CHECK(errors > 4);
   CHECK(drawn > 4);
 }
-TEST_CASE("reports a size that no double holds and a camera that sees nothing") {
+TEST_CASE("an error reports a size that no double holds or a camera that sees nothing") {
   CHECK(holds(error_of("cube(size=[1e400,1,1],center=false);\n", {{0, -9, 0}, {0, 0, 0}, orthographic}), "test:1:"));
   CHECK_FALSE(error_of(cube, {{1, 2, 3}, {1, 2, 3}, perspective}).empty());
 }

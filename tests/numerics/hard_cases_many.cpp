@@ -86,7 +86,7 @@ TEST_CASE("a union of thousands of solids is drawn correctly") {
 TEST_CASE("a difference of thousands of solids is drawn correctly") {
   check_both_ways(subtract(plate_and_pegs(most)), 2, false);
 }
-TEST_CASE("an intersection of 300 solids that each cut a little is drawn correctly") {
+TEST_CASE("an intersection of 300 solids that each remove a little is drawn correctly") {
   std::vector<std::string> parts;
   for (int i = 0; i < 300; ++i)
     parts.push_back(placed(rotation(37.0 * i, 61.0 * i), box({-50, -50, -50}, {50, 50, 30})));

@@ -78,7 +78,7 @@ TEST_CASE("A minus B is A intersected with the complement of B") {
   const std::string b = unite({ball({9, 7, 5}, 4, 10), cylinder({5, 4, 0}, 6, 3, 3, 12)});
   check_same_geometry(subtract({a, b}), intersect({a, complement(b)}));
 }
-TEST_CASE("de Morgan: complements of unions and intersections") {
+TEST_CASE("complements of unions and intersections obey de Morgan's laws") {
   const std::string a = box({0, 0, 0}, {10, 8, 6});
   const std::string b = ball({9, 7, 5}, 4, 10);
   const std::string c = cylinder({5, 4, 0}, 6, 3, 3, 12);

@@ -53,7 +53,7 @@ TEST_CASE("coincident faces 1e6 away from the origin are still coincident") {
   CHECK(look_obliquely(placed(there, subtract({bracket, bracket}))).covered == 0);
   CHECK(look_obliquely(placed(there, unite({box({0, 0, 0}, {8, 8, 8}), box({8, 0, 0}, {16, 8, 8})}))).wrong == 0);
 }
-TEST_CASE("a far plane a million times as far as the near plane is drawn within the bounds") {
+TEST_CASE("a far plane a million times beyond the near plane has errors within the bounds") {
   const std::string csg = unite({box({-1, 2, -1}, {1, 3, 0}), box({-2e6, 1.5e6, -1e6}, {2e6, 2e6, 0})});
   for (const double near : {2.0, 0.5, 2000.0}) {
     CAPTURE(near);
@@ -70,7 +70,7 @@ TEST_CASE("a camera a million model sizes away sees the model correctly") {
     look(bracket, {1e7 * oblique, {5, 3, 2}, projection});
   }
 }
-TEST_CASE("few depth bits and no fraction bits cause only errors within the bounds") {
+TEST_CASE("pictures with few depth bits and no fraction bits have errors within the bounds") {
   for (const unsigned z_bits : {4U, 8U, 12U, 30U}) {
     for (const unsigned fraction_bits : {0U, 4U, 20U}) {
       CAPTURE(z_bits);

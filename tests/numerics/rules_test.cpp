@@ -44,28 +44,28 @@ void check_models(const view::Camera& camera, std::uint64_t first_seed,
 
 }  // namespace
 
-TEST_CASE("random models seen from the side follow the rules orthographically") {
+TEST_CASE("random models seen from the side match the rule-based oracle orthographically") {
   check_models({{30, -45, 35}, {0, 0, 0}, view::Projection::orthographic}, 1);
 }
-TEST_CASE("random models seen from the side follow the rules in perspective") {
+TEST_CASE("random models seen from the side match the rule-based oracle in perspective") {
   check_models({{30, -45, 35}, {0, 0, 0}, view::Projection::perspective}, 101);
 }
-TEST_CASE("random models with faces edge-on follow the rules orthographically") {
+TEST_CASE("random models with faces edge-on match the rule-based oracle orthographically") {
   check_models({{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic}, 201);
 }
-TEST_CASE("random models seen along an axis follow the rules in perspective") {
+TEST_CASE("random models seen along an axis match the rule-based oracle in perspective") {
   check_models({{0, -60, 0}, {0, 0, 0}, view::Projection::perspective}, 301);
 }
-TEST_CASE("random models seen straight from above follow the rules") {
+TEST_CASE("random models seen straight from above match the rule-based oracle") {
   check_models({{0, 0, 60}, {0, 0, 0}, view::Projection::orthographic}, 401);
 }
-TEST_CASE("random models around the eye follow the rules") {
+TEST_CASE("random models around the eye match the rule-based oracle") {
   check_models({{0.25, -1, 0.5}, {0, 3, 0}, view::Projection::perspective}, 501);
 }
-TEST_CASE("random models larger than the picture follow the rules") {
+TEST_CASE("random models larger than the picture match the rule-based oracle") {
   check_models({{9, -8, 7}, {0, 0, 0}, view::Projection::orthographic}, 601);
 }
-TEST_CASE("random models at low accuracy follow the rules with any pruning and colouring") {
+TEST_CASE("random low-accuracy models match the oracle with any pruning and colouring") {
   struct Accuracy {
     unsigned z_bits;
     unsigned fraction_bits;
@@ -85,7 +85,7 @@ TEST_CASE("random models at low accuracy follow the rules with any pruning and c
     }
   }
 }
-TEST_CASE("the objects of the thesis follow the rules") {
+TEST_CASE("the objects of the thesis match the rule-based oracle") {
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);

@@ -53,19 +53,19 @@ void check_random_models(const view::Camera& camera) { check_random_models(setup
 
 }  // namespace
 
-TEST_CASE("all variants draw the same picture of random models orthographically") {
+TEST_CASE("all options and machines draw random models orthographically alike") {
   check_random_models({{30, -45, 35}, {0, 0, 0}, view::Projection::orthographic});
 }
-TEST_CASE("all variants draw the same picture of random models in perspective") {
+TEST_CASE("all options and machines draw random models in perspective alike") {
   check_random_models({{30, -45, 35}, {0, 0, 0}, view::Projection::perspective});
 }
-TEST_CASE("all variants draw the same picture of random models seen along an axis") {
+TEST_CASE("all options and machines draw random models seen along an axis alike") {
   check_random_models({{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic});
 }
-TEST_CASE("all variants draw the same picture of random models around the eye") {
+TEST_CASE("all options and machines draw random models around the eye alike") {
   check_random_models({{0.25, -1, 0.5}, {0, 3, 0}, view::Projection::perspective});
 }
-TEST_CASE("all variants draw the same picture with few bits of depth") {
+TEST_CASE("all options and machines draw the same picture with few bits of depth") {
   testing::Setup how = setup({{10, -10, 10}, {0, 0, 0}, view::Projection::orthographic}, 48, 64);
   how.sampling.z_bits = 6;
   how.sampling.fraction_bits = 2;
@@ -79,7 +79,7 @@ TEST_CASE("all variants draw the same picture with few bits of depth") {
       "sphere($fn=4,r=4);}}",
       how));
 }
-TEST_CASE("all variants draw the same picture of the test models") {
+TEST_CASE("all options and machines draw the same picture of the thesis's objects") {
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);

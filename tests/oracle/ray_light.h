@@ -59,7 +59,7 @@ class RayLighting {
   const RayModel& model_;
   glm::dvec3 ambient_;
   std::vector<RayLight> lights_;
-  std::vector<RayFinish> finishes_;               ///< by primitive
+  std::vector<RayFinish> finishes_;               ///< colour and reflection of each primitive
   std::vector<std::vector<glm::dvec3>> middles_;  ///< middles of the facets, by primitive and half-space
 };
 

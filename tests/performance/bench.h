@@ -15,7 +15,7 @@ namespace csgsim::bench {
 struct Settings {
   std::filesystem::path csgsim;               ///< the program to measure
   std::filesystem::path beside;               ///< another build, measured in turns; may be empty
-  std::filesystem::path folder;               ///< for generated models, Programs and pictures
+  std::filesystem::path folder;               ///< folder of generated models, Programs and pictures
   std::vector<std::filesystem::path> models;  ///< in addition to the generated ones
   std::vector<std::string> machines;
   std::vector<std::string> levels;

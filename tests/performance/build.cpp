@@ -36,7 +36,7 @@ Build this_build() {
 }
 
 std::string name_of_build(const std::filesystem::path& csgsim) {
-  std::istringstream lines(took_by({csgsim.native(), "--version"}).output);
+  std::istringstream lines(run_to_end({csgsim.native(), "--version"}).output);
   for (std::string word; lines >> word;) {
     if (word == "commit" && lines >> word) return "commit " + word.substr(0, word.find(','));
   }

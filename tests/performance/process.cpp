@@ -33,7 +33,7 @@ system::ChildLimits limits_of(std::chrono::seconds longest) {
   return {.time = longest, .output = std::size_t{64} << 20U, .errors = std::size_t{64} << 20U};
 }
 
-std::optional<Took> run(std::span<const std::string> words, const system::ChildLimits& limits) {
+std::optional<ProcessCost> run(std::span<const std::string> words, const system::ChildLimits& limits) {
   const std::string& program = words.front();
   const system::MemoryFile input(program);
   const double before = children_seconds();
@@ -44,16 +44,17 @@ std::optional<Took> run(std::span<const std::string> words, const system::ChildL
   if (ended->exceeded == system::Exceeded::time)
     throw InputError(fmt::format("{}: takes more than {} s", program, limits.time.count()));
   if (!system::is_done(*ended)) throw InputError(program + ": fails: " + printable(system::why_failed(*ended, limits)));
-  return Took{wall.count(), children_seconds() - before, static_cast<double>(ended->memory), std::move(ended->output)};
+  return ProcessCost{wall.count(), children_seconds() - before, static_cast<double>(ended->memory),
+                     std::move(ended->output)};
 }
 
 }  // namespace
 
-std::optional<Took> run_process(std::span<const std::string> words) {
+std::optional<ProcessCost> run_process(std::span<const std::string> words) {
   return run(words, limits_of(std::chrono::hours(24)));
 }
 
-std::optional<Took> run_process_within(unsigned seconds, std::span<const std::string> words) {
+std::optional<ProcessCost> run_process_within(unsigned seconds, std::span<const std::string> words) {
   return run(words, limits_of(std::chrono::seconds(seconds)));
 }
 

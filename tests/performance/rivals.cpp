@@ -51,7 +51,7 @@ struct NotMeasured {
 
 double seconds_of(const Words& words) {
   try {
-    if (const std::optional<Took> took = run_process_within(longest, words)) return took->wall;
+    if (const std::optional<ProcessCost> cost = run_process_within(longest, words)) return cost->wall;
   } catch (const InputError& error) {
     throw NotMeasured{error.what()};
   }

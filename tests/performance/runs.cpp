@@ -85,12 +85,12 @@ Ran run(const Settings& settings, const Words& words) {
   return {stats.at("clocks"), stats.at("simulated_seconds"), stats.at("wall_seconds")};
 }
 
-double whole_process(const Words& words) { return took_by(words).wall; }
+double whole_process(const Words& words) { return run_to_end(words).wall; }
 
-Took took_by(const Words& words) {
-  const std::optional<Took> took = run_process(words);
-  if (!took) throw InputError(words.front() + ": cannot be run; is it there, and executable?");
-  return *took;
+ProcessCost run_to_end(const Words& words) {
+  const std::optional<ProcessCost> cost = run_process(words);
+  if (!cost) throw InputError(words.front() + ": cannot be run; is it there, and executable?");
+  return *cost;
 }
 
 }  // namespace csgsim::bench

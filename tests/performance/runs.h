@@ -50,6 +50,6 @@ Ran run(const Settings& settings, const Words& words);
 
 /// Runs a process of csgsim. Throws InputError if it fails.
 double whole_process(const Words& words);
-Took took_by(const Words& words);
+ProcessCost run_to_end(const Words& words);
 
 }  // namespace csgsim::bench

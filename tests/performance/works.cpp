@@ -40,7 +40,7 @@ struct Step {
 };
 using Steps = std::vector<Step>;
 
-/// `csgsim COMMAND MODEL` for a stand-in.
+/// The command `csgsim COMMAND MODEL` on a stand-in.
 Words of_stand_in(const Settings& settings, const std::string& command, const StandIn& model) {
   return {settings.csgsim.native(), command, source(fmt::format("tests/models/{}.csg", model.name)), "--camera",
           std::string(model.camera)};
@@ -134,9 +134,9 @@ double run_all(const Steps& steps, double& memory) {
   double seconds = 0;
   for (const Step& step : steps) {
     if (!step.folder.empty()) std::filesystem::remove_all(step.folder);
-    const Took took = took_by(step.words);
-    seconds += took.wall;
-    memory = std::max(memory, took.memory);
+    const ProcessCost cost = run_to_end(step.words);
+    seconds += cost.wall;
+    memory = std::max(memory, cost.memory);
   }
   return seconds;
 }

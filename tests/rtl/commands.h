@@ -79,8 +79,8 @@ int models(const machines::Machine& machine, const testing::Setup& setup, const 
 
 /// The number of random sequences until one detects the fault; 0 if none does.
 template <class Lockstep>
-unsigned noticed_by(Lockstep& lockstep, std::uint8_t fault, unsigned sequences,
-                    const rc::Gen<std::vector<isa::Program>>& any_frames) {
+unsigned sequences_to_detect(Lockstep& lockstep, std::uint8_t fault, unsigned sequences,
+                             const rc::Gen<std::vector<isa::Program>>& any_frames) {
   constexpr int size = 50;
   for (unsigned i = 1; i <= sequences; ++i) {
     const std::vector<isa::Program> frames = any_frames(rc::Random(i), size).value();
@@ -97,13 +97,14 @@ int faults(const machines::Machine& machine, const AnyFrames& any_frames, std::u
   std::set<unsigned long> left_out;
   for (std::size_t i = 3; i < words.size(); ++i) left_out.insert(std::stoul(words[i]));
   Lockstep lockstep(machine);
-  if (noticed_by(lockstep, 0, sequences, frames) != 0) throw std::runtime_error("a difference without a planted fault");
+  if (sequences_to_detect(lockstep, 0, sequences, frames) != 0)
+    throw std::runtime_error("a difference without a planted fault");
   int code = 0;
   for (std::uint8_t fault = 1; fault <= planted; ++fault) {
-    const unsigned noticed = noticed_by(lockstep, fault, sequences, frames);
+    const unsigned sequence = sequences_to_detect(lockstep, fault, sequences, frames);
     fmt::print("fault {}: {}\n", fault,
-               noticed == 0 ? "not detected" : fmt::format("detected by sequence {}", noticed));
-    if ((noticed == 0) != left_out.contains(fault)) code = 1;
+               sequence == 0 ? "not detected" : fmt::format("detected by sequence {}", sequence));
+    if ((sequence == 0) != left_out.contains(fault)) code = 1;
   }
   return code;
 }

@@ -6,7 +6,7 @@
 // rtl_NAME faults SEQUENCES INSTRUCTIONS NUMBER...
 //   Every planted fault except those NUMBERs must be detected within SEQUENCES random sequences.
 // rtl_NAME host SEED LATENCY WORD_CLOCKS
-//   Writes the input files of host_test.v for a random Program that asks questions, skips and shows a picture; prints
+//   Writes the input files of host_test.v for a random Program that sends queries, skips and shows a picture; prints
 //   its parameters. The clocks are those of the SystemC machine.
 // rtl_NAME speed PRIMITIVES
 //   Measures both on the benchmarks' typical mix, per pixel and clock; the fastest of some runs.
@@ -94,8 +94,8 @@ int speed(const Words& words) {
   return 0;
 }
 
-/// Whether the Program asks questions, skips, and shows a picture.
-bool is_telling(const isa::Program& program, const systemc::RunReport& report) {
+/// Whether the Program sends queries, skips, and shows a picture.
+bool uses_every_feature(const isa::Program& program, const systemc::RunReport& report) {
   return !report.answers.empty() && report.skipped > 0 && !report.picture.empty() && program.segments.size() == 1;
 }
 
@@ -111,7 +111,7 @@ int host(const Words& words) {
   for (std::uint64_t seed = std::stoul(words.at(1));; ++seed) {
     const isa::Program program = any_frames(rc::Random(seed), size).value().front();
     const systemc::RunReport report = machine.run(program, nobody);
-    if (!is_telling(program, report)) continue;
+    if (!uses_every_feature(program, report)) continue;
     const link::FrameWords frame = link::frame_words(program, figures.link.width);
     std::ofstream all_words("words.hex");
     for (const isa::LinkWord& word : frame.words) all_words << fmt::format("{:08x}\n", word.number(0, 32));

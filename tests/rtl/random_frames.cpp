@@ -21,7 +21,7 @@ rc::Gen<std::vector<isa::Program>> arbitrary_frames(const machines::Machine& mac
     for (isa::Program& frame : frames) {
       frame = *test::arbitrary_program(shape, instructions / frames.size(), machine.evaluator_degree);
       if (!machines::has_global_or(machine))
-        for (isa::Segment& segment : frame.segments) test::erase_questions(segment.instructions);
+        for (isa::Segment& segment : frame.segments) test::erase_queries(segment.instructions);
       frame.facts->fields.clear();
       frame.colour = {static_cast<std::uint16_t>(pick(0, shape.memory_bits - width)),
                       static_cast<std::uint16_t>(width)};

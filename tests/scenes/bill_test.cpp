@@ -7,7 +7,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("the costs of a scene's effects add up to the frame's clocks") {
+TEST_CASE("the clocks of solids and effects of every scene add up to the frame's clocks") {
   const std::vector<testing::SceneFile> files = testing::scene_files();
   const auto step = testing::cases<std::size_t>(1, 3);
   for (std::size_t at = 0; at < files.size(); at += step) {

@@ -9,7 +9,7 @@ using namespace csgsim;
 
 namespace {
 
-constexpr std::uint32_t side = 40;  // of a picture in pixels
+constexpr std::uint32_t side = 40;  // width and height of a picture in pixels
 
 /// Effects without a model in the ray tracer, which have separate tests: switched off, so that all others are checked.
 const std::vector<std::string> not_judged{"effects.smooth.on=false", "effects.equalise.on=false",
@@ -75,7 +75,7 @@ double bound_of(const testing::RayEffects& effects, std::size_t samples) {
 
 }  // namespace
 
-TEST_CASE("every scene equals the ray-traced picture except where rounding decides") {
+TEST_CASE("every scene matches its ray-traced picture except where rounding decides") {
   const std::vector<testing::SceneFile> files = testing::scene_files();
   CHECK(files.size() >= 12);
   const auto step = testing::cases<std::size_t>(1, 2);

@@ -11,7 +11,7 @@ using namespace csgsim;
 
 namespace {
 
-constexpr std::uint32_t side = 256;  // of a picture in pixels
+constexpr std::uint32_t side = 256;  // width and height of a picture in pixels
 constexpr std::size_t every = 3;     // measures every third primitive
 
 testing::SceneFile vehicle(const std::string& scene) {
@@ -67,7 +67,7 @@ double worst_ratio(const std::string& effect, const Price& price) {
 }
 
 /// Clocks charged to the second effect of a scene; the first is flat shading.
-std::uint64_t billed(const std::string& scene) {
+std::uint64_t charged(const std::string& scene) {
   const observe::Stats stats = run(testing::compile_scene(vehicle(scene), side, side).compiled);
   return stats.by_effect.size() < 3 ? 0 : stats.by_effect[1].clocks;
 }
@@ -78,14 +78,14 @@ constexpr double most = 1.2;
 
 TEST_CASE("glass on one primitive costs at most 1.2 times the work of its rectangle") {
   CHECK(worst_ratio("transparency", [](const testing::Compiled& compiled, std::size_t i) {
-          return billed("[[materials]]\n" + only_line(compiled.tree.primitives[i]) + "opacity = 0.5\n");
+          return charged("[[materials]]\n" + only_line(compiled.tree.primitives[i]) + "opacity = 0.5\n");
         }) <= most);
 }
 
 TEST_CASE("the shadow of one primitive costs at most 1.2 times the work of its rectangle") {
   CHECK(worst_ratio("shadows", [](const testing::Compiled& compiled, std::size_t i) {
-          return billed("[[lights]]\ndirection = [-0.5, 0.75, -0.9]\n[effects.shadows]\n" +
-                        only_line(compiled.tree.primitives[i]));
+          return charged("[[lights]]\ndirection = [-0.5, 0.75, -0.9]\n[effects.shadows]\n" +
+                         only_line(compiled.tree.primitives[i]));
         }) <= most);
 }
 

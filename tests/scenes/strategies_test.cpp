@@ -3,7 +3,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("every scene gives the same picture with surfaces kept in Z1 or depths stored") {
+TEST_CASE("every scene gives the same picture with the strategies stack and bits and stored") {
   const std::vector<testing::SceneFile> files = testing::scene_files();
   const auto step = testing::cases<std::size_t>(1, 4);
   for (std::size_t at = 0; at < files.size(); at += step) {

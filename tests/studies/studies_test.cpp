@@ -78,7 +78,7 @@ class Place {
 
 }  // namespace
 
-TEST_CASE("a new study gets a table and JSON and plots and a page") {
+TEST_CASE("a new study writes a table and JSON and plots and a report") {
   const Place place("whole");
   place.study("out", {"--addends", "1,3", "--report", place / "page.html"});
   const std::string table = place.content("out/collatz.csv");
@@ -129,7 +129,7 @@ TEST_CASE("a study resumes and remeasures points whose inputs changed") {
   CHECK_FALSE(place.points("out/collatz.json")[1].contains("clocks"));
 }
 
-TEST_CASE("gathers shards of a study into the files of one process and names missing ones") {
+TEST_CASE("gathered shards of a new study give the files of one process") {
   const Place place("shards");
   place.study("one", {"--addends", "1,3,5", "--no-plots"});
   for (const char* const shard : {"1/3", "3/3"}) place.study("out", {"--addends", "1,3,5", "--shard", shard});
@@ -142,7 +142,7 @@ TEST_CASE("gathers shards of a study into the files of one process and names mis
     CHECK(place.content(std::string("out") + file) == place.content(std::string("one") + file));
 }
 
-TEST_CASE("checks the common options of studies for a new study") {
+TEST_CASE("a new study rejects wrong values of the options that all studies have") {
   const Place place("options");
   for (const Words& words : {Words{"--addends", "0"}, Words{"--shard", "3/2"}, Words{"--threads", "0"},
                              Words{"--report", "page.txt"}, Words{"--shard", "1/2", "--report", "page.html"}})

@@ -21,7 +21,7 @@ machines::Machine machine_of(const isa::ArrayShape& array) {
   machine.array = array;
   machine.clock_hz = 10'000'000;
   machines::own<pixel_planes::Figures>(machine).or_fan_in =
-      64;  // as in pixel-planes-4; latency of queries depends on it
+      64;  // the value of pixel-planes-4, on which the latency of queries depends
   machine.evaluator_degree = 2;
   return machine;
 }

@@ -235,7 +235,7 @@ bool narrows(Opcode opcode) {
 }
 
 /// Enables all pixels again before a third instruction that can only disable some.
-std::vector<Instruction> revived(const std::vector<Instruction>& instructions) {
+std::vector<Instruction> with_enable_all(const std::vector<Instruction>& instructions) {
   std::vector<Instruction> out;
   int narrowed = 3;
   for (const Instruction& instruction : instructions) {
@@ -277,7 +277,7 @@ void fit_skips(std::vector<Instruction>& instructions) {
 std::vector<Instruction> pick_instructions(const isa::Region& region, std::uint32_t memory_bits,
                                            std::size_t max_instructions, std::uint32_t primitives, unsigned degree) {
   const isa::ArrayShape shape{region.width, region.height, memory_bits};
-  std::vector<Instruction> instructions = revived(*rc::gen::resize(
+  std::vector<Instruction> instructions = with_enable_all(*rc::gen::resize(
       static_cast<int>(max_instructions),
       rc::gen::container<std::vector<Instruction>>(arbitrary_instruction(shape, memory_bits, primitives))));
   if (degree > 1) instructions = with_squares(std::move(instructions), shape);
@@ -453,7 +453,7 @@ rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_i
   });
 }
 
-void erase_questions(std::vector<Instruction>& instructions) {
+void erase_queries(std::vector<Instruction>& instructions) {
   std::erase_if(instructions, [](const Instruction& instruction) { return isa::needs_global_or(instruction.opcode); });
 }
 
@@ -479,7 +479,7 @@ rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machin
           if (instruction.opcode == Opcode::global_or)
             instruction = {Opcode::enable_invert, {}, {}, 0, instruction.origin};
       } else {
-        erase_questions(instructions);
+        erase_queries(instructions);
       }
       if (pick(0U, 9U) < without) instructions.clear();
     }

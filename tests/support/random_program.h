@@ -31,7 +31,7 @@ rc::Gen<isa::Instruction> arbitrary_instruction(isa::ArrayShape region, std::uin
 rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_instructions, unsigned degree = 1);
 
 /// Removes the instructions that need a global OR.
-void erase_questions(std::vector<isa::Instruction>& instructions);
+void erase_queries(std::vector<isa::Instruction>& instructions);
 
 /// Same as above, for a machine that processes the picture in parts: one segment for each of machines::regions. Some or
 /// all segments are empty, and none returns a result to the host; some skip if the machine has a global OR. Some

@@ -116,7 +116,7 @@ TEST_CASE("a receiver's exception is rethrown once and nothing is received after
   CHECK(received == 3);
 }
 
-TEST_CASE("a mesh and the refusal of too much work are equal for any number of threads") {
+TEST_CASE("a mesh and the error for too much work are equal for any number of threads") {
   namespace convert = software::convert;
   for (const char* const name : {"corpus/thread", "corpus/mesh_booleans", "models/carburettor"}) {
     CAPTURE(name);

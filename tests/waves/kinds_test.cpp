@@ -83,7 +83,7 @@ TEST_CASE("a wave of any machine shows its parts and the reference's values in e
   }
 }
 
-TEST_CASE("rejects tree levels for a machine without trees") {
+TEST_CASE("a wave of tree levels is rejected for a machine without trees") {
   const Folder folder;
   const std::string file = folder / "p.csgt";
   succeeded(run("compile " + model("basics_csg") + " --view-all --size 8x4 --machine scan-line -o " + file));

@@ -85,7 +85,7 @@ TEST_CASE("the link's lane of a frame buffer equals a run's counts until the pic
   for (const auto& [name, clocks] : link) all += clocks;
   CHECK(all == frame.shown_clocks);
 }
-TEST_CASE("waits of the pixel-square machine's parts equal the counts of a run") {
+TEST_CASE("the lanes of a pixel-square machine have the waits that a run counts") {
   const Frame frame("pixel-square");
   const Clocks sender = clocks_of(frame.lanes.at("sender.state"));
   const Clocks& counted = frame.counted.at("sender");
@@ -94,7 +94,7 @@ TEST_CASE("waits of the pixel-square machine's parts equal the counts of a run")
   CHECK(sender.at("waiting_for_renderer") == counted.at("waiting_for_renderer"));
   CHECK(clocks_of(frame.lanes.at("host.state")).at("sending") == frame.counted.at("host").at("working"));
 }
-TEST_CASE("ring and frame buffer work in the counted clocks except for screen refresh") {
+TEST_CASE("the lanes of ring and frame buffer have the working clocks that a run counts") {
   const Frame frame("pixel-planes-5", "", 25e3);
   // The edge that ends the frame takes its last word.
   const auto all_but_the_last = [](std::uint64_t clocks) { return clocks - 1; };
@@ -106,7 +106,7 @@ TEST_CASE("ring and frame buffer work in the counted clocks except for screen re
   CHECK(buffer.contains("refreshing") == counted.contains("refreshing"));
   if (counted.contains("refreshing")) CHECK(buffer.at("refreshing") == counted.at("refreshing"));
 }
-TEST_CASE("trees and scan-out have separate lanes") {
+TEST_CASE("a file of lanes has separate lanes for trees and scan-out") {
   const Frame frame("pixel-planes-4");
   const Clocks root = clocks_of(frame.lanes.at("root.state"));
   CHECK(root.at("streaming") > 0);
@@ -152,7 +152,7 @@ TEST_CASE("stretches of a lane follow each other and adjacent ones differ") {
     }
   }
 }
-TEST_CASE("without a pixel a file of parts accepts only windows of clocks and needs .json") {
+TEST_CASE("a file of lanes without a pixel accepts only windows of clocks and needs .json") {
   misused("wave traces/x.csgt --at owner -o parts.json", "name one, as in --pixel 100,20");
   misused("wave traces/x.csgt --window i3 -o parts.json", "FIRST:END");
   misused("wave traces/x.csgt --lanes -o parts.vcd", "a name that ends in .json");

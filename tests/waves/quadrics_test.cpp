@@ -125,7 +125,7 @@ TEST_CASE("a wave of any machine shows the reference's roots and quadratic expre
   }
 }
 
-TEST_CASE("a pixel probed alone behaves as in the whole machine from after squares on") {
+TEST_CASE("a pixel simulated alone has the wave of the whole machine from after squares on") {
   const Folder folder;
   const std::string name = "pixel-powers";
   const Drawn one = drawn(name, folder);
@@ -143,7 +143,7 @@ TEST_CASE("a pixel probed alone behaves as in the whole machine from after squar
 /// 2^bits - 1.
 std::int64_t mask(unsigned bits) { return (std::int64_t{1} << bits) - 1; }
 
-TEST_CASE("tree levels form the value at a node's first leaf and its slopes there") {
+TEST_CASE("tree levels in a wave form the value and the slopes at a node's first leaf") {
   const Folder folder;
   const std::string name = "pixel-powers";
   const Drawn one = drawn(name, folder);

@@ -124,7 +124,7 @@ TEST_CASE("a wave shows the instruction in progress at the pixels with its text"
   CHECK(instructions > 1500);
 }
 
-TEST_CASE("probed pixels alone behave as in the whole machine") {
+TEST_CASE("probed pixels that are simulated alone have the waves of the whole machine") {
   const std::string tree = " --probe tree.x:3 --probe tree.x:7 --probe tree.y:0 --probe tree.y:6";
   for (const std::string machine : {"pixel-planes-4", "pixel-planes-4+alu.bits=16+evaluator.bits=5",
                                     "pixel-planes-4+evaluator.register_levels=3"}) {
@@ -213,7 +213,7 @@ void check_levels(const std::string& machine_name, unsigned tree_bits, std::uint
   CHECK(streams > 100);
 }
 
-TEST_CASE("tree levels form A x + C and then A x + B y + C for any bits per clock") {
+TEST_CASE("tree levels in a wave form A x + C and then A x + B y + C for any bits per clock") {
   check_levels("pixel-planes-4", 1, 3900);
   check_levels("pixel-planes-4+alu.bits=4+evaluator.bits=3", 3, 1900);
   check_levels("pixel-planes-4+alu.bits=32+evaluator.bits=32", 32, 700);
@@ -250,7 +250,7 @@ TEST_CASE("a wave numbers its clocks and padding adds clocks at both ends of eac
     CHECK(vcd.number_at("frame_buffer.clock_number", (clock + 1) * period + period / 2) == clock);
 }
 
-TEST_CASE("padding ends at the start of the frame and at the largest clock number") {
+TEST_CASE("a window's padding ends at the frame's start and at the largest clock number") {
   const Folder folder;
   const Case one{"pixel-planes-4", "--size 24x16", {{12, 8}}, ""};
   compiled(one, folder / "p.csgt");
@@ -261,7 +261,7 @@ TEST_CASE("padding ends at the start of the frame and at the largest clock numbe
   CHECK(file.find("$dumpoff") == std::string::npos);
 }
 
-TEST_CASE("windows whose padding overlaps merge into one") {
+TEST_CASE("windows whose padding overlaps are merged into one") {
   const Folder folder;
   const Case apart{"pixel-planes-4", "--size 24x16", {{12, 8}}, ""};
   compiled(apart, folder / "p.csgt");
@@ -273,7 +273,7 @@ TEST_CASE("windows whose padding overlaps merge into one") {
   CHECK(content(folder / "w.vcd").find("$dumpoff") == std::string::npos);
 }
 
-TEST_CASE("the size of a file is proportional to its window") {
+TEST_CASE("the size of a waveform file is proportional to its window") {
   const Folder folder;
   const Case one{"pixel-planes-4", "--size 32x32", {{16, 16}}, ""};
   compiled(one, folder / "p.csgt");

@@ -57,7 +57,7 @@ class CellCheck {
   const std::uint32_t memory_bits_;
   const unsigned degree_;
   std::uint32_t f_bits_;
-  std::uint32_t x_bits_;  ///< also of y
+  std::uint32_t x_bits_;  ///< number of bits of the registers x and y
   std::uint32_t colour_bits_;
   bool is_cleared_ = false;
   std::optional<isa::Field> held_;   ///< the field from which the hold register was loaded

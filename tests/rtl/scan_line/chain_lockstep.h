@@ -39,7 +39,7 @@ class ChainLockstep {
   test::PlainChain plain_;
   std::unique_ptr<RtlChain> verilog_;
   std::uint32_t pixels_ = 0;
-  std::deque<test::PlainBeat> worked_;  ///< by cell: the beat in it during the previous clock
+  std::deque<test::PlainBeat> worked_;  ///< the beat in each cell during the previous clock
   std::vector<CellCheck> cells_;
   bool comparing_ = false;
   std::uint64_t clock_ = 0;  ///< clock within the current frames

@@ -18,7 +18,7 @@ machines::Machine chain_of_parameters();
 struct ChainRegisters {
   bool refresh_valid = false;
   std::uint32_t refresh_colour = 0;
-  Vector next_f;  ///< as received by the next cell
+  Vector next_f;  ///< words of F that the next cell receives
   Vector next_a;
   Vector next_aa;
   Vector carry;  ///< carry of the running sum

@@ -128,7 +128,7 @@ TEST_CASE("every ALU function matches its truth table on every vector target") {
   }
 }
 
-TEST_CASE("kernels count ones and find the blocks that contain any") {
+TEST_CASE("array kernels count ones and find the blocks that contain any") {
   Words plane(24);
   std::vector<std::uint8_t> flags(3, 1);
   CHECK(kernels::count_ones(plane.data(), plane.size()) == 0);

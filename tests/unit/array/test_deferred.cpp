@@ -209,12 +209,12 @@ void check(array::PlaneShape shape) {
 
 }  // namespace
 
-TEST_CASE("reads between deferred steps match steps executed immediately") {
+TEST_CASE("reads of an array between deferred steps match immediate execution") {
   for (const array::PlaneShape shape : {array::PlaneShape{1, 1}, {5, 9}, {64, 20}, {130, 9}, {512, 4}, {640, 3}})
     check(shape);
 }
 
-TEST_CASE("long-deferred steps execute without a read and later reads see them") {
+TEST_CASE("steps deferred for long execute without a read and are visible later") {
   Pair pair({512, 3}, 1);
   pair.step({.function = array::AluFunction::enable_all});
   pair.tree = {.token = {.bit = 5}, .a = 3, .b = 1};

@@ -131,7 +131,7 @@ TEST_CASE("back-to-back streams of any width give sums modulo 2^width at every p
   }
 }
 
-TEST_CASE("multi-bit streams and trees with fewer registers give the same sums") {
+TEST_CASE("trees with several bits per clock or fewer registers give the same sums") {
   for (const PlaneShape shape : shapes) {
     CAPTURE(shape.width);
     CAPTURE(shape.height);
@@ -142,13 +142,13 @@ TEST_CASE("multi-bit streams and trees with fewer registers give the same sums")
   }
 }
 
-TEST_CASE("streams one bit wide follow each other in every clock") {
+TEST_CASE("streams of one bit may follow each other in every clock") {
   std::vector<Expression> expressions;
   for (int i = 0; i < 100; ++i) expressions.push_back({.a = i & 1, .b = i >> 1, .c = i >> 2, .width = 1});
   CHECK(rc::check([&] { check_against_integers({33, 9}, expressions); }));
 }
 
-TEST_CASE("latency is ceil(log2 W) + ceil(log2 H) levels") {
+TEST_CASE("the trees' latency is ceil(log2 W) + ceil(log2 H) clocks") {
   CHECK(LinearEvaluator({1, 1}).latency() == 0);
   CHECK(LinearEvaluator({2, 1}).latency() == 1);
   CHECK(LinearEvaluator({1, 3}).latency() == 2);

@@ -69,7 +69,7 @@ isa::Instruction some_instruction() { return *csgsim::test::arbitrary_instructio
 
 }  // namespace
 
-TEST_CASE("an instruction has one bit step per clock of the table; only the last is marked") {
+TEST_CASE("an instruction has one bit step per clock of the table and marks only the last") {
   for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     CHECK(rc::check([reads = reads, alu_bits = alu_bits, tree_bits = tree_bits] {
       const isa::Instruction instruction = some_instruction();
@@ -86,7 +86,7 @@ TEST_CASE("an instruction has one bit step per clock of the table; only the last
   }
 }
 
-TEST_CASE("no step reads pixel memory more often than it has ports") {
+TEST_CASE("no bit step reads pixel memory more often than it has ports") {
   for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     CHECK(rc::check([reads = reads, alu_bits = alu_bits, tree_bits = tree_bits] {
       Sequencer sequencer(reads, alu_bits, tree_bits);
@@ -96,7 +96,7 @@ TEST_CASE("no step reads pixel memory more often than it has ports") {
   }
 }
 
-TEST_CASE("sends coefficients LSB first in two's complement with the bit's number") {
+TEST_CASE("coefficients are sent in two's complement from the least significant bit") {
   Sequencer sequencer(1, 1, 1);
   sequencer.begin({.opcode = isa::Opcode::edge_negative, .linear = {.a = -2, .b = 5, .c = 1, .width = 4}});
   for (unsigned j = 0; j < 4; ++j) {
@@ -110,7 +110,7 @@ TEST_CASE("sends coefficients LSB first in two's complement with the bit's numbe
   CHECK_FALSE(sequencer.busy());
 }
 
-TEST_CASE("wide trees receive several bits per clock and the remainder in the last") {
+TEST_CASE("trees of several bits receive full groups of bits and the remainder last") {
   Sequencer sequencer(1, 8, 3);
   // -2 is 1110 in four bits, 5 is 0101 and 1 is 0001.
   sequencer.begin({.opcode = isa::Opcode::edge_negative, .linear = {.a = -2, .b = 5, .c = 1, .width = 4}});
@@ -123,7 +123,7 @@ TEST_CASE("wide trees receive several bits per clock and the remainder in the la
   CHECK(second.last);
 }
 
-TEST_CASE("processes each bit of F in the clock in which it arrives") {
+TEST_CASE("pixels process each bit of F in the clock in which it arrives") {
   // Bits 0 to 2 of F are its fraction, bits 3 to 6 align with the field, bits 7 to 10 are beyond it, and bit 11 is the
   // sign.
   const isa::Instruction instruction{
@@ -154,7 +154,7 @@ TEST_CASE("processes each bit of F in the clock in which it arrives") {
                                                 .sign = sign_enable}});
 }
 
-TEST_CASE("each bit of F gets the same function and address for any tree width") {
+TEST_CASE("each bit of F has the same ALU function and address for any tree width") {
   for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     CHECK(rc::check([reads = reads, alu_bits = alu_bits, tree_bits = tree_bits] {
       const isa::Instruction instruction = some_instruction();
@@ -277,7 +277,7 @@ TEST_CASE("a constant's steps write each bit of the field once and in order") {
   }
 }
 
-TEST_CASE("a comparison starts its carry at the first bit and decides at the last") {
+TEST_CASE("a comparison sets its carry at the first bit and changes E at the last") {
   for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     Sequencer sequencer(reads, alu_bits, tree_bits);
     sequencer.begin({.opcode = isa::Opcode::field_lt, .fields = {isa::Field{0, 9}, isa::Field{9, 9}}});
@@ -294,7 +294,7 @@ TEST_CASE("a comparison starts its carry at the first bit and decides at the las
   }
 }
 
-TEST_CASE("a sum carries through the target and reads only existing source bits") {
+TEST_CASE("a sum carries through its target and reads only existing bits of its source") {
   for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     Sequencer sequencer(reads, alu_bits, tree_bits);
     sequencer.begin({.opcode = isa::Opcode::add, .fields = {isa::Field{3, 9}, isa::Field{59, 5}}});

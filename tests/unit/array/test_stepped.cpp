@@ -161,7 +161,7 @@ TEST_CASE("stepped trees of selected pixels match those of the whole array") {
   }
 }
 
-TEST_CASE("streams of every width pass trees of every depth and bits per clock") {
+TEST_CASE("stepped trees pass streams of any width for any depth and bits per clock") {
   std::vector<std::uint16_t> every(widest);
   std::iota(every.begin(), every.end(), std::uint16_t{1});
   for (const unsigned degree : {1U, 2U}) {
@@ -184,7 +184,7 @@ TEST_CASE("streams of every width pass trees of every depth and bits per clock")
   }
 }
 
-TEST_CASE("pixels driven with bits match pixels driven with coefficients") {
+TEST_CASE("pixels given the bits of F match pixels given its coefficients") {
   CHECK(rc::check([] {
     constexpr std::uint32_t memory_bits = 40;
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 140U), *rc::gen::inRange(1U, 30U), memory_bits};

@@ -71,7 +71,7 @@ TEST_CASE("rejects impossible file names before anything is written") {
   CHECK(scratch.files() == 0);
 }
 
-TEST_CASE("rejects a read-only output even if its directory is writable") {
+TEST_CASE("rejects a read-only output file even if its directory is writable") {
   const Scratch scratch;
   write_file(scratch / "a", "kept");
   fs::permissions(scratch / "a", fs::perms::owner_read | fs::perms::others_read);
@@ -88,7 +88,7 @@ TEST_CASE("rejects a read-only output even if its directory is writable") {
   CHECK(content(scratch / "a") == "kept");
 }
 
-TEST_CASE("detects outputs that are the same file as an input or another output") {
+TEST_CASE("rejects an output that is the same file as an input or another output") {
   const Scratch scratch;
   const fs::path model = scratch / "m.csg";
   write_file(model, "cube();");

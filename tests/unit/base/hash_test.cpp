@@ -6,7 +6,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("computes FNV-1a of the bytes") {
+TEST_CASE("Hash computes FNV-1a of the bytes") {
   // Values from appendix C of draft-eastlake-fnv.
   Hash nothing;
   CHECK(nothing.value() == 0xcbf29ce484222325ULL);
@@ -18,7 +18,7 @@ TEST_CASE("computes FNV-1a of the bytes") {
   CHECK(word.value() == 0x85944171f73967e8ULL);
 }
 
-TEST_CASE("hashes words as their bytes in little-endian order") {
+TEST_CASE("Hash hashes words as their bytes in little-endian order") {
   CHECK(rc::check([] {
     const auto words = *rc::gen::container<std::vector<std::uint32_t>>(
         rc::gen::apply([](std::uint32_t word, unsigned bits) { return bits == 0 ? 0U : word >> (32U - bits); },

@@ -8,7 +8,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("work continues while no stop is requested") {
+TEST_CASE("work continues until a stop is requested") {
   CHECK_NOTHROW(end_if_interrupted());
   std::stop_source source;
   const Interruptible interruptible(source.get_token());
@@ -16,7 +16,7 @@ TEST_CASE("work continues while no stop is requested") {
   CHECK_NOTHROW(Work(10).charge(1, "nothing"));
 }
 
-TEST_CASE("limited and unlimited work end at the next step after a stop request") {
+TEST_CASE("both limited and unlimited work end at the next step after a stop request") {
   std::stop_source source;
   const Interruptible interruptible(source.get_token());
   source.request_stop();

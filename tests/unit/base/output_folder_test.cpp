@@ -62,7 +62,7 @@ std::set<std::string> texts_in(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("writes new or empty directories and those that it wrote before") {
+TEST_CASE("output goes into new or empty directories and replaces earlier output") {
   const Scratch scratch;
   fs::create_directory(scratch / "empty");
   for (const char* const name : {"new", "empty", "in/another", "slash/"}) {
@@ -76,7 +76,7 @@ TEST_CASE("writes new or empty directories and those that it wrote before") {
   CHECK(scratch.files() == 4);
 }
 
-TEST_CASE("a symbolic link to a directory stays a link") {
+TEST_CASE("an output folder that is a symbolic link stays a link") {
   const Scratch scratch;
   fs::create_directory(scratch / "folder");
   fs::create_directory_symlink("folder", scratch / "link");
@@ -86,7 +86,7 @@ TEST_CASE("a symbolic link to a directory stays a link") {
   CHECK(scratch.files() == 2);
 }
 
-TEST_CASE("rejects a directory with foreign files and leaves it unchanged") {
+TEST_CASE("an output folder with foreign files is rejected and unchanged") {
   const Scratch scratch;
   put(scratch / "d/Makefile", "mine");
   const std::string why = refusal(scratch / "d");
@@ -99,7 +99,7 @@ TEST_CASE("rejects a directory with foreign files and leaves it unchanged") {
   CHECK(scratch.files() == 2);
 }
 
-TEST_CASE("rejects the current directory and its parents even if they are empty") {
+TEST_CASE("the current directory and its parents are rejected as output even if empty") {
   const Scratch scratch;
   fs::create_directories(scratch / "d/e");
   const Within within(scratch / "d/e");
@@ -111,7 +111,7 @@ TEST_CASE("rejects the current directory and its parents even if they are empty"
   CHECK(refusal("../beside").empty());
 }
 
-TEST_CASE("rejects a directory with an edited file") {
+TEST_CASE("an output folder with an edited file is rejected") {
   const Scratch scratch;
   write(scratch / "d", "old");
   put(scratch / "d/in/2", "edited");
@@ -121,7 +121,7 @@ TEST_CASE("rejects a directory with an edited file") {
   CHECK(scratch.files() == 1);
 }
 
-TEST_CASE("keeps files added by others and removes files that are no longer written") {
+TEST_CASE("an output folder loses its outdated files and keeps files that others added") {
   const Scratch scratch;
   write(scratch / "d", "old");
   put(scratch / "d/made", "made");
@@ -136,13 +136,13 @@ TEST_CASE("keeps files added by others and removes files that are no longer writ
   CHECK(scratch.files() == 1);
 }
 
-TEST_CASE("an uncommitted directory leaves no files") {
+TEST_CASE("an output folder that is not committed leaves no files") {
   const Scratch scratch;
   { OutputFolder(scratch / "d").write("in/1", "text"); }
   CHECK(scratch.files() == 0);
 }
 
-TEST_CASE("a killed process leaves the old or the new directory complete") {
+TEST_CASE("a killed process leaves either the old or the new output folder complete") {
   const Scratch scratch;
   write(scratch / "d", "a");
   for (int trial = 0; trial < 40; ++trial) {

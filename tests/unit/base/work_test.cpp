@@ -4,14 +4,14 @@
 
 using namespace csgsim;
 
-TEST_CASE("unlimited work is never refused and not counted") {
+TEST_CASE("an unlimited Work object accepts every charge and counts none") {
   const Work work;
   work.charge(~std::uint64_t{0}, "counting");
   work.charge(~std::uint64_t{0}, "counting");
   CHECK(work.done() == 0);
 }
 
-TEST_CASE("work is accepted up to its limit and the error names the refused activity") {
+TEST_CASE("Work accepts charges up to its limit and names the activity that exceeds it") {
   const Work work(2'500'000);
   work.charge(2'000'000, "counting");
   work.charge(500'000, "counting");
@@ -21,13 +21,13 @@ TEST_CASE("work is accepted up to its limit and the error names the refused acti
         "the model, or raise --limit");
 }
 
-TEST_CASE("a charge that would overflow the sum exceeds the limit") {
+TEST_CASE("Work rejects a charge that would overflow its sum") {
   const Work work(10);
   work.charge(5, "counting");
   CHECK_THROWS_AS(work.charge(~std::uint64_t{0}, "counting"), WorkError);
 }
 
-TEST_CASE("every charge after the limit was exceeded is refused") {
+TEST_CASE("Work rejects every charge after its limit was exceeded") {
   const Work work(10);
   CHECK_THROWS_AS(work.charge(11, "counting"), WorkError);
   CHECK_THROWS_AS(work.charge(1, "counting"), WorkError);

@@ -20,7 +20,7 @@ TEST_CASE("the median of an even count is the mean of the two middle values") {
   CHECK_THROWS_AS(bench::median({}), std::invalid_argument);
 }
 
-TEST_CASE("measures all candidates in turn for the given rounds or until time is up") {
+TEST_CASE("bench measures candidates in turns for the given rounds or until time is up") {
   std::string order;
   double slower = 0;
   const std::array<bench::Timed, 2> all{[&] {
@@ -38,7 +38,7 @@ TEST_CASE("measures all candidates in turn for the given rounds or until time is
   CHECK(order == "ab");
 }
 
-TEST_CASE("measures another build next to each candidate and reports the ratio per round") {
+TEST_CASE("bench measures another build after each candidate and reports ratios per round") {
   std::string order;
   // Both take twice as long in every second round.
   const auto timed = [&](char name, double seconds) -> bench::Timed {
@@ -63,7 +63,7 @@ TEST_CASE("measures another build next to each candidate and reports the ratio p
   CHECK_FALSE(alone[0].other);
 }
 
-TEST_CASE("finds the exponent of a power law for any factor") {
+TEST_CASE("exponent() finds the exponent of a power law for any factor") {
   for (const double power : {-1.0, 0.0, 0.5, 2.0}) {
     std::vector<bench::Point> points;
     for (const double x : {1.0, 3.0, 10.0, 80.0}) points.push_back({x, 7 * std::pow(x, power)});
@@ -73,7 +73,7 @@ TEST_CASE("finds the exponent of a power law for any factor") {
   }
 }
 
-TEST_CASE("every report omits exponents from fewer than three sizes") {
+TEST_CASE("reports of bench omit exponents fitted to fewer than three sizes") {
   CHECK(!bench::exponent(std::array<bench::Point, 2>{{{1, 1}, {2, 3}}}));
   CHECK(!bench::exponent(std::array<bench::Point, 3>{{{1, 1}, {2, 3}, {2, 4}}}));
   bench::Results results;
@@ -94,7 +94,7 @@ TEST_CASE("every report omits exponents from fewer than three sizes") {
   CHECK(points[1].y == doctest::Approx(30));  // milliseconds
 }
 
-TEST_CASE("generated models have the stated number of half-spaces") {
+TEST_CASE("models generated for bench have the stated number of half-spaces") {
   const auto scene_of = [](const std::string& text) { return facet::make_geometry(read::read_csg_text(text, "made")); };
   for (const unsigned fragments : {8U, 31U, 32U}) {
     const facet::Geometry sphere = scene_of(bench::drilled_sphere(fragments));
@@ -113,7 +113,7 @@ TEST_CASE("generated models have the stated number of half-spaces") {
   CHECK(scene_of(bench::deep_tree(50)).solids.size() == 50);
 }
 
-TEST_CASE("distinguishes finished processes from missing and failed programs") {
+TEST_CASE("bench distinguishes finished processes from missing and failed programs") {
   const std::array<std::string, 2> sleeps{"sleep", "0.1"};
   const std::optional<bench::Took> took = bench::run_process(sleeps);
   REQUIRE(took);

@@ -8,7 +8,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("a replay does the functional level's work and its stretches sum to it") {
+TEST_CASE("the stretches of a replay add up to the work of the functional level") {
   for (const std::string name : {"thesis_fig_2_3", "old_example002_lines", "thesis_fig_2_3_squares"}) {
     CAPTURE(name);
     const isa::Program program = isa::load_program(std::string(CSGSIM_SOURCE_DIR) + "/traces/" + name + ".csgt");
@@ -38,7 +38,7 @@ TEST_CASE("makespan() assigns each job to the first free thread") {
   CHECK(bench::makespan({}, 2) == 0);
 }
 
-TEST_CASE("threads that share tiles synchronise at each stretch") {
+TEST_CASE("threads that share tiles synchronise after each stretch of instructions") {
   const auto stretch = [](std::uint32_t segment, std::vector<double> seconds) {
     bench::StretchShares shares{segment, {}};
     for (const double each : seconds) shares.tiles.push_back({1, 0, 1, 0, each});

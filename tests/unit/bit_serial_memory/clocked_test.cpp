@@ -276,7 +276,7 @@ TEST_CASE("an empty frame shows the background and takes no scan-out clocks") {
   }
 }
 
-TEST_CASE("rejects a Program of another picture size or with more pixel memory") {
+TEST_CASE("a memory rejects a Program of another picture size or with more pixel memory") {
   const ClockedMemory& memory = testing::smallest_memory();
   const isa::Program fitting = short_program(memory.machine, {{.opcode = isa::Opcode::enable_all}});
   systemc::RunListener no_listener;
@@ -296,7 +296,7 @@ TEST_CASE("rejects a Program of another picture size or with more pixel memory")
   CHECK(refusal({8, 9, 8}) == refused);
 }
 
-TEST_CASE("propagates an exception of a listener and draws the next frame correctly") {
+TEST_CASE("a listener's exception leaves the run of a memory and the next frame is correct") {
   class Thrower final : public systemc::RunListener {
    public:
     void after_instruction(const systemc::Retired& /*retired*/, const systemc::PixelView& /*pixels*/) override {

@@ -152,7 +152,7 @@ TEST_CASE("sense-amplifier sums and bitwise operations take PIMeval's counts") {
   }
 }
 
-TEST_CASE("a sense-amplifier comparison takes 2n + 2 logic commands; PIMeval 3n + 2") {
+TEST_CASE("a sense-amplifier comparison takes 2n + 2 logic commands and PIMeval's 3n + 2") {
   for (const unsigned n : widths) {
     CHECK(reads_of(commands_of(Design::latches, [&](ColumnLogic& logic) { compare(logic, n); })) ==
           Reads{2 * n, 1, 2 * n + 2});

@@ -97,14 +97,14 @@ TEST_CASE("a product adds the coefficient once per coordinate bit if that is che
   CHECK(terms_of(2, three, 2) == std::vector{plus(1, three)});
 }
 
-TEST_CASE("a product with zero has no terms") {
+TEST_CASE("a product with a coefficient of zero has no terms") {
   CHECK(terms_of(0, three, 8).empty());
   CHECK(terms_of(256, three, 8).empty());
   CHECK(terms_of(5, {}, 8).empty());
   CHECK(Term{} == Term{0, false, {}, 0, 0});
 }
 
-TEST_CASE("the trees supply the fraction and all tested bits in order") {
+TEST_CASE("the trees supply the fraction bits and the tested bits of F in order") {
   using isa::Opcode;
   for (const MicroDesign& design : designs_with(Expressions::trees)) {
     CAPTURE(fmt::format("{} {}", static_cast<int>(design.design), design.enable_latch));
@@ -124,7 +124,7 @@ TEST_CASE("the trees supply the fraction and all tested bits in order") {
   }
 }
 
-TEST_CASE("expressions from rows or host planes use no leaves and no fraction bits") {
+TEST_CASE("expressions from rows or from the host take no bits from the trees") {
   for (const Expressions expressions : {Expressions::rows, Expressions::planes}) {
     for (const MicroDesign& design : designs_with(expressions)) {
       CHECK(leaf_bits(design, isa::Opcode::keep_max).empty());
@@ -149,7 +149,7 @@ TEST_CASE("an edge test from rows stores only the sign of the last addition") {
   CHECK(writes == 2);  // the sign and E
 }
 
-TEST_CASE("a clear writes each row of pixel memory and E once") {
+TEST_CASE("clearing a memory writes each row of pixel memory and of E once") {
   for (const bit_serial_memory::Design design :
        {bit_serial_memory::Design::and_or_not, bit_serial_memory::Design::majority}) {
     const RowCommands commands = clear_program(RowMap(40, 9, 7), {.design = design});
@@ -161,7 +161,7 @@ TEST_CASE("a clear writes each row of pixel memory and E once") {
   CHECK(testing::count_of(RowOp::logic, commands) == 42);
 }
 
-TEST_CASE("a field is sent to the host row by row from the lowest bit") {
+TEST_CASE("a field is sent to the host row by row from its lowest bit") {
   const RowCommands commands = bit_serial_memory::send_program({17, 3});
   REQUIRE(commands.size() == 3);
   for (unsigned bit = 0; bit < 3; ++bit) {
@@ -196,7 +196,7 @@ TEST_CASE("auxiliary rows follow pixel memory without overlap") {
   CHECK(rows.size() == map.rows() - 256);
 }
 
-TEST_CASE("columns are numbered with the fewest possible bits") {
+TEST_CASE("columns of a memory are numbered with the fewest possible bits") {
   using bit_serial_memory::count_bits;
   CHECK(count_bits(1) == 0);
   CHECK(count_bits(2) == 1);

@@ -98,7 +98,7 @@ TEST_CASE("the timing and shape of the memories match DRAMsim3's DDR4 file") {
   }
 }
 
-TEST_CASE("the energies of the memories follow from the currents of that file") {
+TEST_CASE("the energies of the memories follow from the currents in DRAMsim3's DDR4 file") {
   const double tras = Sheet::ras / clocks_per_ns;  // ns
   const double trp = Sheet::rp / clocks_per_ns;
   const double activation =
@@ -119,7 +119,7 @@ TEST_CASE("the energies of the memories follow from the currents of that file") 
   }
 }
 
-TEST_CASE("the remaining parameters of the memories match their designs") {
+TEST_CASE("the other parameters of the memories match the documented designs") {
   for (const std::string& name : names) {
     CAPTURE(name);
     const machines::Machine machine = kinds::load(name);
@@ -147,7 +147,7 @@ TEST_CASE("the remaining parameters of the memories match their designs") {
   CHECK(figures_of(kinds::load("digital-bit-serial-ddr4")).design == bit_serial_memory::Design::latches);
 }
 
-TEST_CASE("charges a command for its work in each slot") {
+TEST_CASE("an account charges a command for its work in each slot") {
   const WordLine row{3, false};
   CHECK(work_of({.op = RowOp::copy, .from = WordLines(row), .to = WordLines(row)}) == Work{.activations = 8});
   CHECK(work_of({.op = RowOp::copy, .from = WordLines(row, row, row), .to = WordLines(row, row)}) ==
@@ -165,7 +165,7 @@ TEST_CASE("charges a command for its work in each slot") {
   CHECK(work_of({.op = RowOp::wired_or}) == Work{});
 }
 
-TEST_CASE("a frame's energy sums its work over all chips and columns") {
+TEST_CASE("a frame's energy is that of its work in all chips and columns") {
   const Work work{
       .activations = 1000, .further_rows = 500, .logic = 300, .leaves = 200, .transferred_bits = 4096, .refreshes = 3};
   // 1.2 million clocks are 1 ms.
@@ -224,7 +224,7 @@ TEST_CASE("an account reports the work of the frame and its energies") {
   CHECK(account.shares[1].part == 7);
 }
 
-TEST_CASE("work and energy are zero before a frame begins") {
+TEST_CASE("the account of a memory is zero before a frame begins") {
   const Work work;
   for (const std::uint64_t commands : work.commands) CHECK(commands == 0);
   CHECK(work.activations + work.further_rows + work.logic + work.leaves + work.transferred_bits + work.refreshes == 0);
@@ -237,7 +237,7 @@ TEST_CASE("work and energy are zero before a frame begins") {
   CHECK(bit_serial_memory::energy_of(work, 0, kinds::load("simdram-ddr4")).sum() == 0);
 }
 
-TEST_CASE("a default memory has minimum sizes and delays") {
+TEST_CASE("default-constructed figures of a memory have minimum sizes and delays") {
   const Figures figures;
   CHECK(figures.design == bit_serial_memory::Design::latches);
   CHECK(figures.expressions == bit_serial_memory::Expressions::rows);
@@ -266,7 +266,7 @@ TEST_CASE("a default memory has minimum sizes and delays") {
   CHECK_FALSE(design.has_wired_or);
 }
 
-TEST_CASE("a row transfer is limited by the narrower of chip bus and host unit") {
+TEST_CASE("a row transfer is limited by the chip bus or the host's unit if that is narrower") {
   Figures figures;
   figures.bus_bits = 16;
   figures.chips = 8;
@@ -302,7 +302,7 @@ TEST_CASE("slots use the columns of all chips and are assigned to banks in turn"
 
 // 512 x 512 pixels are 4 slots in separate banks: commands begin at 0, 4, 8 and 12 (tRRD). One clock to accept the
 // instruction comes first.
-TEST_CASE("single instructions take the clocks calculated by hand") {
+TEST_CASE("single instructions of a memory take the hand-calculated clocks") {
   // LOGIC, LOGIC, and WRITE from clock 8, in the last bank from 20; closing it takes 39 + 17.
   CHECK(clocks_of("digital-bit-serial-ddr4", isa::Opcode::enable_all) == 1 + 20 + 39 + 17);
   // AAP activates twice, at 0 and 5, 9 and 14. Only four activations fit in 26 clocks, so the next are at 26 and 31, 35
@@ -319,15 +319,15 @@ TEST_CASE("single instructions take the clocks calculated by hand") {
   CHECK(clocks_of("digital-bit-serial-ddr4+logic.enable=1", isa::Opcode::enable_invert) == 1 + 4);
 }
 
-TEST_CASE("a one-instruction frame takes hand-calculated clocks") {
+TEST_CASE("a frame of one instruction on a memory takes the hand-calculated clocks") {
   isa::Program program;
   program.shape = {512, 512, 256};
   program.segments.push_back({.region = {0, 0, 512, 512}, .instructions = {instruction(isa::Opcode::enable_all)}});
   const auto clocks = [&](const std::string& change) {
     return machines::time_frame(program, kinds::load("digital-bit-serial-ddr4" + change)).clocks;
   };
-  // After 40 clocks come two words of 64 bits (an opcode of 6 bits and a region of 4 * 16), which are accepted a clock
-  // later. The word of the instruction overlaps with them.
+  // Two words of 64 bits arrive after 40 clocks (an opcode of 6 bits and a region of 4 * 16), which are accepted a
+  // clock later. The word of the instruction overlaps with them.
   constexpr std::uint64_t link = 40 + 2 + 1;
   // The first bank executes SET0 and WRITE for each of 256 bits, then SET0, MOVE and WRITE for E. A bit takes 4 + 56
   // clocks; the last bank ends 12 clocks later.
@@ -338,7 +338,7 @@ TEST_CASE("a one-instruction frame takes hand-calculated clocks") {
   CHECK(clocks("") == link + clear + 420 + enable);
 }
 
-TEST_CASE("a smaller picture takes the clocks and timeline of only its own slots") {
+TEST_CASE("a smaller picture takes only the clocks of the slots that it occupies") {
   isa::Program program;
   program.shape = {64, 64, 256};
   program.segments.push_back({.region = {0, 0, 64, 64}, .instructions = {instruction(isa::Opcode::enable_all)}});

@@ -97,7 +97,7 @@ double clocks_of(const std::string& machine, const std::vector<isa::Instruction>
 
 }  // namespace
 
-TEST_CASE("a frame's clocks lie within bounds from published counts and timing") {
+TEST_CASE("a frame's clocks on a memory are within bounds from published counts") {
   const Timing simdram = timing_of("simdram-ddr4");
   const Timing digital = timing_of("digital-bit-serial-ddr4");
   for (std::uint16_t n = 4; n <= 32; n += 7) {

@@ -54,7 +54,7 @@ Instruction of_constant(Opcode opcode, std::uint64_t constant) {
 
 }  // namespace
 
-TEST_CASE("instructions on E take the sum of the gates of their steps") {
+TEST_CASE("an instruction on E takes the sum of the gates of its steps") {
   // A bit is read and becomes E; E is moved and written back.
   CHECK(gates_of(of_fields(Opcode::enable_load)) == Gates{1, 1 + 1, 1});
   // E is read and moved to its latch before it is combined.
@@ -71,7 +71,7 @@ TEST_CASE("instructions on E take the sum of the gates of their steps") {
   CHECK(gates_of(of_fields(Opcode::enable_store), true) == Gates{0, 1, 1});
 }
 
-TEST_CASE("instructions on fields take gates per bit and access E once") {
+TEST_CASE("instructions on fields take gates for each bit and access E once") {
   constexpr std::size_t kept = 2;  // gates of a masked write
   CHECK(gates_of(of_constant(Opcode::set_constant, 9)) == Gates{1 + n, 1 + (1 + kept) * n, n});
   CHECK(gates_of(of_fields(Opcode::copy)) == Gates{1 + 2 * n, 1 + kept * n, n});
@@ -123,7 +123,7 @@ TEST_CASE("row expressions sum from the top digit and store only the last sign")
   CHECK(gates_of(none).writes == 1);
 }
 
-TEST_CASE("a query sends E to the host or waits for the wired OR") {
+TEST_CASE("a query on a memory sends E to the host or waits for the wired OR") {
   const Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
   for (const Design design : {Design::and_or_not, Design::majority, Design::latches}) {
     CAPTURE(fmt::format("{}", static_cast<int>(design)));

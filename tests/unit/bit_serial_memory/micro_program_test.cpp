@@ -48,7 +48,7 @@ void require_equal(const Columns& columns, const reference::ReferenceArray& pixe
 TEST_CASE("row commands of any instruction match the reference in every column") {
   for (const bit_serial_memory::MicroDesign& design : testing::all_designs()) {
     CAPTURE(name_of(design));
-    CHECK(rc::check("of " + name_of(design), [&] {
+    CHECK(rc::check("the commands match the reference on " + name_of(design), [&] {
       const isa::Instruction instruction = *test::arbitrary_instruction(shape, shape.memory_bits, 1);
       RC_LOG(std::string(isa::name_of(instruction.opcode)));
       reference::ReferenceArray pixels = random_pixels(shape);
@@ -61,11 +61,11 @@ TEST_CASE("row commands of any instruction match the reference in every column")
   }
 }
 
-TEST_CASE("roots of every width match the reference in every design") {
+TEST_CASE("roots of every width match the reference on every design of a memory") {
   constexpr isa::ArrayShape array{13, 5, 62};
   for (const bit_serial_memory::MicroDesign& design : testing::all_designs()) {
     CAPTURE(name_of(design));
-    CHECK(rc::check("of " + name_of(design), [&] {
+    CHECK(rc::check("the commands match the reference on " + name_of(design), [&] {
       const auto width = static_cast<std::uint16_t>(2 * *rc::gen::inRange(1, 31) + 1);
       const auto base = static_cast<std::uint16_t>(*rc::gen::inRange(0, 63 - width));
       const isa::Instruction root{.opcode = isa::Opcode::root, .fields = {{{base, width}}}};

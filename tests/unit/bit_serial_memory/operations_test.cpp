@@ -321,7 +321,7 @@ TEST_CASE("random operation sequences match the reference in each design") {
   }
 }
 
-TEST_CASE("loads the write latch once per mask and again after the mask changed") {
+TEST_CASE("the write latch is loaded once per mask and again after the mask changed") {
   for (const Design design : {Design::and_or_not, Design::majority}) {
     const auto latches = [&](const auto& make) {
       return testing::count_of(RowOp::latch, commands_of(design, true, make));
@@ -349,7 +349,7 @@ TEST_CASE("loads the write latch once per mask and again after the mask changed"
   }
 }
 
-TEST_CASE("latched stores take one command and one more for a complement") {
+TEST_CASE("a store through a latch takes one command and one more for a complement") {
   for (const Design design : {Design::and_or_not, Design::majority}) {
     const auto count = [&](Bit value, bool inverted) {
       return commands_of(design, true, [&](ColumnLogic& logic) { logic.store(1, value, Mask::enable, inverted); })
@@ -362,7 +362,7 @@ TEST_CASE("latched stores take one command and one more for a complement") {
   }
 }
 
-TEST_CASE("reads a held row once until the row or its latch is written") {
+TEST_CASE("a row held in a latch is read once until the row or the latch is written") {
   const auto reads = [](bool enable_latch, const auto& make) {
     return testing::count_of(RowOp::read, commands_of(Design::latches, enable_latch, make));
   };
@@ -407,7 +407,7 @@ TEST_CASE("reads a held row once until the row or its latch is written") {
         }) == 1 + 1 + 2 + 2);
 }
 
-TEST_CASE("a Bit sets only the fields of its kind") {
+TEST_CASE("a Bit sets only the members of its kind") {
   CHECK(Bit::of_row(3) == Bit{Bit::Kind::row, 3, false, 0});
   CHECK(Bit::constant(true) == Bit{Bit::Kind::constant, 0, true, 0});
   CHECK(Bit::constant(false) == Bit{});

@@ -235,7 +235,7 @@ TEST_CASE("refreshes delay row commands as in a reference rank") {
   }
 }
 
-TEST_CASE("takes correct clocks after its table of states is full") {
+TEST_CASE("a rank computes correct clocks after its table of states is full") {
   Random random(5);
   Figures figures = random.figures();
   figures.banks = 3;
@@ -256,7 +256,7 @@ TEST_CASE("takes correct clocks after its table of states is full") {
   }
 }
 
-TEST_CASE("due refreshes run one after the other before a command begins") {
+TEST_CASE("due refreshes of a rank run one after the other before a command begins") {
   Figures figures;
   figures.rank.refresh_interval = 100;
   figures.rank.refresh = 40;
@@ -290,7 +290,7 @@ TEST_CASE("due refreshes run one after the other before a command begins") {
   CHECK(never.refreshes() == 0);
 }
 
-TEST_CASE("row commands have their activation counts and refresh restrictions") {
+TEST_CASE("each row command has its number of activations and refresh restriction") {
   struct Row {
     RowOp op;
     std::string name;

@@ -64,7 +64,7 @@ std::string refusal(const std::string& changes) {
 
 }  // namespace
 
-TEST_CASE("each parameter accepts its minimum and maximum and rejects values beyond") {
+TEST_CASE("each parameter of a memory accepts its limits and rejects values beyond") {
   testing::check_figure_ranges("digital-bit-serial-ddr4", ranges,
                                [](const std::string& machine) { return kinds::load(machine); });
   CHECK(refusal("+chips.rows=65536") == "");
@@ -75,7 +75,7 @@ TEST_CASE("each parameter accepts its minimum and maximum and rejects values bey
   CHECK(kinds::load("digital-bit-serial-ddr4").kind->schema.size() == ranges.size() + 1 + 3);
 }
 
-TEST_CASE("ideal parameters impose no limit and other parameters cannot be ideal") {
+TEST_CASE("ideal parameters of a memory impose no limit and others cannot be ideal") {
   for (const std::string key : {"host.plane_bits", "timing.window", "timing.refresh_interval", "controller.queue",
                                 "link.width", "link.latency", "host.processor"}) {
     CAPTURE(key);
@@ -95,7 +95,7 @@ TEST_CASE("ideal parameters impose no limit and other parameters cannot be ideal
   }
 }
 
-TEST_CASE("refreshes must leave more than half of the time") {
+TEST_CASE("rejects a memory whose refreshes take half of the time or more") {
   CHECK(refusal("+timing.refresh_interval=841") == "");  // tRFC 420
   CHECK(refusal("+timing.refresh_interval=840").find("timing.refresh_interval") != std::string::npos);
   CHECK(refusal("+timing.refresh=4679") == "");  // tREFI 9360
@@ -103,14 +103,14 @@ TEST_CASE("refreshes must leave more than half of the time") {
   CHECK(refusal("+timing.refresh=4680+timing.refresh_interval=ideal") == "");
 }
 
-TEST_CASE("rows of x and y support only expressions of degree 1") {
+TEST_CASE("rejects squares on a memory with rows of x and y") {
   CHECK(refusal("+evaluator.degree=2").find("set evaluator.degree to 1, or logic.expressions to trees") !=
         std::string::npos);
   CHECK(refusal("+evaluator.degree=2+logic.expressions=planes") == "");
   CHECK(refusal("+evaluator.degree=2+logic.expressions=trees") == "");
 }
 
-TEST_CASE("pixel memory and the auxiliary rows must fit in a subarray") {
+TEST_CASE("rejects a memory whose pixel memory and auxiliary rows exceed a subarray") {
   // 256 rows of memory, 15 + 62 + 40 auxiliary rows, and 9 each for x and y.
   CHECK(refusal("+chips.rows=391") == "");
   CHECK(refusal("+chips.rows=390")
@@ -122,7 +122,7 @@ TEST_CASE("pixel memory and the auxiliary rows must fit in a subarray") {
   CHECK(refusal("+chips.rows=391+picture.height=513").find("need 392 rows") != std::string::npos);
 }
 
-TEST_CASE("a picture must fit in the subarrays of all banks") {
+TEST_CASE("rejects a picture that exceeds the subarrays of all banks") {
   // 262,144 pixels in rows of 8,192 need 32 subarrays.
   CHECK(refusal("+chips.count=1+chips.banks=1+chips.subarrays=32") == "");
   CHECK(
@@ -140,7 +140,7 @@ TEST_CASE("a picture must fit in the subarrays of all banks") {
                        InputError);
 }
 
-TEST_CASE("a memory has one processor per pixel with its bits of pixel memory") {
+TEST_CASE("a memory that computes has one processor per pixel of the picture") {
   const machines::Machine machine = kinds::load("digital-bit-serial-ddr4+picture.width=300+array.memory_bits=100");
   const machines::Resources resources = machine.kind->resources(machine, {});
   CHECK(resources.processors == 300 * 512);
@@ -148,7 +148,7 @@ TEST_CASE("a memory has one processor per pixel with its bits of pixel memory") 
   CHECK(machine.kind->regions(machine) == std::vector<isa::Region>{{0, 0, 300, 512}});
 }
 
-TEST_CASE("accepts Programs of its picture with no more memory than it has") {
+TEST_CASE("a memory accepts Programs of its picture size with at most its pixel memory") {
   const machines::Machine machine = kinds::load("digital-bit-serial-ddr4");
   CHECK(machine.kind->has_global_or(machine));
   isa::Program program;

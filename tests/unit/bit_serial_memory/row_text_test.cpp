@@ -111,7 +111,7 @@ void check_replay(const std::string& name) {
   machines::Machine machine = kinds::load(name + "+array.memory_bits=32");
   machines::set_picture_size(machine, {7, 6});
   isa::Program program = *test::arbitrary_program_in_parts(machine, 12, 1);
-  test::erase_questions(program.segments.front().instructions);
+  test::erase_queries(program.segments.front().instructions);
   std::ostringstream text;
   bit_serial_memory::print_row_commands(text, program, machine);
   Replay replay(7, 6);
@@ -133,11 +133,11 @@ void check_replay(const std::string& name) {
 TEST_CASE("replaying the text of row commands yields the Program's pixel memory") {
   for (const std::string name : {"ambit-ddr4", "simdram-ddr4", "digital-bit-serial-ddr4"}) {
     CAPTURE(name);
-    CHECK(rc::check("of " + name, [&] { check_replay(name); }));
+    CHECK(rc::check("the replay matches the reference on " + name, [&] { check_replay(name); }));
   }
 }
 
-TEST_CASE("prints row commands under a heading per instruction") {
+TEST_CASE("the text of row commands has a heading for each instruction") {
   machines::Machine machine = kinds::load("digital-bit-serial-ddr4+array.memory_bits=2");
   machines::set_picture_size(machine, {9, 7});
   isa::Program program;

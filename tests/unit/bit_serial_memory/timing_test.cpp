@@ -65,7 +65,7 @@ TEST_CASE("subarrays of a bank run in sequence but share their gate operations")
   CHECK(clocks(figures, 3, {read, logic, write}) == 3 * 55 + 4 + 3 * 55);
 }
 
-TEST_CASE("rows are sent to the host over a single bus") {
+TEST_CASE("rows of all banks are sent to the host over a single bus") {
   // 64 bits take 4 clocks, starting 32 clocks after the activation; then the row closes.
   CHECK(clocks(ddr4(), 1, {send}) == 32 + 4 + 19 + 16);
   CHECK(clocks(ddr4(), 3, {send}) == 32 + 3 * 4 + 19 + 16);

@@ -104,7 +104,7 @@ TEST_CASE("a frame with a jump takes hand-calculated clocks and work at both lev
   check_account(report.account);
 }
 
-TEST_CASE("the timeline of that frame and its loads match the hand calculation") {
+TEST_CASE("the timeline and work of a frame with a jump match the hand calculation") {
   const machines::Machine& machine = testing::smallest_memory().machine;
   const isa::Program program = frame();
   const machines::RunOutcome outcome{{&skip, 1}, {}};
@@ -123,7 +123,7 @@ TEST_CASE("the timeline of that frame and its loads match the hand calculation")
                        "scan-out holds the banks 292"});
 }
 
-TEST_CASE("a wave shows the states of all units in each clock") {
+TEST_CASE("a wave of a memory shows the states of all units in each clock") {
   const Recording wave(testing::smallest_memory(), frame(), {{3, 2}}, {0, shown});
   CHECK(changes_of(wave.of("host.state")) == Lines{"0 waiting", "10 sending", "16 blocked", "17 sending", "20 blocked",
                                                    "502 sending", "505 blocked", "507 sending", "510 blocked",
@@ -147,7 +147,7 @@ TEST_CASE("a wave shows the states of all units in each clock") {
         Lines{"0 0", "18 1", "502 0", "503 1", "507 0", "508 1", "512 0", "513 1", "537 0", "552 1"});
 }
 
-TEST_CASE("a wave shows no values of a pixel before its memory is cleared") {
+TEST_CASE("a wave of a memory shows a pixel's values only after the memory is cleared") {
   for (int frames = 0; frames < 2; ++frames) {
     const Recording wave(testing::smallest_memory(), frame(), {{3, 2}}, {0, shown});
     const std::vector<std::string>& enable = wave.of("pixel_3_2.enable");
@@ -162,7 +162,7 @@ TEST_CASE("a wave shows no values of a pixel before its memory is cleared") {
   }
 }
 
-TEST_CASE("a wave shows the requested pixels and has one tap per bank") {
+TEST_CASE("a wave of a memory shows the requested pixels and one tap per bank") {
   for (const ClockedMemory& memory : testing::clocked_memories()) {
     CAPTURE(memory.name);
     const machines::Size size = memory.machine.picture;

@@ -274,7 +274,7 @@ TEST_CASE("rejects a checkpoint of another Program or machine and ignores the na
   CHECK_NOTHROW(checkpoint::decode(bytes, "c", program, renamed));
 }
 
-TEST_CASE("rejects states that no run of the Program can reach") {
+TEST_CASE("a checkpoint with a state that no run of the Program reaches is rejected") {
   const isa::Program program = small_program();
   const machines::Machine machine = planes(program.shape);
   const checkpoint::Snapshot good = snapshot_at(5, program, machine);
@@ -301,7 +301,7 @@ TEST_CASE("rejects states that no run of the Program can reach") {
   CHECK(refused([](checkpoint::Snapshot& one) { ++one.stats.total.instructions; }));
 }
 
-TEST_CASE("a Program without segments is finished at once and can be checkpointed") {
+TEST_CASE("a run of a Program without segments ends at once and can be checkpointed") {
   isa::Program nothing;
   nothing.shape = {1, 1, 1};
   const machines::Machine machine = planes(nothing.shape);

@@ -11,7 +11,7 @@ std::string fault_of(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("rejects invalid commands with their position and a fix") {
+TEST_CASE("an invalid command in a .jan file is rejected with its position and a fix") {
   CHECK(fault_of("") == "a.jan: the file defines no solid; add a line such as `Object = block 1 2 3`");
   CHECK(fault_of("A = block 1 2") == "a.jan:1:14: expected a block's length along z, found the end of the line");
   CHECK(fault_of("A = block 1 2 0") == "a.jan:1:15: a block's length along z must be above 0");
@@ -35,7 +35,7 @@ TEST_CASE("rejects invalid commands with their position and a fix") {
   CHECK(fault_of("tolerance 0") == "a.jan:1:11: a tolerance in model units must be above 0");
 }
 
-TEST_CASE("rejects invalid expressions with their position") {
+TEST_CASE("an invalid expression in a .jan file is rejected with its position") {
   const std::string a = "A = block 1 1 1\n";
   CHECK(fault_of(a + "B = (A + A") == "a.jan:2:5: this `(` is not closed; add a `)`");
   CHECK(fault_of(a + "B = A + A)") == "a.jan:2:10: this `)` has no matching `(`; remove it");
@@ -47,7 +47,7 @@ TEST_CASE("rejects invalid expressions with their position") {
         "a.jan:2:5: c is a curve, not a solid; make a solid with a sweep");
 }
 
-TEST_CASE("rejects invalid curves and sweeps with their position") {
+TEST_CASE("an invalid curve or sweep in a .jan file is rejected with its position") {
   CHECK(fault_of("c = curve degree 4 points (0)") == "a.jan:1:18: a degree is 0 (constant), 1, 2 or 3");
   CHECK(
       fault_of("c = curve points (0 0) (1)") ==
@@ -66,7 +66,7 @@ TEST_CASE("rejects invalid curves and sweeps with their position") {
   CHECK(fault_of("P = patch width 3 points (0 0 0)") == "a.jan:1:17: a row of a patch has at least 4 points");
 }
 
-TEST_CASE("rejects exponential growth of a model instead of hanging") {
+TEST_CASE("a .jan file whose model grows exponentially is rejected in little time") {
   std::string text = "A = block 1 1 1\n";
   for (int i = 0; i < 40; ++i) text += "A = A + A\n";
   CHECK(fault_of(text) == "a.jan:1:1: more than 1000000 solids; split the model");

@@ -12,7 +12,7 @@ namespace {
 
 model::Tree tree_of(std::string_view text) {
   model::Tree tree = commands::read_text(text, "test.jan");
-  CHECK(read_test::broken_promise(tree) == "");
+  CHECK(read_test::broken_invariant(tree) == "");
   return tree;
 }
 
@@ -54,7 +54,7 @@ std::string text_of(const std::string& model) {
 
 }  // namespace
 
-TEST_CASE("intersection binds tighter than union and difference") {
+TEST_CASE("intersection in a .jan file binds tighter than union and difference") {
   CHECK(of_three("A - (B * C)") == "(0-(1*2))");
   CHECK(of_three("A - B * C") == "(0-(1*2))");
   CHECK(of_three("A * B - C") == "((0*1)-2)");
@@ -64,7 +64,7 @@ TEST_CASE("intersection binds tighter than union and difference") {
   CHECK(of_three("C-B") == "(0-1)");
 }
 
-TEST_CASE("primitives have the stated sizes") {
+TEST_CASE("primitives of a .jan file have their stated sizes") {
   const model::Tree tree = tree_of("facets 30\nA = block 1 2 3\nB = cone 4 5\nC = cone 4 5 1.5\nD = A + B + C\n");
   CHECK(std::get<model::Cube>(tree.primitives[0].shape).size == glm::dvec3(1, 2, 3));
   const auto& cone = std::get<model::Cylinder>(tree.primitives[1].shape);
@@ -75,19 +75,19 @@ TEST_CASE("primitives have the stated sizes") {
   CHECK(std::get<model::Cylinder>(tree.primitives[2].shape).r2 == 1.5);
 }
 
-TEST_CASE("a command on a name affects only later uses of it") {
+TEST_CASE("a command on a name in a .jan file affects only later uses of the name") {
   const model::Tree tree = tree_of("A = block 1 1 1\nmove A 5\nB = A\nmove A y 2 z -1\nObject = A + B\n");
   CHECK(near(moved(tree, 0, {0, 0, 0, 1}), {5, 2, -1}));
   CHECK(near(moved(tree, 1, {0, 0, 0, 1}), {5, 0, 0}));
 }
 
-TEST_CASE("rotates about the axes of the model and scales about its origin") {
+TEST_CASE("commands rotate about the axes of the model and scale about its origin") {
   const model::Tree tree = tree_of("A = block 1 2 3\nmove A 10 0 0\nrotate A z 90 x 90\nscale A 2\nscale A y 3\n");
   // (11, 2, 3) -> (-2, 11, 3) -> (-2, -3, 11) -> (-4, -18, 22)
   CHECK(near(moved(tree, 0, {1, 2, 3, 1}), {-4, -18, 22}));
 }
 
-TEST_CASE("the last colour set for a whole solid applies") {
+TEST_CASE("the last colour command that applies to a whole solid decides") {
   const model::Tree tree =
       tree_of("A = block 1 1 1\ncolour A 1 0 0\nB = sphere 1\nC = A + B\nE = C + A\ncolour C 0 0 1\nObject = C + E\n");
   CHECK(*tree.primitives[0].colour == glm::dvec3(0, 0, 1));
@@ -96,18 +96,18 @@ TEST_CASE("the last colour set for a whole solid applies") {
   CHECK(!tree.primitives[3].colour);
 }
 
-TEST_CASE("draws Object or otherwise the last solid") {
+TEST_CASE("the solid named Object is drawn and the last solid if there is none") {
   CHECK(std::holds_alternative<model::Sphere>(tree_of("Object = sphere 1\nB = block 1 1 1\n").primitives[0].shape));
   CHECK(std::holds_alternative<model::Cube>(tree_of("A = sphere 1\nB = block 1 1 1\n").primitives[0].shape));
   const model::Tree moved_last = tree_of("A = sphere 1\nB = block 1 1 1\nmove A 9\nmove B 7\n");
   CHECK(near(moved(moved_last, 0, {0, 0, 0, 1}), {7, 0, 0}));
 }
 
-TEST_CASE("accepts comments and continuation lines and any line ending") {
+TEST_CASE("a .jan file may have comments and continuation lines and any line ending") {
   CHECK(shown(tree_of("# one\r\n\r\n  A = block 1 \\\r\n 2 3 # two\r\nB=A+A # \\\n")) == "(0+1)");
 }
 
-TEST_CASE("locations refer to the line that creates a primitive") {
+TEST_CASE("the location of a primitive is the line of the .jan file that creates it") {
   const model::Tree tree = tree_of("A = block 1 1 1\n\n  B = sphere 1\nObject = A + B");
   CHECK(tree.primitives[1].location.line == 3);
   CHECK(tree.primitives[1].location.column == 3);
@@ -144,7 +144,7 @@ TEST_CASE("a sweep is one primitive in convex pieces and combines with others") 
   CHECK(shown(tree) == "((0+1+2+3)-4)");
 }
 
-TEST_CASE("lists sweeps and patches in order and keeps the last one of a name") {
+TEST_CASE("a .jan file lists its sweeps and patches in order and the last one of a name") {
   const std::vector<commands::NamedSurface> surfaces = commands::surfaces_in(
       "c = curve closed degree 2 points (-1 -1) (1 -1) (1 1) (-1 1)\n"
       "t = curve points (0 0 0) (0 0 9)\n"

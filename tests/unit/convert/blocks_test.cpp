@@ -64,7 +64,7 @@ std::string wrong_cell(const model::Tree& tree, const convert::Bintree& bintree)
 
 }  // namespace
 
-TEST_CASE("each cell has the state of its centre and blocks are as large as possible") {
+TEST_CASE("each cell of a block model has the state of its centre in maximal blocks") {
   int full = 0;
   CHECK(rc::check([&](std::uint64_t seed) {
     Random random(seed);
@@ -124,7 +124,7 @@ TEST_CASE("rejects malformed bintrees") {
   CHECK(refusal("bintree 1\nresolution 2\ncube 0 0 x 1\n0").find("'x' is not a number") != std::string::npos);
 }
 
-TEST_CASE("codes a 4 x 4 x 2 block as calculated by hand") {
+TEST_CASE("a 4 x 4 x 2 block has the hand-calculated bintree code") {
   // A 4 x 4 x 2 block in a cube of 4 with its low corner at (0, 0, -1) fills the middle two of four layers along z.
   // Halving across x, y and z yields eight cubes of 2, the lower ones with their upper layer full, which are halved
   // down to cells.
@@ -163,7 +163,7 @@ TEST_CASE("codes a 4 x 4 x 2 block as calculated by hand") {
   CHECK(nothing.side == 1);
 }
 
-TEST_CASE("subdivides across the three axes in turn") {
+TEST_CASE("a bintree subdivides across the three axes in turn") {
   // The cell at (x, y, z) of a cube of 2, with an empty half before or after it across x, then y, then z.
   for (int x = 0; x < 2; ++x) {
     for (int y = 0; y < 2; ++y) {
@@ -179,14 +179,14 @@ TEST_CASE("subdivides across the three axes in turn") {
   }
 }
 
-TEST_CASE("writes the code of a bintree in lines of at most 120 characters") {
+TEST_CASE("the code of a bintree is written in lines of at most 120 characters") {
   convert::Bintree bintree{.resolution = 4, .low = {1, -2.5, 0}, .side = 0.1, .code = std::string(120, '0')};
   CHECK(convert::text_of(bintree) == "bintree 1\nresolution 4\ncube 1 -2.5 0 0.1\n" + std::string(120, '0') + "\n");
   bintree.code += "(";
   CHECK(convert::text_of(bintree) == "bintree 1\nresolution 4\ncube 1 -2.5 0 0.1\n" + std::string(120, '0') + "\n(\n");
 }
 
-TEST_CASE("requires each keyword of a bintree and a valid resolution") {
+TEST_CASE("rejects a bintree without a keyword or with an invalid resolution") {
   const auto refusal = [](const std::string& text) {
     return testing::error_of([&] { convert::read_bintree(text, "b.bintree"); });
   };
@@ -228,7 +228,7 @@ TEST_CASE("a centre on a plane counts as belonging to the higher side") {
   for (std::size_t i = 0; i < 8; ++i) CHECK(cells[i] == (i == 0));
 }
 
-TEST_CASE("charges each face of a body for every ray of its rows") {
+TEST_CASE("converting to blocks counts work for each face of a body and ray of its rows") {
   const auto work_of = [](const std::string& csg, std::uint32_t resolution) {
     const Work work(1'000'000'000);
     convert::blocks(read::read_csg_text(csg, "m.csg"), resolution, {}, work);

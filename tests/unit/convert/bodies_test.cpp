@@ -53,7 +53,7 @@ glm::dvec3 corner_of(const Bodies& bodies, std::uint32_t plane, std::uint32_t be
 
 }  // namespace
 
-TEST_CASE("a block as a body matches a hand calculation") {
+TEST_CASE("the body of a block has the hand-calculated planes and points") {
   // The point of the block nearest to the origin is (10, -3, 0).
   const Bodies bodies = bodies_of(moved_by(10, -5, 0, "cube([1,2,3]);"));
   CHECK(bodies.reference == glm::dvec3(10, -3, 0));
@@ -125,7 +125,7 @@ TEST_CASE("the merge tolerance depends on the diagonal and the smallest node wid
   CHECK(tolerance("cube([1e11,1e11,1e-9]);") == doctest::Approx(std::sqrt(2.0) * 1e-13));
 }
 
-TEST_CASE("stores edges only for solids with at most two hundred") {
+TEST_CASE("a body stores its edges only if there are at most 200") {
   // A cone of n sides has n edges around its base and n up to its apex.
   CHECK(bodies_of(cone(100)).bodies[0].edges.size() == 200);
   CHECK(bodies_of(cone(101)).bodies[0].edges.empty());
@@ -133,7 +133,7 @@ TEST_CASE("stores edges only for solids with at most two hundred") {
   CHECK(bodies_of("cylinder($fn=67,$fa=12,$fs=2,h=2,r1=3,r2=3);").bodies[0].edges.empty());
 }
 
-TEST_CASE("coplanar faces share a number and bodies are found by their boxes") {
+TEST_CASE("coplanar faces of bodies share a plane number") {
   // Shared planes: x = 1, and y and z at both ends.
   const Bodies bodies =
       bodies_of("cube([1,2,3]);" + moved_by(1, 0, 0, "cube([5,2,3]);") + moved_by(9, 0, 0, "cube([1,1,1]);"));
@@ -144,7 +144,7 @@ TEST_CASE("coplanar faces share a number and bodies are found by their boxes") {
   CHECK(near(2) == std::vector<std::uint32_t>{2});
 }
 
-TEST_CASE("merges planes within tolerance except opposite faces of one solid") {
+TEST_CASE("planes within tolerance are merged except opposite faces of one solid") {
   // The diagonal is 8 and the unit 16: spheres of radius 2 and 1 around the origin, tolerances 4e-12 and 1e-12.
   convert::FacePlanes planes(glm::dvec3(0), 8, 16);
   planes.begin({{0, 0, 0}, 2, 4e-12});
@@ -171,7 +171,7 @@ TEST_CASE("merges planes within tolerance except opposite faces of one solid") {
   CHECK(planes.add({{0, 1, 2 * turn}, 0}) == facet::Halfspace{6, true});
 }
 
-TEST_CASE("planes are stored relative to a reference point") {
+TEST_CASE("planes for conversion are stored relative to a reference point") {
   convert::FacePlanes planes({10, 20, 30}, 8, 16);
   planes.begin({{0, 0, 0}, 2, 1e-12});
   CHECK(planes.add({{0, 1, 0}, -21}) == facet::Halfspace{0, true});
@@ -240,7 +240,7 @@ TEST_CASE("adjacent bodies in a plain union need no splitting") {
   }
 }
 
-TEST_CASE("a body with unknown polygons and its neighbours must be split") {
+TEST_CASE("a body whose polygons are unknown must be split and so must its neighbours") {
   const std::string cube = "cube([2,2,2]);";
   const model::Tree tree = read::read_csg_text(cube + moved_by(2, 0, 0, cube) + moved_by(9, 0, 0, cube), "m.csg");
   for (std::size_t unknown = 0; unknown < 3; ++unknown) {
@@ -265,7 +265,7 @@ std::vector<std::vector<convert::Fragment>> fragments_of(const model::Tree& tree
 
 }  // namespace
 
-TEST_CASE("returns fragments per body with back faces reversed") {
+TEST_CASE("fragments are returned by body with back faces reversed") {
   // The second cube removes a corner of the first: three faces of each are whole and three are cut; the fragments of
   // the second face inwards.
   const model::Tree tree =
@@ -301,7 +301,7 @@ TEST_CASE("returns fragments per body with back faces reversed") {
   CHECK(area == doctest::Approx(6 * 16));
 }
 
-TEST_CASE("threads find the same fragments with the same work and stop at its limit") {
+TEST_CASE("any number of threads finds the same fragments with the same work") {
   std::string csg;
   for (int i = 0; i < 12; ++i) csg += moved_by(i, 0.5 * i, 0.25 * i, "cube([3,3,3]);");
   const model::Tree tree = read::read_csg_text(csg, "m.csg");

@@ -78,12 +78,12 @@ TEST_CASE("solids that touch themselves along an edge keep consistent faces") {
   CHECK(measures.shells == 1);
 }
 
-TEST_CASE("an empty model has an empty surface") {
+TEST_CASE("an empty model converts to an empty surface") {
   CHECK(converted("difference(){cube([1,1,1]);cube([1,1,1]);}").triangles.empty());
   CHECK(converted("intersection(){cube([1,1,1]);" + moved(1, 0, 0, "cube([1,1,1]);") + "}").triangles.empty());
 }
 
-TEST_CASE("splits a side at every corner of other faces on it") {
+TEST_CASE("converting splits a side at every corner of other faces on it") {
   // A bar across the top of a block meets its edges in the middle.
   const software::convert::Measures measures =
       measures_of("cube([4,4,2]);" + moved(1, -1, 1, "cube([1,6,1]);") + moved(0, 1, 2, "cube([4,1,1]);"));

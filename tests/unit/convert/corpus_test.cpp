@@ -8,7 +8,7 @@
 using namespace csgsim;
 
 // openscad_volumes.txt lists the volumes of OpenSCAD 2021.01's STL files, which have coordinates of six digits.
-TEST_CASE("converts the corpus to closed meshes with the volumes of OpenSCAD") {
+TEST_CASE("the models of the corpus convert to closed meshes with OpenSCAD's volumes") {
   const std::string tests = CSGSIM_SOURCE_DIR "/tests";
   std::ifstream volumes(tests + "/unit/convert/openscad_volumes.txt");
   std::string name;

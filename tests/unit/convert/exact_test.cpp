@@ -124,7 +124,7 @@ TEST_CASE("an unbounded body extends to the outermost wall") {
   CHECK(flat.box.empty());
 }
 
-TEST_CASE("faces share a plane only within a limit") {
+TEST_CASE("faces share a plane only within the tolerance for merging") {
   // Two plates of 0.1 with a gap between them. Six of their planes coincide, or more when the gap counts as closed:
   // three or four remain across x, two across y and z. Within 1e8 the tolerance is 1e-5 of the thickness, and 0.3
   // counts; at 5e11 rounding is 2^-50 of that, 4.4e-4, limited to a thousandth of the thickness.
@@ -139,7 +139,7 @@ TEST_CASE("faces share a plane only within a limit") {
   CHECK(planes("5e11", "0.1002") == 8);
 }
 
-TEST_CASE("compares slightly rotated planes at the location of the solids") {
+TEST_CASE("slightly rotated planes are compared at the location of their solids") {
   // Tilted by 1e-13 about its own location: within a cube the offset is equally small, but about the origin, a million
   // away, it would be 1e-7.
   const std::string beside = "multmatrix([[1,0,0,1],[0,1,0,1e6],[0,1e-13,1,0],[0,0,0,1]]){cube([1,1,1]);}";
@@ -179,7 +179,7 @@ TEST_CASE("an edge shorter than 2^-48 of the largest coordinate collapses to a p
   }
 }
 
-TEST_CASE("a face near many others stays whole if none of them cuts it") {
+TEST_CASE("a face stays whole if none of many nearby faces cuts it") {
   // Cubes starting at (a, 10.5 - a) next to the slanting side of a triangular prism: their planes pass through its
   // ends, the cubes do not.
   std::string csg =
@@ -216,7 +216,7 @@ TEST_CASE("a plate with many bars and bores has the expected volume and area") {
   CHECK(measures.genus() == 4);
 }
 
-TEST_CASE("fragments refer to the vertices at their corners") {
+TEST_CASE("fragments of faces refer to the vertices at their corners") {
   // Seven corners of the first cube remain, and one corner of the second lies in it.
   const auto found = parts_of(tree_of("difference(){cube([4,4,4]);" + at("2", "2", "2", "cube([4,4,4]);") + "}"));
   REQUIRE(found.size() == 2);
@@ -238,7 +238,7 @@ TEST_CASE("bodies separated by a plane between crossing edges are not split") {
   CHECK(testing::fault_of(testing::judged(surface)) == "");
 }
 
-TEST_CASE("the work for one and two cubes matches a hand calculation") {
+TEST_CASE("converting one cube and two takes the hand-calculated work") {
   // Each of six faces is cut by its four neighbours at the cost of its corners, one and a quarter each time: 2.
   const model::Tree cube = tree_of("cube([1,1,1]);");
   const Work bodies(1'000'000);

@@ -28,7 +28,7 @@ testing::JudgedMesh read_back(const std::string& content, const std::string& end
 
 }  // namespace
 
-TEST_CASE("each format reads back as a closed mesh of the same volume") {
+TEST_CASE("each mesh format reads back as a closed mesh of the same volume") {
   for (const char* const name : {"carburettor", "old_example003", "thesis_fig_2_3"}) {
     CAPTURE(name);
     const convert::Surface surface = surface_of_file(name);
@@ -60,7 +60,7 @@ TEST_CASE("OFF has polygons with shared points and no point on an edge") {
   CHECK(cube.faces.size() == 6);
 }
 
-TEST_CASE("the format is chosen by the file name's extension in either case") {
+TEST_CASE("the mesh format is that of the file name's extension in either case") {
   CHECK(convert::format_of("a/b.stl")->ending == ".stl");
   CHECK(convert::format_of("B.STL")->ending == ".stl");
   CHECK(convert::format_of("b.3mf")->ending == ".3mf");
@@ -148,7 +148,7 @@ float float_at(const std::string& bytes, std::size_t at) { return std::bit_cast<
 
 }  // namespace
 
-TEST_CASE("lists the formats with their extensions and text variants") {
+TEST_CASE("formats() lists each mesh format with its extension and text variant") {
   std::vector<std::string> endings;
   for (const convert::Format* const format : convert::formats()) {
     endings.emplace_back(format->ending);
@@ -161,7 +161,7 @@ TEST_CASE("lists the formats with their extensions and text variants") {
   CHECK(convert::format_of("") == nullptr);
 }
 
-TEST_CASE("writes binary STL byte by byte as specified") {
+TEST_CASE("binary STL has the bytes of its specification") {
   const std::string bytes = convert::format_of(".stl")->write(small_surface(), {});
   REQUIRE(bytes.size() == 84 + 4 * 50);
   CHECK(bytes.substr(0, 20) == "binary STL by csgsim");
@@ -177,13 +177,13 @@ TEST_CASE("writes binary STL byte by byte as specified") {
   CHECK(float_at(bytes, 84 + 158) == doctest::Approx(2 / std::sqrt(4.05)));
 }
 
-TEST_CASE("writes an empty surface as a valid file") {
+TEST_CASE("an empty surface is written as a valid file in each format") {
   CHECK(convert::format_of(".stl")->write({}, {}).size() == 84);
   CHECK(convert::format_of(".stl")->write({}, {.is_text = true}) == "solid csgsim\nendsolid csgsim\n");
   CHECK(convert::format_of(".off")->write({}, {}) == "OFF\n0 0 0\n");
 }
 
-TEST_CASE("writes STL text exactly and a zero normal for an empty triangle") {
+TEST_CASE("STL text has the exact numbers and a zero normal for an empty triangle") {
   convert::Surface surface = small_surface();
   surface.triangles = {{0, 1, 3}, {0, 1, 1}};
   CHECK(convert::format_of(".stl")->write(surface, {.is_text = true}) ==
@@ -193,12 +193,12 @@ TEST_CASE("writes STL text exactly and a zero normal for an empty triangle") {
         "endsolid csgsim\n");
 }
 
-TEST_CASE("writes OFF text exactly") {
+TEST_CASE("OFF text has the exact numbers") {
   CHECK(convert::format_of(".off")->write(small_surface(), {}) ==
         "OFF\n4 4 0\n0 0 0\n1 0 0\n0 2 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
 }
 
-TEST_CASE("writes 3MF exactly with one built object and the required package parts") {
+TEST_CASE("a 3MF package has the exact numbers and one object and all required parts") {
   const std::string bytes = convert::format_of(".3mf")->write(small_surface(), {});
   CHECK(solids::unzip(bytes, "a.3mf", "3D/3dmodel.model") ==
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

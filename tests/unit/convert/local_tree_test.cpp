@@ -91,7 +91,7 @@ std::vector<Known> some_known(Random& random, std::size_t count, unsigned of_fou
 
 }  // namespace
 
-TEST_CASE("reducing a tree with known operands follows the rules in one or two steps") {
+TEST_CASE("reducing a tree by known operands gives its value in one step or in two") {
   Random random(3);
   int both = 0;
   for (int i = 0; i < 400; ++i) {
@@ -171,7 +171,7 @@ TEST_CASE("a value is known if no open operand affects it and otherwise may diff
   CHECK(never_differs > 10);
 }
 
-TEST_CASE("dropping operands renumbers the remaining ones") {
+TEST_CASE("dropping operands of a tree renumbers the remaining ones") {
   Random random(6);
   for (int i = 0; i < 100; ++i) {
     const Near near(random);

@@ -62,7 +62,7 @@ const facet::Box unit_box{glm::dvec3(-0.5), glm::dvec3(0.5)};
 
 }  // namespace
 
-TEST_CASE("sides and locations of plane intersections match rational arithmetic") {
+TEST_CASE("sides and positions of plane intersections match rational arithmetic") {
   Random random(7);
   int near = 0;
   for (int i = 0; i < 3000; ++i) {

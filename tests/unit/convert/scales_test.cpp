@@ -83,11 +83,11 @@ TEST_CASE("difficult models convert to closed meshes of the right volume") {
   CHECK(count == 10);
 }
 
-TEST_CASE("separates edges with the same two end points") {
+TEST_CASE("converting separates two edges with the same end points") {
   closed_volume(testing::converted(read::read_csg_file(models + "edges_that_repeat.csg")));
 }
 
-TEST_CASE("slivers finer than the coordinate resolution are closed") {
+TEST_CASE("models with slivers below the coordinate resolution convert to closed meshes") {
   for (const char* const name : {"slivers_at_corners", "points_at_one_place", "ends_within_a_plane"}) {
     CAPTURE(name);
     const convert::Surface surface = testing::converted(read::read_csg_file(models + name + ".csg"));

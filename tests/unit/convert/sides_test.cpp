@@ -54,7 +54,7 @@ Ended ended(const std::vector<glm::dvec3>& points, const std::vector<Side>& side
 
 }  // namespace
 
-TEST_CASE("removes opposite and degenerate sides and sorts the rest") {
+TEST_CASE("opposite and degenerate sides of outlines are removed and the rest sorted") {
   CHECK(convert::ordered({3, 1}) == Side{1, 3});
   CHECK(convert::ordered({1, 3}) == Side{1, 3});
   CHECK(convert::key_of({3, 1}) == 0x100000003U);
@@ -69,7 +69,7 @@ TEST_CASE("removes opposite and degenerate sides and sorts the rest") {
   CHECK(cancelled({}).empty());
 }
 
-TEST_CASE("the ends of sides are listed once in ascending order") {
+TEST_CASE("the end points of sides are listed once in ascending order") {
   const std::vector<Side> sides{{5, 1}, {1, 7}, {7, 5}, {3, 3}};
   CHECK(convert::ends_of(sides) == std::vector<std::uint32_t>{1, 3, 5, 7});
   CHECK(convert::ends_of({}).empty());
@@ -93,7 +93,7 @@ TEST_CASE("sides are split at their points in either direction") {
   CHECK(sides == std::vector<Side>{{4, 5}, {1, 2}, {2, 1}});
 }
 
-TEST_CASE("joined sets are represented by their smallest member") {
+TEST_CASE("joined sets of points are represented by their smallest member") {
   convert::Sets sets(7);
   for (std::uint32_t i = 0; i < 7; ++i) CHECK(sets.find(i) == i);
   sets.join(5, 3);
@@ -133,7 +133,7 @@ TEST_CASE("points within the tolerance in each coordinate merge with the first")
   }
 }
 
-TEST_CASE("finds the points near a line within the distance and in order") {
+TEST_CASE("points within a distance of a line are found in order along it") {
   Random random(11);
   int found_any = 0;
   for (int i = 0; i < 60; ++i) {
@@ -171,7 +171,7 @@ TEST_CASE("finds the points near a line within the distance and in order") {
   CHECK(found_any > 500);
 }
 
-TEST_CASE("the distance from a line is inclusive; coincident ends search a sphere") {
+TEST_CASE("points at exactly the distance from a line or from coincident ends are found") {
   const std::vector<glm::dvec3> points{{0, 0, 0}, {8, 0, 0},   {4, 0.125, 0}, {2, 0, 0.1251}, {6, 0, -0.125},
                                        {0, 0, 0}, {8.5, 0, 0}, {1, 0, 0},     {1, 0, 0}};
   const convert::NearPoints near(points, all_numbers(points.size()));
@@ -193,7 +193,7 @@ TEST_CASE("the distance from a line is inclusive; coincident ends search a spher
   CHECK_FALSE(PointAlong{1, 5} < PointAlong{1, 5});
 }
 
-TEST_CASE("splits sides of selected outlines at points within the tolerance") {
+TEST_CASE("sides of selected outlines are split at points within the tolerance") {
   // All points are near the line from 0 to 1 except 6; 4 and 5 lie beyond its ends, and 7 at its end.
   Outlines outlines{{{0, 0, 0},
                      {4, 0, 0},
@@ -220,7 +220,7 @@ TEST_CASE("splits sides of selected outlines at points within the tolerance") {
   CHECK(outlines.outlines[1].sides == std::vector<Side>{{2, 0}, {1, 3}, {3, 2}});
 }
 
-TEST_CASE("joins straight sides where no third side meets them") {
+TEST_CASE("collinear sides are joined where no third side meets them") {
   // A square from 0 to 3 with the points 4, 5 and 6 on its lower side. At 6 either a third side begins or the lower
   // side bends.
   struct Row {
@@ -260,7 +260,7 @@ TEST_CASE("joins straight sides where no third side meets them") {
   }
 }
 
-TEST_CASE("does not join sides that reverse direction") {
+TEST_CASE("sides that reverse their direction are not joined") {
   for (const bool is_exchanged : {false, true}) {
     // The path runs from the middle to the right end and back to the left.
     Outlines outlines{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 5, 0}}, {}};
@@ -273,7 +273,7 @@ TEST_CASE("does not join sides that reverse direction") {
   }
 }
 
-TEST_CASE("open_side returns a side without its reverse or nothing if all have one") {
+TEST_CASE("open_side() returns a side without its reverse or nothing if all have one") {
   Outlines outlines{{}, {{{0, 0, 1}, {{0, 1}, {1, 2}, {2, 0}}}, {{0, 0, 1}, {{1, 0}, {2, 1}}}}};
   CHECK(convert::open_side(outlines) == std::optional<Side>(Side{2, 0}));
   outlines.outlines[1].sides.push_back({0, 2});
@@ -286,7 +286,7 @@ TEST_CASE("crossing sides are split at a point midway for each direction of view
     CAPTURE(seat.outward.y);
     CAPTURE(seat.outward.z);
     const auto at = [&](double x, double y, double out) { return x * seat.right + y * seat.up + out * seat.outward; };
-    // From (0, 0) to (4, 4), and from (0, 3) to (4, -1): they cross at (1.5, 1.5), one 1 above the other.
+    // The sides from (0, 0) to (4, 4) and from (0, 3) to (4, -1) cross at (1.5, 1.5), one 1 above the other.
     const Ended crossed = ended({at(0, 0, 0), at(4, 4, 0), at(0, 3, 1), at(4, -1, 1)}, {{0, 1}, {3, 2}}, seat.outward);
     CHECK(crossed.any);
     REQUIRE(crossed.points.size() == 5);

@@ -103,7 +103,8 @@ TEST_CASE("the volume error is projected area times half a unit of the coordinat
 }
 
 TEST_CASE("the area of a needle is precise although its long sides cancel") {
-  // From (0, 0) to (L, 1) and on by (256, 1 / 2^52) with L = 2^60 + 256: L / 2^52 - 256 is 2^-44, twice the area.
+  // A triangle from (0, 0) to (L, 1) and on by (256, 1 / 2^52) with L = 2^60 + 256: L / 2^52 - 256 is 2^-44, twice the
+  // area.
   const std::vector<glm::dvec3> points{{0, 0, 0}, {0x1p60 + 256, 1, 0}, {0x1p60 + 512, 1 + 0x1p-52, 0}};
   for (std::uint32_t first = 0; first < 3; ++first) {
     CAPTURE(first);
@@ -142,7 +143,7 @@ TEST_CASE("triangles back to back on the same points cancel") {
   CHECK(testing::fault_of(testing::judged(made)) == "");
 }
 
-TEST_CASE("rejects outlines that are not closed") {
+TEST_CASE("a surface with outlines that are not closed is rejected") {
   CHECK_THROWS_WITH_AS(convert::make_surface({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{{0, 0, 1}, loop_of({0, 1, 2})}}}),
                        "the boundary of the model is not closed", std::logic_error);
 }

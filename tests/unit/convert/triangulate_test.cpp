@@ -74,7 +74,7 @@ std::vector<std::size_t> sizes_of(const std::string& csg) {
 
 }  // namespace
 
-TEST_CASE("triangulates outlines with their area for each direction of view") {
+TEST_CASE("triangles of outlines have the outlines' area for each direction of view") {
   struct Row {
     std::vector<glm::dvec2> places;
     std::vector<Polygon> rounds;
@@ -120,7 +120,7 @@ TEST_CASE("triangulates outlines with their area for each direction of view") {
   }
 }
 
-TEST_CASE("counter-clockwise loops are front and clockwise loops are back") {
+TEST_CASE("counter-clockwise loops face the front and clockwise loops the back") {
   const std::vector<glm::dvec3> points{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {5, 0, 0}, {8, 0, 0}, {8, 3, 0}};
   const glm::dvec3 z(0, 0, 1);
   const std::optional<convert::TwoSides> both =
@@ -193,7 +193,7 @@ TEST_CASE("a star that winds twice is not convex although it always turns left")
   CHECK(area(spiral, convert::triangulate(spiral, twice), {0, 0, 1}) == doctest::Approx(168 / 2.0));
 }
 
-TEST_CASE("chains sides into loops") {
+TEST_CASE("sides are chained into loops") {
   CHECK(convert::rounds_of(outline_of({0, 0, 1}, {{3, 1, 2}, {6, 5, 4}})) ==
         std::vector<Polygon>{{1, 2, 3}, {4, 6, 5}});
   CHECK(convert::rounds_of(outline_of({0, 0, 1}, {{1, 2, 3}, {1, 2, 3}})) == std::vector<Polygon>{{1, 2, 3, 1, 2, 3}});
@@ -235,7 +235,7 @@ TEST_CASE("is_flat() decides coplanarity exactly") {
   CHECK(is_flat({{1, 2, 3}, {2, 4, 6}, {3, 7, 9}}));
 }
 
-TEST_CASE("polygons of a surface are whole or triangles where there are holes") {
+TEST_CASE("faces of a surface are whole polygons or triangles if they have holes") {
   using Sizes = std::vector<std::size_t>;
   CHECK(sizes_of("cube([1,2,3]);") == Sizes(6, 4));
   CHECK(sizes_of("cylinder($fn=5,$fa=12,$fs=2,h=2,r1=1,r2=1);") == Sizes{4, 4, 4, 4, 4, 5, 5});

@@ -37,18 +37,18 @@ facet::Box of_pieces(const TestModel& model) {
 
 }  // namespace
 
-TEST_CASE("the extent excludes what a difference cuts off a side") {
+TEST_CASE("a model's extent excludes what a difference cuts off a side") {
   check_near(extent("difference() {" + std::string(cube) + moved(4, -1, -1, "cube(size = 12, center = false);") + "}"),
              {0, 0, 0}, {4, 10, 10});
 }
 
-TEST_CASE("the extent excludes what several solids cut off together") {
+TEST_CASE("a model's extent excludes what several solids cut off together") {
   const std::string cutters = moved(4, -1, -1, "cube(size = [12, 6, 12], center = false);") +
                               moved(6, 4, -1, "cube(size = [12, 12, 12], center = false);");
   check_near(extent("difference() {" + std::string(cube) + cutters + "}"), {0, 0, 0}, {6, 10, 10});
 }
 
-TEST_CASE("a hole leaves the extent unchanged to the last bit") {
+TEST_CASE("a hole leaves a model's extent unchanged to the last bit") {
   const TestModel model("difference() {" + std::string(cube) + moved(1.1, 1.3, -1, "cube(size = 3, center = false);") +
                         "}");
   const facet::Box box = convex::extent(model.scene, model.positive);
@@ -56,7 +56,7 @@ TEST_CASE("a hole leaves the extent unchanged to the last bit") {
   CHECK(box.high == model.scene.box.high);
 }
 
-TEST_CASE("the extent is the box of the pieces of random models") {
+TEST_CASE("the extent of a random model is the box of its pieces") {
   int tighter = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     CAPTURE(seed);
@@ -75,7 +75,7 @@ TEST_CASE("the extent is the box of the pieces of random models") {
   CHECK(tighter > 20);
 }
 
-TEST_CASE("an extent limited in its number of cuts is never too small") {
+TEST_CASE("an extent computed with a limited number of cuts is never too small") {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     CAPTURE(seed);
     const TestModel model(testing::random_model(seed, 12));

@@ -28,7 +28,7 @@ void check_shadows(const TestModel& model, const Light& light, testing::RandomPo
 
 }  // namespace
 
-TEST_CASE("the shadow of a model's pieces matches rays through the model") {
+TEST_CASE("the shadow volumes of a model's pieces match rays through the model") {
   testing::RandomPoints random(42);
   for (std::uint64_t seed = 2000; seed < 2400; ++seed) {
     CAPTURE(seed);
@@ -38,7 +38,7 @@ TEST_CASE("the shadow of a model's pieces matches rays through the model") {
   }
 }
 
-TEST_CASE("the shadows of the demo models match rays") {
+TEST_CASE("the shadow volumes of the demo models match rays") {
   testing::RandomPoints random(43);
   for (const char* name : {"thesis_fig_2_3", "carburettor", "terrain_vehicle", "rietveld_house", "old_example002",
                            "old_example003", "old_example011"}) {

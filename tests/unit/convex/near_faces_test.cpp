@@ -56,7 +56,7 @@ TEST_CASE("faces in near planes that do not overlap are not near") {
   CHECK(near_faces(box(0, 0, 0, 10) + box(10, 0, 0.00001, 10)).pairs == 0);
 }
 
-TEST_CASE("counts a pair of nodes once and names the first in file order") {
+TEST_CASE("a pair of nodes with near faces counts once and the first in the file is named") {
   const convex::NearFaces found =
       near_faces(box(50, 0, 0, 1) + box(0, 0, 0, 10) + box(10.00001, 0, 0, 10) + box(20.00002, 0, 0, 10));
   CHECK(found.pairs == 2);
@@ -78,7 +78,7 @@ TEST_CASE("pieces of one node are not compared with each other") {
             .pairs == 0);
 }
 
-TEST_CASE("reports that the search was given up for too many near faces") {
+TEST_CASE("the search for near faces reports that it stopped at too many") {
   std::string text;
   for (int i = 0; i < 1100; ++i) text += box(20 * i, 0, 0, 10) + box(20 * i, 50, 10.00001, 10);
   CHECK(near_faces(text).is_incomplete);

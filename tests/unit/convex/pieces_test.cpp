@@ -107,7 +107,7 @@ TEST_CASE("pieces of a product have the remaining volume") {
         doctest::Approx(total_volume(one.pieces()) - total_volume(both.pieces())).epsilon(1e-11));
 }
 
-TEST_CASE("an unaffected solid stays one piece and a removed one has none") {
+TEST_CASE("a solid that nothing cuts is one piece and a removed solid has none") {
   CHECK(TestModel("difference(){" + box(0, 0, 0, 2, 2, 2) + box(2, 0, 0, 2, 2, 2) + "}").pieces().size() == 1);
   CHECK(TestModel("difference(){" + box(0, 0, 0, 2, 2, 2) + box(0, 0, 0, 2, 2, 2) + "}").pieces().empty());
   CHECK(TestModel("intersection(){" + box(0, 0, 0, 2, 2, 2) + box(2, 0, 0, 2, 2, 2) + "}").pieces().empty());
@@ -117,7 +117,7 @@ TEST_CASE("an unaffected solid stays one piece and a removed one has none") {
   CHECK(beside.pieces().size() == 1);
 }
 
-TEST_CASE("half-spaces that do not bound the subtracted region do not cut") {
+TEST_CASE("half-spaces that do not bound the subtracted region cut no pieces") {
   // Only one of the six half-spaces separates the subtracted region from the rest.
   const TestModel model("difference(){" + box(0, 0, 0, 4, 4, 4) + box(3, -1, -1, 9, 9, 9) + "}");
   CHECK(model.pieces().size() == 1);

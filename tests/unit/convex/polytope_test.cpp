@@ -197,7 +197,7 @@ TEST_CASE("solids with thousands of half-spaces match clip() to rounding") {
   check(scene.solids.front(), scene, clipped_one_by_one(scene.solids.front(), scene.planes));
 }
 
-TEST_CASE("planes near common corners match clip() to the bit") {
+TEST_CASE("polytopes with planes near common corners match clip() to the bit") {
   testing::RandomPoints random(1999);
   std::size_t most = 0;
   const int rounds = testing::cases(200, 30);

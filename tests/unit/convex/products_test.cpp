@@ -27,7 +27,7 @@ std::string many(const char* op, int count, double step, double size) {
 
 }  // namespace
 
-TEST_CASE("products list their primitive and the subtracted solids") {
+TEST_CASE("a product lists its primitive and the solids subtracted from it") {
   const TestModel model("difference(){union(){" + box(0, 0, 2) + box(1, 1, 2) + "}" + box(2.5, 2.5, 2) + box(9, 9, 1) +
                         "}");
   const std::vector<convex::SolidProduct> found = products(model);
@@ -61,7 +61,7 @@ TEST_CASE("differences of disjoint intersections have no empty products") {
   CHECK(volume == doctest::Approx(160000.0 - 60.0 * 9.0).epsilon(1e-9));
 }
 
-TEST_CASE("rejects exponential products quickly and accepts deep trees") {
+TEST_CASE("exponentially many products are rejected quickly and deep trees accepted") {
   std::string text = "intersection(){\n";
   for (int i = 0; i < 12; ++i) text += many("union", 12, 0.01, 1.0 + 0.001 * i);
   const TestModel hard(text + "}");

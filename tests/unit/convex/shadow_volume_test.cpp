@@ -139,7 +139,7 @@ TEST_CASE("a prism and an octahedron have one shadow plane per silhouette edge")
   CHECK(rhombus.silhouette.empty());
 }
 
-TEST_CASE("collinear edges of coplanar faces give one plane") {
+TEST_CASE("collinear edges of coplanar faces give a single shadow plane") {
   const TestModel box("cube(size=[2,2,2],center=true);");
   convex::Polytope polytope = convex::make_polytope(box.scene.solids.front(), box.scene.planes);
   // The top face is split in two, between the midpoints of opposite edges.

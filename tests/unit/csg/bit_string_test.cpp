@@ -49,15 +49,15 @@ std::uint32_t ceil_log2(std::size_t number) { return static_cast<std::uint32_t>(
 
 }  // namespace
 
-TEST_CASE("a string matches Boolean evaluation for all small trees and assignments") {
+TEST_CASE("a bit string matches Boolean evaluation for all small trees and assignments") {
   for_all_trees(7, [](const ActiveTree& tree, std::uint32_t) { CHECK(is_correct_for_all_assignments(tree)); });
 }
 
-TEST_CASE("a string matches Boolean evaluation for random trees and all assignments") {
+TEST_CASE("a bit string matches Boolean evaluation for random trees and all assignments") {
   CHECK(rc::check([] { RC_ASSERT(is_correct_for_all_assignments(any_tree(10))); }));
 }
 
-TEST_CASE("every leaf has one bit and a combined bit is not used again") {
+TEST_CASE("every leaf has one bit of the string and a combined bit is not used again") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(60);
     const csg::RootedTree rooted = csg::with_root(tree);
@@ -109,7 +109,7 @@ TEST_CASE("operands of unequal depth are combined at minimum depth") {
   CHECK(string_of("*(+(....*(+(..).))" + std::string(24, '.') + ")").levels.size() == 5);
 }
 
-TEST_CASE("a full tree of alternating operators is inverted once between levels") {
+TEST_CASE("a full tree of alternating operators takes one inversion between levels") {
   const csg::BitString string = string_of("*(+(*(..)*(..))+(*(..)*(..)))");
   REQUIRE(string.levels.size() == 3);
   CHECK(string.levels[0].inverted.empty());

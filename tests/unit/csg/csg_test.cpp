@@ -70,7 +70,7 @@ TEST_CASE("the positive form of a tree has its value for every state of the prim
   }));
 }
 
-TEST_CASE("primitives under unions alone have no operands to test") {
+TEST_CASE("primitives joined only by unions have active trees without operands") {
   const Prepared p = prepare("union(){" + box(0, 2) + box(1, 2) + box(2, 2) + "}");
   for (std::uint32_t i = 0; i < 3; ++i) {
     CHECK_FALSE(p.active_tree(i).nothing);
@@ -78,7 +78,7 @@ TEST_CASE("primitives under unions alone have no operands to test") {
   }
 }
 
-TEST_CASE("prunes disjoint operands and primitives that become empty") {
+TEST_CASE("pruning removes disjoint operands and primitives that become empty") {
   const Prepared p =
       prepare("union(){difference(){" + box(0, 2) + box(30, 2) + "}intersection(){" + box(0, 2) + box(30, 2) + "}}");
   CHECK(p.active_tree(0).operands.empty());
@@ -88,7 +88,7 @@ TEST_CASE("prunes disjoint operands and primitives that become empty") {
   CHECK(p.active_tree(3).nothing);
 }
 
-TEST_CASE("prunes an operand that surrounds a primitive") {
+TEST_CASE("pruning removes an operand that surrounds a primitive") {
   const Prepared p = prepare("intersection(){" + box(0, 2) + box(0, 20) + "}");
   CHECK_FALSE(p.active_tree(0).nothing);
   CHECK(p.active_tree(0).operands.empty());
@@ -99,7 +99,7 @@ TEST_CASE("a primitive inside a subtracted solid is pruned") {
   CHECK(p.active_tree(0).nothing);
 }
 
-TEST_CASE("evaluates the deepest operand first so that a chain needs one bit") {
+TEST_CASE("a chain needs one stack bit because the deepest operand is evaluated first") {
   std::string chain = "union(){" + box(0, 4) + box(0.5, 4) + "}";
   for (int i = 0; i < 6; ++i) {
     chain = "intersection(){" + box(0.1 * i, 4) + "union(){" + box(0.2 * i, 3) + chain + "}}";
@@ -108,7 +108,7 @@ TEST_CASE("evaluates the deepest operand first so that a chain needs one bit") {
   CHECK(p.active_tree(0).bits() == 1);
 }
 
-TEST_CASE("a balanced tree of alternating operators needs one bit per level") {
+TEST_CASE("a balanced tree of alternating operators needs one stack bit per level") {
   const auto pair = [](double x) { return "intersection(){" + box(x, 4) + box(x + 0.1, 4) + "}"; };
   const std::string four = "union(){" + pair(0) + pair(0.3) + "}";
   const std::string other = "union(){" + pair(0.2) + pair(0.4) + "}";
@@ -119,7 +119,7 @@ TEST_CASE("a balanced tree of alternating operators needs one bit per level") {
   CHECK(p.active_tree(0, each_alone).bits() == 4);
 }
 
-TEST_CASE("a tree ten thousand levels deep is pruned without recursion") {
+TEST_CASE("a tree ten thousand levels deep is pruned without exhausting the stack") {
   std::string text;
   constexpr int depth = 10'000;
   for (int i = 0; i < depth; ++i) text += i % 2 == 0 ? "difference(){" : "intersection(){";
@@ -173,7 +173,7 @@ TEST_CASE("primitives separated by a complemented one are not drawn as one") {
   CHECK(csg::convex_sets(p.positive, true) == std::vector<csg::ConvexSet>{{0}, {1}, {2, 3}});
 }
 
-TEST_CASE("the rest after subtracting intersections has one leaf each and one product") {
+TEST_CASE("fifty subtracted intersections are one leaf each and have a single product") {
   std::string text = "difference(){" + box(0, 10);
   for (int i = 0; i < 50; ++i) text += "intersection(){" + box(0.01 * i, 2) + box(0.5 + 0.01 * i, 2) + "}";
   const Prepared p = prepare(text + "}");

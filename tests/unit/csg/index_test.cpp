@@ -174,7 +174,7 @@ TEST_CASE("BoxIndex finds the boxes that meet or cover a box in order of their n
   }));
 }
 
-TEST_CASE("covering() returns the first boxes up to the requested number") {
+TEST_CASE("BoxIndex::covering() returns the first boxes up to the requested number") {
   const csg::BoxIndex::Box box{{1, 1, 1, 1}, {2, 2, 2, 2}};
   std::vector<csg::BoxIndex::Entry> entries;
   for (std::uint32_t i = 0; i < 1000; ++i) entries.push_back({box, 999 - i});
@@ -210,7 +210,7 @@ TEST_CASE("the paths of a tree lead to the same nodes as steps from parent to pa
   }));
 }
 
-TEST_CASE("meeting() matches a linear search and yields the I-tree of a full walk") {
+TEST_CASE("Pruner::meeting() returns the operands that a walk of the whole tree finds") {
   CHECK(rc::check([] {
     const csg::Pruning pruning = random_pruning();
     const Pruned plain(testing::random_model(*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange(2U, 120U)),

@@ -255,13 +255,13 @@ TEST_CASE("an intersection of leaves keeps its order and the only label") {
   CHECK(list.labels == 1);
 }
 
-TEST_CASE("the list has the tree's value for all assignments to small trees") {
+TEST_CASE("an ordered list has the tree's value for all assignments to small trees") {
   for_all_trees(testing::cases<std::uint32_t>(7, 6),
                 [](const ActiveTree& tree, std::uint32_t) { REQUIRE(is_correct_for_all_assignments(tree)); });
   CHECK(rc::check([] { RC_ASSERT(is_correct_for_all_assignments(any_tree(10))); }));
 }
 
-TEST_CASE("the list has the tree's value for random assignments to larger trees") {
+TEST_CASE("an ordered list has the tree's value for random assignments to larger trees") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(60);
     const OrderedList list = csg::make_ordered_list(tree);
@@ -282,7 +282,7 @@ TEST_CASE("pixels waiting for different leaves hold different labels and none is
   });
 }
 
-TEST_CASE("a leaf gives its name to the nearest target without waiting pixels") {
+TEST_CASE("a leaf passes its label to the nearest target that no pixel waits for yet") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(60, Nesting::alternating);
     const OrderedList list = csg::make_ordered_list(tree);
@@ -307,7 +307,7 @@ TEST_CASE("a leaf gives its name to the nearest target without waiting pixels") 
   }));
 }
 
-TEST_CASE("no order of operands needs fewer labels than the chosen one") {
+TEST_CASE("no order of operands needs fewer labels than the chosen order") {
   const auto check = [](const ActiveTree& tree) {
     Waiting waiting(tree);
     Alive least{100, 100};
@@ -336,7 +336,7 @@ TEST_CASE("no order of operands needs fewer labels than the chosen one") {
   }
 }
 
-TEST_CASE("the worst trees of each size reach the bounds and no tree exceeds them") {
+TEST_CASE("the worst trees of each size reach the bounds on labels and none exceeds them") {
   constexpr std::uint32_t most_leaves = 11;
   std::vector<std::uint32_t> most_labels(most_leaves + 1);
   std::vector<std::uint32_t> widest(most_leaves + 1);
@@ -350,7 +350,7 @@ TEST_CASE("the worst trees of each size reach the bounds and no tree exceeds the
   }
 }
 
-TEST_CASE("the bounds hold for random trees of up to 400 leaves") {
+TEST_CASE("the bounds on labels hold for random trees of up to 400 leaves") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(400);
     const OrderedList list = csg::make_ordered_list(tree);
@@ -373,7 +373,7 @@ TEST_CASE("two to four label bits suffice for 21 to 98301 leaves") {
   }
 }
 
-TEST_CASE("the smallest trees for each number of labels reach the bounds") {
+TEST_CASE("the smallest trees for each number of labels reach the bounds on labels") {
   for (std::uint32_t labels = 2; labels <= 17; ++labels) {
     const ActiveTree widest = widest_tree(labels);
     CHECK(csg::footprint(widest) == labels);
@@ -400,7 +400,7 @@ TEST_CASE("a tree a hundred thousand levels deep needs two labels") {
   CHECK(csg::footprint(tree) == 2);
 }
 
-TEST_CASE("a hundred thousand nested unions are flattened") {
+TEST_CASE("a hundred thousand nested unions become one operator of an ordered list") {
   ActiveTree tree;
   constexpr std::uint32_t depth = 100'000;
   std::uint32_t top = add_leaf(tree, 0);

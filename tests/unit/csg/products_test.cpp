@@ -94,7 +94,7 @@ std::string cube(double x, double y, double size) {
 
 }  // namespace
 
-TEST_CASE("thesis fig. 6.2: the active tree of P has the products QS; QT; RS; RT") {
+TEST_CASE("the active tree of P in thesis fig. 6.2 has the products QS and QT and RS and RT") {
   enum : std::uint32_t { Q, R, S, T };
   const std::vector<ActiveNode> nodes{leaf(Q),
                                       leaf(R),
@@ -110,7 +110,7 @@ TEST_CASE("thesis fig. 6.2: the active tree of P has the products QS; QT; RS; RT
   for (std::uint64_t i = 0; i < 4; ++i) CHECK(restructured(nodes, counts, 6, i) == expected[i]);
 }
 
-TEST_CASE("thesis fig. 6.2: operands that do not touch P are pruned from its tree") {
+TEST_CASE("operands that do not touch P in thesis fig. 6.2 are pruned from its tree") {
   // Object = X u ((P n (Q u R u W)) n ((S u T) - V)), with W, V and X away from P.
   const std::string text = "union(){" + cube(90, 0, 2) + "intersection(){intersection(){" + cube(0, 0, 4) + "union(){" +
                            cube(-1, 0, 4) + cube(1, 0, 4) + cube(60, 0, 2) + "}}difference(){union(){" +
@@ -171,7 +171,7 @@ TEST_CASE("the sum of a tree's products has the tree's value for all assignments
   }));
 }
 
-TEST_CASE("an overflowing number of products counts as countless") {
+TEST_CASE("a number of products that overflows is reported as countless") {
   std::vector<ActiveNode> nodes;
   std::vector<std::uint32_t> pairs;
   for (std::uint32_t i = 0; i < 64; ++i) {

@@ -22,7 +22,7 @@ Points cloud() {
 
 }  // namespace
 
-TEST_CASE("separates hulls on two sides of a plane for any gap and units") {
+TEST_CASE("the separation test separates hulls on two sides of a plane for any gap") {
   CHECK(rc::check([] {
     const glm::dvec3 raw = point();
     RC_PRE(glm::length(raw) > 0.1);

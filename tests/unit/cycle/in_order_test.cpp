@@ -107,7 +107,7 @@ std::vector<Notification> in_program_order(const isa::Program& program, std::opt
 
 }  // namespace
 
-TEST_CASE("observers are notified in program order with the pixels of that time") {
+TEST_CASE("observers are notified in Program order with the pixels of that time") {
   CHECK(rc::check([] {
     const auto lengths = *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange(0U, 5U));
     std::vector<std::vector<isa::Instruction>> segments;
@@ -135,7 +135,7 @@ TEST_CASE("observers are notified in program order with the pixels of that time"
   }));
 }
 
-TEST_CASE("events in program order are forwarded at once and without copies") {
+TEST_CASE("events in Program order are forwarded at once without copies of the pixels") {
   const isa::Program program = program_of({{observed, other}, {observed}});
   Witness witness(Opcode::enable_all);
   engine::Observer* const observers[] = {&witness};
@@ -149,7 +149,7 @@ TEST_CASE("events in program order are forwarded at once and without copies") {
   CHECK(machine.pixels.copies() == 0);
 }
 
-TEST_CASE("out-of-order pixels are copied only where observed and at segment ends") {
+TEST_CASE("pixels of early events are copied only where observed and at segment ends") {
   const isa::Program program = program_of({{other}, {other, observed, other, other}});
   for (const auto& [reads_after_opcode, copies] :
        {std::pair{std::optional(Opcode::enable_all), 2U}, {std::optional<Opcode>(), 1U}}) {
@@ -163,7 +163,7 @@ TEST_CASE("out-of-order pixels are copied only where observed and at segment end
   }
 }
 
-TEST_CASE("a segment whose turn comes while it is drawn is forwarded from then on") {
+TEST_CASE("events of a segment are forwarded from the time when all earlier segments ended") {
   const isa::Program program = program_of({{observed}, {observed, observed, observed}});
   Witness witness(Opcode::enable_all);
   engine::Observer* const observers[] = {&witness};
@@ -178,7 +178,7 @@ TEST_CASE("a segment whose turn comes while it is drawn is forwarded from then o
   CHECK(machine.pixels.copies() == 1);
 }
 
-TEST_CASE("an observer that reads without declaring it causes an error") {
+TEST_CASE("an observer that reads pixels without declaring it causes an error") {
   struct Curious final : engine::Observer {
     [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
     void after_instruction(const engine::Step& /*step*/, const engine::PixelState& state) override {

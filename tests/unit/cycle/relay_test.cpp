@@ -26,19 +26,19 @@ class Reader final : public engine::Observer {};
 
 }  // namespace
 
-TEST_CASE("counts overflows at pixels enabled before the instruction") {
+TEST_CASE("overflows are counted at pixels enabled before the instruction") {
   const isa::Program program = program_of({enable_all, narrow, narrow, enable_all});
   cycle::Relay relay(program, {});
   relay.after_instruction({.index = 0}, test::NumberView(0b1111'1111));  // x from 2 to 7 overflow
   CHECK(relay.overflows() == 6);
-  relay.after_instruction({.index = 1}, test::NumberView(0b0100'1011));  // of these pixels, 3 and 6 overflow
+  relay.after_instruction({.index = 1}, test::NumberView(0b0100'1011));  // pixels 3 and 6 overflow among these
   CHECK(relay.overflows() == 8);
   relay.after_instruction({.index = 2}, test::NumberView(0b1111'1111));
   relay.after_instruction({.index = 3}, test::NumberView(0b1111'1111));
   CHECK(relay.overflows() == 8);
 }
 
-TEST_CASE("counts no overflows after a skip because no pixel is enabled") {
+TEST_CASE("overflows are not counted in skipped instructions") {
   const isa::Program program =
       program_of({{.opcode = Opcode::skip_if_none, .constant = 1}, narrow, narrow, enable_all});
   cycle::Relay relay(program, {});
@@ -46,7 +46,7 @@ TEST_CASE("counts no overflows after a skip because no pixel is enabled") {
   CHECK(relay.overflows() == 0);
 }
 
-TEST_CASE("a stripe's intended overflow is not counted and needs no pixels") {
+TEST_CASE("the intended overflow of a stripe is not counted and reads no pixels") {
   isa::Instruction stripe = narrow;
   stripe.opcode = Opcode::stripe;
   const isa::Program program = program_of({enable_all, stripe, enable_all});
@@ -56,7 +56,7 @@ TEST_CASE("a stripe's intended overflow is not counted and needs no pixels") {
   CHECK(relay.overflows() == 0);
 }
 
-TEST_CASE("requests only what observers and the overflow count need") {
+TEST_CASE("the cycle level reads only the pixels that observers and overflow counts need") {
   const isa::Program program = program_of({enable_all, narrow, enable_all});
   cycle::Relay unobserved(program, {});
   CHECK(unobserved.required_after(0, 0) == Keep::enable);

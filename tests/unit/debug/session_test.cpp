@@ -68,7 +68,7 @@ const std::string last = "at the end, after i17\n";
 
 }  // namespace
 
-TEST_CASE("steps through instructions and past skipped ones to the end") {
+TEST_CASE("the debugger steps through instructions and past skipped ones to the end") {
   Debugger debug;
   CHECK(debug("step") == "i1 of 18: set_constant Z2, 255\n");
   CHECK(debug("step 3") == "i4 of 18: set_constant Z1, 40\n");
@@ -79,13 +79,13 @@ TEST_CASE("steps through instructions and past skipped ones to the end") {
   CHECK(debug("run") == last);
 }
 
-TEST_CASE("shows its position in Programs of one instruction and of none") {
+TEST_CASE("the debugger shows its position in Programs of one instruction and of none") {
   const std::string none = ".array width=8 height=2 memory_bits=24\n.segment x=0 y=0 width=8 height=2\n";
   CHECK(Debugger(none.c_str())("where") == "the Program has no instructions\n");
   CHECK(Debugger((none + "  enable_all\n").c_str())("where").starts_with("i0 of 1: enable_all\n"));
 }
 
-TEST_CASE("until stops at an instruction or primitive and reports unreachable ones") {
+TEST_CASE("the command until stops at an instruction or primitive or reports it unreachable") {
   Debugger debug;
   CHECK(debug("until i4") == "i4\ni4 of 18: set_constant Z1, 40\n");
   CHECK(debug.error("until i4") == "i4 is not ahead; step back first with back N");
@@ -97,7 +97,7 @@ TEST_CASE("until stops at an instruction or primitive and reports unreachable on
   CHECK(debug("until i15") == "i15\ni17 of 18: enable_store \"a b\"\n");  // i15 is skipped
 }
 
-TEST_CASE("until stops at the instruction that makes a pixel condition true") {
+TEST_CASE("the command until stops at the instruction that makes a pixel condition true") {
   Debugger debug;
   CHECK(debug("until Z2[5,1] == 40") == "Z2[5,1] == 40\ni6 of 18: set_constant colour, 12\n");
   CHECK(debug("until Z2[5,1] <= 40") == "Z2[5,1] <= 40 already holds\ni6 of 18: set_constant colour, 12\n");
@@ -115,7 +115,7 @@ TEST_CASE("until stops at the instruction that makes a pixel condition true") {
   CHECK(debug("until [16+:2][7,0] != 0x3") == "[16+:2][7,0] != 3\ni7 of 18: enable_all\n");
 }
 
-TEST_CASE("breakpoints stop every run until deleted and may coincide") {
+TEST_CASE("breakpoints of the debugger stop every run until deleted and may coincide") {
   Debugger debug;
   CHECK(debug("breakpoints") == "no breakpoints\n");
   CHECK(debug("break i5") == "breakpoint 1: i5\n");
@@ -130,7 +130,7 @@ TEST_CASE("breakpoints stop every run until deleted and may coincide") {
   CHECK(debug("run") == last);
 }
 
-TEST_CASE("prints a pixel's fields by name with colours and reserved values") {
+TEST_CASE("the debugger prints a pixel's fields by name with colours and reserved values") {
   Debugger debug;
   debug("until i5");
   CHECK(debug("print 4,1") ==
@@ -142,7 +142,7 @@ TEST_CASE("prints a pixel's fields by name with colours and reserved values") {
   CHECK(debug("where").starts_with("i5 of 18: copy Z2, Z1\n  merge p0 near: depth test against Z2"));
 }
 
-TEST_CASE("errors show the column and suggest the nearest name") {
+TEST_CASE("errors in debugger commands show the column and suggest the nearest name") {
   Debugger debug;
   const std::array<std::pair<const char*, const char*>, 9> lines{{
       {"  frobnicate", "test:1:3: unknown command; help lists the commands"},
@@ -162,7 +162,7 @@ TEST_CASE("errors show the column and suggest the nearest name") {
   CHECK(debug("") == "");
 }
 
-TEST_CASE("back restores the state before the last executed instructions") {
+TEST_CASE("the command back restores the state before the last executed instructions") {
   const isa::ArrayShape shape{9, 4, 40};
   CHECK(rc::check([&] {
     Debugger debug(*test::arbitrary_program(shape, 60, 2));
@@ -212,7 +212,7 @@ TEST_CASE("instructions change only the bits that can_change() reports") {
   }));
 }
 
-TEST_CASE("until finds the same instructions as checking after every one") {
+TEST_CASE("the command until finds the same instructions as a check after every one") {
   const isa::ArrayShape shape{4, 2, 16};
   CHECK(rc::check([&] {
     Debugger debug(*test::arbitrary_program(shape, 60, 2));
@@ -244,7 +244,7 @@ TEST_CASE("until finds the same instructions as checking after every one") {
   }));
 }
 
-TEST_CASE("resumes from a checkpoint and rejects invalid files") {
+TEST_CASE("the debugger resumes from a checkpoint and rejects an invalid one") {
   const std::string file = (std::filesystem::temp_directory_path() / "csgsim_session_test.csgs").string();
   Debugger first;
   first("until i11");
@@ -259,7 +259,7 @@ TEST_CASE("resumes from a checkpoint and rejects invalid files") {
   std::filesystem::remove(file);
 }
 
-TEST_CASE("a picture of a field is scaled from minimum to maximum or uses its colours") {
+TEST_CASE("the debugger's picture of a field is scaled from minimum to maximum") {
   Debugger debug;
   debug("until i12");
   const auto take = [&](const std::string& name) {
@@ -280,7 +280,7 @@ TEST_CASE("a picture of a field is scaled from minimum to maximum or uses its co
   CHECK(colour.picture.bytes[3 * 3 + 1] == 255);
 }
 
-TEST_CASE("completes a word up to the common prefix of its candidates") {
+TEST_CASE("the debugger completes a word up to the common prefix of its candidates") {
   const std::array<std::string, 4> words{"back", "break", "breakpoints", "list"};
   CHECK(debug::complete("l", words).insert == "ist ");
   CHECK(debug::complete("print br", words).insert == "eak");
@@ -290,7 +290,7 @@ TEST_CASE("completes a word up to the common prefix of its candidates") {
   CHECK(debug::complete("x", words).candidates.empty());
 }
 
-TEST_CASE("a saved state covers the instructions up to the next due state") {
+TEST_CASE("a saved state of the debugger covers the instructions up to the next saved one") {
   debug::History history;
   CHECK(!history.is_kept(0));
   history.keep(512, {});
@@ -302,7 +302,7 @@ TEST_CASE("a saved state covers the instructions up to the next due state") {
   CHECK(!history.is_kept(next));
 }
 
-TEST_CASE("saves states at the start and at growing distances") {
+TEST_CASE("the debugger saves states at the start and at growing distances") {
   debug::History history;
   checkpoint::Snapshot snapshot;
   snapshot.picture.frame.colour.resize(1 << 20);

@@ -100,22 +100,22 @@ TEST_CASE("of two backs the one farther at all corners is inactive (thesis table
   CHECK(extremes(side_of({{false, 1, 0, 2}, {false, -1, 0, 9}}, false, row)) == Kept{{0, 1}, 2});
 }
 
-TEST_CASE("drops a half-space only if another is beyond it by a whole depth step") {
+TEST_CASE("the divider drops a half-space only if another is a whole depth step beyond it") {
   const Sides made = side_of({{false, 0, 0, 16}, {false, 0, 0, 23}, {false, 0, 0, 24}}, true, row, 3);
   CHECK(extremes(made) == Kept{{1, 2}, 3});
   CHECK(by_leaders(made) == Kept{{1, 2}, 3});
 }
 
-TEST_CASE("coincident half-spaces are all active") {
+TEST_CASE("the divider keeps all of several coincident half-spaces") {
   CHECK(extremes(side_of({{false, 1, 0, 2}, {false, 1, 0, 2}}, true, row)) == Kept{{0, 1}, 2});
 }
 
-TEST_CASE("a single half-space takes one test and an empty side none") {
+TEST_CASE("the divider tests a single half-space once and an empty side not at all") {
   CHECK(extremes(side_of({{false, 1, 0, 2}}, true, row)) == Kept{{0}, 1});
   CHECK(extremes(side_of({}, true, row)) == Kept{});
 }
 
-TEST_CASE("half-spaces that no leader beats everywhere are compared per quarter") {
+TEST_CASE("half-spaces that no leading one excludes everywhere are compared by quarters") {
   // Values at the corners of the row: 20 and -10, -10 and 20, 4 and 4; in columns 0 to 7: 20 and -1, -10 and 11; in 4
   // to 7: 8 and -1, 2 and 11. In 0 to 3 the first is at least 11, in 4 and 5 it is 5; in 6 and 7 the second is 8, and
   // in 8 to 10 it is 14.
@@ -127,7 +127,7 @@ TEST_CASE("half-spaces that no leader beats everywhere are compared per quarter"
   CHECK(kept.tests == 7 * 3);
 }
 
-TEST_CASE("keeps exactly the half-spaces within a depth step of the extreme somewhere") {
+TEST_CASE("the divider keeps the half-spaces within a depth step of the extreme somewhere") {
   CHECK(rc::check([] {
     const bool forward = *rc::gen::arbitrary<bool>();
     const Sides made = any_side(forward);
@@ -135,7 +135,7 @@ TEST_CASE("keeps exactly the half-spaces within a depth step of the extreme some
   }));
 }
 
-TEST_CASE("a half-space has at most one test per cell of its rectangle") {
+TEST_CASE("the divider tests a half-space at most once per cell of its rectangle") {
   CHECK(rc::check([] {
     const Sides made = any_side(true);
     std::uint64_t cells = 1;
@@ -149,7 +149,7 @@ TEST_CASE("a half-space has at most one test per cell of its rectangle") {
   }));
 }
 
-TEST_CASE("dropping half-spaces by leaders first does not change the result") {
+TEST_CASE("dropping half-spaces behind leading ones first does not change the result") {
   CHECK(rc::check([] {
     const Sides made = any_side(true);
     Sides first = made;

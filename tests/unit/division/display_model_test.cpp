@@ -26,7 +26,7 @@ std::string cube_to(double pixels, const testing::Setup& setup) {
 
 }  // namespace
 
-TEST_CASE("a plane shared by several half-spaces is sent once") {
+TEST_CASE("a plane of several half-spaces is sent once in the display model") {
   const std::string beside = "multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube(size=4);}";
   const division::DisplayModel model = sent_for("union(){cube(size=4);" + beside + "}", along_y());
   CHECK(model.primitives.size() == 2);
@@ -35,14 +35,14 @@ TEST_CASE("a plane shared by several half-spaces is sent once") {
   CHECK(model.primitives[0].halfspaces.size() + model.primitives[1].halfspaces.size() == 12);
 }
 
-TEST_CASE("a primitive outside the picture is sent without half-spaces") {
+TEST_CASE("the display model has a primitive outside the picture without half-spaces") {
   const std::string away = "multmatrix([[1,0,0,400],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube(size=4);}";
   const division::DisplayModel model = sent_for("union(){cube(size=4);" + away + "}", along_y());
   CHECK(model.primitives[1].box.pixels.empty());
   CHECK(model.primitives[1].halfspaces.empty());
 }
 
-TEST_CASE("primitives joined only by intersections are sent as joined") {
+TEST_CASE("the display model marks primitives that are joined only by intersections") {
   const division::DisplayModel model =
       sent_for("difference(){intersection(){cube(size=4);cube(size=3);}cube(size=1);}", along_y());
   REQUIRE(model.primitives.size() == 3);
@@ -52,7 +52,7 @@ TEST_CASE("primitives joined only by intersections are sent as joined") {
   CHECK(model.primitives[2].complemented);
 }
 
-TEST_CASE("the stack gets all memory that the other fields leave") {
+TEST_CASE("the stack of a divided picture gets all memory that the other fields leave") {
   testing::Setup setup = along_y();
   CHECK(sent_for("cube(size=4);", setup).fields.stack_base == 2 * 20 + 24 + 1);
   CHECK(sent_for("cube(size=4);", setup).fields.stack_bits == setup.memory_bits - 65);
@@ -60,7 +60,7 @@ TEST_CASE("the stack gets all memory that the other fields leave") {
   CHECK(sent_for("cube(size=4);", setup).fields.stack_base == 2 * 20 + 2 * 24 + 1);
 }
 
-TEST_CASE("rejects too little memory and automatic colouring") {
+TEST_CASE("a display model is rejected with too little memory or automatic colouring") {
   const testing::Compiled any = testing::compile_text("cube(size=4);", along_y());
   emit::Options options;
   CHECK_THROWS_AS(emit::make_display_model(any.tree, any.scene, any.view, options, 64), InputError);
@@ -69,7 +69,7 @@ TEST_CASE("rejects too little memory and automatic colouring") {
   CHECK_THROWS_AS(emit::make_display_model(any.tree, any.scene, any.view, options, 72), InputError);
 }
 
-TEST_CASE("omits a face that fits no width if all its pixels are inside it") {
+TEST_CASE("the display model omits a face that fits no width if all its pixels are inside") {
   // The side faces cross the depth range within a hundredth of a pixel.
   const testing::Setup setup = along_y({64, 48, 30, 20, 1.0 / 4096, std::nullopt});
   testing::DivisionCase how;

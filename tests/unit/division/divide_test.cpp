@@ -62,7 +62,7 @@ TEST_CASE("a square as large as the picture is initialised even if it is empty")
   CHECK(testing::ModelDivider(testing::empty_model()).divide({0, 0, 16, 16}).instructions.size() == 3);
 }
 
-TEST_CASE("linear expressions are relative to the square's corner and clipped to it") {
+TEST_CASE("a square's linear expressions are relative to its corner") {
   division::DisplayModel model = testing::one_slab();
   model.planes[0] = {false, 0, 0, 3};
   model.primitives[0].box.pixels = {10, 0, 15, 15};
@@ -71,7 +71,7 @@ TEST_CASE("linear expressions are relative to the square's corner and clipped to
   CHECK(divided.instructions[4] == linear(Opcode::edge_not_negative, {}, {1, 0, -2, 4, 0}, render));
 }
 
-TEST_CASE("a surface without a front starts at depth 0 in its near colour") {
+TEST_CASE("the divider draws a surface without a front from depth 0 in its near colour") {
   division::DisplayModel model = testing::one_slab();
   model.planes[0].c = 0;
   for (const std::int64_t z_low : {0, 2}) {
@@ -83,7 +83,7 @@ TEST_CASE("a surface without a front starts at depth 0 in its near colour") {
   }
 }
 
-TEST_CASE("a hole is drawn and compared only in squares that contain it") {
+TEST_CASE("the divider draws and compares a hole only in squares that contain it") {
   testing::ModelDivider divider(testing::slab_with_hole());
   const division::Divided holed = divider.divide(top_left);
   // The slab and the hole, each with its own two half-spaces and two of the other; each tests the root and the
@@ -99,7 +99,7 @@ TEST_CASE("a hole is drawn and compared only in squares that contain it") {
   CHECK(whole.instructions.size() == 10);
 }
 
-TEST_CASE("rejects a tree with more pending results than stack bits") {
+TEST_CASE("the divider rejects a tree with more pending results than stack bits") {
   division::DisplayModel model = testing::slab_with_hole();
   // The slab minus the intersection of two holes: a union of complements is a single leaf, unless a plain solid is part
   // of it.
@@ -112,7 +112,7 @@ TEST_CASE("rejects a tree with more pending results than stack bits") {
                        "a square's tree has 1 pending results, but pixel memory has 0 bits for them", InputError);
 }
 
-TEST_CASE("a group keeps the primitives in it and their deciding half-spaces") {
+TEST_CASE("a group of squares keeps the primitives in it and their deciding half-spaces") {
   division::DisplayModel model = testing::slab_with_hole();
   // A second front that is always nearer than the slab's, and an edge that contains the left half.
   model.planes.push_back({false, 0, 0, 1});
@@ -150,7 +150,7 @@ TEST_CASE("squares in rows form groups that are clipped at the picture's edges")
   CHECK(groups[5].squares == std::vector<std::size_t>{14});
 }
 
-TEST_CASE("a group with too many survivors is divided from the whole model") {
+TEST_CASE("a group with too many remaining half-spaces is divided from the whole model") {
   testing::ModelDivider divider(testing::slab_with_hole());
   const division::DividedGroup fits = divider.divide_group({0, 0, 16, 16}, {top_left}, 6);
   CHECK(fits.fits);

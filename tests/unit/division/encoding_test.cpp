@@ -24,7 +24,7 @@ void check_refused(const std::function<void(division::DisplayModel&)>& change) {
 
 }  // namespace
 
-TEST_CASE("bits are sent least significant first across words") {
+TEST_CASE("the display model is sent least significant bit first across words") {
   division::BitWriter out;
   out.put(5, 3);
   out.put(0x123456789abcdef0, 64);
@@ -42,13 +42,13 @@ TEST_CASE("bits are sent least significant first across words") {
   CHECK_THROWS_AS(in.take(1), InputError);
 }
 
-TEST_CASE("a stream takes the minimum number of link words") {
+TEST_CASE("a display model takes the minimum number of link words") {
   CHECK(division::link_words(0, 32) == 0);
   CHECK(division::link_words(64, 32) == 2);
   CHECK(division::link_words(65, 32) == 3);
 }
 
-TEST_CASE("a slab takes the documented number of bits") {
+TEST_CASE("the display model of a slab takes the documented number of bits") {
   const division::DisplayModel model = testing::one_slab();
   // Counts 3 x 32, sides 2 x 15, numbers of bits 5 x 5, widths 3 x 6, fields 7 x 13 and 1, background 3.
   CHECK(division::widths_of(model).header() == 264);
@@ -57,12 +57,12 @@ TEST_CASE("a slab takes the documented number of bits") {
   CHECK(division::encode(model).count == 264 + 2 * 8 + 74 + 3 + 2 * 2 + 3 + 1);
 }
 
-TEST_CASE("decode() inverts encode()") {
+TEST_CASE("decode() of a display model inverts encode()") {
   for (const division::DisplayModel& model : {testing::empty_model(), testing::one_slab(), testing::slab_with_hole()})
     CHECK(division::decode(division::encode(model)) == model);
 }
 
-TEST_CASE("link words of any width decode to the model and wrong lengths are rejected") {
+TEST_CASE("a display model is decoded from link words of any width") {
   const division::DisplayModel model = testing::slab_with_hole();
   const division::Bits bits = division::encode(model);
   for (const unsigned width : {1U, 7U, 16U, 32U, 64U, 100U, 256U}) {
@@ -83,7 +83,7 @@ TEST_CASE("link words of any width decode to the model and wrong lengths are rej
   }
 }
 
-TEST_CASE("rejects a stream that is truncated or extended") {
+TEST_CASE("a display model that is truncated or extended is rejected") {
   const division::Bits whole = division::encode(testing::slab_with_hole());
   for (std::uint64_t count = 0; count < whole.count; ++count)
     CHECK_THROWS_AS(division::decode(first_bits(whole, count)), InputError);
@@ -96,7 +96,7 @@ TEST_CASE("rejects a stream that is truncated or extended") {
   CHECK_THROWS_AS(division::decode(torn), InputError);
 }
 
-TEST_CASE("a corrupted stream is rejected or decodes to a valid model of equal bits") {
+TEST_CASE("a corrupted display model is rejected or valid") {
   const division::Bits sent = division::encode(testing::slab_with_hole());
   CHECK(rc::check([&] {
     division::Bits bits = sent;
@@ -114,7 +114,7 @@ TEST_CASE("a corrupted stream is rejected or decodes to a valid model of equal b
   }));
 }
 
-TEST_CASE("rejects an invalid model before sending it") {
+TEST_CASE("an invalid display model is rejected before it is sent") {
   using division::DisplayModel;
   check_refused([](DisplayModel& model) { model.width = 0; });
   check_refused([](DisplayModel& model) { model.height = 16'385; });

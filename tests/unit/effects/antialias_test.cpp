@@ -103,7 +103,7 @@ const std::string ball_and_hole =
 
 }  // namespace
 
-TEST_CASE("each column and row of a pixel has one sample and the first is central") {
+TEST_CASE("each column and row of a pixel has one sample of anti-aliasing") {
   for (const std::size_t count : {2U, 4U, 8U, 16U}) {
     std::set<double> columns;
     std::set<double> rows;
@@ -123,7 +123,7 @@ TEST_CASE("each column and row of a pixel has one sample and the first is centra
   }
 }
 
-TEST_CASE("offset sampling changes only the constants of the planes") {
+TEST_CASE("sampling at an offset changes only the constants of the planes") {
   for (const view::Projection projection : {view::Projection::orthographic, view::Projection::perspective}) {
     testing::Setup setup = random_view(projection, "");
     const testing::Compiled centre = testing::compile_text(ball_and_hole, setup);
@@ -197,7 +197,7 @@ TEST_CASE("anti-aliasing with other effects is the mean of their pictures") {
   }
 }
 
-TEST_CASE("averages each channel separately with fewer colour bits") {
+TEST_CASE("anti-aliasing averages each channel separately with fewer colour bits") {
   testing::Setup setup = random_view(view::Projection::orthographic, called(4));
   setup.options.colour_bits = 11;
   const observe::Frame picture = testing::draw(testing::compile_text(ball_and_hole, setup).program);
@@ -260,7 +260,7 @@ TEST_CASE("adaptive anti-aliasing stops per pixel by its definition and keeps de
   }
 }
 
-TEST_CASE("adaptive and full pictures differ at straight edges within a bound") {
+TEST_CASE("adaptive and full anti-aliasing differ at straight edges within a bound") {
   // A rotated white square on black.
   const std::string csg =
       "color([1,1,1,1]){multmatrix([[0.8,0,0.6,30],[0,1,0,0],[-0.6,0,0.8,-24],[0,0,0,1]])"
@@ -297,7 +297,7 @@ TEST_CASE("adaptive anti-aliasing more than halves the carburettor's clocks") {
   CHECK(most <= worst_at_a_line(4, 16) * 255 + 1);
 }
 
-TEST_CASE("skips refinement if no pixel needs it") {
+TEST_CASE("adaptive anti-aliasing skips refinement if no pixel needs it") {
   testing::Setup setup = testing::front_view(32, 32, testing::scene_of(called(4, "adaptive = true")));
   const std::string wall = testing::box_text({-10, 0, -50}, {50, 1, 50});
   const testing::Compiled refined = testing::compile_text(wall, setup);
@@ -309,7 +309,7 @@ TEST_CASE("skips refinement if no pixel needs it") {
   CHECK(run(testing::compile_text(testing::box_text({-10, 0, -50}, {9.3, 1, 50}), setup).program).skipped == 0);
 }
 
-TEST_CASE("the anti-aliased picture is the same line by line") {
+TEST_CASE("the anti-aliased picture is the same if drawn line by line") {
   for (const char* adaptive : {"adaptive = false", "adaptive = true"}) {
     testing::Setup setup = random_view(view::Projection::perspective, called(4, adaptive));
     const observe::Frame whole = testing::draw(testing::compile_text(ball_and_hole, setup).program);
@@ -320,7 +320,7 @@ TEST_CASE("the anti-aliased picture is the same line by line") {
   }
 }
 
-TEST_CASE("rejects numbers of samples that are not a supported power of two") {
+TEST_CASE("anti-aliasing rejects a number of samples that is not a supported power of two") {
   CHECK(testing::error_of([] { testing::scene_of(called(3)); }).find("take 2, 4, 8 or 16") != std::string::npos);
   CHECK(testing::error_of([] { testing::scene_of(called(12)); }).find("take 2, 4, 8 or 16") != std::string::npos);
 }

@@ -26,7 +26,7 @@ double bound(int bits, double depths) { return 255 * (std::ldexp(0.5, -bits) + 1
 
 }  // namespace
 
-TEST_CASE("fades each pixel's colour by its depth within half a step and half a level") {
+TEST_CASE("a depth cue fades each pixel by its depth within half a step and half a level") {
   int models_changed = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     const std::string csg = testing::random_model(seed, 6);
@@ -70,7 +70,7 @@ TEST_CASE("fades each pixel's colour by its depth within half a step and half a 
   CHECK(models_changed >= 9);
 }
 
-TEST_CASE("in orthographic views colours fade with distance as seen by rays") {
+TEST_CASE("a depth cue in orthographic views fades colours with distance like rays") {
   for (std::uint64_t seed = 30; seed < 36; ++seed) {
     const std::string csg = testing::random_model(seed, 5);
     CAPTURE(seed);
@@ -96,7 +96,7 @@ TEST_CASE("in orthographic views colours fade with distance as seen by rays") {
   }
 }
 
-TEST_CASE("the far setting shows the background and the near setting the full colour") {
+TEST_CASE("a depth cue at its far end shows the background and at its near end the colour") {
   const std::string boxes = testing::tinted({1, 0, 0}, 1, testing::box_text({2, 0, -12}, {10, 1, -2})) +
                             testing::tinted({0, 1, 0}, 1, testing::box_text({14, 40, -12}, {22, 41, -2}));
   testing::Setup setup = testing::front_view(24, 14, {});
@@ -117,7 +117,7 @@ TEST_CASE("the far setting shows the background and the near setting the full co
   CHECK(std::abs(level(half.colour[second], 1) - 127.5) <= bound(5, 1e5));
 }
 
-TEST_CASE("the faded picture is the same line by line") {
+TEST_CASE("the faded picture is the same if drawn line by line") {
   testing::Setup setup = random_view(view::Projection::perspective, "[effects.depth_cue]\n");
   const std::string csg = testing::random_model(7, 6);
   const observe::Frame whole = testing::draw(testing::compile_text(csg, setup).program);
@@ -125,7 +125,7 @@ TEST_CASE("the faded picture is the same line by line") {
   CHECK(whole.colour == testing::draw(testing::compile_text(csg, setup).program).colour);
 }
 
-TEST_CASE("rejects depth-cue settings with an empty range") {
+TEST_CASE("a depth cue with an empty range is rejected") {
   const auto error = [](view::Projection projection, const std::string& settings) {
     return testing::error_of([&] {
       testing::compile_text(testing::random_model(7, 3), random_view(projection, "[effects.depth_cue]\n" + settings));

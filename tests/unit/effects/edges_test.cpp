@@ -35,7 +35,7 @@ constexpr std::uint32_t red = 0xff0000;
 
 }  // namespace
 
-TEST_CASE("draws a line where the pixel to the right or below shows another facet") {
+TEST_CASE("an edge line is drawn where the pixel to the right or below shows another facet") {
   // The view is along +y, so one face of each box is visible.
   const std::string boxes = testing::box_text({1, 0, -5}, {5, 1, -2}) + testing::box_text({5, 0, -4}, {7, 1, -3});
   const testing::Setup setup = testing::front_view(9, 7, testing::scene_of(testing::plain_colours + red_lines));
@@ -51,7 +51,7 @@ TEST_CASE("draws a line where the pixel to the right or below shows another face
                              });
 }
 
-TEST_CASE("lines are exactly where neighbouring rays hit different facets") {
+TEST_CASE("edge lines are exactly where neighbouring rays hit different facets") {
   int lines = 0;
   int plain = 0;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
@@ -85,7 +85,7 @@ TEST_CASE("lines are exactly where neighbouring rays hit different facets") {
   CHECK(plain > 2000);
 }
 
-TEST_CASE("facets of a curved solid have no lines between them above the crease angle") {
+TEST_CASE("facets that meet at less than the crease angle have no edge line between them") {
   const auto lines = [](int fragments, const std::string& more) {
     const testing::Setup setup = random_view(view::Projection::orthographic, red_lines + more);
     const std::string csg = fmt::format("cylinder($fn={},h=20,r1=12,r2=12,center=true);", fragments);
@@ -99,7 +99,7 @@ TEST_CASE("facets of a curved solid have no lines between them above the crease 
   CHECK(count(lines(24, "crease = 10\n")) > 6);
 }
 
-TEST_CASE("edges leave depths and the other colours unchanged") {
+TEST_CASE("edge lines leave depths and all other colours unchanged") {
   const std::string csg = testing::random_model(3, 6);
   const observe::Frame plain =
       testing::draw(testing::compile_text(csg, random_view(view::Projection::perspective, "")).program);
@@ -112,7 +112,7 @@ TEST_CASE("edges leave depths and the other colours unchanged") {
   CHECK(other == 0);
 }
 
-TEST_CASE("anti-aliased lines are the means of the lines in each sample") {
+TEST_CASE("anti-aliased edge lines are the means of the lines in each sample") {
   const std::string csg = testing::random_model(5, 6);
   const testing::Setup setup =
       random_view(view::Projection::orthographic, red_lines + "[effects.antialias]\nsamples = 4\n");
@@ -143,7 +143,7 @@ TEST_CASE("anti-aliased lines are the means of the lines in each sample") {
   CHECK(wrong_adaptive == 0);
 }
 
-TEST_CASE("the picture with edges is the same line by line and with a colour field") {
+TEST_CASE("edge lines are the same if drawn line by line or with a colour field") {
   testing::Setup setup = random_view(view::Projection::perspective, red_lines);
   const std::string csg = testing::random_model(7, 6);
   const observe::Frame whole = testing::draw(testing::compile_text(csg, setup).program);

@@ -85,7 +85,7 @@ const std::string smooth = "[effects.smooth]\n";
 
 }  // namespace
 
-TEST_CASE("every level becomes its rank among the samples") {
+TEST_CASE("equalisation replaces every level by its rank among the samples") {
   int changed = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     CAPTURE(seed);
@@ -96,7 +96,7 @@ TEST_CASE("every level becomes its rank among the samples") {
   CHECK(changed > 1000);
 }
 
-TEST_CASE("samples with limited reach affect only the pixels around them") {
+TEST_CASE("equalisation samples with limited reach affect only the pixels around them") {
   int changed = 0;
   for (std::uint64_t seed = 11; seed <= 16; ++seed) {
     CAPTURE(seed);
@@ -107,7 +107,7 @@ TEST_CASE("samples with limited reach affect only the pixels around them") {
   CHECK(changed > 1000);
 }
 
-TEST_CASE("equalises pictures with few colour bits") {
+TEST_CASE("equalisation works with few colour bits") {
   const std::string ball = "sphere($fn = 12, $fa = 12, $fs = 2, r = 5);";
   for (const unsigned bits : {3U, 4U, 8U, 16U, 23U}) {
     CAPTURE(bits);
@@ -115,7 +115,7 @@ TEST_CASE("equalises pictures with few colour bits") {
   }
 }
 
-TEST_CASE("a picture without visible samples is unchanged") {
+TEST_CASE("equalisation leaves a picture without visible samples unchanged") {
   const std::string far_corners =
       "cube(size = [1, 1, 1]);"
       "multmatrix([[1, 0, 0, 90], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])"
@@ -123,11 +123,11 @@ TEST_CASE("a picture without visible samples is unchanged") {
   CHECK(check(far_corners, {1, 0}, isa::max_colour_bits) == 0);
 }
 
-TEST_CASE("a lattice of 64 x 64 is counted in full") {
+TEST_CASE("equalisation counts every sample of a 64 x 64 lattice") {
   CHECK(check("sphere($fn = 12, $fa = 12, $fs = 2, r = 5);", {64, 0}, isa::max_colour_bits, smooth) > 0);
 }
 
-TEST_CASE("rejects a machine without a picture-wide global OR and suggests one") {
+TEST_CASE("equalisation rejects a machine without a global OR of the whole picture") {
   const std::string cube = "cube(size = [1, 1, 1]);";
   testing::Setup setup = setup_of("[effects.equalise]\n", cube);
   const auto error = [&] { return testing::error_of([&] { testing::compile_text(cube, setup); }); };

@@ -228,13 +228,13 @@ TEST_CASE("squares without a visible mirror have no mirror instructions") {
   const auto compiled = testing::compile_text(model, setup);
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& instructions = compiled.program.segments[i].instructions;
-    const auto billed = std::count_if(instructions.begin(), instructions.end(),
-                                      [](const isa::Instruction& one) { return one.origin.effect != isa::no_effect; });
-    CHECK((billed > 0) == (i == 0));
+    const auto charged = std::count_if(instructions.begin(), instructions.end(),
+                                       [](const isa::Instruction& one) { return one.origin.effect != isa::no_effect; });
+    CHECK((charged > 0) == (i == 0));
   }
 }
 
-TEST_CASE("rejects too little memory for mirrors and suggests a fix") {
+TEST_CASE("too little memory for mirrors is an error that suggests a fix") {
   testing::Setup setup = view_of_room(64, 56, view::Projection::orthographic, to_depth(1), room());
   setup.memory_bits = 72;
   const std::string message = testing::error_of([&] { (void)testing::compile_text(room(), setup); });
@@ -243,7 +243,7 @@ TEST_CASE("rejects too little memory for mirrors and suggests a fix") {
   CHECK_NOTHROW((void)testing::compile_text(room(), setup));
 }
 
-TEST_CASE("rejects more mirrors than can be drawn") {
+TEST_CASE("more mirrors than can be drawn are an error") {
   std::string model = "union(){";
   for (int i = 0; i < 90; ++i) {
     const double x = 2.0 * i;

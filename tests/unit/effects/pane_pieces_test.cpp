@@ -101,7 +101,7 @@ testing::Setup view_of_plate(double turn, double height_of_eye, view::Projection
 
 struct Tally {
   int judged = 0;
-  int through = 0;  ///< of these entered more than once
+  int through = 0;  ///< judged pixels whose rays enter more than once
   int wrong = 0;
 };
 
@@ -140,7 +140,7 @@ Polygon star(int points, double least, double most) {
 
 TEST_CASE("a transparent plate of many convex pieces has no seams") {
   Tally tally;
-  const bool holds = rc::check("plates", [&tally] {
+  const bool holds = rc::check("each pixel shows one pane for each entry of its ray", [&tally] {
     Plate plate{{star(*rc::gen::inRange(5, 12), 4, 11)}};
     if (*rc::gen::arbitrary<bool>()) plate.outlines.push_back(star(*rc::gen::inRange(3, 7), 1, 3));
     const double turn = *rc::gen::inRange(0, 628) / 100.0;

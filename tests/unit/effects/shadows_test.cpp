@@ -133,21 +133,21 @@ observe::Frame drawn(const std::string& csg, const testing::Setup& setup) {
 
 }  // namespace
 
-TEST_CASE("shadows of random models match rays: default light and orthographic") {
+TEST_CASE("orthographic shadows of random models in the default light match rays") {
   check(check_random(1, view::Projection::orthographic, ""));
 }
 
-TEST_CASE("shadows of random models match rays: light from above and perspective") {
+TEST_CASE("perspective shadows of random models in light from above match rays") {
   check(check_random(101, view::Projection::perspective, "[[lights]]\ndirection = [0.3, 0.5, -1]\n"));
 }
 
-TEST_CASE("shadows of random models match rays: two coloured lights and orthographic") {
+TEST_CASE("orthographic shadows of random models in two coloured lights match rays") {
   check(check_random(201, view::Projection::orthographic,
                      lamp({9, -7, 14}, {1, 0.5, 0.2}) +
                          "[[lights]]\ndirection = [-1, 0.2, -0.7]\ncolour = [0.2, 0.4, 1]\nintensity = 0.5\n"));
 }
 
-TEST_CASE("shadows of random models match rays: lamps among solids and perspective") {
+TEST_CASE("perspective shadows of random models with lamps among solids match rays") {
   check(check_random(
       301, view::Projection::perspective,
       lamp({0.3, 0.2, 0.7}, {1, 1, 1}) + lamp({2.3, -4.2, 3.7}, {1, 0, 0}) + lamp({-5.3, 4.2, 6.7}, {0, 1, 0})));
@@ -164,7 +164,7 @@ TEST_CASE("shadow errors with few depth bits stay within the depth steps") {
   }
 }
 
-TEST_CASE("light passes through a hole but not through seams between pieces") {
+TEST_CASE("light passes through a hole but not through seams between convex pieces") {
   const std::string hole = "multmatrix([[1,0,0,10],[0,1,0,0],[0,0,1,-10],[0,0,0,1]]){sphere($fn=16,$fa=12,$fs=2,r=4);}";
   const std::string csg = "union(){" + wall + "difference(){" + box_text({2, 0, -18}, {18, 1, -2}) + hole + "}}";
   const testing::Setup setup = wall_view(shadows + "[[lights]]\ndirection = [0.31, 1, -0.17]\n");
@@ -319,11 +319,12 @@ TEST_CASE("shadows can be limited to one light or to some lines of the model") {
   CHECK(dark_columns("from_line = 1\n") == ".........o......o.......");
 }
 
-TEST_CASE("rejects invalid shadow settings") {
+TEST_CASE("invalid settings of shadows are rejected") {
   CHECK(testing::error_of([] { drawn(wall, wall_view(shadows + "light = 2\n")); }).find("numbered 0 to 0") !=
         std::string::npos);
   CHECK(testing::error_of([] { testing::scene_of(shadows + "to_line = 2\n"); }).find("add from_line") !=
         std::string::npos);
-  CHECK(testing::error_of([] { testing::scene_of(shadows + "from_line = 3\nto_line = 2\n"); }).find("must not precede from_line") !=
-        std::string::npos);
+  CHECK(testing::error_of([] {
+          testing::scene_of(shadows + "from_line = 3\nto_line = 2\n");
+        }).find("must not precede from_line") != std::string::npos);
 }

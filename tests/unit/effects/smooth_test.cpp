@@ -69,7 +69,7 @@ double error_of(const std::vector<int>& levels, bool is_ball, double intensity) 
 
 }  // namespace
 
-TEST_CASE("16 smooth facets are closer to curved solids than more flat ones") {
+TEST_CASE("16 smooth-shaded facets match a curved solid better than more flat-shaded ones") {
   const std::string flat = lit(0.85);
   const std::string smooth = flat + "[effects.smooth]\n";
   for (const bool is_ball : {false, true}) {
@@ -85,7 +85,7 @@ TEST_CASE("16 smooth facets are closer to curved solids than more flat ones") {
   }
 }
 
-TEST_CASE("levels of a smooth cylinder have no steps between facets") {
+TEST_CASE("the shades of a smooth cylinder have no steps between facets") {
   const std::vector<int> levels = draw(cylinder(16), lit(0.85) + "[effects.smooth]\n");
   for (std::uint32_t x = 8; x + 9 < side; ++x) {
     CAPTURE(x);
@@ -94,7 +94,7 @@ TEST_CASE("levels of a smooth cylinder have no steps between facets") {
   }
 }
 
-TEST_CASE("levels saturate and do not overflow") {
+TEST_CASE("the shades of smooth solids saturate and do not overflow") {
   const std::vector<int> dim = draw(cylinder(16), lit(0.5) + "[effects.smooth]\n");
   const std::vector<int> glaring = draw(cylinder(16), lit(5) + "[effects.smooth]\n");
   for (std::size_t i = 0; i < dim.size(); ++i) CHECK(glaring[i] >= dim[i] - 1);

@@ -197,7 +197,7 @@ TEST_CASE("a facet next to the eye is textured up to its horizon") {
   CHECK(tally.wrong == 0);
 }
 
-TEST_CASE("drops the first of the axes equally near to a facet's normal") {
+TEST_CASE("a texture is projected along the first of the axes nearest to the facet's normal") {
   const std::string across_x = "multmatrix([[1, 0, 0, 0], [0, 0.6, -0.6, 0], [0, 0.6, 0.6, 0], [0, 0, 0, 1]])";
   const std::string across_z = "multmatrix([[0.6, -0.6, 0, 0], [0.6, 0.6, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])";
   const std::string both =
@@ -209,7 +209,7 @@ TEST_CASE("drops the first of the axes equally near to a facet's normal") {
   CHECK(tally.textured > 300);
 }
 
-TEST_CASE("a checker starts at u0 and v0 with its first colour") {
+TEST_CASE("a checker texture starts at u0 and v0 with its first colour") {
   // A pixel is a tenth of a unit, the top of the cube is 4 x 4 units, u points right and v up.
   const double distance = 0.1 * height / 2 / view::half_height_per_distance();
   const view::Camera camera{{0, 0, distance}, {0, 0, 0}, view::Projection::orthographic};
@@ -229,7 +229,7 @@ TEST_CASE("a checker starts at u0 and v0 with its first colour") {
   }
 }
 
-TEST_CASE("shows a texel that starts at the centres of a facet's last pixels") {
+TEST_CASE("a texel that starts at the centres of a facet's last pixels is visible") {
   // A pixel of this frontal view is half a unit; the one in column x and row y has its centre at ((x - 31.5) / 2, (23.5
   // - y) / 2).
   const double distance = 0.5 * height / 2 / view::half_height_per_distance();
@@ -290,14 +290,14 @@ TEST_CASE("textures are the same for all machines and colourings") {
   }
 }
 
-TEST_CASE("rejects a texture for a sphere selected by line and explains why") {
+TEST_CASE("a texture for a sphere selected by line is rejected with the reason") {
   const std::string sphere = "sphere($fn = 8, $fa = 12, $fs = 2, r = 5);";
   const std::string error = error_with("[[effects.textures]]\nfrom_line = 1\n", sphere);
   CHECK(error.find("test:1:1: textures are only for flat facets, and this is a sphere") != error.npos);
   CHECK(error_with("[[effects.textures]]\n", sphere).empty());
 }
 
-TEST_CASE("rejects too many texels in perspective and suggests a size") {
+TEST_CASE("too many texels in perspective are an error that suggests a size") {
   const view::Camera camera{{50, -80, 60}, {0, 0, 0}, view::Projection::perspective};
   const std::string cube = "cube(size = [30, 30, 30], center = true);";
   const std::string error = error_with("[[effects.textures]]\nsize = 0.1\n", cube, camera);
@@ -321,7 +321,7 @@ TEST_CASE("a texture table has a power of two of at most 8 rows and columns") {
   CHECK(error("to_line = 3").find("add from_line") != std::string::npos);
 }
 
-TEST_CASE("rejects textures on a machine that divides the model itself") {
+TEST_CASE("textures are rejected on a machine that divides the model") {
   testing::Setup setup = setup_of("[[effects.textures]]\n", from_above);
   setup.machine = "multi-processor";
   const std::string error =

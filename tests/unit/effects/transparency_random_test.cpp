@@ -262,12 +262,12 @@ void check(const Tally& tally) {
 
 }  // namespace
 
-TEST_CASE("layers of random models match rays in orthographic views") {
+TEST_CASE("transparent layers of random models match rays in orthographic views") {
   const Tally tally = layers_of_random_models(1, view::Projection::orthographic, 12);
   check(tally);
   CHECK((!testing::draws_usual_cases() || tally.max_panes >= 3));
 }
-TEST_CASE("layers of random models match rays in perspective views") {
+TEST_CASE("transparent layers of random models match rays in perspective views") {
   const Tally tally = layers_of_random_models(101, view::Projection::perspective, 12);
   check(tally);
   CHECK((!testing::draws_usual_cases() || tally.max_panes >= 3));

@@ -103,8 +103,8 @@ class AlwaysCalled final : public emit::EffectOf<NoSettings> {
 
 }  // namespace
 
-TEST_CASE("blends panes with an error of at most one level per pane") {
-  const bool holds = rc::check("panes", [] {
+TEST_CASE("blending of panes has an error of at most one level per pane") {
+  const bool holds = rc::check("the picture blends the panes at each pixel", [] {
     std::vector<Pane> panes;
     const int count = *rc::gen::inRange(1, 7);
     const auto part = [] { return *rc::gen::inRange(0, 1001) / 1000.0; };
@@ -251,13 +251,13 @@ TEST_CASE("squares without a transparent surface have no transparency instructio
   const auto with = testing::compile_text(union_of({wall, pane}), setup);
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& instructions = with.program.segments[i].instructions;
-    const auto billed = std::count_if(instructions.begin(), instructions.end(),
-                                      [](const isa::Instruction& one) { return one.origin.effect != isa::no_effect; });
-    CHECK((billed > 0) == (i == 0));
+    const auto charged = std::count_if(instructions.begin(), instructions.end(),
+                                       [](const isa::Instruction& one) { return one.origin.effect != isa::no_effect; });
+    CHECK((charged > 0) == (i == 0));
   }
 }
 
-TEST_CASE("rejects too little memory for transparency and suggests fixes") {
+TEST_CASE("too little memory for transparency is an error that suggests fixes") {
   testing::Setup setup = view_of_parts({});
   setup.memory_bits = 72;
   const std::string message = testing::error_of([&] { (void)testing::compile_text(union_of(parts()), setup); });
@@ -293,7 +293,7 @@ TEST_CASE("a screen door opens the expected number of pixels per 4 x 4 block") {
 }
 
 TEST_CASE("most_overlapping() counts rectangles that share a pixel") {
-  const bool holds = rc::check("rectangles", [] {
+  const bool holds = rc::check("the count equals that of the pixel in most rectangles", [] {
     std::vector<view::PixelRect> all;
     std::array<unsigned, 64> covered{};
     for (int i = *rc::gen::inRange(0, 7); i > 0; --i) {

@@ -84,7 +84,7 @@ reference::ReferenceArray initial_array() {
 
 }  // namespace
 
-TEST_CASE("omits loads and stores of a bit that already equals E") {
+TEST_CASE("instructions that load or store a bit that equals E are omitted") {
   CHECK(emitted([](emit::Broadcast& out) {
           out.plain(Opcode::enable_store, mask);
           out.plain(Opcode::enable_load, mask);
@@ -97,7 +97,7 @@ TEST_CASE("omits loads and stores of a bit that already equals E") {
         }) == std::vector{Opcode::enable_load, Opcode::set_constant});
 }
 
-TEST_CASE("loads a bit if E or the bit has changed since they were equal") {
+TEST_CASE("a bit is loaded if E or the bit has changed since they were equal") {
   CHECK(emitted([](emit::Broadcast& out) {
           out.plain(Opcode::enable_store, mask);
           out.edge(Opcode::edge_negative, {1, 0, -2}, all);
@@ -119,7 +119,7 @@ TEST_CASE("after a query no bit is assumed equal to E because a skip may end the
         }) == std::vector{Opcode::enable_load, Opcode::skip_if_none, Opcode::enable_store, Opcode::enable_load});
 }
 
-TEST_CASE("the broadcast instructions have the effect of the requested ones") {
+TEST_CASE("the optimised broadcast instructions have the effect of the requested ones") {
   CHECK(rc::check([] {
     reference::ReferenceArray requested = initial_array();
     isa::Segment segment = empty_segment();

@@ -58,7 +58,7 @@ isa::Program compiled(const std::string& text, const testing::Setup& how) {
 
 }  // namespace
 
-TEST_CASE("auto takes no more clocks than any strategy and colouring it chooses from") {
+TEST_CASE("strategy auto takes no more clocks than any strategy and colouring it tries") {
   for (const char* name : {"carburettor", "old_example002", "thesis_fig_2_3"}) {
     CAPTURE(name);
     testing::Setup how = setup(emit::Strategy::automatic);
@@ -81,7 +81,7 @@ TEST_CASE("auto takes no more clocks than any strategy and colouring it chooses 
   }
 }
 
-TEST_CASE("auto decides by the given clock counter") {
+TEST_CASE("strategy auto decides by the given function for clocks") {
   testing::Setup how = setup(emit::Strategy::automatic);
   how.options.colouring = emit::Colouring::automatic;
   const testing::Compiled model = testing::compile_file(testing::model_path("old_example002"), how);
@@ -97,7 +97,7 @@ TEST_CASE("auto decides by the given clock counter") {
   CHECK(compile_by({}) == model.program);
 }
 
-TEST_CASE("auto chooses an option that fits in memory") {
+TEST_CASE("strategy auto chooses an option that fits in memory") {
   testing::Setup how = setup(emit::Strategy::automatic);
   how.options.colouring = emit::Colouring::automatic;
   how.memory_bits = 72;
@@ -108,7 +108,7 @@ TEST_CASE("auto chooses an option that fits in memory") {
   CHECK_THROWS_AS(compiled(dimpled(3), how), InputError);
 }
 
-TEST_CASE("auto chooses stored depths if they fit because they take the fewest clocks") {
+TEST_CASE("strategy auto chooses stored depths if they fit in memory") {
   testing::Setup how = setup(emit::Strategy::automatic);
   how.options.colouring = emit::Colouring::automatic;
   how.memory_bits = 1024;
@@ -133,7 +133,7 @@ TEST_CASE("fifty subtracted intersections compile with every strategy without pr
   CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, 5)).facts->compile.rendered > 50);
 }
 
-TEST_CASE("rejects too many products with the primitive's location and an alternative") {
+TEST_CASE("too many products are an error with the primitive's location and an alternative") {
   std::vector<testing::Setup> setups{setup(emit::Strategy::products)};
   for (const unsigned bits : {3U, 4U}) {
     CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, bits)).facts->compile.rendered > 50);
@@ -154,7 +154,7 @@ TEST_CASE("rejects too many products with the primitive's location and an altern
   }
 }
 
-TEST_CASE("surfaces with a single product each do not count towards the limit") {
+TEST_CASE("surfaces with a single product do not count towards the limit on products") {
   std::string text = "intersection(){cube(size=900,center=true);union(){";
   for (int i = 0; i < 80; ++i) text += at(4 * i - 160, 0, 0, "cube(size=[1,1,500],center=true);");
   testing::Setup how = setup(emit::Strategy::stack);
@@ -169,7 +169,7 @@ TEST_CASE("surfaces with a single product each do not count towards the limit") 
   }
 }
 
-TEST_CASE("more stack bits never mean more work") {
+TEST_CASE("more stack bits never increase the work of strategy bits") {
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);

@@ -41,7 +41,7 @@ TEST_CASE("spheres and cylinders under one to three lights follow Lambert's law"
   CHECK(errors.lit > 60'000);
 }
 
-TEST_CASE("excessive light saturates a channel and never wraps around") {
+TEST_CASE("light of curved solids that exceeds a channel saturates it") {
   Errors errors;
   for (const double intensity : {1.0, 6.5, 7.5, 10.0})
     for (const unsigned colour_bits : {24U, 15U, 3U})
@@ -60,7 +60,7 @@ TEST_CASE("excessive light saturates a channel and never wraps around") {
   CHECK(errors.checked > 20'000);
 }
 
-TEST_CASE("coarse depth does not bias the brightness") {
+TEST_CASE("coarse depth does not bias the brightness of curved solids") {
   for (const unsigned z_bits : {4U, 5U, 6U, 8U})
     for (const auto& shines : {glm::dvec3(0.3, -0.4, 0.85), glm::dvec3(0.8, 0, 0.6), glm::dvec3(-0.8, 0.1, -0.6)}) {
       Errors errors;
@@ -74,7 +74,7 @@ TEST_CASE("coarse depth does not bias the brightness") {
     }
 }
 
-TEST_CASE("negligible depth terms of a bright light use their middle value") {
+TEST_CASE("negligible depth terms of a bright light are replaced by their middle value") {
   // A small cube far in front leaves the sphere only the last part of the depths.
   for (const double forward : {0.0005, -0.0005}) {
     Case one{{{0, 0, 0}, glm::dmat3(1), 3}, glm::dvec3(1), {light({1, 0, forward}, {1, 1, 1}, 5.4)}, 0.1};

@@ -72,7 +72,7 @@ class Reached {
 
 }  // namespace
 
-TEST_CASE("digits of numbers match hand calculations") {
+TEST_CASE("the signed digits of numbers match hand calculations") {
   check_hand_case(0, 0.01, {{}, {}, 0});
   check_hand_case(0.25, 0.25, {{}, {}, 0.25});
   check_hand_case(8, 0.01, {{3}, {}, 0});
@@ -85,7 +85,7 @@ TEST_CASE("digits of numbers match hand calculations") {
   check_hand_case(59, 0.01, {{6}, {2, 0}, 0});
 }
 
-TEST_CASE("digits leave a rest within the error and need no more than binary digits") {
+TEST_CASE("signed digits are within the error and no more than the binary digits") {
   for (int round = 0; round < 5; ++round) {
     CHECK(rc::check([&] {
       const auto real = [] { return *rc::gen::inRange(1, 1'000'001) / 1e6; };
@@ -101,7 +101,7 @@ TEST_CASE("digits leave a rest within the error and need no more than binary dig
   }
 }
 
-TEST_CASE("no digits with exponents from -5 to 5 take fewer additions") {
+TEST_CASE("no signed digits with exponents from -5 to 5 take fewer additions") {
   const Reached reached(-5, 5, 4);
   int differences = 0;
   int worse = 0;

@@ -54,7 +54,7 @@ TEST_CASE("a Program for a dividing machine contains the model and its division"
   }
 }
 
-TEST_CASE("the display model survives both forms of a Program") {
+TEST_CASE("the display model survives the binary and the text form of a Program") {
   const isa::Program program = divided(machine_with(2));
   CHECK(isa::decode(isa::encode(program), "binary") == program);
   std::ostringstream text;
@@ -62,7 +62,7 @@ TEST_CASE("the display model survives both forms of a Program") {
   CHECK(isa::parse(text.str(), "text") == program);
 }
 
-TEST_CASE("rejects a Program whose instructions do not match its model") {
+TEST_CASE("a Program whose instructions do not match its display model is rejected") {
   const machines::Machine machine = machine_with(2);
   isa::Program program = divided(machine);
   for (isa::Segment& segment : program.segments) {
@@ -72,7 +72,7 @@ TEST_CASE("rejects a Program whose instructions do not match its model") {
         std::string::npos);
 }
 
-TEST_CASE("rejects a missing display model and one that exceeds the divider's memory") {
+TEST_CASE("a display model that is missing or exceeds the divider's memory is rejected") {
   machines::Machine machine = machine_with(2);
   isa::Program program = divided(machine);
   auto& figures = machines::own<pixel_square::Figures>(machine);
@@ -93,7 +93,7 @@ TEST_CASE("rejects a missing display model and one that exceeds the divider's me
         }).starts_with("the Program has no display model for pixel-square to divide;"));
 }
 
-TEST_CASE("small divider memories spill to the model memory until that is full") {
+TEST_CASE("small memories of a divider spill to the model memory until that is full") {
   machines::Machine machine = machine_with(2);
   const isa::Program program = divided(machine);
   auto& figures = machines::own<pixel_square::Figures>(machine);
@@ -112,7 +112,7 @@ TEST_CASE("small divider memories spill to the model memory until that is full")
   }
 }
 
-TEST_CASE("rejects pruning options on a machine that divides the model") {
+TEST_CASE("pruning options are rejected on a machine that divides the model") {
   emit::Options options;
   options.pruning = csg::Pruning::divider();
   CHECK_NOTHROW(divided(machine_with(1), options));
@@ -122,7 +122,7 @@ TEST_CASE("rejects pruning options on a machine that divides the model") {
         }).starts_with("the machine divides the model itself, with fixed prunings;"));
 }
 
-TEST_CASE("rejects other strategies on a machine that divides the model") {
+TEST_CASE("strategies other than the stack are rejected on a machine that divides the model") {
   emit::Options options;
   options.strategy = emit::Strategy::list;
   CHECK(

@@ -99,7 +99,7 @@ TEST_CASE("a query guards at least sixteen times its clocks and guards are neste
   }
 }
 
-TEST_CASE("hidden primitives are skipped and the costs add up") {
+TEST_CASE("early out skips hidden primitives and the clocks add up") {
   const isa::Program program = testing::compile_text(behind_a_cube, setup()).program;
   testing::Setup how = setup();
   how.options.pruning.early_out = false;

@@ -178,7 +178,7 @@ class Plain {
     double middle;
     double factor = 0;
     double slack = 0;     ///< tolerance of the machine's depths
-    bool unsure = false;  ///< so close to a sum of two powers that rounding decides
+    bool unsure = false;  ///< true if rounding decides, close to a sum of two powers
   };
 
   /// The largest 2^i or 2^i +/- 2^j, with j from i - 4, that does not exceed `most`.

@@ -53,7 +53,7 @@ std::ptrdiff_t depth_tests(const isa::Program& program, std::uint32_t primitive)
 
 }  // namespace
 
-TEST_CASE("with three bits a primitive is rendered once and depth-tested per product") {
+TEST_CASE("with three stack bits a primitive is rendered once and depth-tested per product") {
   for (const int count : {1, 2, 3, 4}) {
     CAPTURE(count);
     testing::Setup how = setup(emit::Strategy::bits);
@@ -77,7 +77,7 @@ TEST_CASE("with three bits a primitive is rendered once and depth-tested per pro
   }
 }
 
-TEST_CASE("three bits render the thesis's objects as often as a stack does") {
+TEST_CASE("three stack bits render the thesis's objects as often as the strategy stack") {
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     CAPTURE(one.name);
     testing::Setup how = setup(emit::Strategy::bits);
@@ -95,7 +95,7 @@ TEST_CASE("three bits render the thesis's objects as often as a stack does") {
   }
 }
 
-TEST_CASE("a surface hidden before its first product skips all of them in one jump") {
+TEST_CASE("a surface hidden before its first product skips all its products in one jump") {
   const std::string hidden =
       "multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,40],[0,0,0,1]]){cube(size=[99,99,2],center=true);}";
   testing::Setup how = setup(emit::Strategy::bits);

@@ -36,7 +36,7 @@ TEST_CASE("fields of a layout are contiguous and have the requested total width"
   }));
 }
 
-TEST_CASE("a refusal lists the missing memory and each option that would help") {
+TEST_CASE("the error for too little memory states the missing bits and options that help") {
   const std::string second = refusal({20, 24, true, {2, 1, 0}}, 72);
   CHECK(contains(second, "needs 92 memory bits a pixel (2 x 20 depth, 2 x 24 colour, 1 mask, 1 product, 2 stack)"));
   CHECK(contains(second, "--colouring rebroadcast"));
@@ -56,7 +56,7 @@ TEST_CASE("a refusal lists the missing memory and each option that would help") 
   CHECK(contains(tiny, "--memory-bits 65"));
 }
 
-TEST_CASE("the options suggested by a refusal fit") {
+TEST_CASE("the options that the error for too little memory suggests fit") {
   const std::uint32_t memory = 72;
   const std::string advice = refusal({25, 24, false, {1, 0, 0}}, memory);
   REQUIRE(contains(advice, "--z-bits 23"));
@@ -65,7 +65,7 @@ TEST_CASE("the options suggested by a refusal fit") {
   CHECK(refusal({25, 20, false, {1, 0, 0}}, memory).empty());
 }
 
-TEST_CASE("a refusal includes a machine's second buffer and how to make room") {
+TEST_CASE("the error for too little memory counts a second buffer and says how to fit") {
   const emit::Needs fits{20, 15, false, {1, 0, 0}, {57, 15}};
   CHECK(emit::total_bits(fits) == 72);
   CHECK(emit::named_fields(emit::plan_layout(fits, 72)).back() ==

@@ -16,7 +16,7 @@ ActiveTree tree_of(std::string_view operand) {
 
 }  // namespace
 
-TEST_CASE("counts products below the levels evaluated by the stack") {
+TEST_CASE("products below the levels evaluated by the stack are counted") {
   // A union of a leaf and an intersection of unions of three leaves and of two: 1 + 3 * 2 products.
   const ActiveTree tree = tree_of("+(.*(+(...)+(..)))");
   CHECK(emit::products_below_levels(tree, 0) == 7);
@@ -26,7 +26,7 @@ TEST_CASE("counts products below the levels evaluated by the stack") {
   CHECK(emit::products_below_levels(tree, emit::all_levels) == 0);
 }
 
-TEST_CASE("several operands are intersected at the first level in the mask") {
+TEST_CASE("several operands are intersected in the mask at the first level") {
   ActiveTree tree = tree_of("+(.*(..))");
   std::string_view second = "+(...)";
   tree.operands.push_back(add_text(tree, second));

@@ -95,7 +95,7 @@ const std::string squares = "pixel-square+divider.kind=host+array.width=16+array
 
 }  // namespace
 
-TEST_CASE("lone spheres match their formula for every kind of region") {
+TEST_CASE("spheres without comparisons match their formula for every kind of region") {
   int seen = 0;
   int in_candidate = 0;
   int fewer_edges = 0;
@@ -151,7 +151,7 @@ TEST_CASE("lone spheres match their formula for every kind of region") {
   CHECK((!testing::draws_usual_cases() || fewer_edges > 50));
 }
 
-TEST_CASE("the root of lone spheres shares bits unless a sphere is subtracted from") {
+TEST_CASE("the root of lone spheres shares bits unless a sphere is cut by another") {
   testing::Setup setup = setup_of({0, 0.04, 60}, 64, 64);
   const std::vector<Ball> balls{{{0, 0, 0}, 6}, {{2, 1, 3}, 4}};
   const isa::Program alone = testing::compile_text(text_of(balls), setup).program;
@@ -163,7 +163,7 @@ TEST_CASE("the root of lone spheres shares bits unless a sphere is subtracted fr
   CHECK(has_field(testing::compile_text(text_of(balls), setup).program, "root"));
 }
 
-TEST_CASE("a sphere larger than a region is cut only at the region's border") {
+TEST_CASE("a sphere larger than a region is cut only at the border of the region") {
   testing::Setup setup = setup_of({0, 0.04, 60}, 64, 64);
   setup.machine = squares + "16";
   const testing::Compiled compiled = testing::compile_text(text_of({{{0, 0, 0}, 6}}), setup);

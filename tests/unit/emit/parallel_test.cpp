@@ -88,7 +88,7 @@ std::uint64_t clocks_of(const csg::BitString& string, unsigned written_for, unsi
 
 }  // namespace
 
-TEST_CASE("evaluates A - (B and C) of the thesis's fig. 4.13") {
+TEST_CASE("strategy parallel evaluates A - (B and C) of the thesis's fig. 4.13") {
   ActiveTree tree;
   const std::uint32_t a = add_leaf(tree, 0);
   const std::uint32_t b = add_leaf(tree, 1, true);
@@ -100,7 +100,7 @@ TEST_CASE("evaluates A - (B and C) of the thesis's fig. 4.13") {
   CHECK(evaluate_string(rooted, {{true, true, true}, {false, false, true}}, 1) == std::vector<bool>{false, false});
 }
 
-TEST_CASE("the instructions match Boolean evaluation for random trees") {
+TEST_CASE("strategy parallel matches Boolean evaluation for random trees") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(8);
     const Assignments pixels = every_assignment(leaves_of(tree));
@@ -111,7 +111,7 @@ TEST_CASE("the instructions match Boolean evaluation for random trees") {
   }));
 }
 
-TEST_CASE("the instructions match Boolean evaluation for strings of several fields") {
+TEST_CASE("strategy parallel matches Boolean evaluation for bit strings of several fields") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(300);
     const Assignments pixels = some_assignments(leaves_of(tree), 24);
@@ -122,7 +122,7 @@ TEST_CASE("the instructions match Boolean evaluation for strings of several fiel
   }));
 }
 
-TEST_CASE("instructions written for an ALU are fastest on that ALU") {
+TEST_CASE("instructions of strategy parallel for an ALU are fastest on that ALU") {
   CHECK(rc::check([] {
     const csg::RootedTree rooted = csg::with_root(any_tree(200));
     const csg::BitString string = csg::make_bit_string(rooted.nodes, rooted.root);
@@ -146,7 +146,7 @@ TEST_CASE("a union of 32 leaves takes an inversion and five ANDs") {
   CHECK(clocks_of(string, 32, 32) == 1 + 2 * 5);
 }
 
-TEST_CASE("string bits are those of the largest operand and leaves need none") {
+TEST_CASE("a bit string takes the bits of its largest operand and none for a leaf") {
   ActiveTree tree;
   const std::uint32_t alone = add_leaf(tree, 0);
   const std::uint32_t two = add_operator(tree, PositiveOperator::unite, {add_leaf(tree, 1), add_leaf(tree, 2)});

@@ -55,7 +55,7 @@ TEST_CASE("a cube's face is compared with its neighbours and the first wins ties
   CHECK(program.facts->compile.depth_tests == 3);
 }
 
-TEST_CASE("a face of a cylinder with many sides is compared with only a few of them") {
+TEST_CASE("a face of a cylinder with many sides is compared with only a few other faces") {
   const isa::Program program =
       testing::compile_text("cylinder($fn=120,h=30,r1=25,r2=25,center=true);", setup(emit::Strategy::polygons)).program;
   const std::size_t faces = faces_loaded(program);
@@ -65,7 +65,7 @@ TEST_CASE("a face of a cylinder with many sides is compared with only a few of t
   CHECK(count(program, compares) < 130 + 8 * faces);
 }
 
-TEST_CASE("polygons and stack draw the same pictures of random models") {
+TEST_CASE("strategies polygons and stack draw the same pictures of random models") {
   std::size_t most_faces = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
     CAPTURE(seed);
@@ -92,7 +92,7 @@ TEST_CASE("polygons and stack draw the same pictures of random models") {
   CHECK(most_faces > 40);
 }
 
-TEST_CASE("primitives in comparisons or cut by the near plane fall back to the stack") {
+TEST_CASE("strategy polygons uses the stack for compared primitives and near cuts") {
   const std::string model = "difference(){cube(size=20,center=true);cylinder($fn=8,h=40,r1=5,r2=5,center=true);}";
   testing::Setup how = setup(emit::Strategy::stack);
   const testing::Compiled stack = testing::compile_text(model, how);

@@ -72,7 +72,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 }  // namespace
 
-TEST_CASE("stored depths take a front and a back per compared primitive") {
+TEST_CASE("strategy stored keeps a front and a back depth per compared primitive") {
   // The sphere is compared with the others, two cubes with the sphere, and the separate cube with nothing.
   const std::string model = "difference(){sphere($fn=12,r=9);" + cube(-8, 6) + cube(8, 6) + "}" + cube(40, 5);
   const isa::Program program = compiled(model, setup(emit::Strategy::stored), emit::Strategy::stored);
@@ -83,7 +83,7 @@ TEST_CASE("stored depths take a front and a back per compared primitive") {
   CHECK(program.facts->compile.rendered == 4);
 }
 
-TEST_CASE("stores exactly the primitives that a stack would compare") {
+TEST_CASE("strategy stored keeps exactly the primitives that a stack would compare") {
   std::size_t overall_max = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     CAPTURE(seed);
@@ -116,7 +116,7 @@ TEST_CASE("stores exactly the primitives that a stack would compare") {
   CHECK(overall_max >= 5);
 }
 
-TEST_CASE("half-spaces of compared primitives are broadcast once") {
+TEST_CASE("strategy stored broadcasts the half-spaces of compared primitives once") {
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     CAPTURE(one.name);
     testing::Setup how = setup(emit::Strategy::stored);
@@ -140,7 +140,7 @@ TEST_CASE("half-spaces of compared primitives are broadcast once") {
   }
 }
 
-TEST_CASE("a refusal names the memory that stored depths need") {
+TEST_CASE("the error for too little memory names the bits that stored depths need") {
   const std::string model = "difference(){sphere($fn=12,r=9);" + cube(-8, 6) + cube(8, 6) + "}";
   testing::Setup how = setup(emit::Strategy::stored);
   how.memory_bits = 72;
@@ -159,7 +159,7 @@ TEST_CASE("a refusal names the memory that stored depths need") {
   CHECK(refusal(model, how).empty());
 }
 
-TEST_CASE("suggests no memory size if no machine can hold the depths") {
+TEST_CASE("an error suggests no memory size if no machine can hold the stored depths") {
   std::string model = "difference(){cube(size=[60,60,10],center=true);";
   for (int i = 0; i < 120; ++i) model += cube(0.3 * i - 20, 11 + 0.1 * i);
   const std::string message = refusal(model + "}", setup(emit::Strategy::stored));

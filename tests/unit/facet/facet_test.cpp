@@ -58,7 +58,7 @@ TEST_CASE("sine and cosine in degrees are exact where they are rational") {
   }
 }
 
-TEST_CASE("sine and cosine in degrees match the library for other angles") {
+TEST_CASE("sine and cosine in degrees match the standard library for other angles") {
   for (int tenth = -7200; tenth <= 7200; tenth += 7) {
     const double angle = tenth / 10.0;
     CHECK(model::sin_degrees(angle) == doctest::Approx(std::sin(angle * std::numbers::pi / 180.0)).epsilon(1e-12));
@@ -76,9 +76,11 @@ TEST_CASE("circles have the number of fragments of OpenSCAD") {
   CHECK(model::fragments(100, {0, 1, 0.01}) == 360);
 }
 
-TEST_CASE("rejects too many fragments") { CHECK_THROWS_AS(model::fragments(10, {1e9, 12, 2}), InputError); }
+TEST_CASE("circles with too many fragments are rejected") {
+  CHECK_THROWS_AS(model::fragments(10, {1e9, 12, 2}), InputError);
+}
 
-TEST_CASE("solids have the half-spaces of their OpenSCAD facets") {
+TEST_CASE("solids have the half-spaces of OpenSCAD's facets") {
   const auto count = [](model::Shape shape) { return facet::make_solid(primitive(std::move(shape))).faces.size(); };
   CHECK(count(model::Cube{}) == 6);
   CHECK(count(model::Cylinder{2, 1, 1, false, {12, 12, 2}}) == 14);
@@ -88,7 +90,7 @@ TEST_CASE("solids have the half-spaces of their OpenSCAD facets") {
   CHECK(count(model::Sphere{1, {5, 12, 2}}) == 5 * 2 + 2);
 }
 
-TEST_CASE("every corner is inside all half-spaces and on the planes of its faces") {
+TEST_CASE("every corner of a solid is inside all half-spaces and on the planes of its faces") {
   CHECK(rc::check([] {
     model::Primitive one = primitive(random_shape());
     const double mirror = *rc::gen::element(1.0, -1.0);
@@ -107,7 +109,7 @@ TEST_CASE("every corner is inside all half-spaces and on the planes of its faces
   }));
 }
 
-TEST_CASE("each side of a face is shared with exactly one other face") {
+TEST_CASE("each side of a solid's face is shared with exactly one other face") {
   CHECK(rc::check([] {
     const facet::Solid solid = facet::make_solid(primitive(random_shape()));
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> faces_at;
@@ -121,7 +123,7 @@ TEST_CASE("each side of a face is shared with exactly one other face") {
   }));
 }
 
-TEST_CASE("rejects a solid with lengths that are too large or too small") {
+TEST_CASE("a solid with lengths that are too large or too small is rejected") {
   const auto scaled_cube = [](double size, double scale) {
     model::Primitive one = primitive(model::Cube{glm::dvec3(size), true});
     one.transform = glm::dmat4(glm::dmat3(scale));
@@ -133,7 +135,7 @@ TEST_CASE("rejects a solid with lengths that are too large or too small") {
   CHECK_THROWS_AS(facet::make_solid(scaled_cube(1e46, 1e46)), InputError);
 }
 
-TEST_CASE("coincident planes share an entry regardless of orientation") {
+TEST_CASE("coincident planes of either orientation share an entry of the plane table") {
   facet::PlaneTable table({1e6, -2e6, 3e6}, 10.0);
   const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 2, -2));
   const facet::Halfspace first = table.add({normal, -glm::dot(normal, {1e6, -2e6, 3e6})});
@@ -145,7 +147,7 @@ TEST_CASE("coincident planes share an entry regardless of orientation") {
   CHECK(table.planes().size() == 1);
 }
 
-TEST_CASE("planes slightly apart stay separate") {
+TEST_CASE("planes slightly apart are separate entries of the plane table") {
   facet::PlaneTable table({0, 0, 0}, 10.0);
   table.add({{0, 0, 1}, -1.0});
   table.add({{0, 0, 1}, -1.0 - 1e-9});
@@ -153,7 +155,7 @@ TEST_CASE("planes slightly apart stay separate") {
   CHECK(table.planes().size() == 3);
 }
 
-TEST_CASE("a plane shares the entry of the first coincident plane") {
+TEST_CASE("a plane shares the table entry of the first coincident plane") {
   constexpr double tolerance = facet::coincidence_tolerance;
   CHECK(rc::check([&] {
     // Values near 1 and near the boundaries of the grid's cells, in steps of a fraction of the tolerance.
@@ -195,7 +197,7 @@ TEST_CASE("two touching solids share the plane between them under any rotation")
   }));
 }
 
-TEST_CASE("a box lists each edge once") {
+TEST_CASE("the edges of a box are listed once each") {
   const facet::Geometry scene = facet::make_geometry(single(primitive(model::Cube{{1, 2, 3}, false})));
   CHECK(scene.solids[0].edges.size() == 12);
   CHECK(scene.solids[0].halfspaces.size() == 6);
@@ -255,14 +257,14 @@ TEST_CASE("a faceted sphere has fewer half-spaces than an equally exact meridian
   CHECK(static_cast<double>(covered) < 0.75 * std::numbers::pi * std::numbers::pi / (theta * theta));
 }
 
-TEST_CASE("a tolerance applies in model space regardless of the transform") {
+TEST_CASE("a facet tolerance applies in model space for any transform of the solid") {
   model::Primitive one = primitive(model::Cylinder{1, 2, 2, false, {}});
   one.transform =
       glm::dmat4(glm::dvec4(10, 0, 0, 0), glm::dvec4(0, 3, 0, 0), glm::dvec4(0, 0, 1, 0), glm::dvec4(0, 0, 0, 1));
   CHECK(facet::make_solid(one, {0.01, std::nullopt}).faces.size() == facet::fragments_within(2, 0.001) + 2);
 }
 
-TEST_CASE("rejects a tolerance that is not positive") {
+TEST_CASE("a facet tolerance that is not positive is rejected") {
   for (const double tolerance : {0.0, -1.0, std::nan("")}) {
     CHECK_THROWS_AS(facet::make_geometry(single(primitive(model::Sphere{})), {tolerance, std::nullopt}), InputError);
   }

@@ -155,7 +155,7 @@ TEST_CASE("a cylinder is two planes and a quadric with a nappe selected by the a
   }));
 }
 
-TEST_CASE("hulls contain their curved solids in every direction") {
+TEST_CASE("the hulls of curved solids contain them in every direction") {
   CHECK(rc::check([] {
     const glm::dmat4 matrix = transform();
     const model::Cylinder shape = cylinder(real(1, 9), real(0, 5), real(1, 5), *rc::gen::arbitrary<bool>());
@@ -238,7 +238,7 @@ TEST_CASE("equal ellipsoids across six decades coincide") {
   }));
 }
 
-TEST_CASE("facets polygonal solids; without exact curves it facets every solid") {
+TEST_CASE("polygonal solids are faceted and without exact curves every solid is") {
   const auto quadrics_with = [](double fn, const facet::Faceting& faceting) {
     const model::Tree tree = tree_of({at(model::Cylinder{4, 5, 5, false, {fn, 12, 2}})});
     return facet::make_geometry(tree, faceting).solids[0].quadrics.size();
@@ -266,7 +266,7 @@ TEST_CASE("a cone too slender for an apex becomes a cylinder of its mean radius"
   CHECK(scene_of({at(cylinder(4, 5, 5 + 1e-6))}).quadrics.quadrics()[0].kind == QuadricKind::cone);
 }
 
-TEST_CASE("distinguishes a hundred thousand quadrics in near-linear time") {
+TEST_CASE("a hundred thousand quadrics are distinguished in near-linear time") {
   facet::QuadricTable table(glm::dvec3(0), 1000.0);
   const auto add = [&](int i) {
     facet::Quadric one;

@@ -29,7 +29,7 @@ Area rectangle(double width, double height) { return flat::square({width, height
 
 }  // namespace
 
-TEST_CASE("Boolean operations match OpenSCAD") {
+TEST_CASE("Boolean operations on areas match OpenSCAD") {
   check_as_openscad(flat::unite(std::array{rectangle(3, 2), moved(flat::circle(1.5, {.fn = 32}), 2.3, 1.1),
                                            moved(rectangle(1, 1), -4, 0)}),
                     "union");
@@ -49,7 +49,7 @@ TEST_CASE("combining a single area returns its exact coordinates") {
   CHECK(flat::minkowski(alone).outlines == alone[0].outlines);
 }
 
-TEST_CASE("combines empty areas correctly") {
+TEST_CASE("Boolean operations on empty areas have the right result") {
   const std::array first_empty{Area{}, rectangle(1, 1)};
   const std::array last_empty{rectangle(1, 1), Area{}};
   for (const auto& areas : {first_empty, last_empty}) {
@@ -66,25 +66,25 @@ TEST_CASE("combines empty areas correctly") {
   CHECK(flat::resized({}, {1, 1}, {true, true}).empty());
 }
 
-TEST_CASE("hulls match OpenSCAD") {
+TEST_CASE("hulls of areas match OpenSCAD") {
   check_as_openscad(
       flat::hull(std::array{flat::circle(3, {.fn = 20}), moved(rectangle(2, 2), 10, 4), moved(rectangle(1, 1), 5, 1)}),
       "hull");
 }
 
-TEST_CASE("Minkowski sums match OpenSCAD") {
+TEST_CASE("Minkowski sums of areas match OpenSCAD") {
   const Area frame = flat::subtract(std::array{rectangle(20, 12), moved(rectangle(12, 6), 3, 3)});
   check_as_openscad(flat::minkowski(std::array{frame, flat::circle(1, {.fn = 16})}), "minkowski");
   const Area kite = flat::polygon(std::array<glm::dvec2, 4>{{{0, 0}, {2, 1}, {0, 0.5}, {-1, 2}}}, {});
   check_as_openscad(flat::minkowski(std::array{ell(), kite, moved(rectangle(0.5, 0.5), 30, 0)}), "minkowski_concave");
 }
 
-TEST_CASE("rejects a Minkowski sum of too many sides") {
+TEST_CASE("a Minkowski sum of areas with too many sides is rejected") {
   const Area round = flat::circle(1, {.fn = 1001});
   CHECK_THROWS_AS(flat::minkowski(std::array{round, round}), InputError);
 }
 
-TEST_CASE("offsets match OpenSCAD") {
+TEST_CASE("offsets of areas match OpenSCAD") {
   using flat::Corner;
   check_as_openscad(flat::offset(ell(), 2, Corner::round, {.fn = 24}), "offset_round");
   check_as_openscad(flat::offset(rectangle(20, 10), 7.5, Corner::round, {}), "offset_round_default");
@@ -96,7 +96,7 @@ TEST_CASE("offsets match OpenSCAD") {
   check_as_openscad(flat::offset(rectangle(10, 4.5), -2, Corner::sharp, {}), "offset_vanishing");
 }
 
-TEST_CASE("handles vanishing offsets and rejects excessive ones") {
+TEST_CASE("an offset may make an area vanish and an excessive offset is rejected") {
   CHECK(flat::offset(rectangle(1, 1), -0.6, flat::Corner::round, {}).empty());
   CHECK(flat::area_of(flat::offset(rectangle(1, 1), 0, flat::Corner::round, {})) == 1);
   CHECK_THROWS_AS(flat::offset(rectangle(1, 1), 1.1e7, flat::Corner::sharp, {}), InputError);
@@ -108,7 +108,7 @@ TEST_CASE("the largest offset of the sharpest corner stays in the coordinate ran
   CHECK_NOTHROW(flat::offset(needle, 1e7, flat::Corner::sharp, {}));
 }
 
-TEST_CASE("combines deeply nested areas") {
+TEST_CASE("deeply nested areas are combined") {
   Area nested;
   for (int i = 0; i < 2'000; ++i) {
     const double size = 1 + i;
@@ -120,7 +120,7 @@ TEST_CASE("combines deeply nested areas") {
   CHECK(flat::area_of(flat::intersect(both)) == flat::area_of(nested));
 }
 
-TEST_CASE("matrices act by their 2-D part and mirrored areas are reoriented") {
+TEST_CASE("the 2-D part of a matrix transforms an area and mirrored areas are reoriented") {
   const Area hook = flat::polygon(std::array<glm::dvec2, 5>{{{1, 0}, {10, 0}, {10, 3}, {3, 3}, {3, 10}}}, {});
   check_as_openscad(flat::transformed(hook, glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1))), "mirrored");
   const Area frame = flat::subtract(std::array{rectangle(5, 5), moved(rectangle(2, 2), 1, 1)});
@@ -136,7 +136,7 @@ TEST_CASE("resized areas match OpenSCAD") {
   check_as_openscad(flat::resized(flat::square({3, 2}, true), {0, 7}, {false, false}), "resize_zero");
 }
 
-TEST_CASE("distant or large areas do not change coordinates near the origin") {
+TEST_CASE("a distant or large area does not change coordinates of another near the origin") {
   for (const double far : {1e6, 1e9, 1e11, 9e11}) {
     CAPTURE(far);
     // The area below the line from (-far, -far) to (far, far + 3), which cuts the square starting at (0, 1.5).
@@ -154,7 +154,7 @@ TEST_CASE("distant or large areas do not change coordinates near the origin") {
   }
 }
 
-TEST_CASE("repeated operands count once in a union or difference") {
+TEST_CASE("repeated areas count once in a union or difference") {
   const std::array rings{ell(), moved(dart(), 1, 1), ell(), moved(dart(), 1, 1), ell()};
   const Area once = flat::unite(std::span(rings).first(2));
   CHECK(flat::unite(rings).outlines == once.outlines);

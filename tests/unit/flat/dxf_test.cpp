@@ -40,14 +40,14 @@ TEST_CASE("DXF drawings are moved and scaled as in OpenSCAD") {
   check_as_openscad(drawing("entities", {.origin = {3, 4}, .scale = 1.5, .facets = {.fn = 30}}), "dxf_scaled_ellipses");
 }
 
-TEST_CASE("draws a selected DXF layer alone") {
+TEST_CASE("a selected DXF layer is drawn alone") {
   check_as_openscad(drawing("layers"), "dxf_layers");
   check_as_openscad(drawing("layers", {.layer = "plate"}), "dxf_plate");
   check_as_openscad(drawing("layers", {.layer = "holes"}), "dxf_holes");
   CHECK(drawing("layers", {.layer = "none"}).empty());
 }
 
-TEST_CASE("rejects invalid DXF with its line number") {
+TEST_CASE("invalid DXF is rejected with its line number") {
   CHECK(message("") == "line 1: not a DXF file: no section found");
   CHECK(message("AutoCAD Binary DXF\r\n\x1a") ==
         "line 1: \"AutoCAD Binary DXF\" is not a group code of ASCII DXF; every other line must be one");
@@ -66,19 +66,19 @@ TEST_CASE("rejects invalid DXF with its line number") {
   CHECK_THROWS_AS(flat::read_dxf(entities(""), {.scale = 0}), InputError);
 }
 
-TEST_CASE("large arc angles take no extra time") {
+TEST_CASE("large angles of DXF arcs take no extra time") {
   const std::string arc = "0\nARC\n10\n0\n20\n0\n40\n1\n51\n90\n50\n";
   CHECK(flat::area_of(flat::read_dxf(entities(arc + "360000\n"), {})) ==
         doctest::Approx(flat::area_of(flat::read_dxf(entities(arc + "0\n"), {}))));
   CHECK(message(entities(arc + "1e300\n")) == "line 6: an arc exceeds two turns, or starts beyond a million degrees");
 }
 
-TEST_CASE("rejects exponentially nested DXF blocks") {
+TEST_CASE("exponentially nested DXF blocks are rejected") {
   std::string blocks = "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nb\n0\nLINE\n10\n0\n20\n0\n11\n1\n21\n1\n";
   for (int i = 0; i < 30; ++i) blocks += "0\nINSERT\n2\nb\n10\n0\n20\n0\n";
   CHECK(message(blocks + "0\nENDBLK\n0\nENDSEC\n0\nEOF\n").ends_with("the blocks have more than 1000000 segments"));
 }
 
-TEST_CASE("reads or rejects mutated DXF files") {
+TEST_CASE("a mutated DXF file is read or rejected") {
   flat::check_mutations(".dxf", [](const std::string& bytes) { flat::read_dxf(bytes, {}); });
 }

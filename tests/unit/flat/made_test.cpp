@@ -24,7 +24,7 @@ TEST_CASE("circles have the corners of OpenSCAD") {
   check_as_openscad(flat::circle(12.5, {.fn = 0, .fa = 1, .fs = 0.3}), "circle_fine");
 }
 
-TEST_CASE("shapes without size are empty") {
+TEST_CASE("2-D shapes without size are empty") {
   CHECK(flat::square({0, 1}, false).empty());
   CHECK(flat::square({1, -1}, true).empty());
   CHECK(flat::square({infinite, 1}, false).empty());
@@ -61,13 +61,13 @@ TEST_CASE("a polygon may touch itself") {
   check_as_openscad(flat::polygon(points, {}), "polygon_touching");
 }
 
-TEST_CASE("rejects a path with a nonexistent point") {
+TEST_CASE("a polygon path with a nonexistent point is rejected") {
   const std::vector<glm::dvec2> points{{0, 0}, {4, 0}, {4, 4}};
   CHECK_THROWS_WITH_AS(flat::polygon(points, std::array{Path{0, 1, 2}, Path{0, 3, 1}}),
                        "paths[1][1] of polygon() is 3, but there are 3 points, numbered from 0", InputError);
 }
 
-TEST_CASE("rejects coordinates beyond the range of Clipper") {
+TEST_CASE("coordinates beyond the range of Clipper are rejected") {
   CHECK_THROWS_AS(flat::polygon(std::array{glm::dvec2(0, 0), glm::dvec2(1e13, 0), glm::dvec2(0, 1)}, {}), InputError);
   CHECK_THROWS_AS(flat::polygon(std::array{glm::dvec2(0, 0), glm::dvec2(1, std::nan("")), glm::dvec2(0, 1)}, {}),
                   InputError);

@@ -39,7 +39,7 @@ void check_same(const Paths& paths, const Paths& made, int size) {
 
 }  // namespace
 
-TEST_CASE("paths without overlapping sides stay unchanged") {
+TEST_CASE("polygon paths without overlapping sides stay unchanged") {
   const Paths paths{{{0, 0}, {9, 0}, {9, 0}, {9, 9}, {0, 9}}, {{2, 2}, {4, 2}, {3, 5}}, {{9, 9}, {12, 9}, {12, 12}}};
   CHECK(flat::without_overlaps(paths) == paths);
   CHECK(flat::without_overlaps({}).empty());
@@ -63,7 +63,7 @@ TEST_CASE("sides that coincide an even number of times vanish and others remain 
   check_same({triangle}, spiked, 25);
 }
 
-TEST_CASE("partly overlapping sides do not change the interior") {
+TEST_CASE("removing partly overlapping sides does not change the interior of a path") {
   // Two boxes with a common side, on the x axis, the y axis and an oblique line.
   check_same({{{0, 0}, {8, 0}, {8, 4}, {0, 4}}, {{2, 4}, {6, 4}, {6, 9}, {2, 9}}},
              flat::without_overlaps({{{0, 0}, {8, 0}, {8, 4}, {0, 4}}, {{2, 4}, {6, 4}, {6, 9}, {2, 9}}}), 12);
@@ -87,7 +87,7 @@ TEST_CASE("random grid paths keep their interior and lose overlapping sides") {
   }
 }
 
-TEST_CASE("extreme coordinates do not overflow") {
+TEST_CASE("extreme coordinates do not overflow where sides overlap") {
   const ClipperLib::cInt far = static_cast<ClipperLib::cInt>(1e12 * flat::clipper_scale);
   const Path large{{-far, -far}, {far, -far + 1}, {far - 1, far}};
   CHECK(flat::without_overlaps({large, large}).empty());

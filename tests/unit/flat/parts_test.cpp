@@ -69,7 +69,7 @@ TEST_CASE("a convex area is one part with the same corners") {
   }
 }
 
-TEST_CASE("denormal coordinates become 0 in a part") {
+TEST_CASE("denormal coordinates become 0 in a convex part") {
   const Area area{{{{1e-320, 0}, {3, -1e-320}, {3, 2}, {1, 2}, {1, 1}, {0, 1}}}};
   double sum = 0;
   for (const Outline& part : flat::convex_parts(area)) sum += flat::signed_area(part);
@@ -78,14 +78,14 @@ TEST_CASE("denormal coordinates become 0 in a part") {
   CHECK(around.outlines[0].size() == 5);
 }
 
-TEST_CASE("an area without outlines or size has no parts") {
+TEST_CASE("an area without outlines or size has no convex parts") {
   CHECK(flat::convex_parts({}).empty());
   CHECK(flat::convex_parts({{{{0, 0}, {1, 1}, {2, 2}}}}).empty());
   CHECK(flat::convex_parts({{{{0, 0}, {1, 1}}}}).empty());
   CHECK(flat::convex_parts({{{}}}).empty());
 }
 
-TEST_CASE("simple shapes have the minimum number of parts") {
+TEST_CASE("simple shapes have the minimum number of convex parts") {
   const Area ell = flat::polygon(std::array<glm::dvec2, 6>{{{0, 0}, {10, 0}, {10, 3}, {3, 3}, {3, 10}, {0, 10}}}, {});
   CHECK(checked_parts(ell).size() == 2);
   const Area plus = flat::unite(std::array{flat::square({6, 2}, true), flat::square({2, 6}, true)});
@@ -97,7 +97,7 @@ TEST_CASE("simple shapes have the minimum number of parts") {
   CHECK(checked_parts(notched).size() == 3);
 }
 
-TEST_CASE("parts cover areas with holes and touching outlines") {
+TEST_CASE("convex parts cover areas with holes and touching outlines") {
   const Area frame = flat::subtract(std::array{flat::square({8, 8}, true), flat::square({4, 4}, true)});
   CHECK(checked_parts(frame).size() == 4);
   const Area island = flat::unite(std::array{frame, flat::square({2, 2}, true)});
@@ -113,7 +113,7 @@ TEST_CASE("parts cover areas with holes and touching outlines") {
   checked_parts(flat::polygon(points, std::array{Path{0, 1, 2, 3}, Path{4, 5, 6, 7}, Path{5, 8, 9}}));
 }
 
-TEST_CASE("coincident sides bound nothing") {
+TEST_CASE("outlines with a common side form one convex part") {
   const Area halves{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{4, 0}, {8, 0}, {8, 4}, {4, 4}}}};
   const std::vector<Outline> parts = flat::convex_parts(halves);
   REQUIRE(parts.size() == 1);
@@ -132,7 +132,7 @@ TEST_CASE("an outline that winds twice is cut where it crosses itself") {
   for (const Outline& part : parts) CHECK(part.size() == 3);
 }
 
-TEST_CASE("parts cover random areas including rotated and distant ones") {
+TEST_CASE("convex parts cover random areas including rotated and distant ones") {
   std::mt19937 random(14);
   for (int i = 0; i < 150; ++i) {
     CAPTURE(i);
@@ -146,7 +146,7 @@ TEST_CASE("parts cover random areas including rotated and distant ones") {
   }
 }
 
-TEST_CASE("the same area has the same parts regardless of earlier calls") {
+TEST_CASE("an area has the same convex parts regardless of earlier calls") {
   std::mt19937 random(15);
   const Area area = random_area(random, 60);
   const std::vector<Outline> first = flat::convex_parts(area);

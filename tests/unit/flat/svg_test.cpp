@@ -35,11 +35,11 @@ TEST_CASE("SVG page sizes and alignments match OpenSCAD") {
   check_as_openscad(drawing("met", {.dpi = 96}), "svg_dpi");
 }
 
-TEST_CASE("ignores the parts of an SVG file that OpenSCAD ignores") {
+TEST_CASE("the parts of an SVG file that OpenSCAD ignores are ignored") {
   check_as_openscad(drawing("others"), "svg_others");
 }
 
-TEST_CASE("path numbers need no spaces where SVG allows it") {
+TEST_CASE("numbers of SVG paths need no spaces where SVG allows it") {
   const flat::Area apart = path("M 10 10 L 20.5 0.5 L 30 -5 z");
   CHECK(flat::area_of(apart) > 0);
   CHECK(path("M10,10L20.5.5 30-5z").outlines == apart.outlines);
@@ -48,12 +48,12 @@ TEST_CASE("path numbers need no spaces where SVG allows it") {
   CHECK(path("M0 0a5 5 0 01.5 5z").outlines == path("M0 0 a5,5 0 0,1 0.5,5 z").outlines);
 }
 
-TEST_CASE("an arc without radius is a line and one to its own start is empty") {
+TEST_CASE("an SVG arc without radius is a line and one to its own start is empty") {
   CHECK(path("M0 0A0 5 0 0 1 10 0L10 10z").outlines == path("M0 0L10 0L10 10z").outlines);
   CHECK(path("M0 0L10 0A5 5 0 1 1 10 0L10 10z").outlines == path("M0 0L10 0L10 10z").outlines);
 }
 
-TEST_CASE("rejects invalid SVG with its line number") {
+TEST_CASE("invalid SVG is rejected with its line number") {
   CHECK(message("") == "line 1: invalid XML: No document element found");
   CHECK(message("<html/>") == "line 1: not an SVG file: the outermost element is not svg");
   CHECK(message("<svg>\n<g>\n</svg>") == "line 3: invalid XML: Start-end tags mismatch");
@@ -73,7 +73,7 @@ TEST_CASE("rejects invalid SVG with its line number") {
   CHECK_THROWS_AS(flat::read_svg("<svg/>", {.dpi = 0}), InputError);
 }
 
-TEST_CASE("rejects deep nesting and does not expand entities") {
+TEST_CASE("deep nesting in SVG is rejected and entities are not expanded") {
   std::string deep = "<svg>";
   for (int i = 0; i < 100'000; ++i) deep += "<g>";
   CHECK(message(deep).starts_with("line 1: invalid XML"));
@@ -83,6 +83,6 @@ TEST_CASE("rejects deep nesting and does not expand entities") {
   CHECK(message(bomb) == "line 1: invalid path data at \"&b;\"");
 }
 
-TEST_CASE("reads or rejects mutated SVG files") {
+TEST_CASE("a mutated SVG file is read or rejected") {
   flat::check_mutations(".svg", [](const std::string& bytes) { flat::read_svg(bytes, {}); });
 }

@@ -76,7 +76,7 @@ TEST_CASE("invalid UTF-8 bytes are visible in text") {
   CHECK(flat::area_of(flat::text({.text = "a\xff\xc3z"})) > flat::area_of(flat::text({.text = "az"})));
 }
 
-TEST_CASE("rejects a bitmap font with its name if it has one") {
+TEST_CASE("a bitmap font is rejected with its name if it has one") {
   const std::string folder = CSGSIM_SOURCE_DIR "/tests/support/fonts/";
   CHECK_THROWS_WITH_AS(flat::text({.text = "x", .font = ":file=" + folder + "small.bdf"}),
                        "font Small cannot be scaled", InputError);
@@ -84,7 +84,7 @@ TEST_CASE("rejects a bitmap font with its name if it has one") {
                        "font without a name cannot be scaled", InputError);
 }
 
-TEST_CASE("rejects invalid text parameters") {
+TEST_CASE("invalid parameters of text are rejected") {
   CHECK_THROWS_WITH_AS(flat::text({.text = "x", .halign = "middle"}),
                        "halign of text() is \"middle\"; use \"left\", \"center\" or \"right\"", InputError);
   CHECK_THROWS_WITH_AS(flat::text({.text = "x", .valign = "\n"}),

@@ -47,7 +47,7 @@ std::vector<Plane*> pointers_to(std::vector<functional::TileBits>& planes) {
 
 }  // namespace
 
-TEST_CASE("sets a value where enabled") {
+TEST_CASE("a constant is written to exactly the enabled pixels") {
   CHECK(rc::check([] {
     Tile tile;
     const std::uint32_t value = tile.left_numbers.at(0, 0);
@@ -56,7 +56,7 @@ TEST_CASE("sets a value where enabled") {
   }));
 }
 
-TEST_CASE("copies a field where enabled") {
+TEST_CASE("a field is copied at exactly the enabled pixels") {
   CHECK(rc::check([] {
     Tile tile;
     functional::copy_lanes(tile.pixels(), *tile.left, *tile.right);
@@ -64,7 +64,7 @@ TEST_CASE("copies a field where enabled") {
   }));
 }
 
-TEST_CASE("adds a field where enabled and drops the carry") {
+TEST_CASE("a field is added at exactly the enabled pixels and drops the carry") {
   CHECK(rc::check([] {
     Tile tile;
     const std::uint32_t low_bits = ~std::uint32_t{0} >> (32 - tile.bits);
@@ -75,7 +75,7 @@ TEST_CASE("adds a field where enabled and drops the carry") {
   }));
 }
 
-TEST_CASE("a comparison keeps the pixels that satisfy it") {
+TEST_CASE("a comparison in lanes keeps enabled the pixels that satisfy it") {
   for (const Comparison comparison : {Comparison::less, Comparison::less_or_equal, Comparison::equal}) {
     CHECK(rc::check([&] {
       Tile tile;
@@ -94,7 +94,7 @@ TEST_CASE("a comparison keeps the pixels that satisfy it") {
   }
 }
 
-TEST_CASE("constant or distant blocks are decided without reading lanes") {
+TEST_CASE("blocks of constant or distant values are decided without reading lanes") {
   const functional::TileShape shape(64, 64);
   auto left = std::make_unique<Lanes>();
   auto right = std::make_unique<Lanes>();
@@ -114,7 +114,7 @@ TEST_CASE("constant or distant blocks are decided without reading lanes") {
   }
 }
 
-TEST_CASE("gathers bits of a field into planes for the selected blocks") {
+TEST_CASE("bits of a field are gathered from lanes into planes for the selected blocks") {
   CHECK(rc::check([] {
     Tile tile;
     const unsigned first = between(0U, tile.bits);
@@ -132,7 +132,7 @@ TEST_CASE("gathers bits of a field into planes for the selected blocks") {
   }));
 }
 
-TEST_CASE("scatters planes into a field for the selected blocks") {
+TEST_CASE("bits of planes are scattered into the lanes of a field for the selected blocks") {
   CHECK(rc::check([] {
     Tile tile;
     std::vector<functional::TileBits> planes(tile.bits);

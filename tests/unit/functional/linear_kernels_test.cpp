@@ -154,7 +154,7 @@ TEST_CASE("a sign test keeps non-negative or negative pixels") {
   }));
 }
 
-TEST_CASE("a comparison keeps pixels by the relation of F to the field") {
+TEST_CASE("a comparison with F keeps enabled the pixels that satisfy it") {
   CHECK(rc::check([] {
     using enum LinearKind;
     check_tests(any_for_field(), greater_or_equal, [](std::int64_t f, std::int64_t z) { return f >= z; });
@@ -165,7 +165,7 @@ TEST_CASE("a comparison keeps pixels by the relation of F to the field") {
   }));
 }
 
-TEST_CASE("a load writes the low bits of F and clears E where F does not fit") {
+TEST_CASE("load_linear writes the low bits of F and clears E where F does not fit") {
   CHECK(rc::check(
       [] { check_writes(any_for_field(), LinearKind::load, [](std::int64_t, std::int64_t) { return true; }); }));
 }
@@ -180,7 +180,7 @@ TEST_CASE("keep_max and keep_min update the field and clear E on overflow") {
 // The sum is 0 at the last pixel and negative elsewhere. With 30 of its 36 bits, seven steps along a row and seven
 // along a column lose at least 0.875 each, 13 in total: bounds with a smaller margin would classify the last block as
 // negative.
-TEST_CASE("evaluates a block with a maximum sum of 0 despite truncated bounds") {
+TEST_CASE("a block with a maximum sum of 0 is evaluated despite truncated bounds") {
   constexpr std::int64_t slope = (std::int64_t{1} << 29U) + 7;
   const Expression expression{.a = slope, .b = slope, .c = -126 * slope, .width = 40};
   REQUIRE(expression.sum(63, 63) == 0);

@@ -111,7 +111,7 @@ void do_any(Memory& memory, SlowMemory& slow, const TileShape& shape) {
 
 }  // namespace
 
-TEST_CASE("memory holds the written values in any sequence of representations") {
+TEST_CASE("a tile's memory holds the written values in any sequence of representations") {
   CHECK(rc::check([] {
     const TileShape shape = any_shape();
     Memory memory(shape, memory_bits);
@@ -145,7 +145,7 @@ TEST_CASE("a field switches between planes and lanes as it is used") {
   CHECK(memory.in_planes({0, 20}));
 }
 
-TEST_CASE("evicts the least recently used lanes") {
+TEST_CASE("the least recently used lanes of a tile's memory are evicted") {
   Memory memory({64, 64}, memory_bits);
   for (std::uint16_t base = 0; base < 33; ++base) {
     functional::Lanes& one = memory.lanes({base, 2});

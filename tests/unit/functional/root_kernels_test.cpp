@@ -7,7 +7,7 @@
 using namespace csgsim;
 using namespace csgsim::testing;
 
-TEST_CASE("takes roots of every width at exactly the enabled pixels") {
+TEST_CASE("roots of every width are taken at exactly the enabled pixels") {
   CHECK(rc::check([] {
     const unsigned w = between(1U, 31U);
     const functional::TileShape shape = any_shape();

@@ -95,7 +95,7 @@ TEST_CASE("bits of a tile match its pixels after any operations") {
   }));
 }
 
-TEST_CASE("bits survive the conversion to rows of words and back") {
+TEST_CASE("bits of a tile survive the conversion to rows of words and back") {
   CHECK(rc::check([] {
     const TileShape shape = any_shape();
     const auto stride = between<std::size_t>(1, 4);

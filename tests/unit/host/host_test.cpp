@@ -113,7 +113,7 @@ TEST_CASE("a host slower than the machine limits the frame and a faster one does
   CHECK(bound.sentence.starts_with(kept_up.sentence));
 }
 
-TEST_CASE("rejects a Program with an excessive amount of preparation") {
+TEST_CASE("a Program with an excessive amount of host preparation is rejected") {
   const machines::Machine machine = machine_named("pixel-planes-4");
   isa::Program program = drawn_on(machine);
   program.preparation->planes = 1'000'000'000'000;
@@ -150,7 +150,7 @@ TEST_CASE("a host's operations are the sum over its preparation and instructions
   }
 }
 
-TEST_CASE("accepts work up to the limit of exact clocks and rejects more") {
+TEST_CASE("host work up to the limit of exact clocks is accepted and more rejected") {
   const machines::Machine machine = machine_named("pixel-planes-4");
   isa::Program program;
   program.shape = machine.array;
@@ -165,7 +165,7 @@ TEST_CASE("accepts work up to the limit of exact clocks and rejects more") {
                        InputError);
 }
 
-TEST_CASE("accepts exactly 9e15 clocks and rejects the next possible value") {
+TEST_CASE("exactly 9e15 host clocks are accepted and the next possible value rejected") {
   // The machine has the clock frequency of an MC68000, so both clocks are equal.
   machines::Machine machine = machine_named("pixel-planes-4+host.processor=mc68000");
   machine.clock_hz = processors::load_processor("mc68000").clock_hz;

@@ -32,14 +32,14 @@ const std::string moved = "multmatrix([[1, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 5],
 
 }  // namespace
 
-TEST_CASE("a cube takes the transformation of six planes and eight corners") {
+TEST_CASE("a cube takes the host the transformation of six planes and eight corners") {
   const isa::Program program = compiled(cube);
   CHECK(program.preparation->planes == 6);
   CHECK(program.preparation->points == 8);
   CHECK(program.preparation->nodes == 1);
 }
 
-TEST_CASE("a lone cube takes box and half-space tests against its rectangle") {
+TEST_CASE("a lone cube takes the host box and half-space tests against its rectangle") {
   const isa::Preparation took = of_segments(compiled(cube));
   // Whether it is in the picture, and its block.
   CHECK(took.boxes == 2);
@@ -54,7 +54,7 @@ TEST_CASE("a lone cube takes box and half-space tests against its rectangle") {
   CHECK(took.colours == 3);
 }
 
-TEST_CASE("each surface of a notched cube examines the other cube") {
+TEST_CASE("each surface of a notched cube takes a test of the other cube by the host") {
   const isa::Preparation took = of_segments(compiled("difference() {" + cube + moved + "{" + cube + "} }"));
   CHECK(took.nodes > 0);
   // Gilbert's algorithm examines eight corners of both in each step.
@@ -63,7 +63,7 @@ TEST_CASE("each surface of a notched cube examines the other cube") {
   CHECK(took.halfspaces > 24);
 }
 
-TEST_CASE("disabled prunings are not counted") {
+TEST_CASE("the host's preparation does not count disabled prunings") {
   const std::string notched = "difference() {" + cube + moved + "{" + cube + "} }";
   csg::Pruning pruning;
   pruning.separation = false;
@@ -76,7 +76,7 @@ TEST_CASE("disabled prunings are not counted") {
   CHECK(none.boxes < of_segments(compiled(notched)).boxes);
 }
 
-TEST_CASE("twice the cubes side by side take twice the work") {
+TEST_CASE("twice as many cubes side by side take twice the host's work") {
   const auto row_of = [](int cubes) {
     std::string row = "group() {";
     for (int i = 0; i < cubes; ++i)

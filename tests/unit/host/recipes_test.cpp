@@ -146,7 +146,7 @@ constexpr double stored = 16 + 8 + 6 + 10;                           // MOVE.L, 
 
 }  // namespace
 
-TEST_CASE("an instruction without operands takes one number in one word") {
+TEST_CASE("writing an instruction without operands takes one number in one word") {
   const isa::Instruction instruction{.opcode = isa::Opcode::enable_all};
   CHECK(clocks_of(host::count_operations(instruction, 32)) == called + number + stored);
   // A 16-bit word is stored like a long; a 64-bit word takes two stores.
@@ -154,7 +154,7 @@ TEST_CASE("an instruction without operands takes one number in one word") {
   CHECK(clocks_of(host::count_operations(instruction, 64)) == called + number + 2 * stored);
 }
 
-TEST_CASE("a linear expression takes the clocks of its four steps") {
+TEST_CASE("writing a linear expression takes the clocks of its four steps") {
   constexpr double moved = 3 * 16 + 2 * 12 + 4 * 70 + 4 * 8;
   constexpr double tested = 3 * 16 + 4 * 12 + 8 * 70 + 10 * 8 + 6 * 6 + 6 * 8 + 10;
   constexpr double fitted = 6 * 8 + 5 * 6 + 10 * 8 + 3 * 8 + 24 * 2;
@@ -165,7 +165,7 @@ TEST_CASE("a linear expression takes the clocks of its four steps") {
   CHECK(clocks_of(host::count_operations(edge, 32)) == called + 9 * number + moved + tested + fitted + 5 * stored);
 }
 
-TEST_CASE("a field takes two numbers") {
+TEST_CASE("writing a field takes two numbers") {
   const isa::Instruction copy{.opcode = isa::Opcode::copy, .fields = {isa::Field{3, 8}, isa::Field{20, 8}, {}}};
   // 6 bits, plus 12 and 6 for each field: 42.
   CHECK(clocks_of(host::count_operations(copy, 32)) == called + 5 * number + 2 * stored);
@@ -206,7 +206,7 @@ TEST_CASE("each recipe is counted by the preparation member of the same name") {
                                                         {"nodes", 8}});
 }
 
-TEST_CASE("written instructions take a call and their numbers and operands") {
+TEST_CASE("writing instructions takes a call each and the operations of their operands") {
   const Counts tested = expected_recipes.at("tests");
   const host::Written written{.instructions = 3, .numbers = 10, .linear = 2, .squares = 1, .longs = 7};
   CHECK(counts_of(host::count_operations(written)) == sum_of({{3, &counts_called},
@@ -219,7 +219,7 @@ TEST_CASE("written instructions take a call and their numbers and operands") {
   CHECK(counts_of(host::model_long_operations()) == sum_of({{2, &counts_number}, {1, &counts_stored}}));
 }
 
-TEST_CASE("an operand takes its documented numbers and a long per 32 coefficient bits") {
+TEST_CASE("operands take the documented numbers and a long per 32 coefficient bits") {
   using isa::Opcode;
   const isa::Linear narrow{.a = 1, .b = 2, .c = 3, .width = 32};
   const isa::Linear wide{.a = 1, .b = 2, .c = 3, .width = 33};

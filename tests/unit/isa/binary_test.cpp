@@ -40,18 +40,18 @@ void survives(const Bytes& bytes) {
   if (refusal([&] { program = decode(bytes, "p.csgt"); }).empty()) validate(program);
 }
 
-TEST_CASE("the sample survives the binary form") {
+TEST_CASE("the sample Program survives a binary round trip") {
   CHECK(decode(encode(sample_program()), "p.csgt") == sample_program());
 }
 
-TEST_CASE("every Program survives the binary form") {
-  CHECK(rc::check("decode(encode(p)) == p", [] {
+TEST_CASE("every Program survives a binary round trip") {
+  CHECK(rc::check("decode() inverts encode()", [] {
     const auto program = *test::arbitrary_program({37, 20, 72}, 60, 2);
     RC_ASSERT(decode(encode(program), "p.csgt") == program);
   }));
 }
 
-TEST_CASE("reads files of the previous version without machine record or extents") {
+TEST_CASE("Programs of the previous version without machine record or extents are read") {
   const std::string folder = std::string(CSGSIM_SOURCE_DIR) + "/tests/fuzz/corpus/program_binary/";
   const Program lines = load_program(folder + "one_lines.csgt");
   CHECK(lines.machine == MachineRecord{});
@@ -64,7 +64,7 @@ TEST_CASE("reads files of the previous version without machine record or extents
   CHECK(decode(encode(lines), "p.csgt") == lines);
 }
 
-TEST_CASE("an instruction takes few bytes") {
+TEST_CASE("an instruction with a linear expression takes fewer than 14 bytes") {
   Program program = sample_program();
   const std::size_t before = encode(program).size();
   for (int i = 0; i < 1000; ++i)
@@ -72,7 +72,7 @@ TEST_CASE("an instruction takes few bytes") {
   CHECK(encode(program).size() - before < 1000 * 14);
 }
 
-TEST_CASE("varints of the binary form round-trip") {
+TEST_CASE("varints of the binary form survive a round trip") {
   for (const std::int64_t value :
        {std::int64_t{0}, std::int64_t{-1}, std::int64_t{1}, std::int64_t{63}, std::int64_t{-64},
         std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}) {
@@ -86,13 +86,13 @@ TEST_CASE("varints of the binary form round-trip") {
   CHECK(zigzag(1) == 2);
 }
 
-TEST_CASE("rejects a varint of more than 64 bits") {
+TEST_CASE("a varint of more than 64 bits is rejected") {
   const Bytes bytes(10, std::byte{0xff});
   ByteReader in(bytes);
   CHECK_THROWS_AS(in.varint(), MalformedBytes);
 }
 
-TEST_CASE("detects every flipped bit") {
+TEST_CASE("decode() rejects a file with any flipped bit") {
   const Bytes sound = encode(sample_program());
   for (std::size_t i = 0; i < sound.size(); ++i)
     for (unsigned bit = 0; bit < 8; ++bit) {
@@ -102,7 +102,7 @@ TEST_CASE("detects every flipped bit") {
     }
 }
 
-TEST_CASE("detects every truncation regardless of the checksum") {
+TEST_CASE("decode() rejects any truncation even with a correct checksum") {
   const Bytes sound = encode(sample_program());
   for (std::size_t size = 0; size < sound.size(); ++size) {
     Bytes shortened(sound.begin(), sound.begin() + static_cast<std::ptrdiff_t>(size));
@@ -113,7 +113,7 @@ TEST_CASE("detects every truncation regardless of the checksum") {
   }
 }
 
-TEST_CASE("a hostile byte with a correct checksum is rejected or harmless") {
+TEST_CASE("a hostile byte in a Program with a correct checksum is rejected or harmless") {
   const Bytes sound = encode(sample_program());
   for (std::size_t i = 5; i + checksum_size < sound.size(); ++i)
     for (const unsigned value : {0x00U, 0x01U, 0x7fU, 0x80U, 0x9bU, 0xbfU, 0xffU}) {
@@ -124,9 +124,9 @@ TEST_CASE("a hostile byte with a correct checksum is rejected or harmless") {
     }
 }
 
-TEST_CASE("random corruption with a correct checksum is rejected or harmless") {
+TEST_CASE("random corruption of a Program with a correct checksum is rejected or harmless") {
   const Bytes sound = encode(sample_program());
-  CHECK(rc::check("decode is total", [&sound] {
+  CHECK(rc::check("decode() returns a valid Program or an error", [&sound] {
     Bytes hostile = sound;
     const auto changes = *rc::gen::inRange(1, 12);
     for (int i = 0; i < changes; ++i) {
@@ -139,8 +139,8 @@ TEST_CASE("random corruption with a correct checksum is rejected or harmless") {
   }));
 }
 
-TEST_CASE("random bytes after a valid header are rejected or harmless") {
-  CHECK(rc::check("decode is total", [] {
+TEST_CASE("random bytes after a valid header of a Program are rejected or harmless") {
+  CHECK(rc::check("decode() returns a valid Program or an error", [] {
     const auto noise = *rc::gen::container<std::vector<std::uint8_t>>(
         rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint8_t>()));
     ByteWriter out;
@@ -165,7 +165,7 @@ Bytes file_of(const std::vector<std::uint8_t>& metadata) {
   return bytes;
 }
 
-TEST_CASE("rejects metadata nested a million deep without overflowing the stack") {
+TEST_CASE("metadata nested a million deep is rejected without overflowing the stack") {
   constexpr std::size_t depth = 1000000;
   const Bytes arrays = file_of(std::vector<std::uint8_t>(depth, 0x81));
   CHECK(contains(refusal([&] { decode(arrays, "p.csgt"); }), "not CBOR"));
@@ -175,7 +175,7 @@ TEST_CASE("rejects metadata nested a million deep without overflowing the stack"
   }
 }
 
-TEST_CASE("finds an indefinite-length string after items of every kind") {
+TEST_CASE("decode() finds an indefinite-length string after items of every kind") {
   const std::vector<std::uint8_t> items{0x18, 0xff, 0x39, 1,    2,    0x1b, 1,    2,    3,    4,    5,    6,
                                         7,    8,    0x62, 'a',  0x7f, 0x42, 0x7f, 0x7f, 0x82, 0xa1, 0xc1, 0xf4,
                                         0xf9, 0x7f, 0x7f, 0xfb, 1,    2,    3,    4,    5,    6,    7,    0x7f};
@@ -185,7 +185,7 @@ TEST_CASE("finds an indefinite-length string after items of every kind") {
   CHECK(contains(refusal([&] { decode(file_of(one_more), "p.csgt"); }), "indefinite-length string"));
 }
 
-TEST_CASE("errors in the bytes have specific messages") {
+TEST_CASE("each error in a binary Program has a specific message") {
   Bytes bytes = encode(sample_program());
   const auto current_error = [&] { return refusal([&] { decode(bytes, "p.csgt"); }); };
 
@@ -214,7 +214,7 @@ TEST_CASE("errors in the bytes have specific messages") {
   CHECK(contains(current_error(), "undefined opcode " + std::to_string(opcode_table.size())));
 }
 
-TEST_CASE("rejects a count beyond the available bytes before allocating memory") {
+TEST_CASE("a count beyond the available bytes is rejected before memory is allocated") {
   Bytes bytes = encode(sample_program());
   // The instruction count of the first segment, 9, is the last element of its row: 0x09 before the next row's 0x8a.
   constexpr std::array pattern{std::byte{0x09}, std::byte{0x8a}};
@@ -225,7 +225,7 @@ TEST_CASE("rejects a count beyond the available bytes before allocating memory")
   CHECK(contains(refusal([&] { decode(bytes, "p.csgt"); }), "ends too soon"));
 }
 
-TEST_CASE("rejects an invalid Program when reading it") {
+TEST_CASE("an invalid Program is rejected when it is read") {
   Program program = sample_program();
   program.segments[0].instructions[3].linear.width = 3;
   CHECK(refusal([&] { decode(encode(program), "p.csgt"); }).starts_with("p.csgt: segment 0, instruction 3: "));

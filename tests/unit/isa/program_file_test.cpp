@@ -29,7 +29,7 @@ class Scratch {
   fs::path path_;
 };
 
-TEST_CASE("a file is written in the requested form and read back from it") {
+TEST_CASE("a Program file is written in the requested form and read back from it") {
   const Scratch scratch("forms");
   for (const ProgramForm form : {ProgramForm::binary, ProgramForm::text}) {
     const fs::path path = scratch / "p.csgt";
@@ -42,7 +42,7 @@ TEST_CASE("a file is written in the requested form and read back from it") {
   CHECK(scratch.files() == 1);
 }
 
-TEST_CASE("a file that cannot be written leaves nothing behind") {
+TEST_CASE("a Program file that cannot be written leaves nothing behind") {
   const Scratch scratch("unwritable");
   fs::create_directory(scratch / "p.csgt");
   fs::create_directory(scratch / "p.csgt" / "full");
@@ -51,7 +51,7 @@ TEST_CASE("a file that cannot be written leaves nothing behind") {
   CHECK(contains(refusal([&] { save_program(sample_program(), scratch / "none/p.csgt"); }), "cannot be written"));
 }
 
-TEST_CASE("the error for an unreadable file names it") {
+TEST_CASE("the error for an unreadable Program file names it") {
   const Scratch scratch("unreadable");
   const fs::path path = scratch / "p.csgt";
   CHECK(refusal([&] { load_program(path); }).starts_with(path.string() + ": cannot be read: No such file"));
@@ -59,7 +59,7 @@ TEST_CASE("the error for an unreadable file names it") {
   CHECK(contains(refusal([&] { load_program(path); }), "it is a folder; name a .csgt file"));
 }
 
-TEST_CASE("errors inside a file name the file") {
+TEST_CASE("an error in a Program file begins with the file's name") {
   const Scratch scratch("errors");
   const fs::path path = scratch / "p.csgt";
   std::ofstream(path) << "CSGT";
@@ -68,7 +68,7 @@ TEST_CASE("errors inside a file name the file") {
   CHECK(refusal([&] { load_program(path); }).starts_with(path.string() + ":1:1: "));
 }
 
-TEST_CASE("rejects a Program file larger than 1 GiB without reading it") {
+TEST_CASE("a Program file larger than 1 GiB is rejected without reading it") {
   const Scratch scratch("large");
   const fs::path path = scratch / "p.csgt";
   save_program(sample_program(), path);

@@ -12,7 +12,7 @@ namespace {
 /// Checks that random Programs are valid and returns their opcodes.
 std::set<isa::Opcode> opcodes_of_valid_programs(isa::ArrayShape shape) {
   std::set<isa::Opcode> opcodes;
-  CHECK(rc::check("valid", [&] {
+  CHECK(rc::check("random Programs are valid", [&] {
     const auto program = *arbitrary_program(shape, 100, 2);
     isa::validate(program);
     for (const isa::Segment& segment : program.segments)

@@ -65,7 +65,7 @@ std::uint64_t clocks_of(const RunResult& result, const std::vector<std::string_v
   return clocks;
 }
 
-TEST_CASE("a run takes each instruction's clocks and the latency once") {
+TEST_CASE("a reference run takes each instruction's clocks and the latency once") {
   const auto machine = machine_of({8, 4, 16});
   const RunResult result = make_reference_engine(machine)->run(two_segments(), {});
   // Latency is 3 + 2 levels; a query takes 1 + 5.
@@ -81,7 +81,7 @@ TEST_CASE("answers report whether any pixel of the segment is enabled") {
   CHECK(result.answers == std::vector<bool>{true, false, true});
 }
 
-TEST_CASE("observers receive every step in order with the previously enabled pixels") {
+TEST_CASE("observers receive every instruction with the previously enabled pixels") {
   Recorder first;
   Recorder second;
   const std::array<Observer*, 2> observers{&first, &second};
@@ -146,7 +146,7 @@ TEST_CASE("a skip with an enabled pixel omits nothing") {
   CHECK(result.answers == std::vector<bool>{true});
 }
 
-TEST_CASE("a skip to the end of its segment continues with the next segment") {
+TEST_CASE("a skip to the end of a segment continues with the next segment") {
   Recorder recorder;
   const RunResult result = run({{skip(2), all, ask}, {all, ask}, {skip(1), all}}, recorder);
   CHECK(recorder.steps == std::vector<Record>{{0, 0, 6, 0}, {1, 0, 1, 0}, {1, 1, 6, 32}, {2, 0, 6, 0}});
@@ -155,7 +155,7 @@ TEST_CASE("a skip to the end of its segment continues with the next segment") {
   CHECK(result.answers == std::vector<bool>{true});
 }
 
-TEST_CASE("a skipped skip has no effect and a reached one does") {
+TEST_CASE("a skip instruction that is skipped has no effect and one that is reached has") {
   Recorder skipped;
   CHECK(run({{skip(1), skip(2), all, ask}}, skipped).answers == std::vector<bool>{true});
   Recorder reached;
@@ -164,13 +164,13 @@ TEST_CASE("a skipped skip has no effect and a reached one does") {
   CHECK(result.skipped == 2);
 }
 
-TEST_CASE("skipped instructions do not overflow") {
+TEST_CASE("skipped instructions count no overflow") {
   const isa::Instruction narrow{Opcode::edge_negative, {}, {0, 0, 2, 2, 0}, 0, {}};
   Recorder recorder;
   CHECK(run({{skip(2), all, narrow, all, narrow}}, recorder).overflows == 32);
 }
 
-TEST_CASE("rejects a query on a machine without global OR before running") {
+TEST_CASE("a query on a machine without global OR is rejected before the run") {
   machines::Machine machine = machine_of({8, 4, 16});
   machines::own<pixel_planes::Figures>(machine).has_global_or = false;
   machine.name = "deaf";
@@ -188,7 +188,7 @@ TEST_CASE("rejects a query on a machine without global OR before running") {
   CHECK_NOTHROW(make_reference_engine(machine)->run(program, {}));
 }
 
-TEST_CASE("the engine's level is reference") {
+TEST_CASE("the reference engine reports the level `reference`") {
   CHECK(make_reference_engine(machine_of({1, 1, 1}))->level() == "reference");
 }
 

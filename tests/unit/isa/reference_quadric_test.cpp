@@ -60,7 +60,7 @@ TEST_CASE("a disabled pixel keeps its field while others take the root") {
   CHECK(array.read({0, 9}, 1, 0) == (14U << 5U | 7U));
 }
 
-TEST_CASE("squares add to the sum of only the next instruction") {
+TEST_CASE("squares add only to the sum of the next instruction") {
   CHECK(rc::check([] {
     const Quadratic sum = test::any_quadratic({9, 7, 0});
     const Field field{3, static_cast<std::uint16_t>(sum.linear.width - sum.linear.shift - 1)};

@@ -77,7 +77,7 @@ Values bit_table(Opcode opcode, Field second = r1) {
   return values(array, t1);
 }
 
-TEST_CASE("memory and enable start at 0") {
+TEST_CASE("pixel memory and enable bits start at 0") {
   const ReferenceArray array(isa::ArrayShape{2, 3, 12});
   CHECK(values(array, {0, 12}) == Values{0, 0, 0, 0, 0, 0});
   CHECK(enabled(array) == Bits{0, 0, 0, 0, 0, 0});
@@ -142,7 +142,7 @@ TEST_CASE("F is shifted rounding down") {
   CHECK(enabled(array) == Bits{1, 1, 1, 0, 0, 0, 0});
 }
 
-TEST_CASE("a sum loses the high bits that exceed its width") {
+TEST_CASE("F loses the high bits that exceed its width") {
   // 3 bits hold -4 to 3: 2, 3, 4, 5 become 2, 3, -4, -3.
   ReferenceArray array = row(4);
   array.execute(on_linear(Opcode::edge_negative, {}, {1, 0, 2, 3, 0}));
@@ -150,7 +150,7 @@ TEST_CASE("a sum loses the high bits that exceed its width") {
   CHECK(array.overflows() == 2);
 }
 
-TEST_CASE("counts overflows only at enabled pixels") {
+TEST_CASE("overflows of F count only at enabled pixels") {
   ReferenceArray array = row(4);
   enable(array, {1, 1, 1, 0});
   array.execute(on_linear(Opcode::edge_negative, {}, {1, 0, 2, 3, 0}));
@@ -163,7 +163,7 @@ TEST_CASE("counts overflows only at enabled pixels") {
   CHECK(array.overflows() == 5);
 }
 
-TEST_CASE("compares F with a field and a negative F is less than every field") {
+TEST_CASE("a negative F is less than every field") {
   // x - 1 is -1, 0, 1, 2, 3, compared with 0, 0, 2, 2, 2.
   const auto compared = [](Opcode opcode) {
     ReferenceArray array = row(5);
@@ -228,7 +228,7 @@ TEST_CASE("keep_min writes where F is less and disables where that does not fit"
   CHECK(enabled(array) == Bits{0, 1, 1, 1, 1, 0});
 }
 
-TEST_CASE("loads the widest linear expression into a wide field") {
+TEST_CASE("load_linear loads the widest linear expression into a wide field") {
   // 2^61 - 1 over 30 fraction bits is 2^31 - 1, rounded down; its negative is -2^31.
   constexpr std::int64_t most = (std::int64_t{1} << 61U) - 1;
   ReferenceArray array(isa::ArrayShape{2, 1, 32});
@@ -239,7 +239,7 @@ TEST_CASE("loads the widest linear expression into a wide field") {
   CHECK(array.overflows() == 0);
 }
 
-TEST_CASE("set_constant and copy write where enabled and leave other bits unchanged") {
+TEST_CASE("set_constant and copy write only where enabled and leave other bits unchanged") {
   ReferenceArray array = row(2);
   set(array, {0, 12}, {0xfff, 0xfff});
   enable(array, {1, 0});
@@ -264,7 +264,7 @@ TEST_CASE("fields are compared as unsigned numbers") {
   CHECK(compared(Opcode::field_eq) == Bits{1, 0, 0, 0});
 }
 
-TEST_CASE("bit instructions write where enabled") {
+TEST_CASE("bit instructions write only where enabled") {
   CHECK(bit_table(Opcode::bit_and) == Values{0, 0, 0, 1, 1});
   CHECK(bit_table(Opcode::bit_or) == Values{0, 1, 1, 1, 1});
   CHECK(bit_table(Opcode::bit_xor) == Values{0, 1, 1, 0, 1});
@@ -309,7 +309,7 @@ TEST_CASE("xor_constant inverts the target where the constant is 1") {
   CHECK(values(array, s) == Values{15, 0, 15});
 }
 
-TEST_CASE("add works where enabled and drops the carry out of the target's top bit") {
+TEST_CASE("add writes only where enabled and drops the carry out of the target's top bit") {
   ReferenceArray array = row(5);
   set(array, t, {0, 9, 15, 15, 9});
   set(array, s, {0, 5, 1, 15, 5});

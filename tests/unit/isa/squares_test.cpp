@@ -23,7 +23,7 @@ Instruction first_of(const std::string& instructions) {
 
 Instruction squares(const Linear& linear) { return {Opcode::squares, {}, linear, 0, {}}; }
 
-TEST_CASE("squares are parsed in any order of terms and print round-trips") {
+TEST_CASE("squares are parsed in any order of terms and survive a text round trip") {
   const std::string next = "\nedge_negative x (w35)\n";
   for (const auto& [line, read] :
        {std::pair{"squares 3*x*x - 2*x*y + 5*y*y (w35)", Linear{3, -2, 5, 35, 0}},
@@ -54,7 +54,7 @@ TEST_CASE("errors in squares have a position") {
   CHECK(contains(error_of("squares 9223372036854775808*x*x (w35)"), "out of range"));
 }
 
-TEST_CASE("squares must precede a linear expression of their width") {
+TEST_CASE("squares must come before a linear expression of their width") {
   CHECK(error_of("squares x*x (w35)\nlinear_ge [0+:8], x (w35 >> 4)").empty());
   CHECK(error_of("squares x*x (w35)\nstripe x (w35)").empty());
   CHECK(error_of("enable_all\nsquares x*x (w35)") ==
@@ -80,7 +80,7 @@ TEST_CASE("a skip must not end between squares and their instruction") {
   CHECK(contains(error_of("skip_if_none 2\nenable_all\n" + pair), "ends between squares"));
 }
 
-TEST_CASE("the whole sum must stay below 2^62 over the segment") {
+TEST_CASE("squares and linear expression must stay below 2^62 in sum over the segment") {
   // 100 * 100 A + 100 * 64 B + 64 * 64 C + 100 D + 64 E + F
   constexpr std::int64_t limit = std::int64_t{1} << 62U;
   const auto error = [](std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t rest) {
@@ -106,7 +106,7 @@ TEST_CASE("squares have 1 to 62 bits and no shift and no field") {
   CHECK_FALSE(refusal_of({Opcode::squares, {{{0, 1}}}, {1, 2, 3, 20, 0}, 0, {}}).empty());
 }
 
-TEST_CASE("wide fields are allowed only for loading or adding F and for roots") {
+TEST_CASE("wide fields are allowed only where F is loaded or added and for roots") {
   CHECK(error_of("load_linear [0+:61], x (w62)").empty());
   CHECK(error_of("linear_plus [0+:61], x (w62)").empty());
   CHECK(error_of("linear_minus [67+:61], x (w62)").empty());
@@ -123,7 +123,7 @@ TEST_CASE("wide fields are allowed only for loading or adding F and for roots") 
   CHECK(contains(error_of("root [0+:63]"), "63 bits wide; a field has 1 to 62 bits"));
 }
 
-TEST_CASE("squares take five bytes in the binary form and round-trip") {
+TEST_CASE("squares take five bytes in the binary form and survive a round trip") {
   const Program program = parse(header + "squares 3*x*x - 2*x*y + 5*y*y (w35)\nload_linear [0+:34], 7*x (w35)\n", "t");
   const auto bytes = encode(program);
   CHECK(decode(bytes, "t") == program);

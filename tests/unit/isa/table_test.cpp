@@ -7,7 +7,7 @@ using namespace csgsim::isa;
 
 namespace {
 
-TEST_CASE("info() finds the row of an opcode by its number") {
+TEST_CASE("info() returns the row of an opcode by its number") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     CHECK(&info(row.opcode) == &row);
@@ -17,7 +17,7 @@ TEST_CASE("info() finds the row of an opcode by its number") {
   }
 }
 
-TEST_CASE("numbers without a row are not in the table") {
+TEST_CASE("in_table() is false for opcode numbers without a row") {
   std::size_t numbers = 0;
   for (unsigned number = 0; number < 256; ++number)
     if (in_table(static_cast<Opcode>(number))) ++numbers;
@@ -48,7 +48,7 @@ TEST_CASE("every opcode has a meaning") {
   for (const OpcodeInfo& row : opcode_table) CHECK_FALSE(row.meaning.empty());
 }
 
-TEST_CASE("operands have no gaps and a field used with F or a constant comes first") {
+TEST_CASE("operand lists have no gaps and begin with the field used with F or a constant") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     const auto none = std::find(row.operands.begin(), row.operands.end(), OperandKind::none);
@@ -67,7 +67,7 @@ TEST_CASE("an instruction writes at most one field and lists it first") {
   }
 }
 
-TEST_CASE("clock classes agree with the operands") {
+TEST_CASE("an opcode's clock class agrees with its operands") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     const bool streams = row.clock_class == ClockClass::linear_once || row.clock_class == ClockClass::linear_twice;
@@ -109,7 +109,7 @@ TEST_CASE("instructions that read their target have one and stripes are linear")
   }
 }
 
-TEST_CASE("only the expected instructions take wide fields or look ahead") {
+TEST_CASE("only uses of F and roots take wide fields and only skips and squares look ahead") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     const bool loads_or_adds = row.meaning.starts_with("where E: t := the low bits of F");
@@ -119,7 +119,7 @@ TEST_CASE("only the expected instructions take wide fields or look ahead") {
   }
 }
 
-TEST_CASE("fields overlap when they share a bit") {
+TEST_CASE("overlaps() is true for fields that share a bit") {
   CHECK(Field{0, 8}.overlaps({7, 1}));
   CHECK_FALSE(Field{0, 8}.overlaps({8, 1}));
   CHECK(Field{4, 1}.overlaps({0, 8}));

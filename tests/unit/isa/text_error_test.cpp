@@ -33,18 +33,18 @@ TEST_CASE("an unknown word is reported with its position and the nearest known o
         "t:3:13: unknown field 'a'; none is defined yet");
 }
 
-TEST_CASE("an error is one line even if it quotes control characters") {
+TEST_CASE("a syntax error is one line even if it quotes control characters") {
   CHECK(error_in_line_5("enable_load \"a\\x0ab\"") == "t:5:13: unknown field 'a\\nb'; the nearest is 'Z1'");
 }
 
-TEST_CASE("finds the nearest of long words quickly by their prefixes") {
+TEST_CASE("the nearest of long words is found quickly by their prefixes") {
   const std::string a(1'000'000, 'a');
   const std::string b(1'000'000, 'b');
   const std::vector<std::string_view> words{b, a};
   CHECK(nearest(a + "c", words) == a);
 }
 
-TEST_CASE("syntax errors have a position") {
+TEST_CASE("syntax errors in the text of a Program have a position") {
   CHECK(error_in_line_5("keep_max Z1 x (w9)").starts_with("t:5:13: expected a comma"));
   CHECK(error_in_line_5("keep_max Z1, 3*z (w9)").starts_with("t:5:16: expected x or y"));
   CHECK(error_in_line_5("keep_max Z1, 3*x").starts_with("t:5:17: expected the width of the linear expression"));
@@ -70,7 +70,7 @@ TEST_CASE("syntax errors have a position") {
   CHECK(error_of(array + ".model unions=").starts_with("t:2:15: expected a number"));
 }
 
-TEST_CASE("values of the wrong kind or out of range are reported with their position") {
+TEST_CASE("values of the wrong kind or out of range in a Program's text have a position") {
   CHECK(error_of(array + ".model unions=\"1\"").starts_with("t:2:8: unions takes a number"));
   CHECK(error_of(array + ".model unions=-1").starts_with("t:2:8: unions takes a whole number"));
   CHECK(error_of(array + ".compile z_bits=4294967296")
@@ -89,7 +89,7 @@ TEST_CASE("values of the wrong kind or out of range are reported with their posi
   CHECK(error_in_line_5("copy [70000], [1]").starts_with("t:5:7: 70000 is out of range"));
 }
 
-TEST_CASE("a key of another directive is reported as such") {
+TEST_CASE("a key of another directive is reported with that directive's name") {
   CHECK(
       error_of(array + ".compile background=1").starts_with("t:2:10: background is a key of .frame, not of .compile"));
   CHECK(error_of(array + ".frame figures=[]").starts_with("t:2:8: figures is a key of .machine"));
@@ -107,14 +107,14 @@ TEST_CASE("a colour field must match the displayed colour declared before it") {
   CHECK(error_of(array + ".frame colour_base=30 colour_bits=6").starts_with("t:2:1: the colour shown: field [30+:6]"));
 }
 
-TEST_CASE("an extent consists of 16-bit rows of the picture") {
+TEST_CASE("rejects an extent whose rows are reversed or outside the picture") {
   CHECK(error_of(array + ".extent first=2 last=1").starts_with("t:2:1: the extent from row 2 to row 1"));
   CHECK(error_of(array + ".extent first=2 last=8").starts_with("t:2:1: the extent from row 2 to row 8"));
   CHECK(error_of(array + ".extent last=65536").starts_with("t:2:9: last takes a whole number of 0 to 65535"));
   CHECK(error_of(array + ".extent last=7").empty());
 }
 
-TEST_CASE("validation errors have a position") {
+TEST_CASE("validation errors in the text of a Program have a position") {
   CHECK(error_in_line_5(" keep_max Z1, x (w8)").starts_with("t:5:2: keep_max: F has 8 bits"));
   CHECK(error_in_line_5("enable_all ; render p1").starts_with("t:5:1: the origin's primitive is p1"));
   CHECK(error_in_line_5("edge_negative 4611686018427387904 (w9)").starts_with("t:5:1: edge_negative: |A|"));
@@ -134,7 +134,7 @@ TEST_CASE("invalid skips are reported with their position") {
   CHECK(error_in_line_5("skip_if_none 1\n" + end).starts_with("t:5:1: skip_if_none 1 leaves the segment, which has 0"));
 }
 
-TEST_CASE("rejects preparation counts beyond the limit and their sum") {
+TEST_CASE("preparation counts beyond the limit are rejected and so is their sum") {
   constexpr const char* most = "281474976710656";
   const std::string segment = ".segment width=8 height=8\n";
   CHECK(error_of(array + ".prepare boxes=281474976710657\n" + segment) ==
@@ -144,7 +144,7 @@ TEST_CASE("rejects preparation counts beyond the limit and their sum") {
         std::string("t: sum of all .prepare: boxes=281474976710657 exceeds the limit for a frame, ") + most);
 }
 
-TEST_CASE("directives must be in order") {
+TEST_CASE("directives in the text of a Program must be in order") {
   CHECK(error_of("").starts_with("t: there is no .array"));
   CHECK(error_of(".model unions=1\n" + array).starts_with("t:1:2: .model comes before .array"));
   CHECK(error_of(array + "enable_all").starts_with("t:2:1: the instruction is in no segment"));
@@ -153,11 +153,11 @@ TEST_CASE("directives must be in order") {
   CHECK(error_of(array + ".field Q [9] stack\n.field Q [8] stack").starts_with("t:3:1: field \"Q\" is named twice"));
 }
 
-TEST_CASE("corrupted text is rejected in one line or read as a valid Program") {
+TEST_CASE("a corrupted text of a Program is rejected in one line or valid") {
   std::ostringstream out;
   print(out, test::sample_program());
   const std::string sound = out.str();
-  CHECK(rc::check("parse is total", [&sound] {
+  CHECK(rc::check("parse() returns a valid Program or an error", [&sound] {
     std::string text = sound;
     const auto changes = *rc::gen::inRange(1, 6);
     for (int i = 0; i < changes; ++i) {
@@ -175,7 +175,7 @@ TEST_CASE("corrupted text is rejected in one line or read as a valid Program") {
   }));
 }
 
-TEST_CASE("the nearest name takes the fewest edits") {
+TEST_CASE("the suggested name is the one with the fewest edits") {
   constexpr std::array<std::string_view, 3> names{"copy", "keep_max", "keep_min"};
   CHECK(nearest("kep_min", names) == "keep_min");
   CHECK(nearest("cpoy", names) == "copy");

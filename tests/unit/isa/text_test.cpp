@@ -28,7 +28,7 @@ Instruction instruction_of(const std::string& line) {
   return parse(text, "t").segments.at(0).instructions.at(0);
 }
 
-TEST_CASE("the sample prints as expected") {
+TEST_CASE("the sample Program prints as the expected text") {
   CHECK(printed(sample_program()) == R"(# csgsim program
 .array width=8 height=4 memory_bits=40
 .machine name="pixel-planes-4+alu.bits=4" kind="frame-buffer" figures=["alu.bits=4", "scan_out.port=shared"]
@@ -59,23 +59,25 @@ TEST_CASE("the sample prints as expected") {
 )");
 }
 
-TEST_CASE("the sample survives the text form") { CHECK(parse(printed(sample_program()), "t") == sample_program()); }
+TEST_CASE("the sample Program survives a text round trip") {
+  CHECK(parse(printed(sample_program()), "t") == sample_program());
+}
 
-TEST_CASE("every Program survives the text form") {
-  CHECK(rc::check("parse(print(p)) == p", [] {
+TEST_CASE("every Program survives a text round trip") {
+  CHECK(rc::check("parse() inverts print()", [] {
     const auto program = *test::arbitrary_program({37, 20, 72}, 60, 2);
     RC_ASSERT(parse(printed(program), "t") == program);
   }));
 }
 
 TEST_CASE("a Program prints the same after it was read") {
-  CHECK(rc::check("print(parse(print(p))) == print(p)", [] {
+  CHECK(rc::check("a parsed Program prints the same text", [] {
     const std::string text = printed(*test::arbitrary_program({5, 3, 40}, 20, 2));
     RC_ASSERT(printed(parse(text, "t")) == text);
   }));
 }
 
-TEST_CASE("doubles round-trip exactly") {
+TEST_CASE("doubles in a Program's text survive a round trip exactly") {
   for (const double value : {0.1, 1.0 / 3, 5e-324, 1.7976931348623157e308, 123456789012345678.0}) {
     Program program = sample_program();
     program.facts->compile.edge_on_fraction = value;
@@ -83,7 +85,7 @@ TEST_CASE("doubles round-trip exactly") {
   }
 }
 
-TEST_CASE("names of arbitrary bytes round-trip") {
+TEST_CASE("names of arbitrary bytes in a Program's text survive a round trip") {
   Program program = sample_program();
   std::string all;
   for (int c = 0; c < 256; ++c) all += static_cast<char>(c);
@@ -95,7 +97,7 @@ TEST_CASE("names of arbitrary bytes round-trip") {
   CHECK(parse(printed(program), "t") == program);
 }
 
-TEST_CASE("accepts any whitespace and line endings") {
+TEST_CASE("the text of a Program may have any whitespace and line endings") {
   const std::string text =
       "# a program\r\n\r\n\t.array  height=4 width=4   memory_bits=32 # wide\r\n"
       ".field Z [ 0 +: 8 ] depth\r\n.segment width=4 height=4\r\n"
@@ -107,25 +109,25 @@ TEST_CASE("accepts any whitespace and line endings") {
   CHECK(program.segments[0].instructions[1].linear == Linear{-1, 2, 7, 12, 2});
 }
 
-TEST_CASE("linear expressions may be written in several ways") {
+TEST_CASE("linear expressions in a Program's text may have terms in any order") {
   CHECK(instruction_of("edge_negative x (w9)").linear == Linear{1, 0, 0, 9, 0});
   CHECK(instruction_of("edge_negative +y (w9)").linear == Linear{0, 1, 0, 9, 0});
   CHECK(instruction_of("edge_negative -5 + 3*y - 2*x (w9 >> 3)").linear == Linear{-2, 3, -5, 9, 3});
   CHECK(instruction_of("edge_negative 0*x + 0 (w9)").linear == Linear{0, 0, 0, 9, 0});
 }
 
-TEST_CASE("constants may be hexadecimal") {
+TEST_CASE("constants in a Program's text may be hexadecimal") {
   CHECK(instruction_of("set_constant Z, 0xfF").constant == 255);
   CHECK(instruction_of("set_constant Z, 017").constant == 17);
 }
 
-TEST_CASE("fields may be given by name or by position") {
+TEST_CASE("fields in a Program's text may be given by name or by position") {
   CHECK(instruction_of("set_constant Z, 1") == instruction_of("set_constant [0+:8], 1"));
   CHECK(instruction_of("set_constant \"Z\", 1") == instruction_of("set_constant [0+:8], 1"));
   CHECK(instruction_of("enable_load [7]") == instruction_of("enable_load [7+:1]"));
 }
 
-TEST_CASE("reads and prints a hundred thousand named fields quickly") {
+TEST_CASE("a hundred thousand named fields are read and printed quickly") {
   constexpr std::size_t count = 100'000;
   std::string text = ".array width=8 height=8 memory_bits=8\n";
   for (std::size_t i = 0; i < count; ++i) text += fmt::format(".field f{} [0] stack\n", i);
@@ -139,6 +141,8 @@ TEST_CASE("reads and prints a hundred thousand named fields quickly") {
   CHECK(again.find("  enable_load f1") == std::string::npos);
 }
 
-TEST_CASE("an omitted origin is setup") { CHECK(instruction_of("enable_all").origin == Origin{}); }
+TEST_CASE("an instruction without an origin has the origin `setup`") {
+  CHECK(instruction_of("enable_all").origin == Origin{});
+}
 
 }  // namespace

@@ -29,21 +29,21 @@ Instruction streaming(Opcode opcode, Field field, std::uint16_t width, std::uint
   return {opcode, {field}, {1, 2, 3, width, shift}, 0, {}};
 }
 
-TEST_CASE("the sample is valid") { CHECK(refusal_of(sample_program()).empty()); }
+TEST_CASE("the sample Program is valid") { CHECK(refusal_of(sample_program()).empty()); }
 
-TEST_CASE("rejects an opcode outside the table") {
+TEST_CASE("an opcode outside the table is invalid") {
   Instruction instruction;
   instruction.opcode = static_cast<Opcode>(opcode_table.size());
   CHECK(contains(refusal_of(instruction), "opcode " + std::to_string(opcode_table.size()) + " is undefined"));
 }
 
-TEST_CASE("rejects a purpose outside the table") {
+TEST_CASE("a purpose outside the table is invalid") {
   Instruction instruction;
   instruction.origin.purpose = static_cast<Purpose>(purpose_table.size());
   CHECK(contains(refusal_of(instruction), "purpose 7 is undefined"));
 }
 
-TEST_CASE("members that the opcode does not use must be zero") {
+TEST_CASE("members of an instruction that its opcode does not use must be zero") {
   CHECK_FALSE(refusal_of(on(Opcode::enable_all, {0, 1})).empty());
   CHECK_FALSE(refusal_of(on(Opcode::enable_load, {0, 1}, {3, 0})).empty());
   CHECK_FALSE(refusal_of(on(Opcode::copy, {0, 1}, {1, 1}, {2, 1})).empty());
@@ -159,13 +159,13 @@ TEST_CASE("a skip omits at least one instruction and stays in its segment") {
   CHECK(refusal_of(program).starts_with("segment 0, instruction " + std::to_string(last) + ": "));
 }
 
-TEST_CASE("an error in a Program names the segment and the instruction") {
+TEST_CASE("the error for an invalid Program names the segment and the instruction") {
   Program program = sample_program();
   program.segments[0].instructions[3].linear.width = 3;
   CHECK(refusal_of(program).starts_with("segment 0, instruction 3: linear_ge: "));
 }
 
-TEST_CASE("the coefficients' sum over the region must stay below 2^62") {
+TEST_CASE("a linear expression must stay below 2^62 over its region") {
   Program program = sample_program();
   Linear& linear = program.segments[0].instructions[4].linear;
   const std::int64_t bound = std::int64_t{1} << 62U;
@@ -192,7 +192,7 @@ TEST_CASE("origins must refer to primitives of the Program or to none") {
   CHECK(contains(refusal_of(program), "node"));
 }
 
-TEST_CASE("the shape has sides of 1 to 16384 and 1 to 4096 memory bits") {
+TEST_CASE("an array has sides of 1 to 16384 pixels and 1 to 4096 memory bits") {
   for (const ArrayShape shape :
        {ArrayShape{0, 4, 40}, {8, 0, 40}, {16385, 4, 40}, {8, 16385, 40}, {8, 4, 0}, {8, 4, 4097}}) {
     Program program;
@@ -204,7 +204,7 @@ TEST_CASE("the shape has sides of 1 to 16384 and 1 to 4096 memory bits") {
   CHECK(refusal_of(program).empty());
 }
 
-TEST_CASE("regions must not be empty and must lie in the picture") {
+TEST_CASE("regions of a Program must not be empty and must lie in the picture") {
   for (const Region region : {Region{0, 0, 0, 1},
                               {0, 0, 1, 0},
                               {8, 0, 1, 1},
@@ -219,7 +219,7 @@ TEST_CASE("regions must not be empty and must lie in the picture") {
   }
 }
 
-TEST_CASE("named fields must lie in the memory and have unique names") {
+TEST_CASE("named fields of a Program must lie in the memory and have unique names") {
   Program program = sample_program();
   program.facts->fields[0].field = {33, 8};
   CHECK(refusal_of(program).starts_with("field 'Z1': "));
@@ -234,7 +234,7 @@ TEST_CASE("named fields must lie in the memory and have unique names") {
   CHECK(contains(refusal_of(program), "role 200"));
 }
 
-TEST_CASE("depth limits must be finite and positive in perspective") {
+TEST_CASE("depth limits of a Program must be finite and in perspective positive") {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const DepthScale scale : {DepthScale{false, 1, 1},
                                  {false, 2, 1},

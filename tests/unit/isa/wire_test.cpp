@@ -99,14 +99,14 @@ constexpr ArrayShape shape{1000, 700, 4096};
 
 Instruction some_instruction() { return *test::arbitrary_instruction(shape, shape.memory_bits, 3, 2); }
 
-TEST_CASE("an instruction on a field has its number and the field's base and width") {
+TEST_CASE("an instruction on a field is encoded as number and base and width") {
   CHECK(bits_of(Instruction{Opcode::enable_and, {{{5, 1}}}, {}, 0, {}}, 24) ==
         "110000"
         "101000000000"
         "100000");
 }
 
-TEST_CASE("a constant is as wide as its field") {
+TEST_CASE("an encoded constant is as wide as its field") {
   CHECK(bits_of(set_constant, 32) ==
         "010010"
         "000010000000"
@@ -114,7 +114,7 @@ TEST_CASE("a constant is as wide as its field") {
         "10100101");
 }
 
-TEST_CASE("a linear expression is encoded as width; shift; A; B; C") {
+TEST_CASE("a linear expression is encoded as width and shift and A and B and C") {
   CHECK(bits_of(Instruction{Opcode::linear_ge, {{{0, 3}}}, {-1, 2, -5, 6, 1}, 0, {}}, 54) ==
         "010100"
         "000000000000"
@@ -126,7 +126,7 @@ TEST_CASE("a linear expression is encoded as width; shift; A; B; C") {
         "110111");
 }
 
-TEST_CASE("squares are encoded as width; A; B; C") {
+TEST_CASE("squares are encoded as width and A and B and C") {
   CHECK(bits_of(Instruction{Opcode::squares, {}, {-1, 2, -5, 6, 0}, 0, {}}, 30) ==
         "100001"
         "011000"
@@ -135,14 +135,14 @@ TEST_CASE("squares are encoded as width; A; B; C") {
         "110111");
 }
 
-TEST_CASE("a skip has a count of 32 bits") {
+TEST_CASE("a skip is encoded with a count of 32 bits") {
   CHECK(bits_of(Instruction{Opcode::skip_if_none, {}, {}, 12, {}}, 38) ==
         "011110"
         "0011000000000000"
         "0000000000000000");
 }
 
-TEST_CASE("encodes the start and end of segments and the end of a frame") {
+TEST_CASE("the start and end of segments and the end of a frame are encoded as commands") {
   CHECK(bits_of(SegmentStart{{3, 0, 64, 16384}}, 70) ==
         "101111"
         "1100000000000000"
@@ -156,7 +156,7 @@ TEST_CASE("encodes the start and end of segments and the end of a frame") {
         "000110");
 }
 
-TEST_CASE("the unused bits of a command's last word are 0") {
+TEST_CASE("the unused bits of a command's last link word are 0") {
   const auto words = words_of(set_constant, 10);
   REQUIRE(words.size() == 4);
   CHECK(words[0] == LinkWord{{0b00'0001'0010, 0, 0, 0}});
@@ -180,9 +180,9 @@ void check_arrival(const Instruction& instruction, unsigned link_width) {
   RC_ASSERT(words_of(command, link_width) == words);
 }
 
-TEST_CASE("all instructions round-trip without origin and with reduced coefficients") {
+TEST_CASE("all instructions survive encoding without origin and with reduced coefficients") {
   std::set<Opcode> sent;
-  CHECK(rc::check("decode(encode(i)) is i, on links of every width", [&] {
+  CHECK(rc::check("decode() inverts encode() on links of every width", [&] {
     for (int i = 0; i < 100; ++i) {
       const Instruction instruction = some_instruction();
       check_arrival(instruction, *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1U, 257U)));
@@ -204,7 +204,7 @@ TEST_CASE("every width of link carries the longest and the shortest commands") {
 }
 
 TEST_CASE("F computed from received coefficients equals F of the sent ones") {
-  CHECK(rc::check("F of the decoded is F of the sent", [] {
+  CHECK(rc::check("F of the decoded expression equals F of the sent one", [] {
     const auto any = rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::int64_t>());
     Linear linear{*any >> *rc::gen::inRange(2, 63), *any >> *rc::gen::inRange(2, 63), *any >> *rc::gen::inRange(2, 63),
                   0, 0};
@@ -220,7 +220,7 @@ TEST_CASE("F computed from received coefficients equals F of the sent ones") {
   }));
 }
 
-TEST_CASE("coefficients are reduced to the nearest equivalent values") {
+TEST_CASE("encoding reduces coefficients to the nearest equivalent values") {
   CHECK(reduced({-8, 7, 8, 4, 1}) == Linear{-8, 7, -8, 4, 1});
   CHECK(reduced({16, -9, 23, 4, 0}) == Linear{0, 7, 7, 4, 0});
   CHECK(reduced({1, 2, -3, 1, 0}) == Linear{-1, 0, -1, 1, 0});
@@ -271,7 +271,7 @@ TEST_CASE("random words are either commands that re-encode equally or errors") {
   CHECK(errors > 10'000);
 }
 
-TEST_CASE("rejects an unknown command number at once and accepts the next command") {
+TEST_CASE("the decoder rejects an unknown command number and accepts the next command") {
   WireDecoder decoder(6);
   for (unsigned number = opcode_table.size(); number < 61; ++number) {
     CAPTURE(number);
@@ -280,7 +280,7 @@ TEST_CASE("rejects an unknown command number at once and accepts the next comman
   }
 }
 
-TEST_CASE("rejects a command that no machine could execute") {
+TEST_CASE("the decoder rejects a command that no machine could execute") {
   // enable_and of an empty field; edge_negative of 0 bits, of 63 bits, and with a shift equal to the width.
   CHECK(refusal_of("110000"
                    "101000000000"
@@ -310,7 +310,7 @@ TEST_CASE("rejects a command that no machine could execute") {
                    "1000000000000000") != "");
 }
 
-TEST_CASE("rejects ones after the end of a command") {
+TEST_CASE("the decoder rejects ones after the end of a command") {
   CHECK(refusal_of("000000"
                    "000")
             .empty());
@@ -325,7 +325,7 @@ TEST_CASE("rejects ones after the end of a command") {
   }
 }
 
-TEST_CASE("ignores wires that the link does not have") {
+TEST_CASE("the decoder ignores wires that the link does not have") {
   WireDecoder decoder(6);
   CHECK(decoder.take(LinkWord{{0xffffffffffffffc1U, 1, 1, 1}}) ==
         Command{Instruction{Opcode::enable_invert, {}, {}, 0, {}}});
@@ -339,7 +339,7 @@ TEST_CASE("links have 1 to 256 bits") {
   }
 }
 
-TEST_CASE("refuses to send values that do not fit their bits") {
+TEST_CASE("the encoder rejects values that do not fit their bits") {
   Instruction instruction = set_constant;
   instruction.constant = 0x100;
   CHECK_THROWS_AS(packed(instruction), std::invalid_argument);

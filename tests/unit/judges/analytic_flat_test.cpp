@@ -102,7 +102,7 @@ std::size_t covered(const std::string& csg, const view::Camera& camera, Size siz
 
 }  // namespace
 
-TEST_CASE("flat solids look the same with and without facets") {
+TEST_CASE("flat solids look the same to the judges with and without facets") {
   CHECK(rc::check([] {
     const std::string model =
         placed(rotation(*rc::gen::inRange(0, 3600) / 10.0, *rc::gen::inRange(0, 3600) / 10.0), any_model(any_solid));
@@ -132,7 +132,7 @@ TEST_CASE("flat solids around the eye look the same with and without facets") {
   }));
 }
 
-TEST_CASE("faces within the plane tolerance have one owner at any angle") {
+TEST_CASE("the analytic judge gives faces within the plane tolerance one owner at any angle") {
   // The second front is nearer by less than the tolerance; half a degree from edge-on its depth difference is 100 times
   // as large.
   const std::string first = box({-5, 0, -5}, {5, 5, 5});
@@ -151,7 +151,7 @@ TEST_CASE("faces within the plane tolerance have one owner at any angle") {
   }
 }
 
-TEST_CASE("coincident faces at the distance of the eye have one owner") {
+TEST_CASE("the analytic judge gives coincident faces at the eye's distance one owner") {
   const std::string first = box({-5, 0, -5}, {5, 5, 5});
   for (const double degrees : {0.0, 33.3, 111.1}) {
     CAPTURE(degrees);

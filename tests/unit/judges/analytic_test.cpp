@@ -91,7 +91,7 @@ std::string scaled(const glm::dvec3& by, const std::string& part) { return place
 
 }  // namespace
 
-TEST_CASE("a sphere has the distance given by Pythagoras") {
+TEST_CASE("the analytic picture of a sphere has the distance given by Pythagoras") {
   const std::string sphere = ball({0, 0, 0}, 12.25, 5);
   check(sphere, Projection::orthographic, [](double x, double z) {
     const double depth = square(12.25) - x * x - z * z;
@@ -102,7 +102,7 @@ TEST_CASE("a sphere has the distance given by Pythagoras") {
   });
 }
 
-TEST_CASE("a scaled sphere is an ellipsoid") {
+TEST_CASE("the analytic picture of a scaled sphere is an ellipsoid") {
   const std::string ellipsoid = scaled({14, 3, 8}, ball({0, 0, 0}, 1, 5));
   check(ellipsoid, Projection::orthographic, [](double x, double z) {
     const double depth = 1 - square(x / 14) - square(z / 8);
@@ -114,7 +114,7 @@ TEST_CASE("a scaled sphere is an ellipsoid") {
   });
 }
 
-TEST_CASE("a cylinder from the side has the depth of its circle between its ends") {
+TEST_CASE("the analytic picture of a cylinder from the side has the depth of its circle") {
   check(cylinder({0, 0, -7.25}, 14.5, 6.25, 6.25, 3), Projection::orthographic, [](double x, double z) {
     return std::abs(z) > 7.25 || std::abs(x) > 6.25 ? none : to_origin - std::sqrt(square(6.25) - x * x);
   });
@@ -124,7 +124,7 @@ TEST_CASE("a cylinder from the side has the depth of its circle between its ends
   });
 }
 
-TEST_CASE("a cylinder from its end is a flat ellipse under a scale") {
+TEST_CASE("the analytic picture of a scaled cylinder from its end is a flat ellipse") {
   const std::string lying = placed(rotation(90, 0), scaled({2, 1, 3}, cylinder({0, 0, -1}, 2, 6.25, 6.25, 3)));
   check(lying, Projection::orthographic,
         [](double x, double z) { return square(x / 2) + z * z > square(6.25) ? none : to_origin - 3; });
@@ -135,7 +135,7 @@ TEST_CASE("a cylinder from its end is a flat ellipse under a scale") {
   });
 }
 
-TEST_CASE("a cone from above slopes evenly and a frustum has a flat end") {
+TEST_CASE("the analytic picture of a cone from above slopes evenly up to a flat end") {
   // The apex points to the eye: the axis is along -y.
   const auto towards = [](const std::string& upright) { return placed(rotation(90, 0), upright); };
   check(towards(cylinder({0, 0, 0}, 9, 12.25, 0, 3)), Projection::orthographic, [](double x, double z) {
@@ -154,7 +154,7 @@ TEST_CASE("a cone from above slopes evenly and a frustum has a flat end") {
   });
 }
 
-TEST_CASE("a cone from the side has hyperbolic depth and ends at its apex") {
+TEST_CASE("the analytic picture of a cone from the side has hyperbolic depth up to the apex") {
   for (const bool tip_up : {true, false}) {
     const std::string cone = tip_up ? cylinder({0, 0, -9.25}, 18.5, 8, 0, 3) : cylinder({0, 0, -9.25}, 18.5, 0, 8, 3);
     check(cone, Projection::orthographic, [&](double x, double z) {
@@ -165,7 +165,7 @@ TEST_CASE("a cone from the side has hyperbolic depth and ends at its apex") {
   }
 }
 
-TEST_CASE("a ray steeper than a cone hits only one of its nappes") {
+TEST_CASE("an analytic ray steeper than a cone hits only one nappe") {
   // Seen from its base: the flat end hides the mirrored nappe beyond the apex.
   const std::string away = placed(rotation(-90, 0), cylinder({0, 0, 0}, 9, 12.25, 0, 3));
   check(away, Projection::orthographic, [](double x, double z) { return std::hypot(x, z) > 12.25 ? none : to_origin; });

@@ -72,7 +72,7 @@ TEST_CASE("dyadic expressions have the sign of rational arithmetic") {
   }));
 }
 
-TEST_CASE("the nearest double has an error of at most 2^-52 of the value") {
+TEST_CASE("the nearest double of a Dyadic has an error of at most 2^-52 of the value") {
   CHECK(rc::check([] {
     const Both value = any_expression();
     if (!in_range(value.rational)) return;
@@ -81,7 +81,7 @@ TEST_CASE("the nearest double has an error of at most 2^-52 of the value") {
   }));
 }
 
-TEST_CASE("the rest of a number after rounding to double has the right sign") {
+TEST_CASE("the difference of a number and its nearest double has the right sign") {
   CHECK(rc::check([] {
     const Both value = any_expression();
     const double rounded = value.dyadic.approximately();
@@ -91,7 +91,7 @@ TEST_CASE("the rest of a number after rounding to double has the right sign") {
   }));
 }
 
-TEST_CASE("a double round-trips") {
+TEST_CASE("a double survives conversion to Dyadic and back") {
   CHECK(rc::check([] {
     const double value = any_double();
     RC_ASSERT(Dyadic(value).approximately() == value);
@@ -99,7 +99,7 @@ TEST_CASE("a double round-trips") {
   }));
 }
 
-TEST_CASE("adding a huge and a tiny number loses nothing") {
+TEST_CASE("the sum of a huge and a tiny number is exact") {
   const double huge = std::numeric_limits<double>::max();
   const double tiny = std::numeric_limits<double>::denorm_min();
   const Dyadic sum = Dyadic(huge) + Dyadic(tiny);
@@ -108,7 +108,7 @@ TEST_CASE("adding a huge and a tiny number loses nothing") {
   CHECK((sum - Dyadic(huge) - Dyadic(tiny)).sign() == 0);
 }
 
-TEST_CASE("numbers beyond the range of doubles keep their sign") {
+TEST_CASE("Dyadic numbers beyond the range of doubles keep their sign") {
   const Dyadic large = Dyadic(-1e300) * Dyadic(1e300);
   CHECK(large.sign() == -1);
   CHECK(large.approximately() == -std::numeric_limits<double>::infinity());
@@ -117,7 +117,7 @@ TEST_CASE("numbers beyond the range of doubles keep their sign") {
   CHECK(small.approximately() == 0.0);
 }
 
-TEST_CASE("a Real keeps all its digits") {
+TEST_CASE("a Dyadic keeps all digits of the multiprecision number it is made from") {
   for (const int of : {2, 3, 5, 1'000'003}) {
     const Real root = sqrt(Real(of)) * pow(Real(10), 30);
     CHECK(Dyadic(root).to_real() == root);
@@ -126,7 +126,7 @@ TEST_CASE("a Real keeps all its digits") {
   CHECK(Dyadic(Real(0)).sign() == 0);
 }
 
-TEST_CASE("cross and dot products are exact") {
+TEST_CASE("cross and dot products of Dyadic vectors are exact") {
   CHECK(rc::check([] {
     const glm::dvec3 a(any_double(), any_double(), any_double());
     const glm::dvec3 b(any_double(), any_double(), any_double());

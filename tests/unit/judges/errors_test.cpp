@@ -48,7 +48,7 @@ void check_no_depth_error(const Errors& errors) {
 
 }  // namespace
 
-TEST_CASE("identical pictures have no differences") {
+TEST_CASE("comparing identical pictures finds no differences") {
   const Errors errors = errors_of(identical());
   CHECK(errors.pixels == 2000);
   CHECK(errors.covered == 1500);
@@ -57,7 +57,7 @@ TEST_CASE("identical pictures have no differences") {
   check_no_depth_error(errors);
 }
 
-TEST_CASE("a surface in only one picture is a silhouette error without depth error") {
+TEST_CASE("a surface in only one picture counts as a silhouette error without depth error") {
   Pictures p = identical();
   p.frame.depth[pixel] = farthest;
   p.frame.depth[7] = 9;
@@ -69,13 +69,13 @@ TEST_CASE("a surface in only one picture is a silhouette error without depth err
   check_no_depth_error(errors);
 }
 
-TEST_CASE("ignores the owner of a background pixel") {
+TEST_CASE("comparing pictures ignores the owner of a background pixel") {
   Pictures p = identical();
   p.frame.owner[7] = 1;
   CHECK(errors_of(p).wrong() == 0);
 }
 
-TEST_CASE("a different owner is an owner error regardless of depth") {
+TEST_CASE("a different owner counts as an owner error for any depth") {
   Pictures p = identical();
   p.frame.owner[pixel] ^= 1U;
   p.frame.depth[pixel] += 500;
@@ -143,7 +143,7 @@ TEST_CASE("p999 of fewer than a thousand pixels is the maximum error") {
   CHECK(errors_of(p).steps.p999 == 5);
 }
 
-TEST_CASE("rejects pictures of different sizes") {
+TEST_CASE("comparing pictures of different sizes is an error") {
   Pictures p = identical();
   std::swap(p.frame.width, p.frame.height);
   CHECK_THROWS_AS(errors_of(p), std::invalid_argument);

@@ -39,19 +39,19 @@ void check_models(const view::Camera& camera, std::uint64_t seed, int models) {
 
 }  // namespace
 
-TEST_CASE("random models match rational arithmetic") {
+TEST_CASE("the exact judge matches rational arithmetic on random models") {
   check_models({{15, -22, 17}, {0, 0, 0}, Projection::orthographic}, 1, testing::cases(2, 1));
   check_models({{15, -22, 17}, {0, 0, 0}, Projection::perspective}, 101, testing::cases(2, 1));
 }
-TEST_CASE("random models with edge-on faces through pixel centres match rationals") {
+TEST_CASE("the exact judge matches rationals on models with edge-on faces at pixel centres") {
   check_models({{0, -30, 0}, {0, 0, 0}, Projection::orthographic}, 201, testing::cases(4, 1));
   check_models({{0, 0, 30}, {0, 0, 0}, Projection::orthographic}, 301, testing::cases(4, 1));
   check_models({{0, -25, 0}, {0, 0, 0}, Projection::perspective}, 401, testing::cases(4, 1));
 }
-TEST_CASE("random models around the eye match rational arithmetic") {
+TEST_CASE("the exact judge matches rational arithmetic on random models around the eye") {
   check_models({{0.25, -1, 0.5}, {0, 3, 0}, Projection::perspective}, 501, testing::cases(2, 1));
 }
-TEST_CASE("nearly coincident faces of rotated boxes are ordered exactly") {
+TEST_CASE("the exact judge orders nearly coincident faces of rotated boxes") {
   CHECK(rc::check([] {
     std::vector<std::string> boxes;
     for (int i = 0; i < 3; ++i) {

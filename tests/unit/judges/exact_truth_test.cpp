@@ -130,7 +130,7 @@ TEST_CASE("a face in the near plane is not cut") {
   for (const std::uint32_t plane : truth.plane) CHECK(plane < scenery.scene.planes.planes().size());
 }
 
-TEST_CASE("inside a subtracted solid its back is visible") {
+TEST_CASE("an eye inside a subtracted solid sees its back") {
   const std::string hollow = subtract({box({-50, -50, -50}, {50, 50, 50}), box({-40, -40, -40}, {40, 3, 40})});
   const Truth truth = straight_on(hollow, even, Projection::perspective);
   for (const std::uint32_t owner : truth.owner) CHECK(owner == 1);

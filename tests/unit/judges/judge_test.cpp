@@ -137,7 +137,7 @@ TEST_CASE("a spurious pixel on the background is found and unexplained") {
   }
 }
 
-TEST_CASE("names the first of several unexplained pixels in row order") {
+TEST_CASE("the judge names the first of several unexplained pixels in row order") {
   Trial trial(compile_text(holed, {oblique, picture(48, 36), 80}));
   const std::vector<std::size_t> places = middles(trial.truth);
   REQUIRE(places.size() > 100);
@@ -193,7 +193,7 @@ TEST_CASE("a missing pixel away from edge-on faces is not explained") {
   }
 }
 
-TEST_CASE("coincident faces must not show the second primitive") {
+TEST_CASE("the judge rejects the second primitive on coincident faces") {
   const std::string twice = unite({box({-3, 0, -3}, {3, 2, 3}), box({-2, 0, -2}, {2, 4, 2})});
   Trial trial(compile_text(twice, {straight(20), picture(20, 20), 80}));
   const Errors before = trial.judge();

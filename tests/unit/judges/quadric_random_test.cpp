@@ -108,16 +108,16 @@ void check_models(const view::Camera& camera, double near) {
 
 }  // namespace
 
-TEST_CASE("random quadrics match rays in long doubles") {
+TEST_CASE("the exact picture of random quadrics matches rays in long doubles") {
   check_models({{15, -22, 17}, {0, 0, 0}, Projection::orthographic}, 1);
   check_models({{15, -22, 17}, {0, 0, 0}, Projection::perspective}, 0.5);
 }
 
-TEST_CASE("random quadrics along an axis match rays in long doubles") {
+TEST_CASE("the exact picture of quadrics along an axis matches rays in long doubles") {
   check_models({{0, -30, 0}, {0, 0, 0}, Projection::orthographic}, 1);
   check_models({{0, 0, 30}, {0, 0, 0}, Projection::perspective}, 1);
 }
 
-TEST_CASE("random quadrics around the eye match rays in long doubles") {
+TEST_CASE("the exact picture of quadrics around the eye matches rays in long doubles") {
   check_models({{0.25, -1, 0.5}, {0, 3, 0}, Projection::perspective}, 0.125);
 }

@@ -16,7 +16,7 @@ double any(int most) { return *rc::gen::inRange(-most * 100, most * 100) / 100.0
 
 }  // namespace
 
-TEST_CASE("minimum and maximum of a quadratic over a rectangle are tight bounds") {
+TEST_CASE("the minimum and maximum of a quadratic over a rectangle are tight") {
   CHECK(rc::check([] {
     const FilterQuadratic of{any(9), any(9), any(9), any(2), any(2), any(2), 0};
     const double x = any(9);

@@ -208,7 +208,7 @@ TEST_CASE("a sphere around the eye is capped and a subtracted one shows its back
   CHECK(hollow.distance[middle] == doctest::Approx(5));
 }
 
-TEST_CASE("with the eye on a sphere's surface its far side has one depth") {
+TEST_CASE("an eye on a sphere's surface sees the far side at one depth per ray") {
   const view::Camera camera{{0, -16, 0}, {0, 0, 0}, Projection::perspective};
   const std::string model = subtract({box({-40, -40, -40}, {40, 40, 40}), round({0, -11, 0}, 5)});
   const Truth truth = exact(make_curved_scenery(model, camera, odd, 1));

@@ -107,7 +107,7 @@ std::optional<Shown> nearest_shown(const model::Tree& tree, const Intervals& int
 
 }  // namespace
 
-TEST_CASE("incremental updates give the value of a full evaluation") {
+TEST_CASE("incremental updates of a tree give the value of a full evaluation") {
   CHECK(rc::check([] {
     const model::Tree tree = any_tree();
     judges::TreeOnRay on_ray(tree);
@@ -122,7 +122,7 @@ TEST_CASE("incremental updates give the value of a full evaluation") {
   }));
 }
 
-TEST_CASE("a surface shows where its side is present and no operator removes it") {
+TEST_CASE("a surface is visible where its side is present and no operator removes it") {
   CHECK(rc::check([] {
     const model::Tree tree = any_tree();
     judges::TreeOnRay on_ray(tree);

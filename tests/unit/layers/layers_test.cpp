@@ -70,7 +70,7 @@ TEST_CASE("sim/software includes the host but no machine model and no other part
         "");
 }
 
-TEST_CASE("the engines share no code except their interface and hw") {
+TEST_CASE("the three engines share no code except their interface and hw") {
   CHECK(foreign_includes("sim/reference",
                          {"sim/reference/", "sim/engine/", "hw/base/", "hw/isa/", "hw/machines/", "hw/host/"}) == "");
   CHECK(foreign_includes("sim/functional",
@@ -176,7 +176,7 @@ TEST_CASE("no module reads a Program except the listed files") {
                              "scan_line", "systemc"}) == lines_of(allowed));
 }
 
-TEST_CASE("no machine and no engine reads facts or origins") {
+TEST_CASE("no machine and no engine reads facts or origins of a Program") {
   const std::regex for_people(R"(\.facts\b|\.origin\b|\bfield_of\()");
   for (const char* const room : {"hw/array", "hw/bit_serial_memory", "hw/kinds", "hw/link", "hw/machines",
                                  "hw/multi_processor", "hw/pixel_planes", "hw/pixel_square", "hw/scan_line",

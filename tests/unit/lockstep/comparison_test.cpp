@@ -58,7 +58,7 @@ bool is_same_run(const lockstep::SideResult& a, const lockstep::SideResult& b) {
 
 }  // namespace
 
-TEST_CASE("two levels are equal at every instruction boundary of random Programs") {
+TEST_CASE("a comparison finds two levels equal at every instruction of random Programs") {
   const isa::ArrayShape shape{9, 5, 40};
   CHECK(rc::check([&] {
     const isa::Program program = *test::arbitrary_program(shape, 40, 2);
@@ -70,7 +70,7 @@ TEST_CASE("two levels are equal at every instruction boundary of random Programs
   }));
 }
 
-TEST_CASE("each side's result equals a run of its Program alone") {
+TEST_CASE("each side of a comparison has the result of a run alone") {
   const isa::ArrayShape shape{9, 5, 40};
   const machines::Machine machine = planes(shape);
   const auto functional = engine::make_functional_engine(machine);
@@ -84,7 +84,7 @@ TEST_CASE("each side's result equals a run of its Program alone") {
   }));
 }
 
-TEST_CASE("finds the first divergent instruction and its first differing pixel") {
+TEST_CASE("a comparison finds the first divergent instruction and its first pixel") {
   const isa::Program a = two_columns();
   isa::Program b = a;
   b.segments[0].instructions[2].linear.c = -2;  // also enables column 2
@@ -100,7 +100,7 @@ TEST_CASE("finds the first divergent instruction and its first differing pixel")
   CHECK(found.picture->pixels == 2);
 }
 
-TEST_CASE("reports a differing field by name or position with both values") {
+TEST_CASE("a comparison reports a differing field by name or position with both values") {
   const isa::Program a = two_columns();
   isa::Program b = a;
   b.segments[0].instructions[3].constant = 41;
@@ -112,7 +112,7 @@ TEST_CASE("reports a differing field by name or position with both values") {
   CHECK_FALSE(found.picture.has_value());
 }
 
-TEST_CASE("Programs of different length are compared up to their first difference") {
+TEST_CASE("a comparison of Programs of different length ends at their first difference") {
   const isa::Program a = two_columns();
   isa::Program b = a;
   b.segments[0].instructions.insert(b.segments[0].instructions.begin() + 3, {.opcode = Opcode::enable_all});
@@ -129,7 +129,7 @@ TEST_CASE("Programs of different length are compared up to their first differenc
   CHECK_FALSE(compare(a, b).picture.has_value());
 }
 
-TEST_CASE("detects different clocks of an instruction on supposedly equal machines") {
+TEST_CASE("a comparison detects different clocks of an instruction on equal machines") {
   isa::Program program = two_columns();
   const machines::Machine machine = planes(program.shape);
   machines::Machine wide = machine;

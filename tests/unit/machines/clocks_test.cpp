@@ -36,7 +36,7 @@ std::uint64_t linear_clocks(Opcode opcode, Field field, std::uint16_t width) {
 
 }  // namespace
 
-TEST_CASE("evaluator latency is one clock per level of both trees") {
+TEST_CASE("the evaluator's latency is one clock per level of both trees") {
   const auto latency = [](std::uint32_t width, std::uint32_t height) {
     machines::Machine one = machine(1);
     one.array = {width, height, 72};
@@ -70,7 +70,7 @@ TEST_CASE("with fewer registers a clock covers several levels of one tree") {
   CHECK(machines::clocks({.opcode = Opcode::edge_negative, .linear = {.a = 1, .width = 20}}, deep) == 20);
 }
 
-TEST_CASE("instructions on the enable register take one clock") {
+TEST_CASE("an instruction on the enable register takes one clock") {
   CHECK(clocks(Opcode::enable_all) == 1);
   CHECK(clocks(Opcode::enable_invert) == 1);
   for (const Opcode opcode : {Opcode::enable_load, Opcode::enable_and, Opcode::enable_and_not, Opcode::enable_or,
@@ -99,7 +99,7 @@ TEST_CASE("writing a field from one source takes one clock per bit") {
   CHECK(clocks(Opcode::bit_not, {0, 1}, {1, 1}) == 1);
 }
 
-TEST_CASE("two source bits take two clocks at one memory read per clock and else one") {
+TEST_CASE("two source bits take two clocks with one memory read per clock and otherwise one") {
   for (const Opcode opcode : {Opcode::field_lt, Opcode::field_le, Opcode::field_eq}) {
     CHECK(clocks(opcode, {0, 20}, {20, 20}) == 40);
     CHECK(clocks(opcode, {0, 20}, {20, 20}, {}, 2) == 20);
@@ -110,7 +110,7 @@ TEST_CASE("two source bits take two clocks at one memory read per clock and else
   }
 }
 
-TEST_CASE("a sum takes the clocks of its target however narrow the source") {
+TEST_CASE("a sum takes the clocks of its target however narrow its source") {
   for (const std::uint16_t width : {std::uint16_t{1}, std::uint16_t{7}, std::uint16_t{20}}) {
     CAPTURE(width);
     CHECK(clocks(Opcode::add, {0, 20}, {20, width}) == 40);
@@ -144,7 +144,7 @@ TEST_CASE("squares take one clock and adding F to a field takes the expression's
   CHECK(linear_clocks(Opcode::linear_minus, {0, 20}, 40) == 40);
 }
 
-TEST_CASE("wider trees deliver several bits per clock with a partial last group") {
+TEST_CASE("wider trees deliver several bits per clock and the remainder last") {
   Instruction instruction;
   instruction.fields[0] = {0, 20};
   instruction.linear = {.a = 1, .b = -2, .c = 3, .width = 34, .shift = 12};
@@ -165,14 +165,14 @@ TEST_CASE("wider trees deliver several bits per clock with a partial last group"
   // Each pass starts with one extra clock.
   CHECK(with(Opcode::keep_max, 4) == 18);
   CHECK(with(Opcode::keep_min, 32) == 4);
-  // Unaffected: the squares before a stream, roots and questions.
+  // Unaffected: the squares before a stream, roots and queries.
   CHECK(with(Opcode::squares, 32) == 1);
   CHECK(with(Opcode::global_or, 32) == 1 + 18);
   instruction.fields[0] = {0, 41};
   CHECK(with(Opcode::root, 32) == 20 * 20 + 2 * 20);
 }
 
-TEST_CASE("a wider ALU processes several bits per clock with a partial last group") {
+TEST_CASE("a wider ALU processes several bits per clock and the remainder last") {
   Instruction instruction;
   instruction.fields = {Field{0, 20}, Field{20, 20}, Field{40, 20}};
   const auto with = [&](Opcode opcode, std::uint32_t alu_bits, std::uint32_t memory_reads = 1) {
@@ -191,7 +191,7 @@ TEST_CASE("a wider ALU processes several bits per clock with a partial last grou
   CHECK(with(Opcode::field_lt, 20) == 2);
 }
 
-TEST_CASE("a wider ALU speeds up neither linear expressions nor enable nor questions") {
+TEST_CASE("a wider ALU speeds up neither linear expressions nor enable nor queries") {
   machines::Machine wide = machine(1);
   wide.alu_bits = 16;
   Instruction instruction;
@@ -203,12 +203,12 @@ TEST_CASE("a wider ALU speeds up neither linear expressions nor enable nor quest
   CHECK(machines::clocks({.opcode = Opcode::global_or}, wide) == 1 + 18);
 }
 
-TEST_CASE("an answer takes one clock plus the latency of the trees") {
+TEST_CASE("a global-OR query takes one clock plus the latency of the trees") {
   CHECK(clocks(Opcode::global_or) == 1 + 18);
   CHECK(clocks(Opcode::skip_if_none) == 1 + 18);
 }
 
-TEST_CASE("a Program's clocks are those of a run without skips") {
+TEST_CASE("the clocks of a Program are computed as if no instruction were skipped") {
   isa::Program program;
   program.shape = {512, 512, 72};
   const Instruction all{Opcode::enable_all, {}, {}, 0, {}};

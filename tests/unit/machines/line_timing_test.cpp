@@ -76,7 +76,7 @@ TEST_CASE("a packet's entry lasts until the cells' memory ports have done its ac
   CHECK(account_of(timing).busy_cells == 2 * 11 * 4);
 }
 
-TEST_CASE("clearing takes a packet at the beginning of a line") {
+TEST_CASE("clearing a line of cells takes a packet at its beginning") {
   machines::Machine machine = make_machine({4, 2}, 1, 1);
   machine.clear_clocks = 3;
   CHECK(time(machine, {5, 6}, copy).clocks == first_entry - 1 + 3 + 2 * 5 + 1 + 3 + 2 * 6 + 1 + 2 * 4);
@@ -111,7 +111,7 @@ TEST_CASE("the host's clocks depend on row extents and not on instruction purpos
   CHECK(time(machine, {2, 2, 0}, plain, {{0, 1}, {1, 2}}).clocks > time(machine, {2, 2, 0}, plain, {{0, 1}}).clocks);
 }
 
-TEST_CASE("with trees a frame ends after the last mark's levels and its pixels' shift chain") {
+TEST_CASE("a frame of cells below trees ends when the last mark has passed tree and shifts") {
   machines::Machine machine = make_machine({20, 3}, 1);
   const std::uint64_t chained = time(machine, {30, 20, 30}).clocks;
   machines::own<scan_line::Figures>(machine).network = scan_line::Network::trees;
@@ -127,14 +127,14 @@ TEST_CASE("with trees a frame ends after the last mark's levels and its pixels' 
   CHECK(time(machine, {1, 1, 1}, wide).account.busy_cells == 3 * 5 * 20);
 }
 
-TEST_CASE("a narrow link transfers a command in many words") {
+TEST_CASE("a narrow link transfers a command of a line in several words") {
   machines::Machine machine = make_machine({4, 1}, 1);
   machine.link = {.width = 8, .word_clocks = 3, .fifo_depth = 16, .latency = 10};
   const std::uint64_t words = 9 + 3 + 1;  // the line's start command has 70 bits
   CHECK(time(machine, {3}).clocks == 2 + 10 + 3 * words + 2 + 2 * 4);
 }
 
-TEST_CASE("a FIFO of one word passes a word every other clock") {
+TEST_CASE("a FIFO of one word before a chain passes a word every other clock") {
   machines::Machine machine = make_machine({4, 1}, 1);
   machine.link.fifo_depth = 1;
   CHECK(time(machine, {3}).clocks == first_entry + 4 + 4 + 2 * 4);

@@ -125,7 +125,7 @@ TEST_CASE("quadratics and the root flag enlarge a pixel by about the published s
   CHECK(with / without < 1.45);
 }
 
-TEST_CASE("pixel-planes-4 is built in with the published figures") {
+TEST_CASE("pixel-planes-4 is a built-in machine with the published figures") {
   const Machine machine = kinds::load("pixel-planes-4");
   CHECK(machine.name == "pixel-planes-4");
   CHECK(machine.array == isa::ArrayShape{512, 512, 72});
@@ -135,7 +135,7 @@ TEST_CASE("pixel-planes-4 is built in with the published figures") {
   CHECK(machines::own<pixel_planes::Figures>(machine).has_global_or);
 }
 
-TEST_CASE("every built-in machine loads and has the name it was loaded by") {
+TEST_CASE("every built-in machine has the name by which it is loaded") {
   for (const std::string_view name : kinds::built_in_names()) {
     CAPTURE(name);
     const Machine machine = kinds::load(std::string(name));
@@ -151,7 +151,7 @@ TEST_CASE("multi-machine studies cover every built-in machine except the expensi
   CHECK(names == kinds::studied_names());
 }
 
-TEST_CASE("figures keep the file's order with unit and provenance and source") {
+TEST_CASE("a machine's figures have the file's order with unit and provenance and source") {
   const Machine machine = kinds::load("pixel-planes-4");
   std::string keys;
   for (const Figure& figure : machine.figures) {
@@ -171,19 +171,19 @@ TEST_CASE("figures keep the file's order with unit and provenance and source") {
   CHECK(machine.figures[3].unit == "Hz");
 }
 
-TEST_CASE("loads a machine file by path whatever its name") {
+TEST_CASE("a machine file is loaded by path whatever its name") {
   const std::string path = std::string(CSGSIM_BINARY_DIR) + "/machine_test_two_reads.toml";
   std::ofstream(path) << changed("[memory.reads]\nvalue = 1", "[memory.reads]\nvalue = 2");
   CHECK(kinds::load(path).memory_reads == 2);
 }
 
-TEST_CASE("reads the ALU width from a machine file") {
+TEST_CASE("the ALU width is read from a machine file") {
   CHECK(
       read_description(changed("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 16"), "my.toml", kinds::all()).alu_bits ==
       16);
 }
 
-TEST_CASE("reads the tree bits per clock and limits them to the ALU width") {
+TEST_CASE("the tree bits per clock are read from a machine file up to the ALU width") {
   const std::string trees = "[evaluator.bits]\nvalue = ";
   CHECK(read_description(changed(trees + "1", trees + "1"), "my.toml", kinds::all()).evaluator_bits == 1);
   std::string wide = changed("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 8");
@@ -203,7 +203,7 @@ TEST_CASE("reads the tree bits per clock and limits them to the ALU width") {
   }
 }
 
-TEST_CASE("a machine either has a global OR or has none") {
+TEST_CASE("global_or.present accepts only 0 and 1") {
   const Machine without = read_description(changed("[global_or.present]\nvalue = 1", "[global_or.present]\nvalue = 0"),
                                            "my.toml", kinds::all());
   CHECK_FALSE(machines::own<pixel_planes::Figures>(without).has_global_or);
@@ -224,7 +224,7 @@ TEST_CASE("rejects an unknown machine and suggests the nearest name") {
                        InputError);
 }
 
-TEST_CASE("rejects an unknown key with its place and the nearest known key") {
+TEST_CASE("an unknown key in a machine file is rejected with its place and the nearest key") {
   const std::string group = changed("[clock.frequency]", "[clok.frequency]");
   CHECK(message(group) == testing::place_in(group, "clok") + ": unknown key 'clok'; the nearest known is 'clock'");
   const std::string figure = changed("[array.memory_bits]", "[array.memory_bit]");
@@ -235,7 +235,7 @@ TEST_CASE("rejects an unknown key with its place and the nearest known key") {
                              ": unknown key 'array.width.valu'; the nearest known is 'array.width.value'");
 }
 
-TEST_CASE("rejects a wrong type with its place") {
+TEST_CASE("a wrong type in a machine file is rejected with its place") {
   const std::string number = changed("value = 72", "value = 72.5");
   CHECK(message(number) ==
         testing::place_in(number, "72.5") + ": array.memory_bits is a number with a point; make it an integer");
@@ -245,7 +245,7 @@ TEST_CASE("rejects a wrong type with its place") {
   CHECK(message(plain) == testing::place_in(plain, "3") + ": 'array' is an integer; make it a table");
 }
 
-TEST_CASE("rejects out-of-range values and wrong units and provenances with their place") {
+TEST_CASE("out-of-range values and wrong units in a machine file are rejected with a place") {
   const std::string big = changed("value = 72", "value = 4097");
   CHECK(message(big) == testing::place_in(big, "4097") + ": array.memory_bits is 4097; it takes 1 to 4096 bits");
   CHECK(message_of_change("value = 512", "value = 0").ends_with("array.width is 0; it takes 1 to 16384 pixels"));
@@ -260,7 +260,7 @@ TEST_CASE("rejects out-of-range values and wrong units and provenances with thei
                                    ": provenance 'guessed' of memory.reads; write 'published' or 'assumed'");
 }
 
-TEST_CASE("names a missing key") {
+TEST_CASE("the error for a missing key in a machine file names the key") {
   CHECK(message_of_change("name = \"pixel-planes-4\"", "").ends_with("key 'name' is missing; add name = \"...\""));
   CHECK(message_of_change("value = 72\n", "").ends_with("array.memory_bits has no value; add value = ..."));
   CHECK(message("name = \"x\"\ndescription = \"y\"\n").ends_with("key 'kind' is missing; add kind = \"...\""));
@@ -269,13 +269,13 @@ TEST_CASE("names a missing key") {
         "my.toml:1:1: key 'array.width' is missing; add a table [array.width] with value, unit, provenance and source");
 }
 
-TEST_CASE("rejects a figure that belongs to another kind of machine") {
+TEST_CASE("a figure that belongs to another kind of machine is rejected") {
   const std::string text = changed("[memory.writes]", "[refresh.rate]");
   CHECK(message(text) ==
         testing::place_in(text, "refresh.rate") + ": unknown key 'refresh'; the nearest known is 'name'");
 }
 
-TEST_CASE("lists the valid names for an unknown kind or order") {
+TEST_CASE("the error for an unknown kind or order lists the valid names") {
   std::string names;
   for (const machines::Kind* const one : kinds::all()) names += (names.empty() ? "" : ", ") + std::string(one->name);
   CHECK(names.starts_with("frame-buffer, scan-line, pixel-square"));
@@ -287,20 +287,20 @@ TEST_CASE("lists the valid names for an unknown kind or order") {
         testing::place_in(order, "\"columns\"") + ": divider.order is 'columns'; it takes rows, serpentine, morton");
 }
 
-TEST_CASE("rejects a scan-line machine whose picture is wider than its chain") {
+TEST_CASE("a scan-line machine whose picture is wider than its chain is rejected") {
   std::string text = description_of("scan-line");
   text.replace(text.find("value = 512"), 11, "value = 511");
   CHECK(message(text).find("a line of 512 pixels exceeds the 511 cells of scan-line") != std::string::npos);
 }
 
-TEST_CASE("rejects a key of very many parts without exhausting the stack") {
+TEST_CASE("a machine file's key of very many parts is rejected without exhausting the stack") {
   std::string key = "a";
   for (int i = 0; i < 400'000; ++i) key += ".a";
   CHECK(message("\n" + key + " = 1\n").starts_with("my.toml:2:1: more than 50 dots in a line"));
   CHECK(message("[" + key + "]\n").starts_with("my.toml:1:1: more than 50 dots in a line"));
 }
 
-TEST_CASE("accepts keys and nested values at the allowed limits") {
+TEST_CASE("a machine file's keys and nested values are accepted at the allowed limits") {
   const std::string key = [] {
     std::string parts = "a";
     for (int i = 0; i < 50; ++i) parts += ".a";
@@ -311,7 +311,7 @@ TEST_CASE("accepts keys and nested values at the allowed limits") {
   CHECK(message(text).starts_with("my.toml:"));
 }
 
-TEST_CASE("reports the place of text that is not TOML") {
+TEST_CASE("the error for a machine file that is not TOML states the place") {
   CHECK(message("name = \"x\"\nwidth = = 3\n").starts_with("my.toml:2:9: "));
 }
 
@@ -331,7 +331,7 @@ TEST_CASE("figures changed after a machine's name appear in the name and count a
   CHECK(kinds::file_of("pixel-square+divider.kind=host").empty());
 }
 
-TEST_CASE("rejects a change of an unknown figure or to an invalid value") {
+TEST_CASE("a change of an unknown figure or to an invalid value is rejected") {
   CHECK_THROWS_WITH_AS(kinds::load("pixel-square+divider.kin=host"),
                        "pixel-square.toml: unknown parameter 'divider.kin'; the nearest known is 'divider.kind'",
                        csgsim::InputError);

@@ -56,7 +56,7 @@ std::uint64_t clocks_of(const machines::FrameTiming& timing, std::size_t part, s
   return std::find_if(clocks.begin(), clocks.end(), [&](const auto& one) { return one.activity == activity; })->clocks;
 }
 
-/// Returns jumps for a random subset of the Program's questions.
+/// Returns jumps for a random subset of the Program's queries.
 std::vector<machines::Skip> arbitrary_skips(const isa::Program& program) {
   std::vector<machines::Skip> skips;
   for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
@@ -118,7 +118,7 @@ Work work_of(const isa::Program& program, const Machine& machine, std::span<cons
 
 }  // namespace
 
-TEST_CASE("an OR has one level per power of its fan-in") {
+TEST_CASE("a global OR has one level per power of its fan-in") {
   CHECK(pixel_planes::or_levels(512 * 512, 64) == 3);
   CHECK(pixel_planes::or_levels(64, 64) == 1);
   CHECK(pixel_planes::or_levels(65, 64) == 2);
@@ -131,7 +131,7 @@ TEST_CASE("an OR has one level per power of its fan-in") {
 // 32: stored at 6, 7, 8 after a latency of 4, read at 7, 8, 9. Clearing starts at 10 and takes 3 clocks. The word of
 // enable_all is stored at 9 and read at 10, the edge that empties the register; the instruction starts at 13. FrameEnd
 // is stored at 10, read at 13 and starts at 14; its step executes 6 clocks later.
-TEST_CASE("a small frame takes the hand-counted clocks") {
+TEST_CASE("a small frame on a frame buffer takes the hand-counted clocks") {
   const machines::FrameTiming timing =
       machines::time_frame(make_program({{.opcode = Opcode::enable_all}}),
                            machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 3));
@@ -147,10 +147,10 @@ TEST_CASE("a small frame takes the hand-counted clocks") {
   CHECK(clocks_of(timing, 1, "done") == 10);
 }
 
-// Same clocks until edge 13, where the question starts: 1 clock, 6 for the trees and 2 levels of the OR. The answer is
+// Same clocks until edge 13, where the query starts: 1 clock, 6 for the trees and 2 levels of the OR. The answer is
 // available at 22; the host sees it at 23, sends FrameEnd from 27 on and stores it at 28. FrameEnd is read at 29 and
 // starts at 30.
-TEST_CASE("a jump takes the hand-counted clocks and counts words sent in vain") {
+TEST_CASE("a jump on a frame buffer takes the hand-counted clocks and discards words") {
   const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
   const std::vector<machines::Skip> skips{{0, 0}};
   isa::Program program = make_program({{.opcode = Opcode::skip_if_none, .constant = 3},
@@ -158,7 +158,7 @@ TEST_CASE("a jump takes the hand-counted clocks and counts words sent in vain") 
                                        {.opcode = Opcode::enable_all},
                                        {.opcode = Opcode::enable_all}});
   const machines::FrameTiming timing = machines::time_frame(program, machine, skips);
-  // The question has 38 bits, two words: stored at 9 and 10, read at 10 and 11. It starts at 13 and its bits leave the
+  // The query has 38 bits, two words: stored at 9 and 10, read at 10 and 11. It starts at 13 and its bits leave the
   // register.
   CHECK(timing.clocks == 36);
   CHECK(clocks_of(timing, 0, "answering") == 8);
@@ -169,7 +169,7 @@ TEST_CASE("a jump takes the hand-counted clocks and counts words sent in vain") 
 }
 
 // Same clocks, but the jump target replaces FrameEnd: its word is read at 29. FrameEnd's word is stored at 29 as well.
-// Three words of the segment, two of the question and three skipped words precede the jump target.
+// Three words of the segment, two of the query and three skipped words precede the jump target.
 TEST_CASE("words read and sent after a jump include the skipped ones (hand calculation)") {
   const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
   const std::vector<machines::Skip> skips{{0, 0}};
@@ -182,7 +182,7 @@ TEST_CASE("words read and sent after a jump include the skipped ones (hand calcu
   CHECK(moment.words_sent == 3 + 2 + 3 + 2);
 }
 
-TEST_CASE("at a pixel a question takes one clock and a skipped instruction none") {
+TEST_CASE("at a pixel a query takes one clock and a skipped instruction none") {
   const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
   const isa::Program program = make_program({{.opcode = Opcode::skip_if_none, .constant = 1},
                                              {.opcode = Opcode::enable_all},
@@ -201,7 +201,7 @@ TEST_CASE("at a pixel a question takes one clock and a skipped instruction none"
   CHECK(steps[3].end == 43 + latency);
 }
 
-TEST_CASE("a frame takes at least the work of its busiest part and at most that of all") {
+TEST_CASE("a frame takes at least the work of its busiest part and at most the total work") {
   CHECK(rc::check("a frame lies between the parallel and the sequential work of its parts", [] {
     const auto program = *test::arbitrary_program(shape, 30);
     const Machine machine =
@@ -217,7 +217,7 @@ TEST_CASE("a frame takes at least the work of its busiest part and at most that 
   }));
 }
 
-TEST_CASE("a better link never adds clocks") {
+TEST_CASE("a better link never adds clocks to a frame of a frame buffer") {
   CHECK(rc::check("a link that is wider, faster, deeper or of lower latency adds no clock", [] {
     const auto program = *test::arbitrary_program(shape, 30);
     const auto skips = arbitrary_skips(program);
@@ -235,7 +235,7 @@ TEST_CASE("a better link never adds clocks") {
 // previous row is shown for 8. Counted from 27 on, it has latched the last row after 2 * 5 + 6 * 8 = 58 clocks and
 // shown it after 5 + 8 * 8 = 69. The next frame also starts at 27; its picture is complete 14 clocks later, is copied
 // 58 clocks later, and the frame ends at 70. The frame after it starts at 71.
-TEST_CASE("with two buffers a frame is copied when its predecessor is latched (by hand)") {
+TEST_CASE("a frame in two buffers is copied when its predecessor is latched (hand count)") {
   const isa::Program program = coloured(make_program({{.opcode = Opcode::enable_all}}), 5);
   const Machine machine = with_buffers(machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 3),
                                        2, ScanOutPort::own);
@@ -277,7 +277,7 @@ TEST_CASE("refresh words precede the next command and fill the controller's wait
 
 // The clear of 40 clocks starts at 10, when the words of the first row have been sent. Those of the second row,
 // requested at 13, wait from 14 until 50.
-TEST_CASE("reports a scan-out that drawing delays") {
+TEST_CASE("the account counts the clocks by which drawing delays the scan-out") {
   const isa::Program program = coloured(make_program({{.opcode = Opcode::enable_all}}), 5);
   const Machine machine = with_buffers(
       machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 40), 2, ScanOutPort::shared);

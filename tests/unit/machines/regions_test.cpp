@@ -67,13 +67,13 @@ TEST_CASE("the regions of every machine cover each pixel of the picture once") {
   }));
 }
 
-TEST_CASE("interlaced lines start with the even field") {
+TEST_CASE("interlaced lines begin with those of the even field") {
   std::vector<std::uint32_t> rows;
   for (const isa::Region& region : machines::regions(lines_of({8, 5}, true))) rows.push_back(region.y);
   CHECK(rows == std::vector<std::uint32_t>{0, 2, 4, 1, 3});
 }
 
-TEST_CASE("serpentine order goes from each square to an adjacent one") {
+TEST_CASE("each square in serpentine order is adjacent to the previous one") {
   const std::vector<isa::Region> all = machines::regions(squares_of(4, 4, {19, 13}, SquareOrder::serpentine));
   for (std::size_t i = 1; i < all.size(); ++i) {
     const auto apart = [](std::uint32_t a, std::uint32_t b) {
@@ -83,7 +83,7 @@ TEST_CASE("serpentine order goes from each square to an adjacent one") {
   }
 }
 
-TEST_CASE("Morton order finishes each quarter of the picture before the next") {
+TEST_CASE("squares in Morton order finish each quarter of the picture before the next") {
   std::vector<isa::Region> places;
   for (const isa::Region& region : machines::regions(squares_of(2, 2, {8, 8}, SquareOrder::morton))) {
     places.push_back({region.x / 4, region.y / 4, 0, 0});

@@ -50,7 +50,7 @@ std::vector<std::string> loads_of(const SquareAccount& counted) {
 
 }  // namespace
 
-TEST_CASE("unaccounted clocks count as waiting or as idle after the end") {
+TEST_CASE("clocks of a part without work count as waiting or as idle after its end") {
   CHECK(pixel_square::complete_clocks(working(3, 4), SquareActivity::waiting_for_host, 20) ==
         Clocks{3, 13, 0, 0, 0, 4});
   CHECK(pixel_square::complete_clocks(working(3, 4), SquareActivity::done, 20) == Clocks{3, 0, 0, 0, 0, 17});
@@ -119,7 +119,7 @@ TEST_CASE("the account lists processors and the ring instead of the host on a ri
   CHECK(parts[4].starts_with("frame buffer: "));
 }
 
-TEST_CASE("the first of the busiest equal parts may bound a frame") {
+TEST_CASE("the first of several equally busy parts is reported to bound the frame") {
   SquareAccount counted;
   counted.host = working(5, 90);
   counted.renderers = {working(10), working(30), working(20), working(30)};
@@ -141,7 +141,7 @@ TEST_CASE("the first of the busiest equal parts may bound a frame") {
                                                       "frame buffer takes colours or shows them 13"});
 }
 
-TEST_CASE("with a ring the processors send and the ring transfers while it is full") {
+TEST_CASE("the account of a ring counts full clocks of ring and sending of processors") {
   SquareAccount counted;
   counted.processors = {working(4), working(6)};
   counted.ring = {.clocks = working(50), .words = 20, .full_clocks = 9};
@@ -153,7 +153,7 @@ TEST_CASE("with a ring the processors send and the ring transfers while it is fu
                                                       "frame buffer takes colours or shows them 3"});
 }
 
-TEST_CASE("the kind reports the clocks and the account of its timing model") {
+TEST_CASE("the pixel-square kind reports the clocks and the account of its timing model") {
   const isa::Program program = make_program(3, {square(2, {}), square(2, {enable, set({0, 3})})});
   for (const Figures& figures : {Figures{.renderers = 2, .buffers = 2, .port_bits = 32, .port_fifo_depth = 8},
                                  on_a_ring({.port_fifo_depth = 8, .processors = 2, .ring_bits = 32})}) {

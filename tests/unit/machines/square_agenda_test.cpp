@@ -47,7 +47,7 @@ std::size_t any_number() { return *rc::gen::resize(rc::kNominalSize, rc::gen::in
 
 }  // namespace
 
-TEST_CASE("visits numbers once around from any start until the visitor stops") {
+TEST_CASE("IndexSet visits its numbers once in cyclic order until the visitor stops") {
   CHECK(rc::check([] {
     IndexSet numbers(many);
     std::set<std::size_t> expected;
@@ -75,7 +75,7 @@ TEST_CASE("visits numbers once around from any start until the visitor stops") {
   }));
 }
 
-TEST_CASE("visits numbers at the ends of 64-bit words in order") {
+TEST_CASE("IndexSet visits numbers at the ends of 64-bit words in order") {
   const std::set<std::size_t> edges{0, 1, 62, 63, 64, 65, 127, 128, 191, 192};
   IndexSet numbers(193);
   for (const std::size_t number : edges) numbers.add(number);
@@ -88,14 +88,14 @@ TEST_CASE("visits numbers at the ends of 64-bit words in order") {
   CHECK(visited(IndexSet(64), 5).empty());
 }
 
-TEST_CASE("the last number in turn is followed by the first") {
+TEST_CASE("next_in_turn() returns the first number after the last") {
   CHECK(pixel_square::next_in_turn(0, 1) == 0);
   CHECK(pixel_square::next_in_turn(0, 2) == 1);
   CHECK(pixel_square::next_in_turn(1, 2) == 0);
   CHECK(pixel_square::next_in_turn(5, 9) == 6);
 }
 
-TEST_CASE("every part has a distinct number with pixels before decoders") {
+TEST_CASE("the parts of a machine are numbered consecutively with pixels before decoders") {
   const PartNumbers parts{.renderers = 3, .dividers = 2, .processors = 4};
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < 3; ++i) all.push_back(parts.pixels(i));
@@ -108,7 +108,7 @@ TEST_CASE("every part has a distinct number with pixels before decoders") {
   CHECK(PartNumbers{}.count() == 6);  // one renderer of three parts, the sender, the frame buffer, the ring
 }
 
-TEST_CASE("parts act at their latest scheduled edge in order of their numbers") {
+TEST_CASE("parts act at their latest scheduled clock edge in order of their numbers") {
   CHECK(rc::check([] {
     Agenda agenda(many);
     std::map<std::size_t, Time> due;
@@ -137,7 +137,7 @@ TEST_CASE("parts act at their latest scheduled edge in order of their numbers") 
   }));
 }
 
-TEST_CASE("a word is readable an edge after its write and frees its place likewise") {
+TEST_CASE("a word written to a FIFO and a place freed in it take effect one edge later") {
   Agenda agenda(2);
   Fifo<int> fifo(2, 0, 1, agenda);
   CHECK_FALSE(fifo.has_word(0));
@@ -214,7 +214,7 @@ TEST_CASE("a square can start when its last word is stored or when the store is 
   CHECK(both.may_begin(5));
 }
 
-TEST_CASE("reports each departing word with its rows in the square and in the picture") {
+TEST_CASE("a departing word reports its rows in the square and in the picture") {
   CHECK(rc::check([] {
     const isa::Region region{3, *rc::gen::inRange<std::uint32_t>(0, 50), *rc::gen::inRange<std::uint32_t>(1, 9),
                              *rc::gen::inRange<std::uint32_t>(1, 9)};
@@ -272,7 +272,7 @@ TEST_CASE("a latched row transfers when a word needs it and the next row is latc
   CHECK(quick.transfer_edge(1) == 3);
 }
 
-TEST_CASE("reports the clocks of a part from the first clock of the frame to the last") {
+TEST_CASE("the clocks of a part cover the frame from its first clock to its last") {
   pixel_square::PartClocks clocks;
   clocks.wait(SquareActivity::waiting_for_host, 4);  // clocks 1 to 3
   clocks.work(2);                                    // 4 and 5

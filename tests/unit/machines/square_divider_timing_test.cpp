@@ -87,7 +87,7 @@ TEST_CASE("two dividers halve test-bound time and take squares in turn") {
   CHECK(one - timing.clocks == 2 * (500 * 2 + 1) - 2);
 }
 
-TEST_CASE("rejects tests whose clocks would overflow their counter") {
+TEST_CASE("a divider's tests whose clocks would overflow their counter are rejected") {
   isa::Program program = make_program(2, {square(1, {})});
   program.display_model.resize(1);
   program.segments[0].division->steps = {{.cells = ~std::uint64_t{0}}};

@@ -124,7 +124,7 @@ TEST_CASE("dividers take groups in turn and with one level single squares") {
   CHECK(pixel_square::dividers_of(program, machine) == std::vector<std::size_t>{0, 1, 2, 0, 1, 2});
 }
 
-TEST_CASE("accepts each count of a divider's tests up to 2^36 and rejects one more") {
+TEST_CASE("each count of a divider's tests may be 2^36 and no more") {
   constexpr std::uint64_t most = std::uint64_t{1} << 36U;
   using Counts = isa::DivisionCounts;
   const std::vector<std::function<void(Counts&, std::uint64_t)>> operands{
@@ -229,7 +229,7 @@ TEST_CASE("a machine's memory includes its pixels and pictures and stores and di
   CHECK(resources().memory_bits == of_pixels);
 }
 
-TEST_CASE("squares wait in a second buffer or in the backing store while there is room") {
+TEST_CASE("a second buffer holds one waiting square and a backing store as many as fit") {
   CHECK(pixel_square::squares_waiting({.buffers = 1}, 24) == 0);
   CHECK(pixel_square::squares_waiting({.buffers = 2}, 24) == 1);
   CHECK(pixel_square::squares_waiting({.buffers = 1, .backing_bits = 48}, 24) == 2);
@@ -238,15 +238,15 @@ TEST_CASE("squares wait in a second buffer or in the backing store while there i
   CHECK(pixel_square::squares_waiting({.buffers = 2, .backing_bits = 5}, 0) == 5);
 }
 
-TEST_CASE("questions take one clock per level of a renderer's OR") {
+TEST_CASE("queries take one clock per level of a renderer's OR") {
   Figures figures = dividing();
   figures.divider = pixel_square::DividerKind::host;
   figures.has_global_or = true;
   Machine machine = make_machine(8, figures);
-  const isa::Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
+  const isa::Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
   const auto clocks = [&](std::uint32_t fan_in) {
     machines::own<Figures>(machine).or_fan_in = fan_in;
-    return machine.kind->clocks(question, machine);
+    return machine.kind->clocks(query, machine);
   };
   const std::uint64_t at_once = clocks(0);
   CHECK(clocks(64) == at_once + 1);  // 64 pixels
@@ -257,7 +257,7 @@ TEST_CASE("questions take one clock per level of a renderer's OR") {
   CHECK(machine.kind->clocks(enable, machine) == 1);
 }
 
-TEST_CASE("accepts each figure of a pixel-square machine at its limits and no further") {
+TEST_CASE("each figure of a pixel-square machine is accepted at its limits and no further") {
   constexpr std::int64_t million = 1'000'000;
   constexpr auto ranges = std::to_array<testing::FigureRange>({
       {"global_or.present", 0, 1},

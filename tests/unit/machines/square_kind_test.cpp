@@ -66,7 +66,7 @@ TEST_CASE("only a machine with dividers divides the model and two levels make gr
   CHECK(division()->list_entries == 9);
 }
 
-TEST_CASE("halves a picture in width and height alternately") {
+TEST_CASE("a picture is halved in width and height alternately") {
   Machine machine = make_machine(8, {});
   machine.picture = {200, 100};
   const auto size = [&](std::uint32_t levels, machines::Parts parts) {
@@ -87,7 +87,7 @@ TEST_CASE("halves a picture in width and height alternately") {
   CHECK(size(2, subsegments) == machines::Size{25, 13});
 }
 
-TEST_CASE("pixels execute an instruction after the trees' latency and a question at once") {
+TEST_CASE("pixels execute an instruction after the trees' latency and a query at once") {
   // The trees of 4 x 2 pixels have three levels.
   Machine machine = make_machine(4, {.has_global_or = true});
   machine.array.height = 2;
@@ -116,23 +116,23 @@ TEST_CASE("a timeline reports when a square is cleared and its instructions are 
   CHECK(later.issued == std::vector<std::vector<machines::ClockSpan>>{{}, {{8, 9}, {9, 12}}});
 }
 
-TEST_CASE("only questions take the clocks of a renderer's OR and only if it has gates") {
+TEST_CASE("only queries take the clocks of a renderer's OR and only if it has gates") {
   Machine machine = make_machine(4, {.has_global_or = true, .or_fan_in = 4});
   machine.array = {4, 2, 16};  // eight lines: two gates, and one gate for their outputs
-  const isa::Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
-  const std::uint64_t gated = machine.kind->clocks(question, machine);
+  const isa::Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
+  const std::uint64_t gated = machine.kind->clocks(query, machine);
   CHECK(machine.kind->clocks(set({0, 3}), machine) == 3);
   machines::own<Figures>(machine).or_fan_in = 0;
-  CHECK(machine.kind->clocks(question, machine) == gated - 2);
+  CHECK(machine.kind->clocks(query, machine) == gated - 2);
   CHECK(machine.kind->clocks(set({0, 3}), machine) == 3);
   // One pixel needs no gate.
   machine.array = {1, 1, 16};
-  const std::uint64_t at_once = machine.kind->clocks(question, machine);
+  const std::uint64_t at_once = machine.kind->clocks(query, machine);
   machines::own<Figures>(machine).or_fan_in = 4;
-  CHECK(machine.kind->clocks(question, machine) == at_once);
+  CHECK(machine.kind->clocks(query, machine) == at_once);
 }
 
-TEST_CASE("rejects an answer for the host in any square at any place") {
+TEST_CASE("an answer for the host is rejected in any square of the pixel-square machine") {
   const Machine machine = make_machine(2, {.has_global_or = true});
   for (std::size_t segment = 0; segment < 4; ++segment) {
     for (std::size_t place = 0; place < 2; ++place) {
@@ -147,7 +147,7 @@ TEST_CASE("rejects an answer for the host in any square at any place") {
   }
 }
 
-TEST_CASE("rejects a colour wider than the backing store") {
+TEST_CASE("a colour wider than the backing store is rejected") {
   const auto refused = [](std::uint32_t backing, std::uint16_t colour_bits) {
     const Machine machine = make_machine(2, {.backing_bits = backing});
     return refusal(whole_picture(machine, colour_bits), machine);
@@ -158,7 +158,7 @@ TEST_CASE("rejects a colour wider than the backing store") {
   CHECK(refused(4, 5).starts_with("a pixel has 5 bits of colour, but the backing memory of squares holds 4"));
 }
 
-TEST_CASE("rejects a screen that leaves no clock and a missing or oversized model") {
+TEST_CASE("a screen that leaves no clock or a display model that does not fit is rejected") {
   Machine machine = make_machine(2, {.refresh_rate = 10, .refresh_bits = 48, .refresh_clocks = 2});
   machine.clock_hz = 21;
   // A screen turn fetches 48 colour bits in two clocks, ten times a second.
@@ -180,7 +180,7 @@ TEST_CASE("rejects a screen that leaves no clock and a missing or oversized mode
   CHECK(refusal(program, dividing_machine).starts_with("the divider would test for more than"));
 }
 
-TEST_CASE("reads planes over the link only if they exist and do not fit with the model") {
+TEST_CASE("planes are read over the link only if they do not fit with the model") {
   const auto far = [](std::uint64_t bytes, std::uint64_t planes, std::uint64_t plane_bits) {
     return pixel_square::has_far_planes(bytes, planes, plane_bits, {.model_bits = 80});
   };
@@ -191,7 +191,7 @@ TEST_CASE("reads planes over the link only if they exist and do not fit with the
   CHECK(far(11, 100, 100));
 }
 
-TEST_CASE("rejects any excess of half-spaces or nodes without overflow") {
+TEST_CASE("any excess of half-spaces or nodes in a divider is rejected without overflow") {
   isa::Program program = make_program(3, {square(2, {})});
   program.display_model = model_bytes();
   program.segments[0].region = {4, 2, 2, 2};
@@ -248,7 +248,7 @@ TEST_CASE("a group's first square includes the group's work if it has boxes or e
   CHECK(clocks({.steps = {}, .group_boxes = 5, .group_entries = 9}) == none + 5 * 7 + 9);
 }
 
-TEST_CASE("an ideal figure of a pixel-square machine is the documented one") {
+TEST_CASE("an ideal figure of a pixel-square machine has its documented meaning") {
   const auto own = [](const std::string& key) {
     return machines::own<Figures>(kinds::load("pixel-square+" + key + "=ideal"));
   };

@@ -61,7 +61,7 @@ TEST_CASE("two processors feed two renderers at once and one renderer in turn") 
   CHECK(one.processors[1] == Clocks{3, 0, 0, 4, 0, one.processors[1].of(pixel_square::SquareActivity::done), 0, 1});
 }
 
-TEST_CASE("words for one place wait for each other and so do more words than channels") {
+TEST_CASE("words on a ring wait for each other at one target or if channels are short") {
   // Three squares to clear, each with a word of header and one of background. Their headers are carried together at 2,
   // or one per clock.
   const isa::Program program = make_program(1, {square(1, {}), square(1, {}), square(1, {})});

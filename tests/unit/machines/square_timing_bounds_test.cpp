@@ -224,7 +224,7 @@ TEST_CASE("with a divider and one renderer and no clears no faster test or part 
 
 // Beyond two renderers, one more may change the assignment: a square goes to the renderer with the fewest
 // squares, not to the first free one.
-TEST_CASE("more renderers take no more clocks than one if the divider never waits for room") {
+TEST_CASE("more renderers never add clocks if the divider never waits for room") {
   CHECK(rc::check([] {
     Machine machine = any_dividing_machine();
     machine.link.fifo_depth = 1000;

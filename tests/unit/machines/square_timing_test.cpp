@@ -13,7 +13,7 @@ using namespace csgsim;
 using namespace csgsim::testing::squares;
 using testing::error_of;
 
-TEST_CASE("a Program without squares takes no clock") {
+TEST_CASE("a Program without squares takes no clock on a pixel-square machine") {
   const Timing timing = time(make_program(3, {}), make_machine(2, {}));
   CHECK(timing.clocks == 0);
   CHECK(timing.account.host == Clocks{});
@@ -46,7 +46,7 @@ TEST_CASE("a slow host's word leaves in the last of its clocks after the latency
   CHECK(timing.account.host == Clocks{3, 4, 0, 0, 0, 2});
 }
 
-TEST_CASE("commands follow back to back and a square leaves word by word") {
+TEST_CASE("a renderer's commands follow back to back and a square leaves word by word") {
   // Words leave the host at 1, 2, 3, 4 and the decoder takes them at 2, 3, 4, 5. The pixels' controller starts the
   // square at 3, the instructions at 4 and 5 (three clocks) and the end at 8, which arrives at 10. Two words of header
   // and one of colours leave at 11, 12, 13 and are stored at 12, 13, 14.
@@ -84,27 +84,27 @@ TEST_CASE("a command of several words executes when its last word has arrived") 
   CHECK(timing.account.renderers == std::vector<Clocks>{{8, 0, 4, 0, 0, 4}});
 }
 
-TEST_CASE("a question waits for its answer and a dropped instruction takes one clock") {
-  // The question executes at 4 and its answer arrives at 7. Then the instructions are dropped, the first at 7, and the
+TEST_CASE("a query waits for its answer and a dropped instruction takes one clock") {
+  // The query executes at 4 and its answer arrives at 7. Then the instructions are dropped, the first at 7, and the
   // end executes in the clock after the last; each of its words takes as long as above.
-  const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
+  const Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
   const machines::Skip none{.segment = 0, .index = 0};
   Machine machine = make_machine(2, {.buffers = 2, .port_bits = 32, .port_fifo_depth = 8, .has_global_or = true});
   for (std::uint64_t skipped = 1; skipped <= 3; ++skipped) {
     std::vector<Instruction> instructions(1 + skipped, set({0, 3}));
-    instructions[0] = question;
+    instructions[0] = query;
     instructions[0].constant = skipped;
     const isa::Program program = make_program(3, {square(2, std::move(instructions))});
     CHECK(pixel_square::time_squares(program, machine, {{none}}).clocks == 14 + skipped - 1);
     CHECK(time(program, machine).clocks == 13 + 3 * skipped);
   }
   machines::own<Figures>(machine).or_fan_in = 2;
-  const isa::Program program = make_program(3, {square(2, {question, set({0, 3})})});
+  const isa::Program program = make_program(3, {square(2, {query, set({0, 3})})});
   CHECK(pixel_square::time_squares(program, machine, {{none}}).clocks == 14 + 2);
-  CHECK(machines::clocks(question, machine) == 1 + 2 + 2);
+  CHECK(machines::clocks(query, machine) == 1 + 2 + 2);
 }
 
-TEST_CASE("a FIFO of one place passes a word every other clock on both links") {
+TEST_CASE("a FIFO of one place passes a word every other clock into and out of a renderer") {
   // Words leave the host at 1, 3, 5, 7 and are taken at 2, 4, 6, 8; the end executes at 10 and arrives at 12; words of
   // the square leave at 13, 15, 17.
   const isa::Program program = make_program(3, {square(2, {enable, set({0, 3})})});
@@ -157,7 +157,7 @@ TEST_CASE("a backing store holds squares up to its bits and sends them back to b
       "to use a second buffer");
 }
 
-TEST_CASE("with one buffer the next square starts when its predecessor has left") {
+TEST_CASE("a renderer with one buffer starts the next square when its predecessor has left") {
   // The first square is drawn at 5 and leaves at 6 to 73; the second starts at 74, ends at 76 and leaves at 77 to 144.
   const isa::Program program = make_program(4, {square(1, {enable}), square(1, {enable})});
   const Timing timing = time(program, make_machine(1, {.buffers = 1, .port_bits = 1, .port_fifo_depth = 8}));
@@ -187,7 +187,7 @@ TEST_CASE("renderers take turns at the frame buffer word by word") {
   CHECK(timing.account.frame_buffer == Clocks{148, 0, 0, 8, 0, 0});
 }
 
-TEST_CASE("rejects questions on a machine of picture parts and suggests an alternative") {
+TEST_CASE("rejects a global-OR query on machines without the OR and suggests an alternative") {
   isa::Program program = make_program(2, {square(1, {enable, {.opcode = Opcode::global_or}})});
   for (const machines::Kind* const kind :
        std::initializer_list<const machines::Kind*>{&scan_line::kind, &pixel_square::kind}) {
@@ -217,7 +217,7 @@ TEST_CASE("renderers with an OR skip instructions but send no answers to the hos
   CHECK_FALSE(machines::has_global_or(machine));
 }
 
-TEST_CASE("rejects a Program whose segments are not the machine's squares") {
+TEST_CASE("a Program whose segments are not the machine's squares is rejected") {
   const Machine machine = make_machine(2, {});
   isa::Program program = make_program(2, {});
   for (const isa::Region& region : machines::regions(machine)) {

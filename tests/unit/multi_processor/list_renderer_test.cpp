@@ -165,7 +165,7 @@ TEST_CASE("nodes add with carries and cut sums into stripes like the reference")
   }));
 }
 
-TEST_CASE("a node adds the target's words and reads the source's as well") {
+TEST_CASE("a sum takes a node clocks for the target's words and for reading the source's") {
   machines::Machine machine = machines::blank(multi_processor::kind);
   auto& figures = machines::own<Figures>(machine);
   figures.order = multi_processor::RenderingOrder::segment;
@@ -190,7 +190,7 @@ TEST_CASE("a stripe takes a node as long as an edge") {
   CHECK(clocks(isa::Opcode::stripe) == clocks(isa::Opcode::edge_negative));
 }
 
-TEST_CASE("a node is charged for a shift by places but not for whole words") {
+TEST_CASE("a node's shift takes clocks for places but not for whole words") {
   machines::Machine machine = machines::blank(multi_processor::kind);
   auto& figures = machines::own<Figures>(machine);
   figures.word_bits = 16;
@@ -211,7 +211,7 @@ TEST_CASE("a node is charged for a shift by places but not for whole words") {
   CHECK(clocks(39) == 1007);
 }
 
-TEST_CASE("decoding an instruction's numbers from its bits takes the hand-counted clocks") {
+TEST_CASE("decoding an instruction's numbers takes a node the hand-counted clocks") {
   machines::Machine machine = machines::blank(multi_processor::kind);
   auto& figures = machines::own<Figures>(machine);
   figures.word_bits = 16;
@@ -236,7 +236,7 @@ TEST_CASE("decoding an instruction's numbers from its bits takes the hand-counte
   CHECK(clocks() - before == 8 * (73 + 11) + number + width + sum_width + sum_shift + a + b + c);
 }
 
-TEST_CASE("branching over ineffective pixels takes the hand-counted clocks") {
+TEST_CASE("a node's branch over pixels without effect takes the hand-counted clocks") {
   using isa::Opcode;
   machines::Machine machine = machines::blank(multi_processor::kind);
   machine.array = {1, 1, 16};

@@ -127,7 +127,7 @@ TEST_CASE("a node's division from the bus equals the host's list and counts") {
   }));
 }
 
-TEST_CASE("lists with or without half-space numbers arrive intact in the computed bits") {
+TEST_CASE("lists with or without half-space numbers arrive unchanged in the computed bits") {
   CHECK(rc::check([] {
     Display display(any_machine());
     machines::own<multi_processor::Figures>(display.machine).lists =
@@ -164,7 +164,7 @@ TEST_CASE("lists with or without half-space numbers arrive intact in the compute
   }));
 }
 
-TEST_CASE("a half-space number replaces an expression (hand calculation)") {
+TEST_CASE("a half-space number replaces an expression on the bus (hand calculation)") {
   const multi_processor::ListForm form{
       .has_numbers = true, .number_bits = 9, .record_bits = 80, .record_numbers = {1, 1, 20, 20, 30}};
   const isa::Instruction keep{
@@ -181,7 +181,7 @@ TEST_CASE("a half-space number replaces an expression (hand calculation)") {
     CHECK(multi_processor::entry_bits(one, form) == multi_processor::written_bits(one, form));
 }
 
-TEST_CASE("records take the computed words on the bus and in memory") {
+TEST_CASE("records of a segment take the computed words on the bus and in memory") {
   CHECK(rc::check([] {
     const Display display(any_machine());
     const std::uint32_t width = display.machine.link.width;
@@ -206,7 +206,7 @@ TEST_CASE("records take the computed words on the bus and in memory") {
   }));
 }
 
-TEST_CASE("a changed bit on the bus is rejected or received or in padding") {
+TEST_CASE("a changed bit on the bus is rejected or changes the received model or is padding") {
   std::uint64_t refused = 0;
   std::uint64_t another = 0;
   CHECK(rc::check([&] {

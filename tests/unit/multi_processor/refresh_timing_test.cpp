@@ -9,7 +9,7 @@
 using namespace csgsim;
 using namespace csgsim::testing::stages;
 
-TEST_CASE("only nodes stop during screen turns (hand calculation)") {
+TEST_CASE("only the nodes of a multi-processor stop in screen turns (hand calculation)") {
   Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
   // A node's 32 bits take two turns; 20 turns a second, of 5 clocks every 50.
@@ -60,7 +60,7 @@ TEST_CASE("the clocks left by the screen equal a turn-by-turn simulation") {
   }));
 }
 
-TEST_CASE("rejects a screen that takes all clocks of the nodes") {
+TEST_CASE("a screen that takes all clocks of the nodes is rejected") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   machine.clock_hz = 1'000'000;

@@ -46,7 +46,7 @@ TEST_CASE("a list beyond half of a node's free memory is made in parts (by hand)
   CHECK(account.stages.rendering == whole.stages.rendering);
 }
 
-TEST_CASE("sending in parts takes longer with less memory and completes all work") {
+TEST_CASE("sending lists in parts takes longer with less memory and completes all work") {
   CHECK(rc::check([] {
     Machine machine = random_machine();
     const isa::Program program = any_program(machine);
@@ -88,7 +88,7 @@ TEST_CASE("nodes read half-spaces beyond their memory over the bus in turn (by h
   CHECK(clocks_of(program, machine) == 3613 + reads + 3 * 29 - 3 * 10);
 }
 
-TEST_CASE("rejects a segment whose primitives leave no room for two commands in a node") {
+TEST_CASE("a segment whose primitives leave no room for two commands in a node is rejected") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   figures(machine).memory_words = 31 + 32;
@@ -100,7 +100,7 @@ TEST_CASE("rejects a segment whose primitives leave no room for two commands in 
                        InputError);
 }
 
-TEST_CASE("what exceeds the display processor is read from the host or tested twice") {
+TEST_CASE("records beyond the display processor are read from the host or tested twice") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   const std::uint64_t once = 2 * 37 + 3 * 41 + 2 * 61;
@@ -118,7 +118,7 @@ TEST_CASE("what exceeds the display processor is read from the host or tested tw
   CHECK(account_of(program, machine).model_words == 32);
 }
 
-TEST_CASE("rejects a model that exceeds the display processor even without its planes") {
+TEST_CASE("a model that exceeds the display processor even without its planes is rejected") {
   Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
   figures(machine).display_memory_words = 30;

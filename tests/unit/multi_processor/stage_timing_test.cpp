@@ -41,7 +41,7 @@ TEST_CASE("each stage of a frame takes the hand-counted clocks") {
   CHECK(clocks_of(program_for(machine), machine) == 3613);
 }
 
-TEST_CASE("the rendering order changes the inner loop over pixels (hand calculation)") {
+TEST_CASE("each rendering order takes the hand-counted clocks of its loop over pixels") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   figures(machine).order = RenderingOrder::scan_line;
@@ -106,7 +106,7 @@ TEST_CASE("with half-space numbers each node computes the expressions (hand calc
   CHECK(account_of(program, machine).stages.rendering == account.stages.rendering + 2 * 100 + 10 * 3 + 2 * 10 + 10 * 2);
 }
 
-TEST_CASE("an empty segment is only set to the background") {
+TEST_CASE("an empty segment of a multi-processor is only set to the background") {
   const Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
   program.segments[0].instructions.clear();
@@ -132,7 +132,7 @@ TEST_CASE("all nodes wait for the one with the most pixels") {
   CHECK(account.stages.rendering == first.of(NodeActivity::rendering));
 }
 
-TEST_CASE("no frame takes less than its shared work or more than the sum of all work") {
+TEST_CASE("a frame takes at least its shared work and at most the sum of all work") {
   CHECK(rc::check([] {
     const Machine machine = random_machine();
     const isa::Program program = any_program(machine);
@@ -157,7 +157,7 @@ TEST_CASE("no frame takes less than its shared work or more than the sum of all 
   }));
 }
 
-TEST_CASE("a wider host link or bus never adds clocks") {
+TEST_CASE("a wider host link or bus never adds clocks to a multi-processor's frame") {
   CHECK(rc::check([] {
     Machine machine = random_machine();
     const isa::Program program = any_program(machine);
@@ -183,7 +183,7 @@ TEST_CASE("dividing ahead saves at most the first pruning of all segments but th
   }));
 }
 
-TEST_CASE("rejects a frame longer than SystemC's time") {
+TEST_CASE("a frame of a multi-processor longer than SystemC's time is rejected") {
   Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
   machine.clock_hz = 1;

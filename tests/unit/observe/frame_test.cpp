@@ -68,7 +68,7 @@ TEST_CASE("a picture starts as background without depth or owners") {
   CHECK(frame.owner == std::vector<std::uint32_t>(width * height, observe::no_owner));
 }
 
-TEST_CASE("copies depth and colour of a segment to its place in the picture") {
+TEST_CASE("depth and colour of a segment are copied to its place in the picture") {
   observe::FrameObserver observer(program());
   FakePixels pixels({67, 1, 3, 2});
   for (std::uint32_t y = 0; y < 2; ++y) {
@@ -111,7 +111,7 @@ TEST_CASE("a pixel with merged depth is owned by the primitive of that depth") {
   CHECK(others_than(owner, observe::no_owner) == 4);
 }
 
-TEST_CASE("copies owners to the segment's place in the picture") {
+TEST_CASE("owners of a segment are copied to its place in the picture") {
   observe::FrameObserver observer(program());
   FakePixels pixels({67, 1, 3, 2});
   pixels.enable(2, 1);
@@ -120,7 +120,7 @@ TEST_CASE("copies owners to the segment's place in the picture") {
   CHECK(others_than(observer.frame().owner, observe::no_owner) == 1);
 }
 
-TEST_CASE("other copies and single-primitive colours change no owner and are not read") {
+TEST_CASE("other copies and colours of one primitive change no owner and are not read") {
   const observe::FrameObserver observer(program());
   CHECK(observer.reads_after(merge_of_2));
   CHECK(observer.reads_after(colours(colour, 1, 0)));
@@ -201,7 +201,7 @@ TEST_CASE("transparent surfaces are recorded at the first comparison and count a
   CHECK(others_than(frame.owner, observe::no_owner) == 2);
 }
 
-TEST_CASE("an owner whose colour is not in Z1 joins the picture with the merge") {
+TEST_CASE("an owner whose colour is stored beside Z1 enters the picture at the merge") {
   observe::FrameObserver observer(program(true));
   FakePixels pixels({0, 0, 67, 3});
   pixels.enable_only({{3, 0}, {4, 0}});

@@ -47,21 +47,21 @@ double estimate_ratio(const std::string& trace, const std::string& machine_name,
 
 }  // namespace
 
-TEST_CASE("estimates a reference-level run within a factor of two") {
+TEST_CASE("the estimated time of a reference-level run is within a factor of two") {
   const double ratio = estimate_ratio("thesis_fig_2_3", "pixel-planes-4", engine::make_reference_engine);
   MESSAGE("estimate / actual:  ", ratio);
   CHECK(ratio > 0.5);
   CHECK(ratio < 2);
 }
 
-TEST_CASE("estimates a cycle-level run within a factor of two") {
+TEST_CASE("the estimated time of a cycle-level run is within a factor of two") {
   const double ratio = estimate_ratio("terrain_vehicle", "pixel-planes-4", engine::make_cycle_engine);
   MESSAGE("estimate / actual:  ", ratio);
   CHECK(ratio > 0.5);
   CHECK(ratio < 2);
 }
 
-TEST_CASE("warns once and only of long work") {
+TEST_CASE("a warning of long work is printed once and only for long work") {
   double now = 0;
   observe::LongWork work(
       "this study", "take less", [&now] { return now; }, 60);

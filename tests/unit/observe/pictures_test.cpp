@@ -100,7 +100,7 @@ TEST_CASE("a grey picture has each pixel's grey at its place") {
   }
 }
 
-TEST_CASE("noise of any size survives a PNG round trip") {
+TEST_CASE("a picture of noise of any width survives a PNG round trip") {
   for (const std::uint32_t width : {1U, 2U, 7U, 640U, 5000U}) {
     CAPTURE(width);
     std::mt19937 random(width);
@@ -114,7 +114,7 @@ TEST_CASE("noise of any size survives a PNG round trip") {
   }
 }
 
-TEST_CASE("rejects a PNG too wide for its readers") {
+TEST_CASE("a PNG too wide for its readers is rejected") {
   const Scratch scratch(".png");
   OutputFile file(scratch.path());
   const observe::Picture wide{2'000'000, 1, 1, std::vector<std::uint8_t>(2'000'000)};
@@ -174,7 +174,7 @@ TEST_CASE("an owner picture for ordinary tools has the colours of its legend") {
         nlohmann::json{{"index", 1}, {"name", "ball"}, {"colour", "#008000"}, {"pixels", 3}});
 }
 
-TEST_CASE("rejects a name without a known picture format and lists alternatives") {
+TEST_CASE("a picture name without a known format is rejected with a list of formats") {
   CHECK_NOTHROW(observe::check_format("a.png"));
   // Includes formats that only a loaded module may support.
   for (const char* const name : {"a.exr", "a.tif", "a.jpg", "a.ppm", "a.EXR", "a.sgi"}) {

@@ -30,7 +30,7 @@ isa::Program program() {
 
 machines::Machine machine() {
   machines::Machine machine = machines::blank(pixel_planes::kind);
-  machine.array = {1, 1, 8};  // no tree levels, so that a question takes one clock
+  machine.array = {1, 1, 8};  // no tree levels, so that a query takes one clock
   return machine;
 }
 
@@ -46,7 +46,7 @@ void carry_out(observe::ProgressObserver& observer, std::uint32_t count, const I
 
 }  // namespace
 
-TEST_CASE("a run of less than a second prints nothing") {
+TEST_CASE("a run of less than a second prints no progress") {
   const testing::Captured standard_error(STDERR_FILENO);
   const Clock::time_point begin = Clock::now();
   {
@@ -80,7 +80,7 @@ TEST_CASE("a run of more than a second prints progress and erases it at its end"
   CHECK(standard_error.text() == printed + "\r\x1b[K");
 }
 
-TEST_CASE("skipped instructions reduce the remaining clocks") {
+TEST_CASE("skipped instructions reduce the remaining clocks of the progress display") {
   const testing::Captured standard_error(STDERR_FILENO);
   const isa::Program all = program();
   const machines::Machine on = machine();

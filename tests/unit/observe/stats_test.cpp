@@ -80,7 +80,7 @@ TEST_CASE("instructions of an effect at a primitive are charged to the effect") 
   CHECK(observer.stats().by_effect[1].clocks == 7);
 }
 
-TEST_CASE("opcodes and purposes and primitives plus the rest each add up to the total") {
+TEST_CASE("the clocks by opcode and by purpose and by primitive each add up to the total") {
   CHECK(rc::check([] {
     observe::StatsObserver observer(program());
     const testing::FakePixels pixels({0, 0, 5, 3});

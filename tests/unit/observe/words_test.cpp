@@ -107,7 +107,7 @@ TEST_CASE("primitives and effects and the rest add up to all clocks of a frame")
   }
 }
 
-TEST_CASE("lists the ten most expensive primitives with their places in the file") {
+TEST_CASE("the ten most expensive primitives are listed with their places in the file") {
   const Drawn drawn = draw("pixel-planes-4", "carburettor");
   const observe::ClockShares shares = observe::clock_shares(drawn.program, drawn.result, drawn.stats);
   REQUIRE(shares.dearest.size() == 10);
@@ -122,7 +122,7 @@ TEST_CASE("lists the ten most expensive primitives with their places in the file
   CHECK(observe::source_of("mesh") == "");
 }
 
-TEST_CASE("counts the half-spaces left by pruning once across all squares") {
+TEST_CASE("the half-spaces left by pruning count once across all squares") {
   const Drawn whole = draw("pixel-planes-4", "thesis_fig_2_3");
   std::uint64_t halfspaces = 0;
   const observe::ClockShares shares = observe::clock_shares(whole.program, whole.result, whole.stats);
@@ -138,7 +138,7 @@ TEST_CASE("counts the half-spaces left by pruning once across all squares") {
   }
 }
 
-TEST_CASE("the part that bounds a frame is the reported bottleneck") {
+TEST_CASE("the part that bounds a frame is reported as its bottleneck") {
   const auto bound = [](const std::string& machine, const std::string& model = "carburettor") {
     const Drawn drawn = draw(machine, model);
     const auto found = observe::bound_of(drawn.result, drawn.machine);
@@ -166,7 +166,7 @@ TEST_CASE("the part that bounds a frame is the reported bottleneck") {
             .starts_with("node "));
 }
 
-TEST_CASE("a figure's gain equals that of a run on the changed machine") {
+TEST_CASE("the gain that advice states for a figure equals that of the changed machine") {
   for (const std::string& name : all_machines) {
     CAPTURE(name);
     const Drawn drawn = draw(name, "carburettor");
@@ -188,7 +188,7 @@ TEST_CASE("a figure's gain equals that of a run on the changed machine") {
   }
 }
 
-TEST_CASE("a figure already changed in the machine's name is replaced there") {
+TEST_CASE("advice replaces a figure that the machine's name already changes") {
   const std::string name = "scan-line+link.width=4+cells.ports=2";
   const Drawn drawn = draw(name, "thesis_fig_2_3");
   const std::vector<observe::Knob> knobs = observe::parameter_knobs(drawn.program, drawn.machine, drawn.result, name);

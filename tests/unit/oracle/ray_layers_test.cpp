@@ -32,7 +32,7 @@ glm::dvec3 seen_through(const std::string& csg, const std::vector<double>& opaci
 
 }  // namespace
 
-TEST_CASE("a wall behind two panes shows each weighted by the transmission before it") {
+TEST_CASE("a wall and two panes are weighted by the transmission of the panes in front") {
   const std::string model = "union(){" + pane(red, -5, -4) + pane(green, -2, -1) + pane(blue, 5, 6) + "}";
   const std::vector<double> opacity{0.5, 0.25, 1};
   CHECK(is_near(seen_through(model, opacity, 4), {0.5, 0.125, 0.375}));
@@ -41,12 +41,12 @@ TEST_CASE("a wall behind two panes shows each weighted by the transmission befor
   CHECK(is_near(seen_through(model, opacity, 1), {1, 0.5, 0.5}));
 }
 
-TEST_CASE("transparency does not depend on the order of the model's parts") {
+TEST_CASE("the ray oracle's transparency does not depend on the order of the model's parts") {
   const std::string model = "union(){" + pane(blue, 5, 6) + pane(green, -2, -1) + pane(red, -5, -4) + "}";
   CHECK(is_near(seen_through(model, {1, 0.25, 0.5}, 4), {0.5, 0.125, 0.375}));
 }
 
-TEST_CASE("nothing is seen behind an opaque surface") {
+TEST_CASE("the ray oracle shows nothing behind an opaque surface") {
   const std::string model = "union(){" + pane(red, -5, -4) + pane(green, -2, -1) + "}";
   CHECK(is_near(seen_through(model, {1, 0.25}, 4), red));
   CHECK(is_near(seen_through(model, {}, 4), red));
@@ -57,17 +57,17 @@ TEST_CASE("a cavity in glass shows the wall behind it in the colour of the remov
   CHECK(is_near(seen_through(model, {0.5, 0.5}, 4), glm::dvec3(0.5, 0.25, 0) + 0.25));
 }
 
-TEST_CASE("coincident faces are one layer of the first primitive in tree order") {
+TEST_CASE("coincident faces are one transparent layer of the first primitive in tree order") {
   const std::string model = "union(){" + pane(red, -5, -4) + pane(green, -5, -1) + "}";
   CHECK(is_near(seen_through(model, {0.5, 1}, 4), {1, 0.5, 0.5}));
 }
 
-TEST_CASE("each of two touching panes has a front") {
+TEST_CASE("each of two touching panes has a visible front") {
   const std::string model = "union(){" + pane(red, -5, -4) + pane(green, -4, -1) + "}";
   CHECK(is_near(seen_through(model, {0.5, 1}, 4), {0.5, 0.5, 0}));
 }
 
-TEST_CASE("a screen door shows the first surface present") {
+TEST_CASE("a screen door shows the first surface that is drawn at the pixel") {
   Stage stage("union(){" + pane(red, -5, -4) + pane(green, -2, -1) + "}", on_white());
   testing::RayEffects effects;
   effects.is_there = [](std::uint32_t x, std::uint32_t y, std::uint32_t primitive) {
@@ -83,7 +83,7 @@ TEST_CASE("a screen door shows the first surface present") {
   }
 }
 
-TEST_CASE("layers within the gap are in doubt even if the nearest is not") {
+TEST_CASE("layers closer than the gap are in doubt even if the nearest surface is not") {
   Stage stage("union(){" + pane(red, -5, -4) + pane(green, 3, 4) + pane(blue, 3.001, 5) + "}", on_white());
   testing::RayEffects effects;
   effects.opacity = {0.5, 1, 1};

@@ -41,7 +41,7 @@ TEST_CASE("walls of a subtracted solid are green or in its colour") {
   CHECK(is_near(middle_of("difference(){" + wall + blue + "}", {}), glm::dvec3(0, 0, part)));
 }
 
-TEST_CASE("a light adds its colour times the cosine but nothing behind a face") {
+TEST_CASE("a light adds its colour times the cosine and nothing to a face turned away") {
   scene::Light light = testing::shining({3, 4, 0});
   light.colour = {1, 0.5, 0};
   light.intensity = 0.5;
@@ -50,7 +50,7 @@ TEST_CASE("a light adds its colour times the cosine but nothing behind a face") 
   CHECK(is_near(middle_of(wall, lit_by(light)), yellow * 0.3));
 }
 
-TEST_CASE("the sum of lights is clamped to white") {
+TEST_CASE("the ray oracle clamps the sum of lights to white") {
   scene::Scene scene = lit_by(testing::shining({0, 1, 0}));
   scene.lights.push_back(testing::shining({0, 1, 0}));
   CHECK(is_near(middle_of(testing::coloured({1, 0.5, 0.1}, wall), scene), {1, 0.85, 0.17}));
@@ -91,7 +91,7 @@ TEST_CASE("in perspective a facet's highlight is computed at the mean of its cor
   const scene::Material shiny{.ambient = 0, .diffuse = 0, .specular = 1, .shininess = 2};
   scene::Light light = testing::shining({0, 1, 0});
   light.intensity = 0.5;
-  // From 0, 5, 0 the eye is at an angle with tangent 3/4 from the normal; its half has tangent 1/3.
+  // The eye, seen from 0, 5, 0, is at an angle with tangent 3/4 from the normal; half of it has tangent 1/3.
   Stage stage(wall, with_material(lit_by(light), shiny));
   stage.shot.camera = {{60, -75, 0}, {0, 5, 0}, view::Projection::perspective};
   stage.cast();

@@ -69,7 +69,7 @@ TEST_CASE("without reflections a mirror shows its own colour") {
   CHECK(is_near(stage.at(-1, 0).colour, grey));
 }
 
-TEST_CASE("only mirror facets reflect") {
+TEST_CASE("only facets of mirrors reflect") {
   Stage stage(both, testing::plain_colours());
   stage.cast();
   const std::uint32_t front = stage.at(-1, 0).halfspace;

@@ -73,7 +73,7 @@ TEST_CASE("a cut that ends at a face leaves no membrane there") {
   CHECK(along_y("difference(){" + slab(1, 4) + slab(1, 2) + "}") == Found{{1, 2.0}});
 }
 
-TEST_CASE("among coincident fronts the first in tree order is the surface") {
+TEST_CASE("the first of coincident fronts in tree order is the visible surface") {
   CHECK(along_y("union(){" + slab(1, 4) + slab(1, 2) + "}") == Found{{0, 1.0}});
   CHECK(along_y("difference(){union(){" + slab(3, 9) + slab(1, 9) + "}" + slab(0, 3) + "}") == Found{{0, 3.0}});
 }
@@ -86,7 +86,7 @@ TEST_CASE("a surface within the gap of another plane is in doubt and so is all b
   for (const testing::SurfacePoint& point : model.surfaces(ray, {-infinity}, 1e-2).points) CHECK_FALSE(point.is_clear);
 }
 
-TEST_CASE("a facet is in doubt within the gap of the next facet of its solid") {
+TEST_CASE("a facet closer than the gap to the next facet of its solid is in doubt") {
   // Beside the edge, at x = 0.001, the facets are at 1.001 and 0.999.
   CHECK(all_clear(upright_edge, {0.001, 0, 0}, 1e-3));
   CHECK_FALSE(all_clear(upright_edge, {0.001, 0, 0}, 3e-3));

@@ -31,7 +31,7 @@ TEST_CASE("the order of a union's parts changes only the owner of shared surface
   CHECK(is_near(other.at(0, 0).colour, {0, 1, 0}));
 }
 
-TEST_CASE("a solid minus itself leaves the background without doubt") {
+TEST_CASE("a solid minus itself is certainly background") {
   Stage stage("difference(){" + left + left + "}");
   stage.cast();
   for (const std::int32_t x : {-5, 0, 5}) {

@@ -15,7 +15,7 @@ constexpr std::uint32_t height = 48;
 /// Comparison of a machine's picture with the oracle's.
 struct Tally {
   int pixels = 0;
-  int covered = 0;  ///< by the oracle
+  int covered = 0;  ///< pixels that the oracle covers
   int doubtful = 0;
   int wrong = 0;  ///< owner or colour, of the certain pixels
 };

@@ -53,7 +53,7 @@ TEST_CASE("a box casts its slanted shadow on the wall and none on itself") {
   CHECK(stage.at(0, 0).colour.x > 0.976 * 0.5);
 }
 
-TEST_CASE("the wall is lit behind the box without shadows and by shadowless lights") {
+TEST_CASE("a wall behind a box is lit without shadows and by shadowless lights") {
   Stage stage("union(){" + wall + box({-1.5, 0, -1.5}, {1.5, 1, 1.5}) + "}", lit_by(slanted));
   stage.cast();
   CHECK(is_lit(stage, 4, 0));
@@ -165,7 +165,7 @@ TEST_CASE("a solid's far sides face away from the light and are not in shadow") 
   }
 }
 
-TEST_CASE("the bottom of a pit is in the shadow of its wall") {
+TEST_CASE("the bottom of a pit is in the shadow of the pit's wall") {
   const std::string block = testing::coloured({0.5, 0.5, 0.5}, box({-10, 0, -10}, {10, 9, 10}));
   const std::string pit = testing::coloured({0.5, 0.5, 0.5}, box({-4.5, -1, -4.5}, {4.5, 3, 4.5}));
   Stage stage("difference(){" + block + pit + "}", lit_by(slanted));

@@ -197,7 +197,7 @@ TEST_CASE("the divider tests and writes squares in turn while complete ones leav
   CHECK(board.sender.account(all).of(SquareActivity::waiting_for_divider) == all - sent);
 }
 
-TEST_CASE("with two levels a group is tested first and its squares from the group's list") {
+TEST_CASE("a two-level divider tests a group first and then squares from the group's list") {
   const division::DisplayModel slab = testing::one_slab();
   testing::ModelDivider judge(slab);
   const division::Candidates list = judge.survivors({0, 0, 16, 16});
@@ -218,7 +218,7 @@ TEST_CASE("with two levels a group is tested first and its squares from the grou
   CHECK(board.commands() == expected);
 }
 
-TEST_CASE("with a full store an incomplete square leaves while the divider waits") {
+TEST_CASE("an incomplete square leaves a full store while the divider waits") {
   const division::DisplayModel slab = testing::one_slab();
   testing::ModelDivider judge(slab);
   const isa::Region left{0, 0, 8, 8};
@@ -279,6 +279,6 @@ void check_list_with(std::uint64_t entries_short) {
 
 }  // namespace
 
-TEST_CASE("uses a group's list that just fits") { check_list_with(0); }
+TEST_CASE("a divider uses a group's list that just fits its memory") { check_list_with(0); }
 
-TEST_CASE("does not use a group's list that is one entry too long") { check_list_with(1); }
+TEST_CASE("a divider does not use a group's list that is one entry too long") { check_list_with(1); }

@@ -87,7 +87,7 @@ TEST_CASE("a square takes one clock per word to reach the picture") {
   CHECK(account.of(SquareActivity::waiting_for_renderer) == 5);
 }
 
-TEST_CASE("renderers take turns word by word and idle ones are skipped") {
+TEST_CASE("renderers take turns at the frame buffer word by word and idle ones are skipped") {
   // Ten words each: the first three ports take turns, so that 20 clocks take ten words of each of two ports.
   Board board(3);
   board.begin(2);
@@ -163,7 +163,7 @@ TEST_CASE("two banks take words of two squares per clock in rows of different ba
   CHECK(board.buffer.account(10).of(SquareActivity::working) == header_words + 2);
 }
 
-TEST_CASE("of two words for one bank the first in turn is taken a clock before the other") {
+TEST_CASE("two words for one bank are taken in turn a clock apart") {
   Board board(pixel_square::Figures{.renderers = 2, .port_bits = port_bits, .banks = 2});
   board.begin(2);
   board.send(0, {0, 0, 2, 1}, {1, 2});
@@ -174,7 +174,7 @@ TEST_CASE("of two words for one bank the first in turn is taken a clock before t
   CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 3, 4, 0, 0, 0, 0});
 }
 
-TEST_CASE("the screen's turns delay words and are accounted for separately") {
+TEST_CASE("the screen's turns delay words at the frame buffer and are counted separately") {
   // A picture has 24 bits, two turns of 12: 20 turns a second, one in five of 100 clocks a second, at 5 and 6, 10 and
   // 11. The ten words are stored at 1 to 4, 7 to 9 and 12 to 14.
   const pixel_square::Figures figures{
@@ -193,7 +193,7 @@ TEST_CASE("the screen's turns delay words and are accounted for separately") {
   CHECK(board.buffer.account(20).of(SquareActivity::waiting_for_renderer) == 3);
 }
 
-TEST_CASE("one bank takes words while the screen reads the other") {
+TEST_CASE("one bank of the frame buffer takes words while the screen reads the other") {
   // The screen reads row 0 at 5 and 6, row 1 at 10 and 11. The header's eight words are taken at 1 to 8 by the free
   // bank. Two of the three words of colours start in row 0 and are taken at 9 and 10; the one of row 1 at 12.
   const pixel_square::Figures figures{
@@ -208,7 +208,7 @@ TEST_CASE("one bank takes words while the screen reads the other") {
   CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 3, 0, 4, 5, 6, 0});
 }
 
-TEST_CASE("waves show screen turns and the row being read and a square's words") {
+TEST_CASE("a frame buffer's wave shows screen turns and the row read and a square's words") {
   // Same clocks as in the screen-turn test above: the ten words are stored at 1 to 4, 7 to 9 and 12 to 14; the eighth,
   // at 12, ends the header. The screen reads row 0 at 5 and 6, row 1 at 10 and 11.
   const pixel_square::Figures figures{

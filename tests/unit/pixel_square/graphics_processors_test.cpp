@@ -111,7 +111,7 @@ TEST_CASE("a renderer reserved by one processor is free after all words of its s
   static_cast<void>(board.words[1].read());
   board.bench.edges(1);
   CHECK(board.words[2].num_available() == 0);
-  static_cast<void>(board.words[1].read());  // for one clock none of its words waits, but one more follows
+  static_cast<void>(board.words[1].read());  // none of its words waits for one clock, but one more follows
   board.bench.edges(1);
   CHECK(board.words[1].num_available() == 1);
   CHECK(board.words[2].num_available() == 0);

@@ -25,7 +25,7 @@ struct Board {
 
 }  // namespace
 
-TEST_CASE("a model's bytes leave lowest bit first after the latency") {
+TEST_CASE("a display model's bytes leave the host lowest bit first after the latency") {
   // Three bytes fit two words of 12 bits, which leave at 5 + 2 and 5 + 4; no more follow.
   constexpr std::array<std::uint8_t, 3> model{0x21, 0x43, 0x65};
   Board board({.width = 12, .word_clocks = 2, .fifo_depth = 9, .latency = 5}, 9);
@@ -46,7 +46,7 @@ TEST_CASE("a model's bytes leave lowest bit first after the latency") {
   CHECK(account.of(SquareActivity::done) == 11);
 }
 
-TEST_CASE("a word waits for room and a second frame starts with its own latency") {
+TEST_CASE("a word of the model waits for room and a second frame has the latency again") {
   constexpr std::array<std::uint8_t, 3> model{1, 2, 3};
   Board board({.width = 8, .word_clocks = 1, .fifo_depth = 1, .latency = 1}, 1);
   board.source.begin(model);

@@ -7,7 +7,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("consecutive numbers survive slicing at any width") {
+TEST_CASE("consecutive numbers survive division into port words of any width") {
   CHECK(rc::check([] {
     std::vector<bool> expected;
     std::vector<std::uint64_t> bits(64);
@@ -32,7 +32,7 @@ TEST_CASE("consecutive numbers survive slicing at any width") {
   }));
 }
 
-TEST_CASE("a header holds x and y and width and height from the lowest bits up") {
+TEST_CASE("a square's header holds x and y and width and height from the lowest bits up") {
   CHECK(pixel_square::header_of({0x1234, 0x5678, 0x9abc, 0xdef0}) == 0xdef0'9abc'5678'1234);
   CHECK(rc::check([] {
     const auto number = [] { return *rc::gen::inRange(0U, 65536U); };

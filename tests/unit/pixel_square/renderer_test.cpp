@@ -110,7 +110,7 @@ void check_finished_at(Board& board, std::uint64_t edge) {
 
 }  // namespace
 
-TEST_CASE("drawing continues while finished squares wait until the backing store is full") {
+TEST_CASE("a renderer draws on while finished squares wait until the backing store is full") {
   // Two squares of 4 bits per pixel fit. The port has room for one word of the first.
   Board board({.backing_bits = 8, .port_bits = port_bits}, 1);
   for (int i = 0; i < 3; ++i) board.send({enable_all, ramp});
@@ -140,12 +140,12 @@ TEST_CASE("a square moves to the backing store a few bits of all pixels per cloc
   CHECK(board.colours.num_available() == 1);
 }
 
-TEST_CASE("with no pixel enabled the skipped instructions are dropped a word per clock") {
-  // The question is issued at 7, and its answer arrives when its step has passed three levels of the tree, at 11. Then
+TEST_CASE("a query without enabled pixels drops the skipped instructions a word per clock") {
+  // The query is issued at 7, and its answer arrives when its step has passed three levels of the tree, at 11. Then
   // the waiting instruction is dropped, the next at 12, and SegmentEnd is taken at 13.
-  const Instruction question{.opcode = Opcode::skip_if_none, .constant = 2};
+  const Instruction query{.opcode = Opcode::skip_if_none, .constant = 2};
   Board board(2, 0, 100);
-  board.send({question, ramp, enable_all});
+  board.send({query, ramp, enable_all});
   check_finished_at(board, 16);
   REQUIRE(board.listener.instructions.size() == 1);
   CHECK(board.listener.instructions[0].clocks == 4);
@@ -154,21 +154,21 @@ TEST_CASE("with no pixel enabled the skipped instructions are dropped a word per
   CHECK(board.renderer.account(20).of(SquareActivity::working) == clear_clocks + 4 + 4);
 }
 
-TEST_CASE("an enabled pixel answers the question and all instructions execute") {
-  const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
+TEST_CASE("a query with an enabled pixel lets all instructions execute") {
+  const Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
   Board board(2, 0, 100);
-  board.send({enable_all, question, ramp});
+  board.send({enable_all, query, ramp});
   check_finished_at(board, drawn_at + 4);
   REQUIRE(board.listener.instructions.size() == 3);
   CHECK(board.listener.instructions[1].skipped == 0);
   CHECK(board.renderer.skipped() == 0);
 }
 
-TEST_CASE("each level of the OR delays a question by one clock") {
+TEST_CASE("each level of a renderer's OR delays a query by one clock") {
   // Eight pixels are combined by gates of three inputs, and those three gates by one.
-  const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
+  const Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
   Board board({.buffers = 2, .port_bits = port_bits, .has_global_or = true, .or_fan_in = 3}, 100);
-  board.send({question, ramp});
+  board.send({query, ramp});
   check_finished_at(board, 15 + 2);
   CHECK(board.listener.instructions.at(0).clocks == 4 + 2);
 }
@@ -290,8 +290,8 @@ void check_unlatched(pixel_square::Figures figures) {
 
 }  // namespace
 
-TEST_CASE("nothing is latched if a square leaves from a second buffer") { check_unlatched({.buffers = 2}); }
+TEST_CASE("no row is latched if a square leaves from a second buffer") { check_unlatched({.buffers = 2}); }
 
-TEST_CASE("nothing is latched if a square leaves from the backing store") {
+TEST_CASE("no row is latched if a square leaves from the backing store") {
   check_unlatched({.buffers = 1, .backing_bits = 8});
 }

@@ -107,7 +107,7 @@ TEST_CASE("a renderer takes one word per clock and the frame buffer one per bank
   check({0, 2, 0, 0, 1});  // order from processor 1 on: processor 1, renderers 0 and 1
 }
 
-TEST_CASE("serves one source per channel and continues with their successors") {
+TEST_CASE("the ring serves one source per channel and continues with the next ones") {
   Board board({.renderers = 3, .banks = 9, .processors = 1, .ring_channels = 2});
   board.ring.begin();
   for (std::size_t i = 0; i < 3; ++i) board.offer_colours(i, 2);
@@ -122,7 +122,7 @@ TEST_CASE("serves one source per channel and continues with their successors") {
   CHECK(board.ring.account(9).full_clocks == 3);
 }
 
-TEST_CASE("skips a source whose target has no room") {
+TEST_CASE("the ring skips a source whose target has no room") {
   Board board({.renderers = 2, .banks = 2, .processors = 2, .ring_channels = 1}, 1);
   board.ring.begin();
   board.offer(0, 0, 2);

@@ -54,7 +54,7 @@ isa::Segment square(std::uint32_t x, bool drawn) {
 
 }  // namespace
 
-TEST_CASE("a word leaves in the last of its clocks and an empty square is a header") {
+TEST_CASE("the sender sends a word in the last of its clocks and an empty square as header") {
   const std::vector<isa::Segment> squares{square(0, true), square(2, false)};
   Board board({.width = wide, .word_clocks = 3, .fifo_depth = 9, .latency = 4}, 1);
   board.sender.begin(squares);
@@ -91,7 +91,7 @@ TEST_CASE("a word leaves in the last of its clocks and an empty square is a head
   CHECK(account.of(SquareActivity::done) == 30 - 4 - 21);
 }
 
-TEST_CASE("a square goes to the first renderer with the fewest unfinished squares") {
+TEST_CASE("the sender sends a square to the first renderer with the fewest unfinished ones") {
   std::vector<isa::Segment> squares;
   for (std::uint32_t i = 0; i < 6; ++i) squares.push_back(square(2 * i, true));
   Board board({.width = wide, .word_clocks = 1, .fifo_depth = 99, .latency = 0}, 3);
@@ -110,7 +110,7 @@ TEST_CASE("a square goes to the first renderer with the fewest unfinished square
   CHECK(words(1) == 3);
 }
 
-TEST_CASE("a word waits for a place and takes it an edge after it becomes free") {
+TEST_CASE("the sender's word takes a place in a FIFO an edge after it becomes free") {
   const std::vector<isa::Segment> squares{square(0, true)};
   Board board({.width = wide, .word_clocks = 1, .fifo_depth = 1, .latency = 0}, 1);
   board.sender.begin(squares);

@@ -34,7 +34,7 @@ plots::Names numbered(const std::string& stem, int count) {
 
 }  // namespace
 
-TEST_CASE("a series keeps its colour and its mark across plots") {
+TEST_CASE("a series has the same colour and mark in all plots of a study") {
   std::vector<plots::Plot> plots{make_chart("one", {"a", "b", "c"}), make_chart("other", {"c", "d", "a"})};
   plots::give_common_looks(plots);
   std::set<std::string_view> colours;
@@ -68,7 +68,7 @@ TEST_CASE("an unnamed series gets a look unused by names in other plots if possi
   CHECK(look_in(plots[0], "").colour == plots::palette::looks[2].colour);
 }
 
-TEST_CASE("a key with colours chosen by another plot does not call the other series smaller") {
+TEST_CASE("the key calls unlisted series smaller only if the plot chose its own colours") {
   plots::Names names = numbered("a", 9);
   std::vector<plots::Plot> plots{make_chart("one", names), make_chart("other", {names.rbegin(), names.rend()})};
   plots::give_common_looks(plots);
@@ -80,7 +80,7 @@ TEST_CASE("a key with colours chosen by another plot does not call the other ser
   CHECK(look_in(plots[1], "a8").colour == plots::palette::background.colour);
 }
 
-TEST_CASE("charts that already share looks are unified with the other charts of their study") {
+TEST_CASE("charts that share looks are unified with the other charts of their study") {
   std::vector<plots::Plot> first{make_chart("one", {"octree", "exact"}), make_chart("two", {"exact", "run"})};
   std::vector<plots::Plot> second{make_chart("three", {"run", "octree"}), make_chart("four", {"exact"})};
   plots::give_common_looks(first);
@@ -101,7 +101,7 @@ TEST_CASE("charts that already share looks are unified with the other charts of 
   }
 }
 
-TEST_CASE("names without a remaining look get no place") {
+TEST_CASE("common_looks() omits names once all looks are taken") {
   const std::array<plots::Names, 1> plots{plots::Names{"a", "b", "c"}};
   CHECK(plots::common_looks(plots, 2, 2) == plots::Looks{{"a", 0}, {"b", 1}});
 }

@@ -65,7 +65,7 @@ bool has_a_point_inside(const plots::Segment& segment, const plots::Box& box) {
 
 }  // namespace
 
-TEST_CASE("segments cross if each has the other's ends on both sides") {
+TEST_CASE("segments cross exactly if each has the other's ends on both sides") {
   CHECK(count_true(20'000, plots::cross, cross_between_ends) > 1000);
 }
 

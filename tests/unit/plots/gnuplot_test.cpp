@@ -144,7 +144,7 @@ TEST_CASE("a text's ink is within the box reserved for it") {
   }
 }
 
-TEST_CASE("marks and lines are drawn at their places") {
+TEST_CASE("gnuplot draws marks and lines at their places") {
   plots::Drawing drawing{400, 300, {}, {}, {}, {}};
   drawing.marks.push_back({{100, 200}, plots::palette::Mark::square, "#000000", 9});
   plots::Box ink = ink_box(decoded(plots::draw_png(png, drawing).picture));
@@ -157,7 +157,7 @@ TEST_CASE("marks and lines are drawn at their places") {
   CHECK(ink.right - ink.left > 298);
 }
 
-TEST_CASE("a picture is as large as its drawing") {
+TEST_CASE("gnuplot's picture has the size of its drawing") {
   plots::Drawing drawing{321, 234, {}, {}, {}, {}};
   drawing.marks.push_back({{100, 200}, plots::palette::Mark::disc, "#000000"});
   const Picture picture = decoded(plots::draw_png(png, drawing).picture);
@@ -182,7 +182,7 @@ TEST_CASE("gnuplot's error becomes one line without its script") {
   CHECK(error.find("--no-plots") != std::string::npos);
 }
 
-TEST_CASE("reports a gnuplot that fails silently or stops early or is killed") {
+TEST_CASE("a gnuplot that fails silently or stops early or is killed is reported") {
   CHECK(error_with("exit 3").find("exited with status 3") != std::string::npos);
   CHECK(error_with("printf '\\211PNG half'").find("the picture is incomplete") != std::string::npos);
   CHECK(error_with("kill -9 $$").find("it was killed by a signal: Killed") != std::string::npos);

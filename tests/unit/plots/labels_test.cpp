@@ -35,7 +35,7 @@ plots::LabelRequest request(double x, double y) { return {{x, y}, 40}; }
 
 }  // namespace
 
-TEST_CASE("labels overlap neither each other nor marks or lines and stay in their area") {
+TEST_CASE("labels overlap neither each other nor marks or lines and stay in the plot's area") {
   std::mt19937 random(1);
   int leaders = 0;
   int numbers = 0;
@@ -91,7 +91,7 @@ TEST_CASE("a label in a corner turns inwards") {
   CHECK(placed[0].box.right < 695);
 }
 
-TEST_CASE("a number starting from 1 replaces a text without room") {
+TEST_CASE("a label without room is replaced by a number counted from 1") {
   const plots::Box narrow{0, 0, 60, 60};
   const std::vector<plots::LabelRequest> requests{{{30, 30}, 100}, {{30, 50}, 100}};
   const auto placed = plots::place_labels(requests, {narrow, {}, {}});
@@ -101,7 +101,7 @@ TEST_CASE("a number starting from 1 replaces a text without room") {
   CHECK(placed[0].box.right - placed[0].box.left == doctest::Approx(plots::text_width("1")));
 }
 
-TEST_CASE("labels without any room are omitted") {
+TEST_CASE("labels of points without any room are omitted") {
   const std::vector<plots::LabelRequest> requests(200, request(20, 20));
   CHECK(plots::place_labels(requests, {{0, 0, 50, 50}, {}, {}}).size() < 20);
 }

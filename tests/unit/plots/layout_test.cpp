@@ -63,7 +63,7 @@ TEST_CASE("no two texts of a plot overlap and nothing leaves the picture") {
   }
 }
 
-TEST_CASE("no two texts overlap in random plots") {
+TEST_CASE("no two texts of random plots overlap") {
   const auto seeds = testing::cases<unsigned>(300, 30);
   for (unsigned seed = 0; seed < seeds; ++seed) {
     CAPTURE(seed);
@@ -83,7 +83,7 @@ TEST_CASE("the key names the largest series and counts the others with their tab
   CHECK(with(plots::lay_out(make_chart(8)), "more").empty());
 }
 
-TEST_CASE("series in the key have distinct colours and the others are grey") {
+TEST_CASE("series listed in the key have distinct colours and all others are grey") {
   const plots::Drawing drawing = plots::lay_out(make_chart(20));
   std::multiset<std::string_view> colours;
   for (const plots::Mark& mark : drawing.marks) colours.insert(mark.colour);
@@ -104,14 +104,14 @@ TEST_CASE("a long title of an upright axis takes two lines with all its words") 
   check(drawing);
 }
 
-TEST_CASE("values above names start from 0") {
+TEST_CASE("a value axis starts from 0 if the other axis shows names") {
   plots::Chart chart{"title", {"machine", plots::Scale::linear, {{0, "a"}, {1, "b"}}, true}, {{"ms"}}, {}, "t"};
   chart.series.push_back({"", 0, plots::Trace::marks, {{0, 21.5}, {1, 22.8}}});
   CHECK(with(plots::lay_out(chart), "0").front() == "0");
   CHECK(with(plots::lay_out(chart), "21").empty());
 }
 
-TEST_CASE("points are placed by their values to the right and upwards with matching ticks") {
+TEST_CASE("positions of points are proportional to their values and match the ticks") {
   const plots::Drawing drawing = plots::lay_out(
       plots::Chart{"title", {"x"}, {{"y"}}, {{"", 0, plots::Trace::marks, {{0, 0}, {1, 3}, {4, 4}}}}, "t"});
   REQUIRE(drawing.marks.size() == 3);
@@ -133,7 +133,7 @@ TEST_CASE("points are placed by their values to the right and upwards with match
   CHECK(std::ranges::any_of(fours, [&](const plots::Pixel& at) { return at.y == drawing.marks[2].at.y; }));
 }
 
-TEST_CASE("joins points by lines or steps or a level or not at all") {
+TEST_CASE("a series joins its points by lines or steps or a level line or not at all") {
   const auto joined = [](plots::Trace trace, bool is_backward = false) {
     plots::Chart chart{"title", {"x"}, {{"y"}}, {{"", 0, trace, {{0, 0}, {5, 10}, {10, 20}}}}, "t"};
     if (is_backward) std::ranges::reverse(chart.series.front().points);
@@ -171,7 +171,7 @@ TEST_CASE("labels of points at one place are one text") {
   CHECK(with(drawing, "m = 7").size() == 1);
 }
 
-TEST_CASE("every label is in the plot or in the key by number or counted there") {
+TEST_CASE("every label is in the plot or is listed by number or counted in the key") {
   plots::Chart chart{"title", {"across"}, {{"up"}}, {{"s", 0, plots::Trace::marks, {}}}, "table.csv"};
   for (std::size_t i = 0; i < 200; ++i)
     chart.series[0].points.push_back(
@@ -206,7 +206,7 @@ TEST_CASE("axis names stand upright where they do not fit and are omitted if nee
   CHECK(upright(axis(300)) > 20);
 }
 
-TEST_CASE("counts bars beyond the displayed maximum") {
+TEST_CASE("a plot counts the bars beyond the displayed maximum") {
   plots::Bars bars{"title", {"bit"}, {}, {}, "table.csv"};
   for (std::size_t i = 0; i < plots::max_bars + 7; ++i)
     bars.bars.push_back({"bar " + std::to_string(i), 8, {{"Z1", 0, 4}}});

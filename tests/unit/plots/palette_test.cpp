@@ -116,7 +116,7 @@ TEST_CASE("lines are distinct without colours: each has its own dash and mark") 
   }
 }
 
-TEST_CASE("lines contrast with the paper") {
+TEST_CASE("line colours contrast with white paper") {
   for (const std::string_view colour : line_colours()) CHECK(palette::contrast(colour, "#ffffff") > 2.25);
   for (const std::string_view colour : dark_page_colours()) CHECK(palette::contrast(colour, "#15181c") > 3);
 }
@@ -127,11 +127,11 @@ TEST_CASE("parts of bars are distinct to every viewer and in grey") {
   CHECK(least_lightness_difference(fills_and_white()) > 7);
 }
 
-TEST_CASE("texts on parts of bars are readable") {
+TEST_CASE("texts on parts of bars have a contrast ratio above 4.5") {
   for (const std::string_view colour : palette::fills) CHECK(palette::contrast(colour, palette::text_on(colour)) > 4.5);
 }
 
-TEST_CASE("contrast is that of the guidelines") {
+TEST_CASE("contrast() computes the contrast ratio of the WCAG guidelines") {
   CHECK(palette::contrast("#000000", "#ffffff") == doctest::Approx(21));
   CHECK(palette::contrast("#777777", "#ffffff") == doctest::Approx(4.48).epsilon(0.005));
 }

@@ -165,7 +165,7 @@ TEST_CASE("an SVG file has its drawing's size on white in the font of the layout
   CHECK(svg.last_child().attribute("font-size").as_double() == plots::font_size);
 }
 
-TEST_CASE("texts and tips of any bytes are escaped and valid XML") {
+TEST_CASE("an SVG's texts and tips of any bytes are escaped and valid XML") {
   const std::string hostile = "</text><script>alert(1)</script>\"'&amp;]]>\x01\n\xff\xfe\ufffe\uffff\u202e<!-- \\";
   plots::Drawing drawing{100, 100, {}, {}, {}, {}};
   drawing.texts.push_back({hostile, {50, 50}});
@@ -181,7 +181,7 @@ TEST_CASE("texts and tips of any bytes are escaped and valid XML") {
   CHECK(groups[2].first_child().child_value("title") == shown);
 }
 
-TEST_CASE("marks of all forms differ and a dash is in half pixels") {
+TEST_CASE("marks of all forms differ in an SVG and dashes are in half pixels") {
   std::set<std::string> forms;
   plots::Drawing drawing{100, 100, {}, {}, {}, {}};
   for (const plots::palette::Look& look : plots::palette::looks) {

@@ -47,7 +47,7 @@ TEST_CASE("logarithmic ticks are decades and fractions of them if these are few"
         Words{"10\u207b\u2079", "10\u207b\u2075", "10\u207b\u00b9", "10\u00b3"});
 }
 
-TEST_CASE("no two ticks have the same text for any range") {
+TEST_CASE("no two ticks of an axis have the same text for any range") {
   std::mt19937 random(3);
   const auto uniform = [&](double low, double high) {
     return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
@@ -68,7 +68,7 @@ TEST_CASE("no two ticks have the same text for any range") {
   }
 }
 
-TEST_CASE("a tick's text is its value") {
+TEST_CASE("the text of a tick is its value") {
   std::mt19937 random(4);
   for (int round = 0; round < 2'000; ++round) {
     const double low = static_cast<double>(random() % 1'000'000) / 1000 - 500;
@@ -115,7 +115,7 @@ TEST_CASE("an axis that starts at 0 does so however close its values are") {
   CHECK(plots::make_extent(Values{-3, 5}, plots::Scale::by_range, plots::Begin::at_zero).low < -3);
 }
 
-TEST_CASE("groups digits of numbers that round to 1000 or more and prints others with four") {
+TEST_CASE("numbers that round to 1000 or more have grouped digits and others have four") {
   CHECK(plots::number_text(999.4) == "999.4");
   for (const double value : {999.5, 999.7, 1000.3}) CHECK(plots::number_text(value) == "1,000");
   CHECK(plots::number_text(-999.5) == "-1,000");
@@ -124,7 +124,7 @@ TEST_CASE("groups digits of numbers that round to 1000 or more and prints others
   CHECK(plots::number_text(-0.0) == "0");
 }
 
-TEST_CASE("whole numbers have whole ticks") {
+TEST_CASE("an axis of whole numbers has whole ticks") {
   using Values = std::vector<double>;
   const plots::Extent extent = plots::make_extent(Values{2, 3}, plots::Scale::linear, plots::Begin::at_values);
   CHECK(texts(extent.ticks(8, true)) == Words{"2", "3"});

@@ -81,7 +81,7 @@ TEST_CASE("published figures of the processes follow from their sources' stateme
   CHECK(today.memory_transistor_area == 4500);  // 0.027 um2 / 6
 }
 
-TEST_CASE("each process yields the hand-calculated clock and silicon and energy") {
+TEST_CASE("each built-in process yields the hand-calculated clock and silicon and energy") {
   const machines::Machine machine = kinds::load("pixel-planes-4");
   for (const Expected& one : all) {
     CAPTURE(one.name);
@@ -112,7 +112,7 @@ TEST_CASE("each process yields the hand-calculated clock and silicon and energy"
   CHECK(process::clock_of(machine, process::load_process("cmos-7nm"))->hz == 5'747'126'437);
 }
 
-TEST_CASE("accepts each figure of a process at its limits and no further") {
+TEST_CASE("each figure of a process is accepted at its limits and no further") {
   constexpr std::int64_t million = 1'000'000;
   constexpr auto ranges = std::to_array<testing::FigureRange>({
       {"gate.delay", 1, million},

@@ -111,7 +111,7 @@ TEST_CASE("each figure of each built-in process has a source") {
   }
 }
 
-TEST_CASE("loads a process by name or file with changed figures and reports errors in place") {
+TEST_CASE("a process is loaded by name or file with changed figures") {
   CHECK(process::load_process("nmos-3um+gate.delay=5000").gate_delay == 5000);
   CHECK(process::load_process("nmos-3um+gate.delay=5000").name == "nmos-3um+gate.delay=5000");
   CHECK_THROWS_AS(process::load_process("nmos-3um+gate.delay=0"), machines::ChangeError);
@@ -129,7 +129,7 @@ TEST_CASE("Pixel-planes 4 reaches its published 10 MHz in its contemporary proce
   CHECK(clock->path.name == "pixel");
 }
 
-TEST_CASE("clock paths equal the hand-counted sums of their gates") {
+TEST_CASE("the paths that limit the clock equal the hand-counted sums of their gates") {
   const Process one = round_process();
   // Register 100, access 1000; 6 address bits, two levels of gates with four inputs and a driver; 4 gates to select, 2
   // to carry a bit.
@@ -171,7 +171,7 @@ TEST_CASE("the longest wire is half the longer side and the global OR takes all 
   CHECK(path(machine, one, "global OR") == doctest::Approx(100 + 20));
 }
 
-TEST_CASE("a buffer's bits have one read port whatever a pixel's memory has") {
+TEST_CASE("bits of a second buffer have one read port whatever the pixel memory has") {
   const Process one = round_process();
   const double shared = (machines::controller_transistors + double{machines::fifo_transistors}) * 2e-6;
   const machines::Machine two_reads = small_machine("+memory.reads=2");
@@ -183,7 +183,7 @@ TEST_CASE("a buffer's bits have one read port whatever a pixel's memory has") {
   CHECK(process::machine_mm2(two_reads, {4096, 0}, one) == doctest::Approx(pixels + shared));
 }
 
-TEST_CASE("silicon includes pixels and buffers and controllers and FIFOs") {
+TEST_CASE("the silicon of a machine includes pixels and buffers and controllers and FIFOs") {
   const Process one = round_process();
   const machines::Machine machine = small_machine();
   const machines::Resources pixels{4096, 4096 * 64};
@@ -246,28 +246,28 @@ TEST_CASE("pixel clocks count executed instructions at each pixel of the region"
   isa::Program program;
   isa::Instruction any;
   any.opcode = isa::Opcode::enable_all;
-  isa::Instruction question;
-  question.opcode = isa::Opcode::skip_if_none;
-  question.constant = 2;
+  isa::Instruction query;
+  query.opcode = isa::Opcode::skip_if_none;
+  query.constant = 2;
   program.segments.push_back({});
   program.segments[0].region = {0, 0, 8, 4};
-  program.segments[0].instructions = {any, question, any, any, any};
+  program.segments[0].instructions = {any, query, any, any, any};
   const machines::Machine machine = small_machine();
-  const std::uint64_t answer = machine.kind->clocks(question, machine);
+  const std::uint64_t answer = machine.kind->clocks(query, machine);
   CHECK(process::pixel_clocks(program, machine, {}) == 32 * (answer + 4));
   const machines::Skip skip{0, 1};
   CHECK(process::pixel_clocks(program, machine, {&skip, 1}) == 32 * (answer + 2));
 }
 
-TEST_CASE("pixel clocks are summed over segments without skipped instructions") {
+TEST_CASE("pixel clocks sum over segments and exclude skipped instructions") {
   const isa::Instruction any{.opcode = isa::Opcode::enable_all};
-  const isa::Instruction question{.opcode = isa::Opcode::skip_if_none, .constant = 2};
+  const isa::Instruction query{.opcode = isa::Opcode::skip_if_none, .constant = 2};
   isa::Program program;
   for (const isa::Region& region : {isa::Region{0, 0, 8, 4}, isa::Region{8, 0, 3, 5}, isa::Region{0, 4, 2, 2}})
-    program.segments.push_back({.region = region, .instructions = {question, any, any, any, question, any, any}});
+    program.segments.push_back({.region = region, .instructions = {query, any, any, any, query, any, any}});
   program.segments.push_back({.region = {2, 4, 6, 6}, .instructions = {}});
   const machines::Machine machine = small_machine();
-  const std::uint64_t answer = machine.kind->clocks(question, machine);
+  const std::uint64_t answer = machine.kind->clocks(query, machine);
   REQUIRE(machine.kind->clocks(any, machine) == 1);
   const auto clocks = [&](const std::vector<machines::Skip>& skips) {
     return process::pixel_clocks(program, machine, skips);
@@ -276,13 +276,13 @@ TEST_CASE("pixel clocks are summed over segments without skipped instructions") 
   CHECK(clocks({}) == (32 + 15 + 4) * all);
   CHECK(clocks({{0, 0}}) == 32 * (all - 2) + (15 + 4) * all);
   CHECK(clocks({{1, 0}}) == 15 * (all - 2) + (32 + 4) * all);
-  CHECK(clocks({{1, 4}}) == 15 * (all - 2) + (32 + 4) * all);  // to the segment's end
+  CHECK(clocks({{1, 4}}) == 15 * (all - 2) + (32 + 4) * all);  // the skip reaches the segment's end
   CHECK(clocks({{0, 0}, {0, 4}, {2, 4}}) == 32 * (all - 4) + 15 * all + 4 * (all - 2));
   CHECK(clocks({{0, 4}, {1, 0}, {1, 4}, {2, 0}}) == 32 * (all - 2) + 15 * (all - 4) + 4 * (all - 2));
   CHECK(process::pixel_clocks({}, machine, {}) == 0);
 }
 
-TEST_CASE("no work in no time takes no energy") {
+TEST_CASE("a frame of no work and no time takes no energy") {
   const process::FrameWork none;
   CHECK(process::frame_joules(small_machine(), {4096, 4096 * 64}, none, round_process()) == 0.0);
   const process::Clock clock;
@@ -290,7 +290,7 @@ TEST_CASE("no work in no time takes no energy") {
   CHECK(clock.path.ps == 0);
 }
 
-TEST_CASE("an array of one pixel has no tree and no wire between levels") {
+TEST_CASE("the clock of an array of one pixel includes no tree and no wire between levels") {
   const Process one = round_process();
   machines::Machine machine = small_machine("+evaluator.register_levels=16");
   machine.array.width = 1;
@@ -306,7 +306,7 @@ TEST_CASE("an array of one pixel has no tree and no wire between levels") {
   CHECK(path(machine, one, "trees") == doctest::Approx(100 + 10 * 6 + 300 * side / 2));
 }
 
-TEST_CASE("trees are as deep as the longer side of the array") {
+TEST_CASE("the trees that limit the clock have the depth of the longer side of the array") {
   const Process one = round_process();
   machines::Machine machine = small_machine("+evaluator.register_levels=16");
   for (const bool is_high : {false, true}) {
@@ -324,7 +324,7 @@ TEST_CASE("an OR line of ideal fan-in combines all pixels in levels of process g
   CHECK(path(small_machine("+global_or.fan_in=ideal"), one, "global OR") == doctest::Approx(100 + 60));
 }
 
-TEST_CASE("a memory one bit larger than a decoder's capacity takes one more level") {
+TEST_CASE("pixel memory one bit beyond a decoder's capacity takes one more level of gates") {
   const Process one = round_process();
   machines::Machine machine = small_machine();
   const auto pixel = [&](std::uint32_t bits) {
@@ -341,7 +341,7 @@ TEST_CASE("a memory one bit larger than a decoder's capacity takes one more leve
   CHECK(pixel(4096) == doctest::Approx(others + 20));
 }
 
-TEST_CASE("a process lists its figures in file order with unit and value") {
+TEST_CASE("a process lists its figures in the order of its file with unit and value") {
   const Process one = round_process();
   CHECK(one.name == "round");
   CHECK(one.description == "of round figures");

@@ -37,7 +37,7 @@ std::string error_of_file(const fs::path& path) {
 
 }  // namespace
 
-TEST_CASE("reads a file and names it in the tree and in messages") {
+TEST_CASE("a model file is read and named in the tree and in messages") {
   const Temporary file("good.csg");
   file.write("cube(1);\nsphere(r = 1);\n");
   const csgsim::model::Tree tree = csgsim::read::read_csg_file(file.path());
@@ -47,7 +47,7 @@ TEST_CASE("reads a file and names it in the tree and in messages") {
   CHECK(error_of_file(file.path()) == file.path().string() + ":2:1: unknown node spere(); did you mean sphere()?");
 }
 
-TEST_CASE("reports a missing or unreadable file or a directory in one line") {
+TEST_CASE("a missing or unreadable model file or a directory is reported in one line") {
   const Temporary missing("missing.csg");
   CHECK(error_of_file(missing.path()) ==
         missing.path().string() + ": cannot be read: No such file or directory; check the path and its permissions");
@@ -63,14 +63,14 @@ TEST_CASE("reports a missing or unreadable file or a directory in one line") {
   CHECK(error_of_file("") == ": cannot be read: No such file or directory; check the path and its permissions");
 }
 
-TEST_CASE("rejects a file beyond 1 GiB without reading it") {
+TEST_CASE("a model file beyond 1 GiB is rejected without reading it") {
   const Temporary large("large.csg");
   large.write("cube(1);");
   fs::resize_file(large.path(), (std::uintmax_t{1} << 30U) + 1);
   CHECK(error_of_file(large.path()) == large.path().string() + ": longer than 1 GiB; split the model");
 }
 
-TEST_CASE("rejects an empty file") {
+TEST_CASE("an empty model file is rejected") {
   const Temporary file("empty.csg");
   file.write("");
   CHECK(error_of_file(file.path()) == file.path().string() + ": no model found; export one from OpenSCAD");

@@ -31,26 +31,26 @@ std::size_t peak_megabytes() {
 
 }  // namespace
 
-TEST_CASE("reads trees 20000 deep") {
+TEST_CASE("a model 20000 levels deep is read") {
   const std::size_t depth = 20'000;
   const Tree chain = read(repeat("difference(){", depth) + "cube(1);" + repeat("sphere(r=1);}", depth));
   CHECK(count(chain).differences == depth);
-  CHECK(broken_promise(chain) == "");
+  CHECK(broken_invariant(chain) == "");
   const Tree comb = read(repeat("union(){cube(1);", depth) + repeat("}", depth));
   CHECK(count(comb).unions == depth - 1);
-  CHECK(broken_promise(comb) == "");
+  CHECK(broken_invariant(comb) == "");
   CHECK(read(repeat("group(){", depth) + "cube(1);" + repeat("}", depth)).nodes.size() == 1);
 }
 
-TEST_CASE("reads trees 20000 wide") {
+TEST_CASE("a model with 20000 children of a node is read") {
   const std::size_t width = 20'000;
   const Tree tree = read("difference(){" + repeat("cube(1);", width) + "}");
   CHECK(count(tree).differences == width - 1);
   CHECK(tree.nodes.back().children.size() == width);
-  CHECK(broken_promise(tree) == "");
+  CHECK(broken_invariant(tree) == "");
 }
 
-TEST_CASE("accepts 100000 open braces and rejects one more") {
+TEST_CASE("a model with 100000 open braces is accepted and one more rejected") {
   const std::size_t limit = 100'000;
   CHECK(read(repeat("group(){", limit) + "cube(1);" + repeat("}", limit)).nodes.size() == 1);
   CHECK(error_of(repeat("group(){", limit + 1)) ==
@@ -61,7 +61,7 @@ TEST_CASE("accepts 100000 open braces and rejects one more") {
 
 constexpr bool sanitized = CSGSIM_ADDRESS_SANITIZER == 1;  // under this sanitizer it takes minutes
 
-TEST_CASE("rejects 100 MB of repeated text in one line quickly and in little memory" * doctest::skip(sanitized)) {
+TEST_CASE("100 MB of repeated text are rejected in one line quickly and in little memory" * doctest::skip(sanitized)) {
   struct Case {
     std::string_view before;
     std::string_view part;

@@ -20,7 +20,7 @@ std::string kind(const std::string& text) {
 
 // The expected kinds are those of OpenSCAD 2021.01; the corpus has many of these models as mixed_dimensions.
 
-TEST_CASE("the first operand with dimensions decides whether flat shapes or solids count") {
+TEST_CASE("the first operand that is 2-D or 3-D decides which kind of operand counts") {
   CHECK(kind("union() { cube(4); square(4); }") == "solid");
   CHECK(kind("union() { square(4); cube(4); }") == "flat");
   CHECK(kind("hull() { square(4); cube(4); }") == "flat");
@@ -29,7 +29,7 @@ TEST_CASE("the first operand with dimensions decides whether flat shapes or soli
   CHECK(kind("union() { group() { } square(4); cube(4); }") == "flat");
 }
 
-TEST_CASE("an operand of other dimensions is empty") {
+TEST_CASE("a 2-D operand among solids is empty and so is a 3-D one among flat shapes") {
   CHECK(kind("intersection() { cube(6); square(4); }") == "nothing");
   CHECK(kind("intersection() { square(4); cube(6); }") == "nothing");
   CHECK(kind("intersection() { cube(6); cube(5); square(4); }") == "nothing");
@@ -39,7 +39,7 @@ TEST_CASE("an operand of other dimensions is empty") {
   CHECK(kind("minkowski() { square(3); cube(3); }") == "nothing");
 }
 
-TEST_CASE("empty shapes have dimensions and decide what counts with them") {
+TEST_CASE("an empty shape is 2-D or 3-D and can decide which operands count") {
   CHECK(kind("union() { square(0); cube(4); }") == "nothing");
   CHECK(kind("union() { circle(r = 0); cube(4); }") == "nothing");
   CHECK(kind("union() { cube(0); square(4); }") == "nothing");
@@ -50,7 +50,7 @@ TEST_CASE("empty shapes have dimensions and decide what counts with them") {
   CHECK(kind("difference() { circle(r = 0); cube(4); }") == "nothing");
 }
 
-TEST_CASE("a union of one empty flat shape or several empty solids has no dimensions") {
+TEST_CASE("a union of one empty flat shape or several empty solids is neither 2-D nor 3-D") {
   CHECK(kind("union() { union() { square(0); } cube(4); }") == "solid");
   CHECK(kind("union() { union() { square(0); square(0); } cube(4); }") == "nothing");
   CHECK(kind("union() { union() { cube(0); } square(4); }") == "nothing");
@@ -59,7 +59,7 @@ TEST_CASE("a union of one empty flat shape or several empty solids has no dimens
   CHECK(kind("union() { offset(r = 1) { square(0); } cube(4); }") == "solid");
 }
 
-TEST_CASE("a Boolean of solids with a dimensionless operand has no dimensions") {
+TEST_CASE("a Boolean of solids and an operand that is neither 2-D nor 3-D is neither") {
   CHECK(kind("union() { intersection() { cube(4); square(4); } square(5); }") == "flat");
   CHECK(kind("union() { intersection() { square(4); cube(4); } cube(5); }") == "nothing");
   CHECK(kind("union() { intersection() { cube(3); cube(0); } square(4); }") == "flat");

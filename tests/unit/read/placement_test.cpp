@@ -47,7 +47,7 @@ TEST_CASE("a mirrored solid keeps its mirroring matrix") {
   CHECK(glm::determinant(transform_of(placed("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"))) == -1);
 }
 
-TEST_CASE("ignores a matrix's projection after dividing by w like OpenSCAD") {
+TEST_CASE("the projection of a matrix is ignored after division by w like in OpenSCAD") {
   CHECK(transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0.5,1]]")) ==
         transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]")));
   CHECK(transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0.5,0,2]]"))[3] == glm::dvec4(2, 0, 0, 1));
@@ -66,7 +66,7 @@ TEST_CASE("singular matrices flatten solids to nothing") {
         "nothing");
 }
 
-TEST_CASE("keeps a solid squeezed or shrunk deliberately") {
+TEST_CASE("a solid that a matrix squeezes or shrinks is kept") {
   CHECK(outline(read(placed("[[1e-9,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"))) == "cube");
   CHECK(outline(read(placed("[[1e-9,0,0,0],[0,1e9,0,0],[0,0,1,0],[0,0,0,1]]"))) == "cube");
   CHECK(outline(read(placed("[[1e-200,0,0,0],[0,1e-200,0,0],[0,0,1e-200,0],[0,0,0,1]]"))) == "cube");
@@ -80,7 +80,7 @@ TEST_CASE("non-finite matrices empty their solids") {
                      placed("[[1e200,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]") + "}")) == "nothing");
 }
 
-TEST_CASE("rejects a matrix of another shape") {
+TEST_CASE("a matrix without three or four rows of three or four numbers is rejected") {
   CHECK(error_of("multmatrix() { cube(1); }") ==
         "m.csg:1:1: multmatrix() lacks its m; add a 4x4 matrix by rows: [[1, 0, 0, x], [0, 1, 0, y], ...]");
   CHECK(error_of(placed("[[1,0,0,0]]")) == "m.csg:1:12: the matrix of multmatrix() must be a vector of 4 rows");
@@ -102,7 +102,7 @@ TEST_CASE("a colour applies to its subtree only") {
   CHECK_FALSE(tree.primitives[2].colour);
 }
 
-TEST_CASE("a negative component means that no colour is given") {
+TEST_CASE("a colour with a negative component counts as no colour") {
   CHECK(colour_of("color([-1, -1, -1, 1]) { color([0, 0, 1, 1]) { cube(1); } }") == glm::dvec3(0, 0, 1));
   CHECK_FALSE(colour_of("color([-1, -1, -1, 1]) { cube(1); }"));
 }
@@ -120,12 +120,12 @@ TEST_CASE("an alpha without a colour keeps the default colour") {
   CHECK(opacity_of("color([1, 0, 0, 0.4]) { color([-1, -1, -1, 0.5]) { cube(1); } }") == 0.4);
 }
 
-TEST_CASE("clamps colours to 1 and ignores alpha") {
+TEST_CASE("components of a colour are clamped to 1 and alpha does not change the colour") {
   CHECK(colour_of("color([2, 0.5, inf, 0.1]) { cube(1); }") == glm::dvec3(1, 0.5, 1));
   CHECK(colour_of("color(alpha = 0.5, c = [0, 1, 0]) { cube(1); }") == glm::dvec3(0, 1, 0));
 }
 
-TEST_CASE("rejects a colour of another form") {
+TEST_CASE("a colour that is not three or four numbers is rejected") {
   CHECK(error_of("color() { cube(1); }") == "m.csg:1:1: color() lacks its c; add [red, green, blue], each from 0 to 1");
   CHECK(error_of("color([1, 0]) { cube(1); }") ==
         "m.csg:1:7: the colour of color() must be a vector of 3 or 4 numbers");

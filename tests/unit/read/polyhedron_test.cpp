@@ -48,7 +48,7 @@ bool faces_outwards(const Polyhedron& polyhedron) {
 
 }  // namespace
 
-TEST_CASE("turns a polyhedron's faces outwards whatever their common orientation") {
+TEST_CASE("a polyhedron's faces are turned outwards whatever their common orientation") {
   for (const std::string_view faces : {inward_box_faces, outward_box_faces}) {
     const Polyhedron box = solid(polyhedron(box_points, faces));
     CHECK(box.points.size() == 8);
@@ -62,19 +62,19 @@ TEST_CASE("a mirrored polyhedron's faces point outwards in its own space") {
                              polyhedron(box_points, inward_box_faces) + "}")));
 }
 
-TEST_CASE("faces may be named triangles or be unnamed") {
+TEST_CASE("faces of a polyhedron may be named triangles or be unnamed") {
   CHECK(solid("polyhedron(triangles = [[0,1,2],[0,3,1],[0,2,3],[1,3,2]], points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]);")
             .faces.size() == 4);
   CHECK(solid("polyhedron([[0,0,0],[1,0,0],[0,1,0],[0,0,1]], [[0,1,2],[0,3,1],[0,2,3],[1,3,2]], 2);").faces.size() ==
         4);
 }
 
-TEST_CASE("drops points that no face uses") {
+TEST_CASE("points of a polyhedron that no face uses are dropped") {
   CHECK(solid(polyhedron("[[9,9,9],[0,0,0],[1,0,0],[0,1,0],[0,0,1]]", "[[1,2,3],[1,4,2],[1,3,4],[2,4,3]]"))
             .points.size() == 4);
 }
 
-TEST_CASE("merges equal points and drops faces that collapse") {
+TEST_CASE("equal points of a polyhedron are merged and faces that collapse dropped") {
   const Polyhedron soup = solid(
       polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,0],[0,0,1],[1,0,0],[-0,0,0],[0,1,0],[0,0,1],[1,0,0],[0,0,1],[0,1,0]]",
                  "[[0,1,2],[3,4,5],[6,7,8],[9,10,11],[0,3,6],[0,1,5,9]]"));
@@ -97,7 +97,7 @@ TEST_CASE("a polyhedron without faces or volume or with a non-finite point is em
         "nothing");
 }
 
-TEST_CASE("drops a polyhedron with a malformed point and draws the rest") {
+TEST_CASE("a polyhedron with a malformed point is dropped and the rest drawn") {
   for (const char* point :
        {"undef", "3", "\"a\"", "[0,5]", "[5,2,3,1]", "[1,undef,2]", "[0,0,inf]", "[nan,1,1]", "[]"}) {
     CAPTURE(point);
@@ -108,33 +108,33 @@ TEST_CASE("drops a polyhedron with a malformed point and draws the rest") {
   }
 }
 
-TEST_CASE("keeps a thin and a tiny and a huge polyhedron") {
+TEST_CASE("a thin polyhedron and a tiny and a huge one are kept") {
   const std::string_view faces = "[[0,1,2],[0,3,1],[0,2,3],[1,3,2]]";
   CHECK(outline(read(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1e-7]]", faces))) == "polyhedron");
   CHECK(outline(read(polyhedron("[[0,0,0],[1e-300,0,0],[0,1e-300,0],[0,0,1e-300]]", faces))) == "polyhedron");
   CHECK(outline(read(polyhedron("[[-1e308,0,0],[1e308,0,0],[0,1e308,0],[0,0,1e308]]", faces))) == "polyhedron");
 }
 
-TEST_CASE("rejects an open polyhedron at the face next to the hole") {
+TEST_CASE("an open polyhedron is rejected at the face next to the hole") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[0,3,1],[0,2,3]]")) ==
         "m.csg:1:65: the mesh is open: no face joins faces[0] from points[1] to points[2]; add one");
 }
 
-TEST_CASE("rejects polyhedra of one or two triangles as open") {
+TEST_CASE("polyhedra of one or two triangles are rejected as open") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2]]")) ==
         "m.csg:1:65: the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[2,1,3]]")) ==
         "m.csg:1:65: the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
 }
 
-TEST_CASE("rejects a concave polyhedron beyond 1e12") {
+TEST_CASE("a concave polyhedron with coordinates beyond 1e12 is rejected") {
   // A prism with a W-shaped base: a wedge is cut out of it.
   const std::string far = polyhedron("[[0,0,0],[1e300,1,0],[0,2,0],[1,1,0],[0,0,1],[1e300,1,1],[0,2,1],[1,1,1]]",
                                      "[[3,2,1,0],[4,5,6,7],[0,1,5,4],[1,2,6,5],[2,3,7,6],[3,0,4,7]]");
   CHECK(error_of(far).find("points[1] has a coordinate beyond 1e+12; scale the solid down") != std::string::npos);
 }
 
-TEST_CASE("turns a face of the wrong orientation") {
+TEST_CASE("a single face of the wrong orientation is turned") {
   CHECK(volume(read(polyhedron(tetrahedron_points, "[[0,1,2],[0,1,3],[0,2,3],[1,3,2]]"))) == doctest::Approx(1.0 / 6));
 }
 
@@ -156,7 +156,7 @@ std::size_t pieces(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("splits a bent face at a convex or a concave edge") {
+TEST_CASE("a bent face of a polyhedron is split at a convex or a concave edge") {
   // The raised corner is on the diagonal along which a quadrangle is cut, or it is not.
   CHECK(pieces(polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1.25],[0,1,1]]", outward_box_faces)) <=
         2);
@@ -229,17 +229,17 @@ TEST_CASE("two solids in one polyhedron are two pieces of it") {
                           "[[0,1,2],[0,3,1],[0,2,3],[1,3,2],[4,5,6],[4,7,5],[4,6,7],[5,7,6]]")) == 2);
 }
 
-TEST_CASE("rejects a flat polyhedron of one or two triangles as open") {
+TEST_CASE("a flat polyhedron of one or two triangles is rejected as open") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2]]")).find("the mesh is open") != std::string::npos);
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[1,3,2]]")).find("the mesh is open") != std::string::npos);
 }
 
-TEST_CASE("a face without area closes the gap between its neighbours") {
+TEST_CASE("a polyhedron's face without area closes the gap between its neighbours") {
   CHECK(pieces(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1],[0.5,0,0]]",
                           "[[0,4,1,2],[0,3,1],[0,1,4],[0,2,3],[1,3,2]]")) == 1);
 }
 
-TEST_CASE("coordinates of 6 digits are accurate enough") {
+TEST_CASE("a rotated box with coordinates of 6 digits is one polyhedron") {
   // A box rotated about (1, 2, 3), as OpenSCAD prints its corners.
   CHECK(outline(read(polyhedron("[[0,0,0],[0.728028,0.543834,-0.0389452],[0.202868,1.27183,0.484494],"
                                 "[-0.525161,0.727999,0.523439],[0.314285,-0.273332,0.744126],"
@@ -261,7 +261,7 @@ void check_drawn(const std::string& faces, const std::string& warning) {
 
 }  // namespace
 
-TEST_CASE("skips an index without a point with a warning like OpenSCAD") {
+TEST_CASE("a face's index without a point is skipped with a warning like in OpenSCAD") {
   const std::string rest = ",[0,3,1],[0,2,3],[1,3,2]]";
   const auto no_point = [](int column, const char* index) {
     return fmt::format("{}: warning: points[{}] does not exist; there are points[0] to points[3]; the index is dropped",
@@ -274,7 +274,7 @@ TEST_CASE("skips an index without a point with a warning like OpenSCAD") {
   check_drawn("[[1,0,9],[0,1,2]" + rest, no_point(70, "9"));
 }
 
-TEST_CASE("truncates fractional indices and takes non-numbers as 0 like OpenSCAD") {
+TEST_CASE("fractional indices of faces are truncated and others count as 0 like in OpenSCAD") {
   const std::string rest = ",[0,3,1],[0,2,3],[1,3,2]]";
   check_drawn("[[0,1,2.9]" + rest, "70: warning: the index of a point is 2.9, not a whole number; it counts as 2");
   check_drawn("[[-0.5,1,2]" + rest, "66: warning: the index of a point is -0.5, not a whole number; it counts as 0");
@@ -282,7 +282,7 @@ TEST_CASE("truncates fractional indices and takes non-numbers as 0 like OpenSCAD
     check_drawn("[[" + index + ",1,2]" + rest, "66: warning: the index of a point is not a number; it counts as 0");
 }
 
-TEST_CASE("drops a malformed face with a warning like OpenSCAD") {
+TEST_CASE("a malformed face is dropped with a warning like in OpenSCAD") {
   const std::string rest = ",[0,1,2],[0,3,1],[0,2,3],[1,3,2]]";
   for (const std::string face : {"[0,1]", "[2]", "[]"})
     check_drawn("[" + face + rest, "65: warning: a face has fewer than 3 corners; it is dropped");
@@ -305,7 +305,7 @@ TEST_CASE("a polyhedron without valid faces is empty and warns") {
   }
 }
 
-TEST_CASE("rejects arguments of a polyhedron of the wrong type") {
+TEST_CASE("arguments of a polyhedron of the wrong type are rejected") {
   CHECK(error_of(polyhedron(tetrahedron_points, "true")) ==
         "m.csg:1:64: faces of polyhedron() must be a vector of faces");
   CHECK(error_of(polyhedron("3", "[]")) == "m.csg:1:21: points of polyhedron() must be a vector of [x, y, z]");

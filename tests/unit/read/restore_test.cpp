@@ -76,19 +76,19 @@ constexpr const char* null_difference =
 
 }  // namespace
 
-TEST_CASE("restores Euler angles of hundredths of a degree from six digits to 1e-15") {
+TEST_CASE("rotations by hundredths of a degree are restored from six digits to 1e-15") {
   CHECK(rc::check([] { RC_ASSERT(max_error(turned(hundredths(), hundredths(), hundredths())) <= 1e-15); }));
 }
 
 // Here the products of sines in doubles lose more than 1e-15 if each angle is rounded first.
-TEST_CASE("restores Euler angles to 1e-15 where rounding the angles would lose more") {
+TEST_CASE("rotations are restored to 1e-15 where rounding the angles would lose more") {
   constexpr int angles[][3] = {{-28516, -10315, -27566}, {7809, -23263, -28909}, {-10184, -29496, -9116},
                                {31959, -4716, 26472},    {8284, -25166, -28009}, {7759, 10792, 16528},
                                {7384, -26886, 16678},    {-9654, 9458, -30942},  {-27334, -25581, -18734}};
   for (const auto& [x, y, z] : angles) CHECK(max_error(turned(x, y, z)) <= 1e-15);
 }
 
-TEST_CASE("restores rotations about two axes that a right angle makes parallel") {
+TEST_CASE("rotations about two axes that a right angle makes parallel are restored") {
   CHECK(rc::check([] {
     const int right = *rc::gen::element(9000, -9000, 27000);
     RC_ASSERT(max_error(turned(hundredths(), right, hundredths())) <= 1e-15);
@@ -96,7 +96,7 @@ TEST_CASE("restores rotations about two axes that a right angle makes parallel")
   }));
 }
 
-TEST_CASE("restores scaled and mirrored rotations in either order") {
+TEST_CASE("scaled and mirrored rotations are restored in either order") {
   CHECK(rc::check([] {
     const auto factor = [] { return *rc::gen::inRange(1, 1000) / 100.0 * *rc::gen::element(1, -1); };
     const Exact scale = scaling(factor(), factor(), factor());
@@ -132,7 +132,7 @@ TEST_CASE("a restored matrix has the six written digits within half a unit of th
   }));
 }
 
-TEST_CASE("a matrix of no recognised angles stays as written") {
+TEST_CASE("a matrix without recognised angles stays as written") {
   CHECK_FALSE(reader::restored(written(turn_about(2, 3333) * turn_about(0, 1234) * turn_about(2, 1111))));
   for (const double angle : {360.0 / 7.0, 33.333, 0.004}) {
     const double radians = angle * std::numbers::pi / 180.0;
@@ -151,7 +151,7 @@ TEST_CASE("a matrix of no recognised angles stays as written") {
   CHECK_FALSE(reader::restored(glm::dmat4(0)));
 }
 
-TEST_CASE("treats an old release's rounded cosine of a right angle as zero") {
+TEST_CASE("an old release's rounded cosine of a right angle counts as zero") {
   glm::dmat4 turn = written(turn_about(2, 9000));
   turn[0][0] = turn[1][1] = 6.12323e-17;
   const std::optional<glm::dmat4> found = reader::restored(turn);

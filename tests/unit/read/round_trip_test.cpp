@@ -16,7 +16,7 @@ TEST_CASE("random models survive a round trip in two printing styles") {
     const std::string packed = print_packed(model);
     RC_LOG() << named << '\n' << packed << '\n';
     const csgsim::model::Tree tree = read(named);
-    RC_ASSERT(broken_promise(tree) == "");
+    RC_ASSERT(broken_invariant(tree) == "");
     RC_ASSERT(dump(tree) == meaning);
     RC_ASSERT(dump(read(packed)) == meaning);
   }));

@@ -43,14 +43,14 @@ TEST_CASE("only a convex prism with round holes is a difference instead of piece
   CHECK(pieces.nodes[pieces.root].op == csgsim::model::Operator::unite);
 }
 
-TEST_CASE("combines areas before extruding them") {
+TEST_CASE("areas are combined before they are extruded") {
   CHECK(pieces("linear_extrude(height = 2) { intersection() { square([2, 2]); circle(r = 1, $fn = 8); } }") == 1);
   CHECK(outline(read("linear_extrude(height = 2) { difference() { square([1, 1]); square([2, 2]); } }")) == "nothing");
   CHECK(outline(read("linear_extrude(height = 2) { difference() { group(); square([2, 2]); } }")) == "nothing");
   CHECK(outline(read("linear_extrude(height = 2) { intersection() { square([1, 1]); group(); } }")) == "nothing");
 }
 
-TEST_CASE("applies transforms outside and inside an extrusion") {
+TEST_CASE("transforms apply outside and inside an extrusion") {
   const Tree tree = read(
       "multmatrix([[1, 0, 0, 10], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { linear_extrude(height = 2) { "
       "multmatrix([[3, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { square([1, 1]); } } }");
@@ -74,7 +74,7 @@ TEST_CASE("hulls and sums and extrusions take the outer colour") {
   CHECK(tree.primitives[0].node == "hull");
 }
 
-TEST_CASE("rejects an existing file outside the model's folder") {
+TEST_CASE("an imported file outside the model's folder is rejected") {
   // The model's folder is the current one.
   for (const char* file : {"/etc/passwd", "..", "a/../../", "/"}) {
     const std::string error = error_of("import(file = \"" + std::string(file) + "\");");
@@ -84,7 +84,7 @@ TEST_CASE("rejects an existing file outside the model's folder") {
   }
 }
 
-TEST_CASE("warns of a nonexistent file and draws the rest") {
+TEST_CASE("a nonexistent imported file causes a warning and the rest is drawn") {
   for (const char* file :
        {"no/x.stl", "/no/such/folder/x.stl", "../no-such-x.stl", "a/../../no-such-x.off", "/etc/passwd/x.stl"}) {
     CAPTURE(file);
@@ -98,7 +98,7 @@ TEST_CASE("warns of a nonexistent file and draws the rest") {
   CHECK(warnings.size() == 1);
 }
 
-TEST_CASE("interprets indices of a polygon's paths like OpenSCAD with a warning") {
+TEST_CASE("indices of a polygon's paths are interpreted like in OpenSCAD with a warning") {
   // Paths that OpenSCAD 2021.01 draws as a triangle of area 50.
   for (const char* paths : {"[[0,1,2,9]]", "[[0,1,2,-1]]", "[[0,1,2.9]]", "[[1,2,undef]]", "[[0,1,2],[7]]",
                             "[[0,1,2],7]", "[[0,1,2],undef]"}) {
@@ -111,7 +111,7 @@ TEST_CASE("interprets indices of a polygon's paths like OpenSCAD with a warning"
   }
 }
 
-TEST_CASE("reads a file of another folder if a given folder contains both") {
+TEST_CASE("a file of another folder is imported if a given folder contains both") {
   namespace fs = std::filesystem;
   const fs::path outer = fs::temp_directory_path() / fmt::format("csgsim-read-{}-imports", ::getpid());
   fs::create_directories(outer / "models");
@@ -137,7 +137,7 @@ TEST_CASE("a flat shape alone is a plate about z = 0 but next to a solid it is d
   CHECK(outline(read("difference() { cube(1); square([2, 3]); }")) == "cube");
 }
 
-TEST_CASE("drops solids where flat shapes are expected and vice versa") {
+TEST_CASE("solids are dropped where flat shapes are expected and vice versa") {
   CHECK(pieces("linear_extrude(height = 2) { cube(1); square([1, 1]); }") == 1);
   CHECK(read("linear_extrude(height = 2) { cube(1); }").primitives.empty());
   CHECK(read("projection() { square([1, 1]); }").primitives.empty());
@@ -155,7 +155,7 @@ TEST_CASE("text with explicit default alignment equals text without alignment") 
   CHECK(csgsim::read_test::dump(read(explicit_default)) == csgsim::read_test::dump(read("text(text = \"a\");")));
 }
 
-TEST_CASE("string values equal what OpenSCAD wrote") {
+TEST_CASE("strings of a .csg file have the values that OpenSCAD wrote") {
   const std::string file = "../a\\\\b.stl";
   CHECK(read_warned("import(file = \"" + file + "\");").warnings.at(0).find("a\\") != std::string::npos);
 }

@@ -50,12 +50,12 @@ TEST_CASE("a cylinder takes its arguments in any order and form") {
   CHECK(only<Cylinder>("cylinder(r = 3, r2 = 1, h = 1);").r1 == 3);
 }
 
-TEST_CASE("raises $fa and $fs below 0.01 to 0.01") {
+TEST_CASE("values of $fa and $fs below 0.01 are raised to 0.01") {
   CHECK(only<Sphere>("sphere(r = 1, $fa = 0.001, $fs = -3);").facets == FacetControl{0, 0.01, 0.01});
   CHECK(only<Sphere>("sphere(r = 1, $fn = -1, $fa = 0, $fs = 0);").facets == FacetControl{-1, 0.01, 0.01});
 }
 
-TEST_CASE("undef counts as absent") {
+TEST_CASE("an undef argument counts as absent") {
   CHECK_FALSE(only<Cube>("cube(size = 1, center = undef);").center);
   CHECK(error_of("cube(undef);") == "m.csg:1:1: cube() lacks its size; add size = [x, y, z]");
 }
@@ -88,7 +88,7 @@ TEST_CASE("solids without a positive finite size are empty") {
   CHECK(outline(read("cylinder(h = 1, r1 = 1, r2 = -0);")) == "cylinder");
 }
 
-TEST_CASE("missing arguments are errors that say what to add") {
+TEST_CASE("a missing argument is an error that says what to add") {
   CHECK(error_of(" cube(center = true);") == "m.csg:1:2: cube() lacks its size; add size = [x, y, z]");
   CHECK(error_of("sphere();") == "m.csg:1:1: sphere() lacks its r; add r = radius");
   CHECK(error_of("cylinder(r = 1);") == "m.csg:1:1: cylinder() lacks its h; add h = height");
@@ -96,7 +96,7 @@ TEST_CASE("missing arguments are errors that say what to add") {
   CHECK(error_of("cylinder(h = 1, r1 = 1);") == "m.csg:1:1: cylinder() lacks its r2; add r2 = radius");
 }
 
-TEST_CASE("reports ill-typed arguments at their value") {
+TEST_CASE("an ill-typed argument is reported at its value") {
   CHECK(error_of("cube(size = [1, 2]);") == "m.csg:1:13: size of cube() must be a vector of 3 numbers");
   CHECK(error_of("cube(size = [1, 2, 3, 4]);") == "m.csg:1:13: size of cube() must be a vector of 3 numbers");
   CHECK(error_of("cube(size = [1, 2, [3]]);") == "m.csg:1:20: size of cube() must be a number");
@@ -106,13 +106,13 @@ TEST_CASE("reports ill-typed arguments at their value") {
   CHECK(error_of("sphere(r = 1, $fn = [1]);") == "m.csg:1:21: $fn of sphere() must be a number");
 }
 
-TEST_CASE("rejects unknown arguments and suggests the nearest one") {
+TEST_CASE("an unknown argument is rejected with the nearest known one") {
   CHECK(error_of("cube(1, centre = true);") == "m.csg:1:9: cube() has no argument centre; did you mean center?");
   CHECK(error_of("cube(1, wobbliness = 1);") == "m.csg:1:9: cube() has no argument wobbliness; it takes size, center");
   CHECK(error_of("group(x = 1);") == "m.csg:1:7: group() has no argument x; remove it");
 }
 
-TEST_CASE("rejects repeated and surplus arguments") {
+TEST_CASE("repeated and surplus arguments are rejected") {
   CHECK(error_of("cube(1, size = 2);") == "m.csg:1:9: size is given twice in cube(...); remove one");
   CHECK(error_of("cube(1, convexity = 2, convexity = 2);") ==
         "m.csg:1:24: convexity is given twice in cube(...); remove one");
@@ -123,12 +123,12 @@ TEST_CASE("rejects repeated and surplus arguments") {
   CHECK(error_of("cylinder(h = 1, r = 1, r1 = 1, r2 = 1);") == "m.csg:1:1: r, r1 and r2 are all given; remove r");
 }
 
-TEST_CASE("accepts arguments without effect") {
+TEST_CASE("arguments that OpenSCAD prints without effect are accepted") {
   CHECK(outline(read("render(convexity = 3) { cube(size = 1, $fn = 3, convexity = 2); }")) == "cube");
   CHECK(outline(read("render(3) { union(timestamp = 12) { sphere(r = 1, convexity = 1); } }")) == "sphere");
 }
 
-TEST_CASE("a primitive records its place in the file") {
+TEST_CASE("a primitive records its place in the model's file") {
   const csgsim::model::Tree tree = read("group() {\n\t#cube(1);\n}\n  sphere(r = 1);");
   REQUIRE(tree.primitives.size() == 2);
   CHECK(tree.primitives[0].location.line == 2);

@@ -14,24 +14,24 @@ glm::dvec3 size_of(std::string_view number) {
 
 }  // namespace
 
-TEST_CASE("accepts white space and comments anywhere") {
+TEST_CASE("white space and comments may be anywhere in a .csg file") {
   CHECK(outline(read("/**/ difference /* a */ ( ) // b } {\r\n{\tcube/**/(size/*=*/= /* ; */[ 1 , 2,3 /*]*/ ],center=\n"
                      "true // )\n);sphere(r=1);}//")) == "difference(cube, sphere)");
   CHECK(outline(read("/***/cube(1);/* * / **/")) == "cube");
 }
 
-TEST_CASE("skips a byte-order mark and does not count it as a column") {
+TEST_CASE("a byte-order mark is skipped and not counted as a column") {
   CHECK(outline(read("\xEF\xBB\xBF"
                      "cube(1);")) == "cube");
   CHECK(error_of("\xEF\xBB\xBF"
                  "cub(1);") == "m.csg:1:1: unknown node cub(); did you mean cube()?");
 }
 
-TEST_CASE("accepts empty statements and trailing commas") {
+TEST_CASE("a .csg file may have empty statements and trailing commas") {
   CHECK(outline(read(";;cube(size = [1, 1, 1,], center = false,);;")) == "cube");
 }
 
-TEST_CASE("reads numbers in every style to the nearest double") {
+TEST_CASE("numbers of every style are read to the nearest double") {
   CHECK(size_of("7").x == 7.0);
   CHECK(size_of("+7.").x == 7.0);
   CHECK(size_of(".5").x == 0.5);
@@ -52,7 +52,7 @@ TEST_CASE("a number too small for a double is zero and empties the solid") {
   CHECK(outline(read("cube([0e99999999999999999999, 1, 1]);")) == "nothing");
 }
 
-TEST_CASE("rejects a number too large for a double") {
+TEST_CASE("a number too large for a double is rejected") {
   CHECK(error_of("cube([1,\n 1e999, 1]);") == "m.csg:2:2: number out of range: 1e999 exceeds the range of doubles");
   CHECK(error_of("cube(-1e309);") == "m.csg:1:6: number out of range: -1e309 exceeds the range of doubles");
   CHECK(error_of("cube(1e99999999999999999999);") ==
@@ -61,7 +61,7 @@ TEST_CASE("rejects a number too large for a double") {
         "m.csg:1:6: number out of range: " + std::string(40, '9') + "... exceeds the range of doubles");
 }
 
-TEST_CASE("columns count characters and not bytes") {
+TEST_CASE("columns in error messages count characters and not bytes") {
   CHECK(error_of("/* \xC3\xA9\xE2\x82\xAC */ cub(1);") == "m.csg:1:10: unknown node cub(); did you mean cube()?");
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("a line ends with a line feed with or without a carriage return") {
   CHECK(error_of("cube(1);\r\n\r\n\tcub(1);") == "m.csg:3:2: unknown node cub(); did you mean cube()?");
 }
 
-TEST_CASE("syntax errors state the expected token and its place") {
+TEST_CASE("syntax errors of a .csg file state the expected token and its place") {
   CHECK(error_of("cube(1)") == "m.csg:1:8: expected `;` or `{` after cube(...), found the end of the file");
   CHECK(error_of("cube(1)\n}") == "m.csg:2:1: expected `;` or `{` after cube(...), found `}`");
   CHECK(error_of("group() cube(1);") == "m.csg:1:9: expected `;` or `{` after group(...), found `c`");
@@ -94,14 +94,14 @@ TEST_CASE("syntax errors state the expected token and its place") {
   CHECK(error_of("color(\"red\\\"") == "m.csg:1:7: this string never ends; close it with \" before `)` or `, name =`");
 }
 
-TEST_CASE("names unprintable bytes by number") {
+TEST_CASE("an error names an unprintable byte by its number") {
   CHECK(error_of(std::string_view("\0\0", 2)) ==
         "m.csg:1:1: expected a node such as cube(...), or `}`, found byte 0x00");
   CHECK(error_of("cube(1);\x7f") == "m.csg:1:9: expected a node such as cube(...), or `}`, found byte 0x7f");
   CHECK(error_of("\xff\xfe") == "m.csg:1:1: expected a node such as cube(...), or `}`, found byte 0xff");
 }
 
-TEST_CASE("refers users with OpenSCAD source to OpenSCAD") {
+TEST_CASE("an error for OpenSCAD source refers the user to OpenSCAD") {
   const char* advice = ": this is OpenSCAD source, not .csg; export it first: openscad -o model.csg model.scad";
   CHECK(error_of("a = 3; cube(a);") == std::string("m.csg:1:1") + advice);
   CHECK(error_of("\nmodule m() { cube(1); }") == std::string("m.csg:2:1") + advice);
@@ -110,12 +110,12 @@ TEST_CASE("refers users with OpenSCAD source to OpenSCAD") {
         "m.csg:1:1: translate() is OpenSCAD source, not .csg; export it first: openscad -o model.csg model.scad");
 }
 
-TEST_CASE("limits the nesting of vectors") {
+TEST_CASE("vectors nested beyond a limit are rejected") {
   CHECK(error_of("cube([[[[[[[[1]]]]]]]]);") == "m.csg:1:6: size of cube() must be a vector of 3 numbers");
   CHECK(error_of("cube([[[[[[[[[1]]]]]]]]]);") == "m.csg:1:14: vectors nested more than 8 deep; no node takes that");
 }
 
-TEST_CASE("reads strings with escapes") {
+TEST_CASE("strings with escapes are read") {
   CHECK(error_of(R"(color("re\"d\\", 1) { cube(1); } group("x");)") ==
         "m.csg:1:7: color() does not accept names; write [red, green, blue], each from 0 to 1");
   CHECK(outline(read(R"(%text(text = "a\"b)};", size = 10); cube(1);)")) == "cube");
@@ -151,7 +151,7 @@ TEST_CASE("strings keep quotes and backslashes as OpenSCAD writes them") {
   CHECK(outline(read("%text(text = \"a\\\", size = 10) ; cube(1);")) == "cube");
 }
 
-TEST_CASE("rejects an ambiguous string that looks like arguments") {
+TEST_CASE("an ambiguous string that looks like arguments is rejected") {
   CHECK(error_of("text(text = \"x\", size = 3, font = \"y\", size = 10, font = \"\");") ==
         "m.csg:1:40: size is given twice in text(...); remove one");
 }

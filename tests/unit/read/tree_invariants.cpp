@@ -43,7 +43,7 @@ struct HasSize {
 
 }  // namespace
 
-std::string broken_promise(const model::Tree& tree) {
+std::string broken_invariant(const model::Tree& tree) {
   std::uint32_t next_primitive = 0;
   std::vector<bool> has_parent(tree.nodes.size());
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {

@@ -16,7 +16,7 @@ TEST_CASE("groups and renders and the file itself are unions") {
   CHECK(outline(read("cube(1); sphere(r = 1); cube(2);")) == "union(cube, sphere, cube)");
 }
 
-TEST_CASE("keeps the written structure except operators of one child or none") {
+TEST_CASE("a tree keeps the written structure except operators of one child or none") {
   CHECK(outline(read("union() { union() { cube(1); cube(1); } sphere(r = 1); }")) ==
         "union(union(cube, cube), sphere)");
   CHECK(outline(read("group() { intersection() { group() { sphere(r = 1); } } } group(); group() {}")) == "sphere");
@@ -24,7 +24,7 @@ TEST_CASE("keeps the written structure except operators of one child or none") {
 
 TEST_CASE("children precede their parents and primitives are in tree order") {
   const Tree tree = read("difference() { cube(1); union() { sphere(r = 1); cube(2); } cylinder(1, 1, 1); }");
-  CHECK(broken_promise(tree) == "");
+  CHECK(broken_invariant(tree) == "");
   CHECK(tree.root == tree.nodes.size() - 1);
   CHECK(outline(tree) == "difference(cube, union(sphere, cube), cylinder)");
 }
@@ -51,7 +51,7 @@ TEST_CASE("an emptied operator leaves no nodes or primitives") {
   const Tree tree = read("cube(1); intersection() { union() { cube(1); cube(2); } cube(0); } sphere(r = 1);");
   CHECK(tree.primitives.size() == 2);
   CHECK(tree.nodes.size() == 3);
-  CHECK(broken_promise(tree) == "");
+  CHECK(broken_invariant(tree) == "");
 }
 
 TEST_CASE("a model of empty solids is an empty tree") {
@@ -62,13 +62,13 @@ TEST_CASE("a model of empty solids is an empty tree") {
   CHECK(tree.file == "m.csg");
 }
 
-TEST_CASE("rejects a file without statements") {
+TEST_CASE("a .csg file without statements is rejected") {
   const char* message = "m.csg: no model found; export one from OpenSCAD";
   for (const char* text : {"", " \n", "// nothing\n", "/* nothing */;", "\xEF\xBB\xBF"})
     CHECK(error_of(text) == message);
 }
 
-TEST_CASE("% and the disable modifier drop any subtree") {
+TEST_CASE("the % modifier and the disable modifier drop any subtree") {
   CHECK(outline(read("%cube(1); *cube(2); sphere(r = 1);")) == "sphere");
   CHECK(outline(read("%group() { hull() { cube(1); } } * frob(x = 1) { cube(size = true); } sphere(r = 1);")) ==
         "sphere");
@@ -78,19 +78,19 @@ TEST_CASE("% and the disable modifier drop any subtree") {
   CHECK(error_of("%cube(1;") == "m.csg:1:8: expected `,` or `)` in cube(...), found `;`");
 }
 
-TEST_CASE("# has no effect") {
+TEST_CASE("the # modifier has no effect") {
   CHECK(outline(read("difference() { #cube(1); # sphere(r = 1); }")) == "difference(cube, sphere)");
   CHECK(outline(read("#%cube(1); sphere(r = 1);")) == "sphere");
 }
 
-TEST_CASE("! makes its subtree the whole model and drops its surroundings") {
+TEST_CASE("the ! modifier makes its subtree the whole model and drops the rest") {
   const Tree tree = read(
       "hull(); color([1, 0, 0]) { multmatrix([[2,0,0,1],[0,2,0,1],[0,0,2,1],[0,0,0,1]]) {"
       "cube(1); !union() { sphere(r = 1); %cube(1); cube(2); } } } frob();");
   CHECK(outline(tree) == "union(sphere, cube)");
   CHECK(tree.primitives[0].transform == glm::dmat4(1));
   CHECK_FALSE(tree.primitives[0].colour);
-  CHECK(broken_promise(tree) == "");
+  CHECK(broken_invariant(tree) == "");
 }
 
 TEST_CASE("the first ! counts even under % but not under a disable modifier") {
@@ -102,13 +102,13 @@ TEST_CASE("the first ! counts even under % but not under a disable modifier") {
   CHECK(outline(read("/* ! */ cube(1);")) == "cube");
 }
 
-TEST_CASE("reports errors under !") {
+TEST_CASE("an error in a subtree with the ! modifier is reported") {
   CHECK(error_of("!group() { cub(1); }") == "m.csg:1:12: unknown node cub(); did you mean cube()?");
   CHECK(error_of("!cube(1); sphere(") ==
         "m.csg:1:18: expected `name = value`, a value or `)` in sphere(...), found the end of the file");
 }
 
-TEST_CASE("rejects nodes without half-spaces and suggests a replacement") {
+TEST_CASE("a node without half-spaces is rejected with a suggested replacement") {
   for (const char* node : {"fill", "glide", "roof", "subdiv", "import_stl"}) {
     CHECK(error_of("group() {\n  " + std::string(node) + "(file = \"x\", timestamp = 0);\n}") ==
           "m.csg:2:3: " + std::string(node) +
@@ -117,7 +117,7 @@ TEST_CASE("rejects nodes without half-spaces and suggests a replacement") {
   }
 }
 
-TEST_CASE("rejects unknown nodes and suggests the nearest one") {
+TEST_CASE("an unknown node is rejected with the nearest known one") {
   CHECK(error_of("Sphere(r = 1);") == "m.csg:1:1: unknown node Sphere(); did you mean sphere()?");
   CHECK(error_of("diffrence() {}") == "m.csg:1:1: unknown node diffrence(); did you mean difference()?");
   CHECK(error_of("xyzzy();") ==
@@ -127,13 +127,13 @@ TEST_CASE("rejects unknown nodes and suggests the nearest one") {
   CHECK(error_of(std::string(100000, 'a') + "();").size() < 350);
 }
 
-TEST_CASE("rejects children of solids") {
+TEST_CASE("children of a solid are rejected") {
   CHECK(outline(read("cube(1) {} sphere(r = 1) { %cube(1); }")) == "union(cube, sphere)");
   CHECK(error_of("cube(1) {\n sphere(r = 1); }") ==
         "m.csg:2:2: cube() cannot have children; put sphere() next to it, in a union() or difference()");
 }
 
-TEST_CASE("counts are those of the written tree") {
+TEST_CASE("counts of primitives and operators are those of the tree as written") {
   const csgsim::model::Counts counts =
       count(read("difference() { cube(1); cube(2); union() { cube(1); cube(2); cube(3); } }"
                  "intersection() { cube(1); group() { cube(2); cube(0); } }"));

@@ -37,12 +37,12 @@ std::string twisted(const std::string& arguments, const std::string& square) {
 
 }  // namespace
 
-TEST_CASE("cuts a thin area twisted to a point in a bounded number of steps") {
+TEST_CASE("a thin area twisted to a point is cut in a bounded number of steps") {
   const model::Tree tree = read_within(twisted("slices = 30, scale = [0, 0]", "[12, 1e-7]"));
   CHECK(tree.primitives.size() < 1000);
 }
 
-TEST_CASE("rejects slices beyond the piece limit before cutting them") {
+TEST_CASE("an extrusion's slices beyond the piece limit are rejected before they are cut") {
   const std::string expected =
       "m.csg:1:1: linear_extrude(): linear_extrude() needs more than 100000 convex pieces; use fewer slices, "
       "or "
@@ -58,14 +58,14 @@ TEST_CASE("rejects slices beyond the piece limit before cutting them") {
           1'000'000) == expected);
 }
 
-TEST_CASE("rejects shapes with too many crossing sides before combining them") {
+TEST_CASE("areas with too many crossing sides are rejected before they are combined") {
   CHECK(refusal("square(size = [1, 1], center = false);\n" + crossing_polygon(3000), 100'000'000) ==
         "m.csg:2:1: polygon(): combining 2-D shapes takes more work than the limit of 100 million steps; use fewer or "
         "coarser parts in the model, or raise --limit");
   CHECK(read_within(crossing_polygon(100)).primitives.size() > 100);
 }
 
-TEST_CASE("reports the work limit of 2-D and 3-D operations at their node") {
+TEST_CASE("the work limit of 2-D and 3-D operations is reported at their node") {
   const std::string areas = "circle($fn = 100, $fa = 12, $fs = 2, r = 2); square(size = [3, 3], center = true);";
   const std::string solids = "sphere($fn = 30, $fa = 12, $fs = 2, r = 2); cube(size = [3, 3, 3], center = true);";
   CHECK(refusal("union() {\n  difference() {" + areas + "}\n}", 10'000).find("m.csg:2:3: ") == 0);
@@ -77,13 +77,13 @@ TEST_CASE("reports the work limit of 2-D and 3-D operations at their node") {
   CHECK(refusal(twisted("slices = 5, scale = [1, 1]", "[12, 5]"), 5'000).find("m.csg:1:1: linear_extrude(): ") == 0);
 }
 
-TEST_CASE("statements count and the one beyond the limit is named") {
+TEST_CASE("statements count as work and the error names the one beyond the limit") {
   const std::string cubes = "cube(1);\ncube(1);\ncube(1);";
   CHECK(refusal(cubes, 6'000) == "");
   CHECK(refusal(cubes, 5'999).find("m.csg:3:1: reading statements takes more work than the limit") == 0);
 }
 
-TEST_CASE("counts the same number of steps each time") {
+TEST_CASE("reading a model takes the same number of steps each time") {
   const std::string text = twisted("slices = 20, scale = [0.3, 0.4]", "[12, 5]") + crossing_polygon(50);
   const auto steps = [&] {
     read::Options options;
@@ -98,7 +98,7 @@ TEST_CASE("counts the same number of steps each time") {
   CHECK(refusal(text, first - 1) != "");
 }
 
-TEST_CASE("rejects a solid with coordinates beyond the drawable range with its place") {
+TEST_CASE("a solid with coordinates beyond the drawable range is rejected with its place") {
   const auto faceted = [](const std::string& text) {
     return testing::error_of([&] { (void)facet::make_geometry(read::read_csg_text(text, "m.csg")); });
   };
@@ -119,7 +119,7 @@ TEST_CASE("rejects a solid with coordinates beyond the drawable range with its p
   CHECK(faceted("cube(size = [1, 1e13, 1], center = true);") == "m.csg:1:1:" + far);
 }
 
-TEST_CASE("rejects a mesh whose check alone exceeds the limit beforehand") {
+TEST_CASE("a mesh whose check alone exceeds the work limit is rejected beforehand") {
   const std::string tetrahedron =
       "polyhedron(points = [[0,0,0],[9,0,0],[0,9,0],[2,2,9],[2,2,3]], faces = "
       "[[0,2,1],[0,1,4],[1,3,4],[1,2,3],[0,4,2],[2,4,3]], convexity = 2);";

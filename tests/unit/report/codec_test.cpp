@@ -9,7 +9,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("encodes base 64 as in RFC 4648") {
+TEST_CASE("base 64 is encoded as in RFC 4648") {
   for (const auto& [bytes, text] : std::vector<std::pair<std::string, std::string>>{{"", ""},
                                                                                     {"f", "Zg=="},
                                                                                     {"fo", "Zm8="},
@@ -21,7 +21,7 @@ TEST_CASE("encodes base 64 as in RFC 4648") {
   CHECK(report::base64(std::string("\xff\xfe\x00", 3)) == "//4A");
 }
 
-TEST_CASE("encodes numbers as varints of 7 bits per byte with the lowest first") {
+TEST_CASE("numbers in a page are encoded as varints with the lowest 7 bits first") {
   std::string bytes;
   for (const std::uint64_t number : {0U, 127U, 128U, 300U}) report::put_varint(number, bytes);
   CHECK(bytes == std::string("\x00\x7f\x80\x01\xac\x02", 6));
@@ -33,12 +33,12 @@ TEST_CASE("encodes numbers as varints of 7 bits per byte with the lowest first")
   CHECK(rest.empty());
 }
 
-TEST_CASE("encodes owners as runs of a count and owner + 1 with 0 for the background") {
+TEST_CASE("owners in a page are encoded as runs of a count and owner + 1") {
   const std::vector<std::uint32_t> owners{~0U, ~0U, 4, 4, 4, 0};
   CHECK(report::owner_runs(owners) == std::string("\x02\x00\x03\x05\x01\x01", 6));
 }
 
-TEST_CASE("changes turn earlier states into later ones and back") {
+TEST_CASE("encoded changes turn earlier states into later ones and back") {
   std::mt19937 generator(7);
   const auto random = [&] { return static_cast<std::uint32_t>(generator()); };
   for (int round = 0; round < 200; ++round) {

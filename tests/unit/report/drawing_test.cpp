@@ -44,7 +44,7 @@ std::vector<std::uint32_t> colours(const std::vector<std::uint32_t>& states) {
 
 }  // namespace
 
-TEST_CASE("each step equals the reference engine's memory and enable bits") {
+TEST_CASE("each step of a drawing has the reference engine's memory and enable bits") {
   const testing::Compiled model = testing::bitten_cube();
   const isa::Program& program = model.program;
   const machines::Machine machine = testing::machine_of(program.shape);
@@ -72,7 +72,7 @@ TEST_CASE("each step equals the reference engine's memory and enable bits") {
   CHECK(drawing.summary.find("after each of the") != std::string::npos);
 }
 
-TEST_CASE("the last step is the picture on every machine for any number of steps") {
+TEST_CASE("the last step of a drawing is the picture on every machine") {
   for (const std::string name : {"pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5"}) {
     CAPTURE(name);
     const testing::Compiled model = testing::bitten_cube(name);
@@ -133,7 +133,7 @@ TEST_CASE("a thinned drawing keeps every n-th step from the first and the last s
   CHECK(strides.size() >= 3);
 }
 
-TEST_CASE("a large picture shows every second pixel and row with a note") {
+TEST_CASE("a large picture in a page shows every second pixel and row with a note") {
   const testing::Compiled model = testing::bitten_cube();
   const machines::Machine machine = testing::machine_of(model.program.shape);
   const report::Drawing drawing = report::record_drawing(model.program, machine, {2000, 2000, 700'000, 20});

@@ -15,12 +15,12 @@ TEST_CASE("JSON in a script element cannot end it or start a comment and parses 
   CHECK(Json::parse(text) == json);
 }
 
-TEST_CASE("bytes that are not UTF-8 become valid JSON") {
+TEST_CASE("bytes that are not UTF-8 become valid JSON in a page") {
   const Json json = Json::parse(report::json_in_html(Json{"\xff\xfe"}));
   CHECK(json.front() == "\xef\xbf\xbd\xef\xbf\xbd");
 }
 
-TEST_CASE("turns a title into an id") {
+TEST_CASE("a section's title becomes its id") {
   CHECK(report::html_id("Where the clocks go") == "where-the-clocks-go");
   CHECK(report::html_id(" <b onclick=x> ") == "b-onclick-x");
 }

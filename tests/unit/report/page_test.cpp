@@ -32,7 +32,7 @@ report::Page page(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a hostile name is never markup and ends no script") {
+TEST_CASE("a hostile name in a page is never markup and ends no script") {
   const std::string plain = report::to_html(page("plain"));
   for (const std::string name : {"</script><script>alert(1)</script>", "\"><img src=x onerror=alert(1)>", "<!-- ",
                                  "]]></style></title><b>", "' onload='x"}) {
@@ -43,7 +43,7 @@ TEST_CASE("a hostile name is never markup and ends no script") {
   }
 }
 
-TEST_CASE("a cell shows a number of the data and its place there") {
+TEST_CASE("a table cell shows a value of the page's data and its JSON path") {
   const Json data{{"clocks", 1234567}, {"share", 0.123456}, {"words", "a & b"}};
   const auto cells = [&](const report::Cell& cell) { return report::table_html({"", {"a"}, {{cell}}}); };
   CHECK(cells(report::cell(data, "/clocks")).find("data-at=\"/clocks\">1,234,567<") != std::string::npos);
@@ -53,13 +53,13 @@ TEST_CASE("a cell shows a number of the data and its place there") {
   CHECK(report::cell(data, "/none").value.is_null());
 }
 
-TEST_CASE("a share is a fraction or 0 for 0 of 0 or none for a missing number") {
+TEST_CASE("a share in a page is a fraction or 0 for 0 of 0 or absent for a missing number") {
   CHECK(report::share(3, 12).value == 0.25);
   CHECK(report::share(0, 0).value == 0.0);
   CHECK(report::share(nullptr, 12).value.is_null());
 }
 
-TEST_CASE("a page holds the data of the run except wall-clock times") {
+TEST_CASE("a page contains the data of the run except wall-clock times") {
   const Json data{{"clocks", 5}, {"wall_seconds", 1.5}, {"rows", {{{"bits", 1}, {"wall_seconds", 2.5}}}}};
   CHECK(report::without_wall_times(data) == Json{{"clocks", 5}, {"rows", {{{"bits", 1}}}}});
 }
@@ -88,7 +88,7 @@ TEST_CASE("the effects page plots a mark for each charge of each effect") {
   CHECK(count(html, "<g class=\"pt\">") == 4);
 }
 
-TEST_CASE("shows sentences and tables of other stats versions if present") {
+TEST_CASE("a page shows the sentences and tables that other versions' stats have") {
   const Json data{{"knobs", {{{"sentence", "Turn this."}}, {{"sentence", "Or that."}}}},
                   {"configuration", {{"model", {{"file", "m.csg"}}}, {"bits", {1, 2}}, {"unsaid", nullptr}}}};
   const std::vector<report::Part> parts = report::sentences(data, "/knobs");

@@ -41,7 +41,7 @@ std::size_t bytes_of(const report::Drawing& drawing) {
 
 }  // namespace
 
-TEST_CASE("an owner's pixel is the one farthest from other owners and from the border") {
+TEST_CASE("the pixel explained for an owner is farthest from other owners and the border") {
   constexpr std::uint32_t none = observe::no_owner;
   const std::vector<std::uint32_t> owner{
       none, 7, 7, 7, 7,     //
@@ -54,7 +54,7 @@ TEST_CASE("an owner's pixel is the one farthest from other owners and from the b
         std::vector<std::size_t>{19, 12, 10});
 }
 
-TEST_CASE("a page holds csgsim explain's text with the first step after each event") {
+TEST_CASE("a page contains the text of csgsim explain and the first step after each event") {
   for (const std::string machine_name : {"", "pixel-planes-5"}) {
     CAPTURE(machine_name);
     const isa::Program program = testing::bitten_cube(machine_name).program;
@@ -87,7 +87,7 @@ TEST_CASE("a page holds csgsim explain's text with the first step after each eve
   }
 }
 
-TEST_CASE("a pixel has one story and stories end at the limits") {
+TEST_CASE("a page has one explanation per pixel within limits on length and number") {
   const isa::Program program = testing::bitten_cube().program;
   const machines::Machine machine = testing::machine_of(program.shape);
   const report::Drawing drawing = report::record_drawing(program, machine);

@@ -58,7 +58,7 @@ TEST_CASE("figures of a machine file become parameters of the Verilog") {
   CHECK(value_of(rtl::parameters_of(kinds::load("pixel-powers")), "DEGREE") == 2);
 }
 
-TEST_CASE("rejects figures that the Verilog lacks and suggests a fix") {
+TEST_CASE("figures that the Verilog lacks are rejected with a suggested fix") {
   CHECK(refusal("pixel-planes-4") == "");
   CHECK(refusal("scan-line") ==
         "scan-line is of the kind scan-line, which has no Verilog; take a machine of the kind frame-buffer, "
@@ -80,7 +80,7 @@ TEST_CASE("a Program's memory files hold its commands and the start of each inst
     RC_ASSERT(begins.size() == memory.begin_count);
     isa::WireDecoder decoder(width);
     std::vector<isa::Instruction> instructions;
-    std::vector<std::size_t> first_words{0};  // after each instruction
+    std::vector<std::size_t> first_words{0};  // number of the word after each instruction
     for (const std::string& word : words) {
       RC_ASSERT(word.size() == (width + 3) / 4);
       const auto command = decoder.take(parse_word(word));
@@ -97,7 +97,7 @@ TEST_CASE("a Program's memory files hold its commands and the start of each inst
   }));
 }
 
-TEST_CASE("fills in a template's names and keeps text that only resembles one") {
+TEST_CASE("a template's names are replaced and text that only resembles one is kept") {
   const std::vector<rtl::Filling> fillings{{"WIDTH", "8"}, {"NOTHING", ""}};
   CHECK(rtl::filled("always @(posedge clk) w <= @WIDTH@;@NOTHING@ always @* @", fillings) ==
         "always @(posedge clk) w <= 8; always @* @");

@@ -178,7 +178,7 @@ TEST_CASE("a design's files describe it and build it") {
   CHECK(has(find_file(bare, "Makefile"), "\nicarus verilator waves:\n"));
 }
 
-TEST_CASE("shows pictures of one and two colour bits in which red or blue have none") {
+TEST_CASE("a board shows one or two colour bits with zeros for channels without bits") {
   const isa::Program one = enabling(1);
   const std::string board = find_file(rtl::design_files(small_machine(), &one), "board.v");
   CHECK(has(board, "  assign video[2:0] = {1'd0, colours[0:0], 1'd0};\n"));

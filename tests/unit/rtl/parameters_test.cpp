@@ -96,7 +96,7 @@ TEST_CASE("every Verilog parameter is the machine's figure") {
                                                                                    {"CHIP", 35}});
 }
 
-TEST_CASE("limits a scan-out to the width of the array") {
+TEST_CASE("a scan-out in a design is limited to the width of the array") {
   CHECK(values_of(eight_by_eight({"scan_out.pixels=7"}))["SCAN_PIXELS"] == 7);
   CHECK(values_of(eight_by_eight({"scan_out.pixels=8"}))["SCAN_PIXELS"] == 8);
   CHECK(values_of(eight_by_eight({"scan_out.pixels=9"}))["SCAN_PIXELS"] == 8);
@@ -105,7 +105,7 @@ TEST_CASE("limits a scan-out to the width of the array") {
   CHECK(values_of(kinds::load("pixel-planes-4+array.width=3+array.height=9+scan_out.pixels=5"))["SCAN_PIXELS"] == 3);
 }
 
-TEST_CASE("a chip has all pixels of the array up to 64") {
+TEST_CASE("a chip in a design has all pixels of the array up to 64") {
   const auto chip = [](const std::string& size) { return values_of(kinds::load("pixel-planes-4" + size))["CHIP"]; };
   CHECK(chip("+array.width=9+array.height=7") == 63);
   CHECK(chip("+array.width=8+array.height=8") == 64);
@@ -113,7 +113,7 @@ TEST_CASE("a chip has all pixels of the array up to 64") {
   CHECK(chip("+array.width=1+array.height=1") == 1);
 }
 
-TEST_CASE("CLEAR_CLOCKS is at least 1") {
+TEST_CASE("the Verilog parameter CLEAR_CLOCKS is at least 1") {
   CHECK(values_of(eight_by_eight({"memory.clear_clocks=ideal"}))["CLEAR_CLOCKS"] == 1);
   CHECK(values_of(eight_by_eight({"memory.clear_clocks=1"}))["CLEAR_CLOCKS"] == 1);
   CHECK(values_of(eight_by_eight({"memory.clear_clocks=2"}))["CLEAR_CLOCKS"] == 2);
@@ -135,7 +135,7 @@ TEST_CASE("pixels have the root flag at degree 2 or if a segment takes a root") 
   CHECK(values_of(eight_by_eight({"evaluator.degree=2"}), &without)["ROOTS"] == 1);
 }
 
-TEST_CASE("COLOUR_BITS is the Program's colour width or 24 with a serial line") {
+TEST_CASE("the Verilog's COLOUR_BITS is the Program's width or 24 with a serial line") {
   for (const unsigned bits : {3U, 4U, 7U, 10U, 24U}) {
     const isa::Program program = showing(bits, {isa::Opcode::enable_all});
     CHECK(values_of(eight_by_eight(), &program)["COLOUR_BITS"] == bits);
@@ -143,7 +143,7 @@ TEST_CASE("COLOUR_BITS is the Program's colour width or 24 with a serial line") 
   CHECK(values_of(eight_by_eight())["COLOUR_BITS"] == 24);
 }
 
-TEST_CASE("rejects trees of several bits or fewer registers by the figure's name") {
+TEST_CASE("trees of several bits or fewer registers are rejected by the figure's name") {
   const auto refusal = [](const std::string& changes) {
     return testing::error_of([&] { rtl::parameters_of(kinds::load("pixel-planes-4" + changes)); });
   };

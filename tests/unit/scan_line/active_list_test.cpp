@@ -48,7 +48,7 @@ TEST_CASE("an interlaced field takes two buckets per row and starts with an empt
   CHECK(looks == std::vector<std::size_t>{0, 3, 3, 1, 3, 2});
 }
 
-TEST_CASE("visits each primitive once on each of its rows and once below them") {
+TEST_CASE("the host visits each primitive once on each of its rows and once below them") {
   CHECK(rc::check([] {
     constexpr std::uint32_t rows = 20;
     std::vector<RowExtent> primitives;

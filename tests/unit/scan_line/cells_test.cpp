@@ -59,7 +59,7 @@ TEST_CASE("a cell reads and writes at most one word per port and clock") {
   CHECK(cell.read(0, within) == 0xabcd);
 }
 
-TEST_CASE("rejects a cell that acts before its fields have been read") {
+TEST_CASE("a cell that acts before its fields have been read is an error") {
   constexpr CellShape shape{.word_bits = 8, .ports = 1};
   const Packet packet = instruction_packet({.opcode = Opcode::field_lt, .fields = {Field{0, 8}, Field{8, 8}}}, shape);
   CHECK(packet.beats == 2);
@@ -67,14 +67,14 @@ TEST_CASE("rejects a cell that acts before its fields have been read") {
   check_too_soon(packet, 0, shape);
 }
 
-TEST_CASE("rejects a cell that acts before it has found all bits of a root") {
+TEST_CASE("a cell that acts before it has found all bits of a root is an error") {
   const CellShape shape{.word_bits = 8};
   const Packet packet = instruction_packet({.opcode = Opcode::root, .fields = {Field{0, 7}}}, shape);
   CHECK_NOTHROW(steps_of(packet, shape));
   for (std::uint32_t beat = 0; beat < packet.accesses.result; ++beat) check_too_soon(packet, beat, shape);
 }
 
-TEST_CASE("rejects a cell that acts before its operands have been shifted and processed") {
+TEST_CASE("a cell that acts before its operands have been processed is an error") {
   const Instruction compare{.opcode = Opcode::linear_ge, .fields = {Field{0, 8}}, .linear = {.width = 12, .shift = 2}};
   for (const CellShape& shape : {CellShape{.word_bits = 16, .ports = 1, .alu_bits = 4, .shift_bits = 1},
                                  CellShape{.word_bits = 16, .ports = 1, .alu_bits = 0, .shift_bits = 2},

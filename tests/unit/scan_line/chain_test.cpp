@@ -136,7 +136,7 @@ TEST_CASE("pixel x reaches the refresh port x clocks after the shift chain takes
   send(chain, packet({.opcode = Opcode::enable_all}, shape));
   send(chain, packet(ramp, shape));
   send(chain, mark());
-  std::vector<RefreshPixel> seen;  // from the clock after the mark's entry on
+  std::vector<RefreshPixel> seen;  // the pixels seen from the clock after the mark's entry on
   for (std::uint32_t i = 0; i < 8; ++i) {
     seen.push_back(chain.refresh());
     chain.step(nothing);
@@ -145,7 +145,7 @@ TEST_CASE("pixel x reaches the refresh port x clocks after the shift chain takes
   CHECK(seen == expected);
 }
 
-TEST_CASE("consecutive marks need one clock per pixel of the line between them") {
+TEST_CASE("a mark that follows another within the clocks of the line is an error") {
   constexpr std::uint32_t pixels = 4;
   for (std::uint32_t apart = 1; apart <= pixels + 1; ++apart) {
     CAPTURE(apart);
@@ -183,7 +183,7 @@ TEST_CASE("a clear packet clears a cell with its last beat") {
   CHECK_FALSE(chain.enabled(0));
 }
 
-TEST_CASE("rejects a packet not followed by its own next beat") {
+TEST_CASE("a packet that is not followed by its own next beat is an error") {
   constexpr CellShape shape{.word_bits = 4, .ports = 1};
   const Packet sent = packet({.opcode = Opcode::edge_negative, .linear = {.a = 1, .c = 3, .width = 8}}, shape);
   Chain chain(2, 8, shape);

@@ -177,7 +177,7 @@ TEST_CASE("the frame interval is at most the frame's clocks and at least its bus
   }));
 }
 
-TEST_CASE("every part accounts for every clock of the frame") {
+TEST_CASE("every part of a scan-line array accounts for every clock of the frame") {
   CHECK(rc::check([] {
     const machines::Machine machine = random_machine();
     const isa::Program program = *test::arbitrary_program_in_parts(machine, 12);

@@ -34,7 +34,7 @@ TEST_CASE("a surface facing a light gets the light's intensity plus ambient ligh
   CHECK(colour.b == doctest::Approx(0.2));
 }
 
-TEST_CASE("light falls off with the cosine and adds up and is zero from behind") {
+TEST_CASE("light falls off with the cosine and adds up and is zero on faces turned away") {
   scene::Scene scene;
   scene.ambient.intensity = 0;
   scene.lights = {towards({std::sqrt(3.0), 1, 0}, 1)};
@@ -75,7 +75,7 @@ TEST_CASE("a highlight has the light's colour and peaks half-way between light a
   CHECK(aside.g == doctest::Approx(0.5 * std::pow(3 / std::sqrt(10.0), shiny.shininess)));
 }
 
-TEST_CASE("materials apply by colour or line and the last match counts") {
+TEST_CASE("materials apply by colour or by line and the last match counts") {
   model::Primitive primitive;
   primitive.shape = model::Cube{};
   primitive.colour = glm::dvec3(0, 1, 0);

@@ -15,7 +15,7 @@ std::string error_in(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("an empty scene sets nothing") {
+TEST_CASE("an empty scene file sets nothing") {
   const scene::Scene empty = read("");
   CHECK(empty.lights.empty());
   CHECK(empty.materials.empty());
@@ -24,7 +24,7 @@ TEST_CASE("an empty scene sets nothing") {
   CHECK(empty.ambient == scene::Ambient{});
 }
 
-TEST_CASE("reads every section of a scene") {
+TEST_CASE("every section of a scene file is read") {
   const scene::Scene all = read(R"(
 [camera]
 eye = [1, 2, 3]
@@ -75,13 +75,13 @@ least_difference = 3
   CHECK(all.effects[0].is_on);
 }
 
-TEST_CASE("an effect's section can switch it off") {
+TEST_CASE("the section of an effect in a scene file can switch it off") {
   const scene::Scene off = read("[effects.smooth]\non = false\n");
   REQUIRE(off.effects.size() == 1);
   CHECK_FALSE(off.effects[0].is_on);
 }
 
-TEST_CASE("reports an error in a scene with its place and the nearest known key") {
+TEST_CASE("an error in a scene file is reported with its place and the nearest known key") {
   CHECK(error_in("[camera]\neey = [1, 2, 3]\n").starts_with("s.toml:2:1: unknown key 'camera.eey'"));
   CHECK(error_in("[camera]\neey = [1, 2, 3]\n").ends_with("'camera.eye'"));
   CHECK(error_in("[efects.smooth]\n").find("'effects'") != std::string::npos);
@@ -96,7 +96,7 @@ TEST_CASE("reports an error in a scene with its place and the nearest known key"
   CHECK(error_in("[camera\n").starts_with("s.toml:1:"));
 }
 
-TEST_CASE("reports conflicting values at their table") {
+TEST_CASE("conflicting values in a scene file are reported at their table") {
   CHECK(error_in("\n[[lights]]\nintensity = 1\n").starts_with("s.toml:2:1: a directional light"));
   CHECK(error_in("[[materials]]\nto_line = 4\n").find("add from_line") != std::string::npos);
   CHECK(error_in("[[materials]]\nfrom_line = 4\nto_line = 3\n").find("precede from_line") != std::string::npos);

@@ -47,7 +47,7 @@ isa::Program compiled_box(const std::string& machine) {
 
 }  // namespace
 
-TEST_CASE("explains a pixel or a point but only a pixel of a Program") {
+TEST_CASE("explain takes a pixel or a point of a model but only a pixel of a Program") {
   const std::string which = "explain: name a pixel with --pixel x,y or --point X,Y,Z";
   CHECK(misuse({"a.csg"}) == which);
   CHECK(misuse({"a.csgt"}) == which);
@@ -84,7 +84,7 @@ TEST_CASE("explain takes run options for a Program and every compile option for 
   CHECK(misuse(with("a.csgt", {"--view-all"})) != "");
 }
 
-TEST_CASE("explains a point of the model as its pixel with the distance from the eye") {
+TEST_CASE("explain shows a point of the model as its pixel with the distance from the eye") {
   struct Row {
     const char* point;
     const char* pixel;
@@ -106,7 +106,7 @@ TEST_CASE("explains a point of the model as its pixel with the distance from the
   }
 }
 
-TEST_CASE("accepts a point in the outermost pixels and rejects one beyond them") {
+TEST_CASE("explain accepts a point in the outermost pixels and rejects one beyond them") {
   // Half a pixel beyond the outer ones: 16.5 / 1.2568 = 13.128 to either side, 12.5 / 1.2568 = 9.946 up and down.
   for (const char* const point : {"-13.1,0,0", "13.1,0,0", "0,0,9.9", "0,0,-9.9", "-13.1,0,9.9", "13.1,0,-9.9"})
     CHECK(point_error(seen({"--point", point})) == "");
@@ -118,7 +118,7 @@ TEST_CASE("accepts a point in the outermost pixels and rejects one beyond them")
         "--view-all");
 }
 
-TEST_CASE("rejects a point behind the eye in perspective") {
+TEST_CASE("explain rejects a point behind the eye in perspective") {
   const auto error = [](const char* point) {
     return point_error(seen({"--projection", "perspective", "--point", point}));
   };
@@ -127,7 +127,7 @@ TEST_CASE("rejects a point behind the eye in perspective") {
   for (const char* const point : {"0,-49.9,0", "0,-49.5,0", "0,0,0", "0,90,0"}) CHECK(error(point) == "");
 }
 
-TEST_CASE("a point has three numbers") {
+TEST_CASE("explain rejects a point that is not three numbers") {
   for (const char* const point : {"1", "1,2", "1,2,3,4", "1,2,x", "1;2;3"})
     CHECK(point_error(seen({"--point", point})).starts_with("--point"));
 }
@@ -140,7 +140,7 @@ TEST_CASE("explain reports why a primitive is not seen on request") {
   CHECK(point_error(seen({"--pixel", "0,25"})) != "");
 }
 
-TEST_CASE("only a model's answer names half-spaces and a Program runs on its own machine") {
+TEST_CASE("explain names half-spaces only for a model and runs a Program on its own machine") {
   const isa::Program program = compiled_box("pixel-planes-4");
   const session::InPlace in_place{.text = {}, .program = &program};
   const story::Answer of_program = explanation({"box.csgt", "--pixel", "16,12"}, in_place);

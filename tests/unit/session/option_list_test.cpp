@@ -69,7 +69,7 @@ TEST_CASE("options not given keep their defaults") {
   CHECK(few.list.given().empty());
 }
 
-TEST_CASE("each kind of option rejects invalid values with its own message") {
+TEST_CASE("each type of option rejects invalid values with a specific message") {
   struct Row {
     Texts words;
     std::string refusal;
@@ -103,12 +103,12 @@ TEST_CASE("each kind of option rejects invalid values with its own message") {
   CHECK(refusal_of({"--bits", "5"}) == "MODEL is required");
 }
 
-TEST_CASE("accepts limits and rejects one beyond") {
+TEST_CASE("an option accepts the limits of its range and rejects numbers beyond") {
   for (const char* const bits : {"4", "30"}) CHECK(refusal_of({"a.csg", "--bits", bits}).empty());
   CHECK(refusal_of({"a.csg", "--count", "4294967295"}).empty());
 }
 
-TEST_CASE("rejects a zero byte where it would end a text") {
+TEST_CASE("rejects a zero byte in the text of an option or operand") {
   session::OptionList list("asked");
   Request request;
   request.add_to(list);
@@ -117,7 +117,7 @@ TEST_CASE("rejects a zero byte where it would end a text") {
   CHECK(usage_error_of([&] { list.give_operand(text); }).find("zero byte") != std::string::npos);
 }
 
-TEST_CASE("only a flag may lack a value") {
+TEST_CASE("only an option that is a flag may lack a value") {
   session::OptionList list("asked");
   Request request;
   request.add_to(list);
@@ -146,7 +146,7 @@ TEST_CASE("a flag given as false is not set") {
   CHECK(unset.list.words() == Texts{"asked", "a.csg"});
 }
 
-TEST_CASE("rejects values of a settings file with their place") {
+TEST_CASE("invalid values of a settings file are rejected with their place") {
   session::OptionList list("asked");
   Request request;
   request.add_to(list);
@@ -160,7 +160,7 @@ TEST_CASE("rejects values of a settings file with their place") {
   CHECK(list.place_of("--colour: no").empty());
 }
 
-TEST_CASE("shows defaults as numbers are written") {
+TEST_CASE("default values of options are shown as they are written") {
   const Parsed few({"a.csg"});
   const auto usual = [&](std::string_view key) { return few.list.find(key)->usual; };
   CHECK(usual("bits") == "20");
@@ -169,7 +169,7 @@ TEST_CASE("shows defaults as numbers are written") {
   CHECK(usual("near").empty());
 }
 
-TEST_CASE("a removed option is as if never added") {
+TEST_CASE("a removed option is unknown as if it had never been added") {
   session::OptionList list("asked");
   Request request;
   request.add_to(list);

@@ -40,7 +40,7 @@ nlohmann::ordered_json judged(const RenderRequest& options, const session::Compi
 
 }  // namespace
 
-TEST_CASE("render takes the options of models and runs and pages and two more") {
+TEST_CASE("render takes the options of models and runs and reports and two more") {
   const Parsed<RenderRequest> plain({"a.csg"});
   CHECK(plain.options.model.model == "a.csg");
   CHECK_FALSE(plain.options.check);
@@ -58,7 +58,7 @@ TEST_CASE("render takes the options of models and runs and pages and two more") 
     CHECK(testing::option_error<RenderRequest>({"a.csg", "--max-wrong-pixels", wrong}) != "");
 }
 
-TEST_CASE("a compiled model records its inputs: file and imports or text in place") {
+TEST_CASE("a compiled model records its file and imports or its text in memory as inputs") {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("csgsim-render-" + std::to_string(::getpid()));
   std::filesystem::create_directory(folder);
@@ -99,7 +99,7 @@ TEST_CASE("a compiled model records its inputs: file and imports or text in plac
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("compares a picture with the exact one on request and rejects transparency") {
+TEST_CASE("render --check compares with the exact picture and rejects transparency") {
   Parsed<RenderRequest> plain(house_words({}));
   const session::Compiled compiled = session::compile(plain.options, studies::choose_bits);
   CHECK_FALSE(session::judge_of(plain.options, compiled));
@@ -120,7 +120,7 @@ TEST_CASE("compares a picture with the exact one on request and rejects transpar
   }
 }
 
-TEST_CASE("chooses the cheapest bits for the allowed wrong pixels and only on request") {
+TEST_CASE("--max-wrong-pixels chooses the cheapest bits with at most that many wrong pixels") {
   const auto wrong_of = [](unsigned z_bits, unsigned fraction_bits) {
     Parsed<RenderRequest> parsed(
         house_words({"--check", "--z-bits", std::to_string(z_bits), "--fraction-bits", std::to_string(fraction_bits)}));
@@ -162,7 +162,7 @@ TEST_CASE("chooses the cheapest bits for the allowed wrong pixels and only on re
         }).find("supports opaque solids only") != std::string::npos);
 }
 
-TEST_CASE("gives advice on request for the requested machine") {
+TEST_CASE("render --advice measures advice for the requested machine") {
   for (const bool is_asked : {false, true}) {
     Parsed<RenderRequest> parsed(house_words({"--machine", "pixel-planes-4+alu.bits=2"}));
     parsed.options.run.advice = is_asked;
@@ -178,7 +178,7 @@ TEST_CASE("gives advice on request for the requested machine") {
   }
 }
 
-TEST_CASE("warns of nearly coplanar faces") {
+TEST_CASE("render warns of nearly coplanar faces") {
   const auto warnings = [](const char* text) {
     const CollectedLines kept;
     Parsed<RenderRequest> parsed({"m.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0"});

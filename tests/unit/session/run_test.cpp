@@ -71,7 +71,7 @@ TEST_CASE("a checkpoint must not replace any file that the run reads or writes")
   CHECK(refusal(options, folder.file("run.checkpoint")).empty());
 }
 
-TEST_CASE("a file that the run does not name may become its checkpoint") {
+TEST_CASE("a checkpoint may replace a file that the run does not name") {
   const Folder folder("csgsim-calls-free");
   session::ProgramRequest options = options_in(folder);
   for (std::string* const member : {&options.run.picture, &options.run.depth, &options.run.owner, &options.run.stats}) {
@@ -83,7 +83,7 @@ TEST_CASE("a file that the run does not name may become its checkpoint") {
   }
 }
 
-TEST_CASE("may overwrite the checkpoint from which the run resumes") {
+TEST_CASE("a run may overwrite the checkpoint from which it resumes") {
   const Folder folder("csgsim-calls-resume");
   session::ProgramRequest options = options_in(folder);
   options.checkpoints.resume = folder.file("run.checkpoint");
@@ -91,7 +91,7 @@ TEST_CASE("may overwrite the checkpoint from which the run resumes") {
   CHECK(refusal(options, options.checkpoints.resume).empty());
 }
 
-TEST_CASE("a run reads its Program and machine file and resumed checkpoint") {
+TEST_CASE("the inputs of a run are its Program and machine file and resumed checkpoint") {
   session::ProgramRequest options;
   options.program = "a.csgt";
   CHECK(options.files_read() == std::vector<fs::path>{"a.csgt"});
@@ -138,7 +138,7 @@ TEST_CASE("run takes a Program and machine figures and run and checkpoint option
   CHECK(testing::option_error<ProgramRequest>({"a.csgt", "--machine", "pixel-plane-4"}) != "");
 }
 
-TEST_CASE("settings for a Program are figures and not scene keys") {
+TEST_CASE("--set for a Program accepts figures of the machine but no scene keys") {
   session::ProgramRequest options;
   options.program = "a.csgt";
   options.sets = {"alu.bits=4"};
@@ -147,7 +147,7 @@ TEST_CASE("settings for a Program are figures and not scene keys") {
   CHECK(testing::usage_error_of([&] { session::refuse_misuse(options); }) != "");
 }
 
-TEST_CASE("a Program in place runs like its file and has the file's hash") {
+TEST_CASE("a Program in memory runs like its file and has the file's hash") {
   const Folder folder("csgsim-calls-load");
   const isa::Program program = small_program();
   session::ProgramRequest options;

@@ -118,7 +118,7 @@ constexpr std::uint64_t words_of_sequences = 1 + 1 + 4 + (3 + 2 + 1);
 
 }  // namespace
 
-TEST_CASE("the block shows its front and its back") {
+TEST_CASE("the block of the price tests has two faces that are not edge-on") {
   const Block block;
   REQUIRE(block.seen.facets.size() == 2);
   CHECK(block.seen.facets[0].leaves != block.seen.facets[1].leaves);

@@ -245,7 +245,7 @@ TEST_CASE("a ray visits its cells in order from each entry to each exit") {
   }
   CHECK(cells > 4000);
 }
-TEST_CASE("a ray that begins or ends on a wall between cells visits none beyond it") {
+TEST_CASE("a ray that begins or ends on a wall between cells visits no cell beyond it") {
   std::vector<Corners> polygons;
   for (const double x : {-7.5, 7.5, -7.25, 7.25}) polygons.push_back({{x, -1, -1}, {x, 1, -1}, {x, 1, 1}, {x, -1, 1}});
   const software::Facets facets = facets_with(polygons);
@@ -272,7 +272,7 @@ TEST_CASE("a ray that begins or ends on a wall between cells visits none beyond 
     CHECK(reported(wall - 1, 1, 99).first.size() > reported(wall, 1, 99).first.size());
   }
 }
-TEST_CASE("directory none has all facets in one cell along the whole ray") {
+TEST_CASE("the directory `none` has all facets in one cell along the whole ray") {
   Random random(3);
   const software::Facets facets = scattered_triangles(random, 1);
   const software::FacetShapes shapes(facets);
@@ -389,7 +389,7 @@ TEST_CASE("a facet touches a box within the reach along every axis to the last b
     }
   }
 }
-TEST_CASE("new statistics and empty directories count nothing") {
+TEST_CASE("new statistics and empty directories of facets count nothing") {
   const software::SpaceBuilt built;
   CHECK(built.cells + built.entries + built.references + built.most_facets + built.overflows + built.splits +
             built.overlap_tests + built.directory_words + built.bucket_words ==

@@ -275,7 +275,7 @@ TEST_CASE("polygons that touch or share an edge or corner or plane do not cross"
   CHECK(!lattice.cross(floor, Lattice::rectangle(2, 1, {-2, -2}, {2, 2})));
 }
 
-TEST_CASE("slivers cross however little they extend beyond a plane") {
+TEST_CASE("sliver polygons cross however little they extend beyond a plane") {
   for (const double beyond : {0x1p-30, 0x1p-45, 0x1p-52, 0.0, -0x1p-52}) {
     CAPTURE(beyond);
     // The lower edge of a wall is below the floor by this amount, or not.

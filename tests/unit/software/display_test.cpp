@@ -138,7 +138,7 @@ TEST_CASE("exact facet methods draw the thesis's objects as the rule-based judge
   }
   MESSAGE(tally.pixels, " pixels, ", tally.spans, " spans, ", tally.splits, " splits");
 }
-TEST_CASE("facet methods show plates thinner than a depth step only between steps") {
+TEST_CASE("facet methods show a plate thinner than a depth step only where it spans a step") {
   Tally tally;
   std::uint64_t opposites = 0;
   for (unsigned i = 0; i < 60; ++i) {
@@ -200,7 +200,7 @@ TEST_CASE("a facet method counts only on request and an unknown one is rejected"
   }
   CHECK_THROWS_WITH_AS(software::display_method("scanline"), doctest::Contains("scan-line"), InputError);
 }
-TEST_CASE("each facet method is found by name and two are not exact") {
+TEST_CASE("each facet method is found by name and all but two are exact") {
   for (const DisplayRow* const row : software::display_methods())
     CHECK(&software::display_method(std::string(row->name)) == row);
   CHECK(std::ranges::count(software::display_methods(), false, [](const DisplayRow* row) { return row->is_exact; }) ==
@@ -211,7 +211,7 @@ TEST_CASE("each facet method is found by name and two are not exact") {
   CHECK_THROWS_AS(software::display_method(""), InputError);
   CHECK_THROWS_AS(software::display_method("list-priorit"), InputError);
 }
-TEST_CASE("a new picture has zero counts") {
+TEST_CASE("a new picture of a facet method has zero counts") {
   const software::DisplayCounts counts;
   CHECK(counts.polygons + counts.pieces + counts.shared + counts.references + counts.crossing_tests +
             counts.overlap_tests + counts.drawn_polygons + counts.pixel_events + counts.passes + counts.spans +
@@ -275,7 +275,7 @@ TEST_CASE("a ledger sums the counts of its phases and nothing else") {
   CHECK(total.of(software::Phase::initialisation).of(software::Operation::multiply) == 100000);
   CHECK(total.conflicts == 77);
 }
-TEST_CASE("a display subject has a pixel count and a farthest depth and default buckets") {
+TEST_CASE("a display subject computes its pixels and farthest depth and has default buckets") {
   const Scene scene = testing::thesis_scene(testing::thesis_objects(view::Projection::perspective).front(), 40, 30);
   const Shown shown(scene);
   const software::DisplaySubject subject{scene.tree, scene.geometry, scene.view, shown.tree, shown.facets};

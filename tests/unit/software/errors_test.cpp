@@ -58,7 +58,7 @@ TEST_CASE("bit-parallel accepts a tree of 20 levels and rejects one of 21") {
                                 "weave", "interval-arithmetic"})
     check_draws_the_cube(of_21, way);
 }
-TEST_CASE("bit-parallel uses the tree shape that it requests") {
+TEST_CASE("bit-parallel methods accept a balanced union of 23 solids but no chain of them") {
   Scene scene = chain_of_cubes(23);
   for (model::Node& node : scene.tree.nodes) node.op = model::Operator::unite;
   const SoftwareScene software(scene.tree, scene.geometry, scene.view);
@@ -67,7 +67,7 @@ TEST_CASE("bit-parallel uses the tree shape that it requests") {
     CHECK(error_of_way(software, way, software::Shape::balanced) == "");
   }
 }
-TEST_CASE("only recursive methods reject a tree of 30000 levels") {
+TEST_CASE("only recursive traversals reject a tree of 30000 levels") {
   const Scene scene = chain_of_cubes(30'001);
   const SoftwareScene software(scene.tree, scene.geometry, scene.view);
   for (const std::string way :
@@ -78,14 +78,14 @@ TEST_CASE("only recursive methods reject a tree of 30000 levels") {
   }
   for (const std::string way : {"status", "bit-sequential"}) check_draws_the_cube(software, way);
 }
-TEST_CASE("recursive methods draw a tree of 19000 levels") {
+TEST_CASE("recursive traversals draw a tree of 19000 levels") {
   const Scene scene = chain_of_cubes(19'001);
   const SoftwareScene software(scene.tree, scene.geometry, scene.view);
   for (const std::string way :
        {"standard", "early-out", "positional", "interval-lists", "weave", "interval-arithmetic"})
     check_draws_the_cube(software, way);
 }
-TEST_CASE("a method and a coherence are selected by name") {
+TEST_CASE("a software method and its coherence are selected by name") {
   for (const testing::Way& way : testing::all_ways()) {
     const software::Choice choice = software::choice_of(software::name_of(way.choice));
     CHECK(choice.method == way.choice.method);
@@ -94,7 +94,7 @@ TEST_CASE("a method and a coherence are selected by name") {
   CHECK(software::name_of(software::choice_of("status")) == "status/all-points");
   CHECK(software::name_of(software::choice_of("weave")) == "weave");
 }
-TEST_CASE("rejects an unknown method or coherence and lists the valid ones") {
+TEST_CASE("an unknown method or coherence is rejected with a list of the valid ones") {
   const auto message = [](const std::string& text) { return error_of([&] { software::choice_of(text); }); };
   for (const software::MethodRow* const row : software::methods())
     CHECK(contains(message("stat"), std::string(row->name)));

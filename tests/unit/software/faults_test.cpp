@@ -14,7 +14,7 @@
 using namespace csgsim;
 using testing::Scene;
 
-TEST_CASE("a wrong pixel is attributed to the surfaces out of order") {
+TEST_CASE("a wrong pixel of list priority is attributed to surfaces in wrong order") {
   const std::vector<software::Event> exact{{10, 0}, {20, 2}, {20, 4}, {40, 1}, {40, 3}, {41, 5}, {60, 7}};
   const std::vector<double> level{10, 20, 20, 40, 40, 40, 60};
   const auto fault = [&](std::vector<software::Event> drawn) { return software::fault_of({exact, level, 1}, drawn); };
@@ -68,7 +68,7 @@ TEST_CASE("surfaces coincide within 2^-10 of a step and rounding faults have an 
   CHECK(overtaken(1.5) == software::Fault::depth_bits);
   CHECK(overtaken(1.5 + 0x1p-40) == software::Fault::order);
 }
-TEST_CASE("a pixel wrong for several reasons counts under the worst") {
+TEST_CASE("a pixel that is wrong for several reasons counts under the worst") {
   // Three surfaces are near 20, two of them coincide; two coincide at 40; two at 60 coincide in integers only.
   const std::vector<software::Event> exact{{20, 0}, {20, 2}, {21, 4}, {40, 1}, {40, 3}, {60, 6}, {60, 8}};
   const std::vector<double> depths{20, 20, 20.5, 40, 40, 60, 60.5};
@@ -82,7 +82,7 @@ TEST_CASE("a pixel wrong for several reasons counts under the worst") {
   CHECK(fault({{0, 0}, {0, 2}, {0, 4}, {0, 1}, {0, 3}, {0, 8}}) == software::Fault::depth_bits);
   CHECK(fault({{0, 0}, {0, 2}, {0, 4}, {0, 1}, {0, 3}, {0, 6}}) == software::Fault::depth_bits);
 }
-TEST_CASE("counts faults by cause starting from none") {
+TEST_CASE("faults of list priority are counted by cause") {
   software::Faults faults;
   CHECK(faults.depth_bits + faults.coincident + faults.three_way + faults.order == 0);
   CHECK(faults.all() == 0);
@@ -96,7 +96,7 @@ TEST_CASE("counts faults by cause starting from none") {
   CHECK(faults.order == 8);
   CHECK(faults.all() == 15);
 }
-TEST_CASE("rounding is one step plus 1.5 fraction units per pixel from the middle and one") {
+TEST_CASE("the rounding limit is a step and 1.5 fraction units per pixel from the middle") {
   for (const unsigned fraction_bits : {0U, 2U, 12U}) {
     view::Sampling sampling;
     sampling.width = 6;
@@ -155,7 +155,7 @@ double depth_by_rays(const Scene& scene, std::uint32_t crossing, std::uint32_t c
 
 }  // namespace
 
-TEST_CASE("real depths are where rays meet the planes of primitives") {
+TEST_CASE("the real depths of a primitive are where the ray meets its planes") {
   std::uint64_t held = 0;
   std::uint64_t scenes = 0;
   for (std::uint64_t seed = 1; scenes < 40; ++seed) {

@@ -286,7 +286,7 @@ TEST_CASE("a k-d cell is divided by the cheapest of 31 walls per axis if that sa
   CHECK(tally.divided > 1000);
   CHECK(tally.not_cheaper > 100);
 }
-TEST_CASE("a k-d tree of n facets has 8 levels plus 1.3 per bit of n") {
+TEST_CASE("a k-d tree of n facets has at most 8 levels and 1.3 more per bit of n") {
   // Two facets are so close to each other that a wall cuts off empty space at every level; all others are far away.
   for (const auto& row : {std::pair{3U, 10U}, std::pair{4U, 11U}, std::pair{7U, 11U}, std::pair{8U, 13U}}) {
     const unsigned facets = row.first;

@@ -68,7 +68,7 @@ void check_scene(const Scene& scene, Tally& tally) {
 
 }  // namespace
 
-TEST_CASE("cell and primitive classifications hold for all rays and are often decided") {
+TEST_CASE("classifications of cells and primitives hold for all rays and often decide") {
   Tally tally;
   for (std::uint64_t seed = 7001; seed <= 7100; ++seed) {
     const std::optional<Scene> scene = testing::random_scene(seed);

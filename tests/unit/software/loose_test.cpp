@@ -88,7 +88,7 @@ void check_loose(const Scene& scene, Found& found) {
 
 }  // namespace
 
-TEST_CASE("a facet is loose exactly if its depth error exceeds half the cells' reach") {
+TEST_CASE("a facet counts as loose exactly if its depth error exceeds half the cells' reach") {
   Found found;
   for (unsigned turn = 1; turn <= 12; ++turn) {
     for (const unsigned fraction_bits : {0U, 1U, 2U, 3U}) {

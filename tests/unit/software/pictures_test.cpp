@@ -70,7 +70,7 @@ const view::Camera aside{{18, -25, 21}, {0, 0, 0}, view::Projection::perspective
 
 }  // namespace
 
-TEST_CASE("software draws random models as the rule-based judge in sampled ways") {
+TEST_CASE("software methods sampled at random draw random models as the rule-based judge") {
   constexpr std::size_t scenes = 24;
   constexpr std::size_t ways = 8;
   Tally tally;
@@ -89,12 +89,12 @@ TEST_CASE("software draws random models as the rule-based judge in sampled ways"
   CHECK(tally.covered > tally.pixels / 20);
   for (const std::uint64_t times : tally.drawn_by) CHECK(times > 20);
 }
-TEST_CASE("software draws some random models as the rule-based judge in all ways") {
+TEST_CASE("all software methods draw random models as the rule-based judge does") {
   Tally tally;
   for (std::uint64_t seed = 1; seed <= 24; ++seed) CHECK(find_fault(seed, all_ways().size(), tally) == "");
   CHECK(tally.covered > tally.pixels / 20);
 }
-TEST_CASE("software draws the thesis's objects as the rule-based judge in all ways") {
+TEST_CASE("all software methods draw the thesis's objects as the rule-based judge does") {
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
@@ -102,27 +102,27 @@ TEST_CASE("software draws the thesis's objects as the rule-based judge in all wa
     }
   }
 }
-TEST_CASE("software draws nothing for an empty model") {
+TEST_CASE("software methods draw nothing for an empty model") {
   for (const char* const csg : {"union(){}", "difference(){}"})
     check_all_ways(build_scene(csg, aside, picture_of(20, 9)));
 }
-TEST_CASE("software draws nothing for objects behind the eye") {
+TEST_CASE("software methods draw nothing for objects behind the eye") {
   const Scene scene = build_scene("cube(size=[4,4,4],center=true);",
                                   {{18, -25, 21}, {36, -50, 42}, view::Projection::perspective}, picture_of(20, 9));
   check_all_ways(scene);
 }
-TEST_CASE("software draws a picture of one pixel") {
+TEST_CASE("software methods draw a picture of one pixel") {
   check_all_ways(
       build_scene("difference(){cube(size=[4,4,4],center=true);sphere($fn=12,r=2.5);}", aside, picture_of(1, 1)));
 }
-TEST_CASE("software draws a lone primitive and a union with cells that miss an operand") {
+TEST_CASE("software methods draw a lone primitive and a union with cells without an operand") {
   check_all_ways(build_scene("cube(size=[4,4,4],center=true);", aside, picture_of(70, 50)));
   check_all_ways(
       build_scene("multmatrix([[1,0,0,-6],[0,1,0,-6],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}"
                   "multmatrix([[1,0,0,4],[0,1,0,3],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}",
                   aside, picture_of(70, 50)));
 }
-TEST_CASE("what a cell of the picture is inside does not affect adjacent cells") {
+TEST_CASE("primitives that contain a cell of the picture do not affect adjacent cells") {
   view::Sampling sampling = picture_of(48, 48);
   sampling.z_bits = 8;
   sampling.fraction_bits = 0;
@@ -144,7 +144,7 @@ TEST_CASE("a union's surface is seen where a subtracted back face ends at it") {
   CHECK(expected[21 * 10 + 5].owner == 2);
   check_all_ways(scene);
 }
-TEST_CASE("a counting method draws the same picture and only it counts") {
+TEST_CASE("a software method draws the same picture whether it counts or not") {
   std::size_t number = 0;
   for (std::uint64_t seed = 1001; seed <= 1100; ++seed) {
     const std::optional<Scene> scene = testing::random_scene(seed);

@@ -112,7 +112,7 @@ void put_corners(software::Facets& facets, std::uint32_t facet, const Places& co
 
 }  // namespace
 
-TEST_CASE("a cell is out of sight only beyond one side of the picture or behind the eye") {
+TEST_CASE("a cell is out of sight if it is beyond one side of the picture or behind the eye") {
   struct Row {
     const char* where;
     facet::Box box;  ///< at the limit
@@ -149,7 +149,7 @@ TEST_CASE("a cell is out of sight only beyond one side of the picture or behind 
   CHECK(is_seen({{-1, -8, -1}, {1, -2, 1}}, false));
   CHECK(is_seen({{-9, -9, -9}, {9, 9, 9}}, true));
 }
-TEST_CASE("of two cells the one on the eye's side of their wall comes first") {
+TEST_CASE("the cell on the eye's side of a wall comes before the other") {
   using Order = std::vector<std::uint32_t>;
   for (int axis = 0; axis < 3; ++axis) {
     CAPTURE(axis);
@@ -259,7 +259,7 @@ TEST_CASE("a facet thinner than 1e-8 of the model is reduced to its longest exte
   CHECK(entered({from, to, {1, 0.999 * limit, 0}}) == Places{from, to});
   CHECK(entered({from, to, {1, 1.001 * limit, 0}}) == Places{from, to, {1, 1.001 * limit, 0}});
 }
-TEST_CASE("a degenerate facet across a wall is on the side of its middle") {
+TEST_CASE("a degenerate facet across a wall of cells is on the side of its middle") {
   const testing::Scene scene =
       drawn("cube(size=[8,8,8],center=true);", {{0, -60, 10}, {0, 0, 0}, view::Projection::orthographic});
   const auto is_above = [&](double from, double to) {
@@ -288,7 +288,7 @@ TEST_CASE("a degenerate facet across a wall is on the side of its middle") {
   CHECK(!is_above(1, -1.01));
   CHECK(!is_above(-1, 1));  // on the wall
 }
-TEST_CASE("a piece has exactly one bound per side in the picture") {
+TEST_CASE("a facet's piece has exactly one bound per side in the picture") {
   // A post passes through a wall from below to above: the wall's front is cut along both sides of the post.
   const testing::Scene scene = drawn("cube(size=[20,2,10],center=true);cube(size=[4,12,16],center=true);",
                                      {{14, -30, 17}, {0, 0, 0}, view::Projection::perspective});
@@ -318,7 +318,7 @@ TEST_CASE("a piece has exactly one bound per side in the picture") {
   CHECK(pieces.pieces.farthest == seen.farthest);
   CHECK(pieces.pieces.fraction_bits == seen.fraction_bits);
 }
-TEST_CASE("pieces are counter-clockwise from outside and cover large primitives") {
+TEST_CASE("pieces of facets are counter-clockwise from outside and cover large primitives") {
   // Large primitives with small remainders.
   for (const char* const csg :
        {"cube(size=[6,5,4],center=true);multmatrix([[1,0,0,2],[0,1,0,2],[0,0,1,2],[0,0,0,1]]){cube(size=[6,5,4],center="
@@ -349,7 +349,7 @@ TEST_CASE("pieces are counter-clockwise from outside and cover large primitives"
     }
   }
 }
-TEST_CASE("rejects a wall beyond the number range only where it cuts a facet") {
+TEST_CASE("a wall beyond the number range is rejected only where it cuts a facet") {
   const testing::Scene scene =
       drawn("cube(size=[8,8,8],center=true);", {{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic}, 1e-15);
   const software::Facets facets = software::facets_of(scene.tree, scene.geometry);

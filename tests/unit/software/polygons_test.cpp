@@ -96,7 +96,7 @@ double area(std::span<const glm::dvec3> corners) {
 
 }  // namespace
 
-TEST_CASE("each pixel of a facet is in one of its pieces at any bucket size") {
+TEST_CASE("each pixel of a facet is in one of the facet's pieces at any bucket size") {
   std::uint64_t scenes = 0;
   std::uint64_t cuts = 0;
   const auto enough = testing::cases<std::uint64_t>(60, 12);

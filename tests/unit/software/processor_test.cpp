@@ -99,7 +99,7 @@ TEST_CASE("the MC68000 has the clocks of its manual") {
   CHECK(price_of(processor, Operation::come_back) == 16);
 }
 
-TEST_CASE("operations take their prices times the compiler's factor at the clock rate") {
+TEST_CASE("operations take their clocks times the compiler's factor at the clock rate") {
   software::Counting count;
   count(Operation::load, 3);
   count(Operation::branch);
@@ -116,7 +116,7 @@ TEST_CASE("operations take their prices times the compiler's factor at the clock
   CHECK(processors::seconds(count.done(), by_hand, processors::Compiled::status) == doctest::Approx(62 * 2.52 / 8e6));
 }
 
-TEST_CASE("reports errors in a processor file with their place and a fix") {
+TEST_CASE("an error in a processor file is reported with its place and a fix") {
   std::string text = changed("[price.branch]", "[price.branches]");
   CHECK(message(text) ==
         testing::place_in(text, "branches]") + ": unknown key 'price.branches'; the nearest known is 'price.branch'");
@@ -139,7 +139,7 @@ TEST_CASE("reports errors in a processor file with their place and a fix") {
   CHECK_FALSE(message(text).empty());
 }
 
-TEST_CASE("processor figures accept their documented ranges and set the right member") {
+TEST_CASE("figures of a processor file accept exactly their documented ranges") {
   struct Range {
     std::string key;
     std::uint64_t least;
@@ -167,7 +167,7 @@ TEST_CASE("processor figures accept their documented ranges and set the right me
   }
 }
 
-TEST_CASE("an inactive counter counts nothing") {
+TEST_CASE("an inactive counter of operations counts nothing") {
   const software::Uncounted uncounted;
   uncounted(Operation::load);
   uncounted.shift(3);
@@ -176,7 +176,7 @@ TEST_CASE("an inactive counter counts nothing") {
   CHECK(!software::Uncounted::counts);
 }
 
-TEST_CASE("rejects a file without the price of an operation") {
+TEST_CASE("a processor file without the price of an operation is rejected") {
   for (const processors::OperationRow& row : software::operation_rows) {
     std::string text = text_of("mc68000");
     const std::size_t begin = text.find(fmt::format("[price.{}]", row.name));
@@ -186,7 +186,7 @@ TEST_CASE("rejects a file without the price of an operation") {
   }
 }
 
-TEST_CASE("finds processors by name or file and lists edited figures in the name") {
+TEST_CASE("a processor is found by name or file and its name lists edited figures") {
   CHECK_THROWS_WITH(
       load_processor("mc6800"),
       "there is no processor 'mc6800'; did you mean mc68000? The processors are mc68000, i486dx2, i860, or a "

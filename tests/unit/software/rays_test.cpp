@@ -173,7 +173,7 @@ std::string find_fault(const Scene& scene, Tally& tally) {
 
 }  // namespace
 
-TEST_CASE("rays meet random scenes where the view's integers say and events are the ends") {
+TEST_CASE("rays meet the primitives of random scenes at the depths of the view's integers") {
   Tally tally;
   CHECK(testing::holds_in_random_scenes(
       tally, [](const Scene&) { return true; },
@@ -185,7 +185,7 @@ TEST_CASE("rays meet random scenes where the view's integers say and events are 
   CHECK(tally.intervals > tally.rays / 4);
   CHECK(tally.events < 2 * tally.intervals);  // some intervals end at the background
 }
-TEST_CASE("rays meet the thesis's objects where the view's integers say") {
+TEST_CASE("rays meet the thesis's objects at the depths of the view's integers") {
   Tally tally;
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
@@ -194,7 +194,7 @@ TEST_CASE("rays meet the thesis's objects where the view's integers say") {
     }
   }
 }
-TEST_CASE("rays meet fast spheres where their integers say") {
+TEST_CASE("rays meet fast spheres at the depths of their integers") {
   Tally tally;
   std::uint64_t spheres = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

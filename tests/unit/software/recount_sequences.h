@@ -18,8 +18,8 @@ using Sequence = std::vector<std::uint32_t>;
 
 /// Evaluation order of a new sequence.
 enum class Evaluate : std::uint8_t {
-  back,   ///< from its last surface back to the first, independent of earlier evaluations
-  along,  ///< from the last evaluation of the same ray
+  back,   ///< evaluates its surfaces from the last to the first, independent of earlier evaluations
+  along,  ///< continues the last evaluation of the same ray
 };
 
 /// Recounts the costs of classification by the list structure and a status tree (thesis 4.5.3 and 4.3.4) from surface

@@ -116,13 +116,13 @@ void check_pruned(const Counted& counted, const view::View& view) {
   }
 }
 
-/// Every call returns.
+/// Checks that calls and returns are equally many.
 void check_calls(const software::Operations& done) {
   CHECK(done.counts[static_cast<std::size_t>(software::Operation::call)] ==
         done.counts[static_cast<std::size_t>(software::Operation::come_back)]);
 }
 
-/// Returns the number of ties in a scene.
+/// Checks the counts of a scene; returns its number of ties.
 std::uint64_t check_scene(const Scene& scene) {
   const Counted counted(scene);
   std::uint64_t ties = 0;

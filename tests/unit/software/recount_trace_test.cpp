@@ -376,7 +376,7 @@ class TraceRecount {
       counts_.items += items;
       counts_.projection += sum;
     } else {
-      // Items are always made, at the price of list priority, which includes their classification.
+      // List priority fills the item buffer in any case; its costs include classification.
       counts_.classification = before_row;
     }
     return hits;
@@ -399,7 +399,7 @@ class TraceRecount {
     return traced_.geometry().planes.planes()[traced_.facets().facets[facet].halfspace.plane];
   }
 
-  /// Whether the pixel equals the found one.
+  /// Shades the pixel; returns whether it equals `found`.
   bool shade(const Hit& hit, std::int32_t column, std::int32_t row, const software::TracedPixel& found) {
     bool is_same = found.seen == hit.seen;
     counts_.shading += steps({{load_long, 2}, store_long, branch_taken});

@@ -332,7 +332,7 @@ TEST_CASE("every directory reports each facet on a ray before settling the ray b
   if (!testing::draws_usual_cases()) return;
   CHECK(tally.hits > tally.rays);
 }
-TEST_CASE("EXCELL has its rule's cells and both walks report the facets of a ray's cells") {
+TEST_CASE("EXCELL has the cells of its rule and both walks report a ray's facets") {
   RaysInCells rays;
   const auto seeds = testing::cases<std::uint64_t>(24, 4);
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
@@ -345,7 +345,7 @@ TEST_CASE("EXCELL has its rule's cells and both walks report the facets of a ray
   CHECK((!testing::draws_usual_cases() || rays.rays > 1000));
   CHECK(rays.cells > 2 * rays.rays);
 }
-TEST_CASE("EXCELL has 15 levels or from 4096 facets on 12 levels with others of 9") {
+TEST_CASE("EXCELL has 15 levels below 4096 facets and otherwise 12 with directories of 9") {
   for (const bool has_two : {false, true}) {
     CAPTURE(has_two);
     Random random(5);
@@ -387,7 +387,7 @@ TEST_CASE("a counting walk reports the same cells as one that does not count") {
     }
   }
 }
-TEST_CASE("halving directories report parts that fill space and cells of each facet") {
+TEST_CASE("the parts of halving directories fill space and contain the cells of each facet") {
   REQUIRE(software::halving_directories() == std::vector<std::string>{"excell", "octree", "kd-tree"});
   std::uint64_t cells = 0;
   const auto seeds = static_cast<std::uint64_t>(testing::cases(32, static_cast<int>(std::size(kinds))));
@@ -431,6 +431,6 @@ TEST_CASE("halving directories report parts that fill space and cells of each fa
     if (!row->halves_space) CHECK(row->make(shapes, {})->parts().empty());
   }
 }
-TEST_CASE("rejects an unknown directory and lists the valid ones") {
+TEST_CASE("an unknown directory of space is rejected with a list of the valid ones") {
   CHECK(testing::error_of([] { (void)software::directory_of("excel"); }).find("excell") != std::string::npos);
 }

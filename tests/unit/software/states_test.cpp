@@ -135,7 +135,7 @@ std::string wrong_node(const Tree& tree, std::size_t primitives) {
 }
 
 /// Makes some of the unknown states known.
-void learn(std::vector<Known>& known, Random& random) {
+void add_known(std::vector<Known>& known, Random& random) {
   for (Known& one : known) {
     if (one == Known::nothing && random.below(5) == 0) one = random.one_of({Known::out, Known::in});
   }
@@ -162,7 +162,7 @@ std::string find_fault(const model::Tree& model, Shape shape, Random& random, Ta
   Tree tree = software::make_tree(model, shape);
   std::string fault = find_fault(tree, question, random, tally);
   for (int i = 0; i < 2 && fault.empty(); ++i) {
-    learn(question.known, random);
+    add_known(question.known, random);
     const std::size_t nodes = tree.nodes.size();
     tree = software::reduced(tree, question.known);
     if (tree.nodes.size() > nodes) return "pruning added nodes";
@@ -222,7 +222,7 @@ TEST_CASE("every traversal obeys the rules in all states of a chain of 14 operat
   CHECK(find_fault(model, Shape::written, random, tally) == "");
   CHECK(find_fault(model, Shape::balanced, random, tally) == "");
 }
-TEST_CASE("tree shapes have their documented depth") {
+TEST_CASE("each tree shape has its documented depth") {
   for (const unsigned primitives : {2U, 3U, 5U, 8U, 9U, 16U, 17U, 100U, 1024U, 1025U}) {
     CAPTURE(primitives);
     const model::Tree model = union_of(primitives);

@@ -77,7 +77,7 @@ constexpr double none_kept = 6 + 8;
 
 /// Edges of a face tested in the plane of the picture: all if the ray passes through the face, else those up to the
 /// first with the ray on another side.
-double edges_looked_at(std::span<const glm::dvec3> corners, const glm::dvec3& at) {
+double tested_edges(std::span<const glm::dvec3> corners, const glm::dvec3& at) {
   double edges = 0;
   double side = 0;
   glm::dvec3 from = corners.back();
@@ -108,7 +108,7 @@ TEST_CASE("primary rays tested in space take the hand-calculated clocks") {
     for (std::int32_t column = 0; column < width; ++column) {
       const glm::dvec3 at = block.traced.ray_of(column, row).origin;
       for (const software::ScreenFacet& face : block.faces())
-        edges += edges_looked_at(block.traced.facets().corners_of(face.facet), at);
+        edges += tested_edges(block.traced.facets().corners_of(face.facet), at);
     }
   }
   constexpr double edge = 4 * product + 3 * 16 + 6 * 8 + 8;
@@ -152,7 +152,7 @@ TEST_CASE("primary rays tested in the picture take the hand-calculated clocks") 
   CHECK(clocks(counts.intersection) == pixels * (mailbox_checks + 2 * rectangle) + values * value +
                                            shifts * (8 + 2 * 12) + hits * kept(block) + (pixels - hits) * none_kept);
 }
-TEST_CASE("an item buffer takes its pass and leaves one plane per covered pixel") {
+TEST_CASE("an item buffer takes a pass over facets and leaves one plane per covered pixel") {
   const Block block;
   const double hits = hits_of(block);
   software::TraceOptions options;
@@ -177,7 +177,7 @@ TEST_CASE("an item buffer takes its pass and leaves one plane per covered pixel"
   constexpr double row = 4 * 16 + 2 * 8;
   constexpr double row_edge = 6 * 16 + 2 * 140 + 2 * 70 + 4 * 8 + 4 + 8;
   constexpr double column = 2 * 8 + 2 * (8 + 2 * 12) + 2 * 6 + 2 * 8 + 2 * 16 + 10;
-  double compared = 0;  // by the library's sort of two
+  double compared = 0;  // clocks of the library's sort of two
   std::vector<int> two = block.is_back_first() ? std::vector<int>{2, 1} : std::vector<int>{1, 2};
   std::sort(two.begin(), two.end(), [&](int a, int b) {
     ++compared;

@@ -187,7 +187,7 @@ TEST_CASE("a pixel's ray passes through it and extends a slack beyond the depth 
     }
   }
 }
-TEST_CASE("a ray has no end if the last depth is beyond infinity") {
+TEST_CASE("a pixel's ray has no end if the last depth is beyond infinity") {
   // With 4 bits there are 12 steps from near to far, and depths extend two steps further: to 14/12 of the range. With
   // the model from 56 to 64, 1/8 - 14/12 (1/8 - 1/64) is negative; with the near plane at the model it is not.
   CHECK(Staged{stage(block, from_eye, 8.0, 4)}.traced.ray_of(3, 4).end == infinite);
@@ -198,7 +198,7 @@ TEST_CASE("a ray has no end if the last depth is beyond infinity") {
   CHECK(staged.traced.ray_of(3, 4).end == doctest::Approx(last + slack_of_block).epsilon(1e-12));
   CHECK(staged.traced.ray_of(3, 4).end > last);
 }
-TEST_CASE("depths are known up to a slack before the settled place of a ray") {
+TEST_CASE("depths of a ray are final up to a slack before its settled position") {
   for (const view::Camera& camera : {from_front, from_eye}) {
     const bool is_perspective = camera.projection == view::Projection::perspective;
     CAPTURE(is_perspective);
@@ -223,7 +223,7 @@ TEST_CASE("depths are known up to a slack before the settled place of a ray") {
     }
   }
 }
-TEST_CASE("converts places and directions from camera axes to model axes") {
+TEST_CASE("places and directions are converted from camera axes to model axes") {
   // The camera looks along y; its right is x, and its up is z.
   const Staged staged{stage(block_aside, {{3, -60, 2}, {3, 0, 2}, view::Projection::perspective})};
   const glm::dvec3 centre = staged.scene.geometry.planes.centre();
@@ -231,7 +231,7 @@ TEST_CASE("converts places and directions from camera axes to model axes") {
   CHECK(glm::length(staged.traced.place_of({1, 2, 3}) - (glm::dvec3{4, -57, 4} - centre)) < 1e-12);
   CHECK(glm::length(centre) > 1);
 }
-TEST_CASE("an empty model has a slack of a billionth and an empty picture") {
+TEST_CASE("ray tracing of an empty model gives an empty picture") {
   const Staged staged{stage("union(){}", from_front)};
   REQUIRE(staged.tree.is_constant());
   CHECK(staged.traced.slack() == 1e-9);
@@ -249,7 +249,7 @@ TEST_CASE("an empty model has a slack of a billionth and an empty picture") {
   const auto space = software::directory_of("excell").make(staged.traced.shapes(), {8});
   CHECK(software::traced_seconds(staged.traced, *space, {}) == 0);
 }
-TEST_CASE("accepts 32 lights and rejects 33") {
+TEST_CASE("ray tracing accepts 32 lights and rejects 33") {
   const Staged staged{stage(block, from_front)};
   const auto space = software::directory_of("excell").make(staged.traced.shapes(), {8});
   software::TraceOptions options;
@@ -275,7 +275,7 @@ TEST_CASE("a pixel reports its facet and its lights and mirrors only if requeste
   with_mirrors.mirrors.assign(6, 1);
   software::TraceOptions with_light;
   with_light.has_shadows = true;
-  with_light.lights = {{false, {0, 1, 0}}, {false, {0.5, -1, 0}}};  // from behind, and from the front
+  with_light.lights = {{false, {0, 1, 0}}, {false, {0.5, -1, 0}}};  // lights behind the face and in front of it
   for (const software::TraceOptions& options : {software::TraceOptions{}, with_mirrors, with_light}) {
     std::uint64_t seen = 0;
     for (const software::TracedPixel& pixel : staged.pixels(options).pixels) {
@@ -301,7 +301,7 @@ TEST_CASE("a pixel reports its facet and its lights and mirrors only if requeste
     CHECK(seen > 100);
   }
 }
-TEST_CASE("a ray that starts in a solid has no facet or light or mirror") {
+TEST_CASE("a camera ray that starts in a solid has no facet or light or mirror") {
   // The camera is in a block of 80, and looks along y.
   const Staged staged{
       stage("cube(size=[80,80,80],center=true);", {{0, 0, 0}, {0, 1, 0}, view::Projection::perspective}, 1.0)};
@@ -325,7 +325,7 @@ TEST_CASE("a ray that starts in a solid has no facet or light or mirror") {
     CHECK(traced.counts.mirror.rays == 0);
   }
 }
-TEST_CASE("new ray counts are zero") {
+TEST_CASE("new counts of ray tracing are zero") {
   const software::TraceCounts counts;
   for (const software::RaysMet& met : {counts.primary, counts.shadow, counts.mirror}) {
     CHECK(met.rays + met.cells + met.tested + met.loose + met.met + met.repeats + met.hits == 0);

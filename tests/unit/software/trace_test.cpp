@@ -146,7 +146,7 @@ TEST_CASE("ray tracing shows nothing of an empty model or one behind the eye") {
   CHECK(find_fault(build_scene("cube(size=[4,4,4],center=true);", away, 20, 9), 8, tally) == "");
   CHECK(tally.covered == 0);
 }
-TEST_CASE("rays of a camera inside a solid start inside it") {
+TEST_CASE("rays of a camera in a solid start inside the solid") {
   Tally tally;
   view::Sampling sampling;
   sampling.width = 40;

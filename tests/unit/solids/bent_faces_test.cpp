@@ -33,7 +33,7 @@ std::set<Corners> triangles_of(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("reports a bent face and its corners' deviation and keeps flat ones") {
+TEST_CASE("a bent face of a mesh is reported with its corners' deviation") {
   const auto checked = check(bent_box(0.2), solids::printed_tolerance);
   REQUIRE(!checked.defect);
   CHECK(checked.bent.count == 1);

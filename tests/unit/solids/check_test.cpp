@@ -32,7 +32,7 @@ TEST_CASE("meshes from OpenSCAD have no defect and stay unchanged") {
   }
 }
 
-TEST_CASE("merges equal points and drops unused ones and collapsed faces") {
+TEST_CASE("equal points of a mesh are merged and unused ones and collapsed faces dropped") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   Mesh apart;
   for (const auto& face : mesh.faces) {
@@ -52,14 +52,14 @@ TEST_CASE("merges equal points and drops unused ones and collapsed faces") {
   CHECK(find_defect(apart).empty());
 }
 
-TEST_CASE("rejects an open mesh of one triangle or two") {
+TEST_CASE("an open mesh of one triangle or two is rejected") {
   const Mesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const Mesh two{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}};
   CHECK(find_defect(one) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
   CHECK(find_defect(two) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
 }
 
-TEST_CASE("distinguishes a missing face from a reversed one") {
+TEST_CASE("the check of a mesh distinguishes a missing face from a reversed one") {
   const Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   Mesh open = mesh;
   open.faces.pop_back();
@@ -94,14 +94,14 @@ TEST_CASE("a box face that shares an edge with another box is turned by its othe
   }
 }
 
-TEST_CASE("rejects a one-sided surface") {
+TEST_CASE("a one-sided surface is rejected as a mesh") {
   // Every other face of an octahedron and three squares through its middle: closed, with one side.
   const Mesh surface{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
                      {{0, 1, 2}, {0, 4, 5}, {3, 1, 5}, {3, 4, 2}, {0, 1, 3, 4}, {1, 2, 4, 5}, {2, 0, 5, 3}}};
   CHECK(find_defect(surface).find(" both run from points[") != std::string::npos);
 }
 
-TEST_CASE("turns shells so that every other one faces inwards") {
+TEST_CASE("shells of a mesh are turned so that every other one faces inwards") {
   Mesh mesh;
   testing::append(mesh, box(glm::dvec3(0), glm::dvec3(9)));
   testing::append(mesh, box(glm::dvec3(1), glm::dvec3(8)));
@@ -147,7 +147,7 @@ TEST_CASE("a face folded through a shared corner crosses the others there") {
   CHECK(check(pyramid(-5), tolerance).crossing);
 }
 
-TEST_CASE("inserts corners that lie on an unmatched edge into its face") {
+TEST_CASE("corners that lie on an unmatched edge of a mesh are inserted into its face") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   // The top is split into halves; the sides lack the new corners.
   const auto top = std::ranges::find_if(mesh.faces, [&](const auto& face) {
@@ -175,7 +175,7 @@ TEST_CASE("an edge shared by four faces is no defect") {
   CHECK(find_defect(mesh).empty());
 }
 
-TEST_CASE("joins points separated by rounding only where the mesh is otherwise open") {
+TEST_CASE("points that rounding separates are joined only where the mesh is otherwise open") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   // A separate corner for one face, and a triangle without area attached to it.
   const std::uint32_t corner = mesh.faces[0][0];
@@ -205,7 +205,7 @@ TEST_CASE("a far corner does not cause points of a small solid to be joined") {
   CHECK(find_defect(mesh).find("the mesh is open") != std::string::npos);
 }
 
-TEST_CASE("joins far points only if equal however small the tolerance") {
+TEST_CASE("points far from the origin are joined only if equal for a small tolerance") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   mesh.faces.pop_back();
   for (glm::dvec3& point : mesh.points) point = point * 1e-8 + glm::dvec3(1e12, -1e12, 0);
@@ -228,14 +228,14 @@ TEST_CASE("joins far points only if equal however small the tolerance") {
   }
 }
 
-TEST_CASE("rejects coordinates whose squares overflow doubles") {
+TEST_CASE("mesh coordinates whose squares overflow doubles are rejected") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1e12));
   CHECK(find_defect(mesh).empty());
   mesh.points[6].z = -1e300;
   CHECK(find_defect(mesh) == "points[6] has a coordinate beyond 1e+12; scale the solid down");
 }
 
-TEST_CASE("solids that share a wall are merged") {
+TEST_CASE("solids of a mesh that share a wall are merged") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   testing::append(mesh, box(glm::dvec3(1, 0, 0), glm::dvec3(2, 1, 1)));
   const auto checked = check(mesh, tolerance);

@@ -152,7 +152,7 @@ void check_projection(const std::string& name, bool cut, int holes) {
 
 }  // namespace
 
-TEST_CASE("an empty tree has no pieces and no vertices") {
+TEST_CASE("an evaluated empty tree has no pieces and no vertices") {
   CHECK(solids::evaluate_pieces({}).empty());
   CHECK(solids::evaluate_vertices({}).empty());
 }
@@ -194,13 +194,13 @@ TEST_CASE("a Minkowski sum of convex solids is one piece and adds the sizes of b
   CHECK(testing::volume_of(sum) == doctest::Approx(5 * 7 * 9).epsilon(1e-12));
 }
 
-TEST_CASE("drops pieces of a Minkowski sum that lie inside others") {
+TEST_CASE("pieces of a Minkowski sum that lie inside others are dropped") {
   const std::array<Pieces, 2> solids{pieces_of(box(10, 10, 10) + moved({4, 4, 4}, box(1, 1, 1))),
                                      pieces_of(box(1, 1, 1))};
   CHECK(solids::minkowski(solids).size() == 1);
 }
 
-TEST_CASE("rejects Minkowski sums with too many corners") {
+TEST_CASE("Minkowski sums with too many corners are rejected") {
   Pieces many(1);
   many[0].points.resize(5000);
   CHECK(testing::error_of([&] {
@@ -208,12 +208,12 @@ TEST_CASE("rejects Minkowski sums with too many corners") {
         }) == "the Minkowski sum needs more than 20000000 sums of corners; use fewer facets ($fn)");
 }
 
-TEST_CASE("shadows and cuts equal OpenSCAD's") {
+TEST_CASE("projections of solids equal OpenSCAD's with and without a cut") {
   check_projection("shadow", false, 0);
   check_projection("cut", true, 0);
 }
 
-TEST_CASE("a shadow keeps through holes and has no seams between pieces") {
+TEST_CASE("a projected solid keeps its through holes and has no seams between pieces") {
   const std::string frame =
       "difference(){" + box(10, 8, 6) + moved({2, 2, -1}, box(3, 3, 20)) + moved({6, 3, -1}, box(1, 1, 20)) + "}";
   for (const bool cut : {false, true}) {
@@ -228,7 +228,7 @@ TEST_CASE("a shadow keeps through holes and has no seams between pieces") {
   }
 }
 
-TEST_CASE("a cut includes a face in the plane and nothing above or below") {
+TEST_CASE("a cut at z = 0 includes a face in the plane and nothing above or below") {
   for (const double z : {0.0, -1.0, -0.5, 9e-7, -1 - 9e-7}) {
     const flat::Area area = projection(moved({0, 0, z}, box(1, 1, 1)), true);
     REQUIRE(area.outlines.size() == 1);
@@ -239,7 +239,7 @@ TEST_CASE("a cut includes a face in the plane and nothing above or below") {
   CHECK(solids::shadow({}).area.empty());
 }
 
-TEST_CASE("operands that end in the plane count in a cut as in OpenSCAD") {
+TEST_CASE("operands that end at z = 0 count in a cut as in OpenSCAD") {
   // Areas are those of OpenSCAD's meshes.
   const auto cut_area = [](const std::string& text) {
     double sum = 0;

@@ -28,7 +28,7 @@ int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const
 
 }  // namespace
 
-TEST_CASE("a hull contains its points exactly and has no others") {
+TEST_CASE("a hull contains all of its points and its corners are among them") {
   std::mt19937_64 random(1);
   std::uniform_int_distribution<int> place(-3, 3);
   for (int round = 0; round < 20; ++round) {
@@ -115,7 +115,7 @@ TEST_CASE("subnormal coordinates count as 0 in a hull") {
   }
 }
 
-TEST_CASE("a hull thinner than rounding yields no piece") {
+TEST_CASE("a hull thinner than rounding has no piece") {
   std::vector<glm::dvec3> points;
   for (int i = 0; i < 8; ++i) points.emplace_back(i % 2, i / 2 % 2, i / 4 * 1e-14);
   CHECK(hull(points).faces.size() == 12);

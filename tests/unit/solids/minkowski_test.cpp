@@ -25,7 +25,7 @@ void check_only_cube(const solids::Pieces& pieces, double side) {
 
 }  // namespace
 
-TEST_CASE("keeps one of equal pieces of a Minkowski sum and none inside others") {
+TEST_CASE("one of equal pieces of a Minkowski sum is kept and none inside others") {
   const solids::Pieces added{cube(1)};
   const model::Polyhedron large = cube(4);
   const model::Polyhedron small = cube(2);
@@ -36,7 +36,7 @@ TEST_CASE("keeps one of equal pieces of a Minkowski sum and none inside others")
   }
 }
 
-TEST_CASE("a point in the middle of a hull edge is no corner of its sorted form") {
+TEST_CASE("the sorted corners of a hull exclude a point in the middle of an edge") {
   solids::Mesh cube{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {1, 0, 0}},
                     {{0, 3, 8},
                      {8, 3, 2},

@@ -76,7 +76,7 @@ Mesh in_single_precision(Mesh mesh, const glm::dmat3& turn) {
 
 }  // namespace
 
-TEST_CASE("no faces yield no pieces") { CHECK(convex_pieces({}).empty()); }
+TEST_CASE("a mesh without faces has no pieces") { CHECK(convex_pieces({}).empty()); }
 
 TEST_CASE("a convex mesh is one piece with coplanar triangles merged") {
   for (const std::uint32_t count : {3U, 7U, 500U}) {
@@ -89,7 +89,7 @@ TEST_CASE("a convex mesh is one piece with coplanar triangles merged") {
   }
 }
 
-TEST_CASE("an L is two boxes with identical numbers for their common wall") {
+TEST_CASE("an L-shaped mesh is two boxes with identical numbers for their common wall") {
   Cubes cubes;
   cubes.add({0, 0, 0});
   cubes.add({1, 0, 0});
@@ -107,11 +107,11 @@ TEST_CASE("an L is two boxes with identical numbers for their common wall") {
   CHECK(testing::check_pieces(mesh, pieces, 0) > 100);
 }
 
-TEST_CASE("meshes from OpenSCAD split into pieces that cover them once") {
+TEST_CASE("meshes from OpenSCAD are split into pieces that cover them once") {
   // Coordinates of 6 digits bend faces: the volume error is the rounding times the surface.
   struct Case {
     std::string name;
-    std::size_t max_pieces;  ///< for the first four, the number from CGAL's convex_decomposition_3
+    std::size_t max_pieces;  ///< in the first four rows, the number that CGAL's convex_decomposition_3 yields
   };
   for (const auto& known : {Case{"gear", 38}, Case{"letters", 104}, Case{"cup", 178}, Case{"bite", 395},
                             Case{"twisted", 100}, Case{"hollow", 80}}) {
@@ -123,7 +123,7 @@ TEST_CASE("meshes from OpenSCAD split into pieces that cover them once") {
   }
 }
 
-TEST_CASE("random rotated heaps of cubes split into pieces of the same volume") {
+TEST_CASE("random rotated heaps of cubes are split into pieces of the same total volume") {
   std::mt19937_64 random(3);
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
@@ -170,7 +170,7 @@ Mesh extruded(const std::vector<glm::dvec2>& points, const std::vector<std::uint
 
 }  // namespace
 
-TEST_CASE("cuts faces at reflex corners where necessary") {
+TEST_CASE("faces of a mesh are cut at reflex corners where necessary") {
   const Mesh mesh = extruded({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, {0, 1, 2, 3, 4, 5});
   const auto pieces = convex_pieces(mesh);
   CHECK(pieces.size() == 2);
@@ -262,7 +262,7 @@ TEST_CASE("a spring with nearly touching turns in six digits stays whole") {
   CHECK(testing::check_pieces(checked.mesh, convex_pieces(checked.mesh), 1e-4) > 5);
 }
 
-TEST_CASE("rejects open or inverted meshes") {
+TEST_CASE("splitting an open or inverted mesh into pieces is an error") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   reverse(mesh);
   CHECK(testing::error_of([&] { convex_pieces(mesh); }) ==
@@ -276,7 +276,7 @@ TEST_CASE("rejects open or inverted meshes") {
   CHECK(testing::error_of([&] { convex_pieces(mesh); }) == "the solid's surface has a hole; close it");
 }
 
-TEST_CASE("rejects more pieces or face parts than the limits allow") {
+TEST_CASE("more pieces or parts of faces than the limits allow are rejected") {
   const Mesh mesh = testing::load_off("gear");
   solids::Limits limits;
   limits.max_pieces = 10;
@@ -288,7 +288,7 @@ TEST_CASE("rejects more pieces or face parts than the limits allow") {
         "the solid's faces are cut into more than 100 parts; give it fewer faces, or divide it");
 }
 
-TEST_CASE("gathering the faces of planes counts as work") {
+TEST_CASE("gathering the faces of a mesh by planes counts as work") {
   const Mesh mesh = testing::load_off("gear");
   solids::Limits limits;
   // One or more steps per face.

@@ -110,7 +110,7 @@ TEST_CASE("a distant shadow does not make another one coarser") {
   }
 }
 
-TEST_CASE("a cut does not depend on the height of its solid") {
+TEST_CASE("a cut at z = 0 does not depend on the height of the solid") {
   for (const double height : heights) {
     CAPTURE(height);
     const std::string tall = moved(0, 0, -height / 2, cylinder(height, 3));
@@ -132,7 +132,7 @@ TEST_CASE("a cut does not depend on the height of its solid") {
   }
 }
 
-TEST_CASE("reports an outline rounded by more than a millionth of its size") {
+TEST_CASE("a projection rounded by more than a millionth of its size is reported") {
   const auto framed = [](double size) {
     return "difference(){" + box(size, size, 1) + box(size - 2, size - 2, 2) + "}" + box(2, 1, 1);
   };
@@ -145,7 +145,7 @@ TEST_CASE("reports an outline rounded by more than a millionth of its size") {
   CHECK(solids::section(tree_of(framed(1e9))).coarse_size == doctest::Approx(2).epsilon(0.1));
 }
 
-TEST_CASE("boxes are in one group unless axis-parallel lines separate them") {
+TEST_CASE("boxes of a projection are in one group unless axis-parallel lines separate them") {
   const auto flat_box = [](double x, double y, double width, double height) {
     return facet::Box{{x, y, 0}, {x + width, y + height, 0}};
   };

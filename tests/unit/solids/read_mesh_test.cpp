@@ -51,7 +51,7 @@ std::string stl_error(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("every format yields the same solid") {
+TEST_CASE("every mesh format yields the same solid") {
   // A block of 4 by 3 by 2 minus a corner of 2.5 by 1.75.
   constexpr double volume = 2 * (4 * 3 - 2.5 * 1.75);
   for (const char* name : {"corner.off", "corner.obj", "corner.stl", "corner.amf", "corner_zipped.amf", "corner.3mf"}) {
@@ -80,7 +80,7 @@ TEST_CASE("a binary STL file may start with 'solid' and has single precision") {
   }
 }
 
-TEST_CASE("reports errors in a binary STL file") {
+TEST_CASE("an error in a binary STL file is reported") {
   const Mesh mesh = solids::parse_meshes(bytes_of("corner.off"), model_file("corner.off"))[0];
   std::string bytes = binary_stl(mesh);
   CHECK(stl_error(bytes + "x") ==
@@ -93,7 +93,7 @@ TEST_CASE("reports errors in a binary STL file") {
   CHECK(stl_error(bytes) == "m.stl: triangle 4 of 20 has a coordinate that is not finite; correct it");
 }
 
-TEST_CASE("reads STL text word by word in any case with all of its solids") {
+TEST_CASE("STL text is read word by word in any case with all of its solids") {
   const std::string facet =
       " FACET normal 0 nan 1\n outer loop vertex 0 0 0 vertex +1e0 0 0\r\n vertex 0 1 0 endloop endfacet\n";
   CHECK(solids::parse_stl("solid a b\n" + facet + "endsolid a b\n\nsolid\n" + facet + facet + "endsolid", "m.stl")
@@ -118,7 +118,7 @@ TEST_CASE("an OFF file may have comments and colours and counts in its first lin
   CHECK(mesh.faces == std::vector<std::vector<std::uint32_t>>{{2, 1, 0}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
 }
 
-TEST_CASE("reports errors in an OFF file with their place") {
+TEST_CASE("an error in an OFF file is reported with its place") {
   CHECK(off_error("") == "m.off:1:1: an OFF file must start with OFF; export it as OFF again");
   CHECK(off_error("OFF\n-1 0 0") ==
         "m.off:2:1: the number of points must be a whole number from 0 to 1, not '-1'; correct it");
@@ -133,7 +133,7 @@ TEST_CASE("reports errors in an OFF file with their place") {
         "m.off:3:5: a coordinate must be a finite number, not the end of the file; correct it");
 }
 
-TEST_CASE("counts OBJ corners from either end and ignores appearance") {
+TEST_CASE("corners in an OBJ file count from either end and appearance is ignored") {
   const Mesh mesh = solids::parse_obj(
       "# a tetrahedron\nmtllib a.mtl\no one\nv 0 0 0 1\nv 1 0 0\nvn 0 0 1\nvt 0 0\nv 0 1 0\nusemtl red\ns off\n"
       "f 3/1/1 2//1 1\nv 0 0 1 0.5 0.5 0.5\nf -4 2 \\\n4\nf 2/1 3/1 4/1\r\nf 3 1 -1 # the last",
@@ -143,7 +143,7 @@ TEST_CASE("counts OBJ corners from either end and ignores appearance") {
   CHECK(mesh.faces == std::vector<std::vector<std::uint32_t>>{{2, 1, 0}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
 }
 
-TEST_CASE("reports errors in an OBJ file with their place") {
+TEST_CASE("an error in an OBJ file is reported with its place") {
   const auto error = [](const std::string& text) { return error_of([&] { solids::parse_obj(text, "m.obj"); }); };
   CHECK(error("v 0 0\n") == "m.obj:1:5: a point needs three coordinates; complete it");
   CHECK(error("v 0 zero 0\n") == "m.obj:1:5: a coordinate must be a finite number, not 'zero'; correct it");
@@ -161,7 +161,7 @@ TEST_CASE("reports errors in an OBJ file with their place") {
   CHECK(error("").empty());
 }
 
-TEST_CASE("reports errors in an AMF file with their place") {
+TEST_CASE("an error in an AMF file is reported with its place") {
   const auto error = [](const std::string& text) { return error_of([&] { solids::parse_amf(text, "m.amf"); }); };
   CHECK(error("<stl/>") == "m.amf:1:1: no <amf> element; correct it");
   CHECK(error("<amf>\n<object>").starts_with("m.amf:2:"));
@@ -172,7 +172,7 @@ TEST_CASE("reports errors in an AMF file with their place") {
         "m.amf:2:4: a corner must be one of 0 points, not '0'; correct it");
 }
 
-TEST_CASE("rejects damaged packages") {
+TEST_CASE("a damaged 3MF package is rejected") {
   const auto error = [](const std::string& text) { return error_of([&] { solids::parse_3mf(text, "m.3mf"); }); };
   CHECK(error("<model/>") == "m.3mf: not a 3MF package; export it again");
   CHECK(error("PK\x03\x04 and no more") == "m.3mf: the zip archive is damaged; export it again");
@@ -189,7 +189,7 @@ TEST_CASE("rejects damaged packages") {
   CHECK(refused > 100);
 }
 
-TEST_CASE("rejects other kinds of files and a missing extension") {
+TEST_CASE("mesh files of other kinds or without an extension are rejected") {
   CHECK(error_of([] { solids::parse_meshes("", "m.ply"); }) ==
         "m.ply: meshes are read from .stl, .off, .obj, .amf and .3mf files; convert it");
 }

@@ -30,7 +30,7 @@ std::string png_error(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("surfaces from numbers and all pixel formats equal OpenSCAD's") {
+TEST_CASE("surface() of numbers and of all pixel formats equals OpenSCAD's") {
   for (const char* name : {"numbers.dat", "grey.png", "inverted.png", "white.png", "deep.png", "bits.png", "colour.png",
                            "palette.png", "clear.png", "grey_clear.png"}) {
     CAPTURE(name);
@@ -53,27 +53,27 @@ TEST_CASE("surfaces from numbers and all pixel formats equal OpenSCAD's") {
   }
 }
 
-TEST_CASE("one row or one column or no heights yield an empty mesh") {
+TEST_CASE("surface() of one row or one column or no heights is empty") {
   CHECK(numbers("").faces.empty());
   CHECK(numbers("1 2 3").faces.empty());
   CHECK(numbers("1\n2\n3\n").faces.empty());
   CHECK(numbers("1 2\n3 4\n").faces.size() == 4 + 4 + 1);
 }
 
-TEST_CASE("rejects text that is not a number with its place") {
+TEST_CASE("surface() rejects text that is not a number with its place") {
   CHECK(numbers_error("1 2\n3 4x 5") == "m.dat:2:3: a height must be a finite number, not '4x'; correct it");
   CHECK(numbers_error("1,2\n") == "m.dat:1:1: a height must be a finite number, not '1,2'; correct it");
   CHECK(numbers_error("1 2\n3 inf") == "m.dat:2:3: a height must be a finite number, not 'inf'; correct it");
 }
 
-TEST_CASE("rejects too many heights before allocating them") {
+TEST_CASE("surface() rejects too many heights before memory is allocated") {
   std::string text;
   for (int i = 0; i < 2000; ++i) text += "1 ";
   for (int i = 0; i < 2000; ++i) text += "\n1";
   CHECK(numbers_error(text) == "m.dat: more than 1000000 heights; make the grid coarser");
 }
 
-TEST_CASE("rejects damaged pictures") {
+TEST_CASE("surface() rejects damaged pictures") {
   const std::string bytes = read_file(folder() + "heights_colour.png", {"a file", 1U << 20U, ""});
   CHECK(png_error(bytes).empty());
   CHECK(png_error("").starts_with("m.png: not a PNG file, or damaged ("));
@@ -83,7 +83,7 @@ TEST_CASE("rejects damaged pictures") {
   CHECK(!png_error(changed).empty());
 }
 
-TEST_CASE("rejects a picture of too many pixels before allocating them") {
+TEST_CASE("surface() rejects a picture of too many pixels before memory is allocated") {
   // 65536 by 65536, with a valid checksum.
   const std::string header("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\x01\0\0\0\x01\0\0\x08\0\0\0\0", 8 + 8 + 13);
   std::uint32_t crc = 0xffffffffU;

@@ -40,7 +40,7 @@ std::optional<bool> agrees(const Cut& cut) {
 
 }  // namespace
 
-TEST_CASE("cuts non-planar faces into the same triangles as OpenSCAD") {
+TEST_CASE("non-planar faces are cut into the same triangles as by OpenSCAD") {
   int crossed = 0;
   int others = 0;
   int alike = 0;
@@ -61,7 +61,7 @@ TEST_CASE("cuts non-planar faces into the same triangles as OpenSCAD") {
   CHECK(alike >= 194);
 }
 
-TEST_CASE("triangles keep their outline's orientation and spare a hole") {
+TEST_CASE("triangles of a face keep its orientation and leave out a hole") {
   // A square with a square hole, joined to the outline by an edge run both ways.
   const std::vector<glm::vec3> outline{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
                                        {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
@@ -77,7 +77,7 @@ TEST_CASE("triangles keep their outline's orientation and spare a hole") {
   CHECK(area == 12);
 }
 
-TEST_CASE("a triangle and a self-crossing outline of five corners are not cut") {
+TEST_CASE("a triangle and a self-crossing face of five corners are not cut") {
   const std::vector<glm::vec3> bow{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {1, 2, 0}, {0, 2, 0}};
   CHECK(!tessellate(bow));
   CHECK(!tessellate(std::span(bow).first(3)));

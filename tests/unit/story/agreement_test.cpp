@@ -139,7 +139,7 @@ void check_cause(const isa::Program& program, const story::Story& story) {
 
 }  // namespace
 
-TEST_CASE("owner and depth equal the judges' at 10000 random pixels on every machine") {
+TEST_CASE("the story's owner and depth equal the judges' at random pixels on every machine") {
   std::minstd_rand random(7);
   unsigned judged = 0;
   unsigned covered = 0;

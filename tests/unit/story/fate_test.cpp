@@ -157,7 +157,7 @@ unsigned check_comparisons(const isa::Program& program, const story::Story& stor
 
 }  // namespace
 
-TEST_CASE("each surface's fate and comparisons follow the rules of the tree") {
+TEST_CASE("the story's fate and comparisons of each surface follow the rules of the tree") {
   using emit::Strategy;
   std::minstd_rand random(11);
   unsigned alone = 0;

@@ -49,7 +49,7 @@ const char* const notched =
 
 }  // namespace
 
-TEST_CASE("a plane one step too far is identified by the depth that it decides") {
+TEST_CASE("a story identifies a plane one step too far by the depth that it decides") {
   CHECK(rc::check([] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     testing::Compiled compiled = compile(testing::random_model(seed, 1 + static_cast<unsigned>(seed % 7)));
@@ -72,7 +72,7 @@ TEST_CASE("a plane one step too far is identified by the depth that it decides")
   }));
 }
 
-TEST_CASE("an inverted comparison is identified where it removes a surface") {
+TEST_CASE("a story identifies an inverted comparison where it removes a surface") {
   testing::Compiled compiled = compile(notched);
   isa::Program& program = compiled.program;
   // The back of the notch is inside the cube; the first comparison with a plane of the cube shows it.
@@ -104,7 +104,7 @@ TEST_CASE("an inverted comparison is identified where it removes a surface") {
   CHECK(pointed > 10);
 }
 
-TEST_CASE("a depth test with exchanged fields is identified where it rejects a nearer one") {
+TEST_CASE("a story identifies a depth test with exchanged fields") {
   testing::Compiled compiled = compile(notched);
   isa::Program& program = compiled.program;
   const auto& instructions = program.segments[0].instructions;
@@ -126,7 +126,7 @@ TEST_CASE("a depth test with exchanged fields is identified where it rejects a n
   CHECK(cut->number == fault);
 }
 
-TEST_CASE("reports a width too small for a pixel") {
+TEST_CASE("a story reports a width that is too small at its pixel") {
   testing::Compiled compiled = compile("cube(size=[8,8,8],center=true);");
   const auto surface = seen_surface(explain_pixel(compiled.program, 10, 10));
   REQUIRE(surface.has_value());

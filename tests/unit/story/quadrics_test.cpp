@@ -110,7 +110,7 @@ constexpr const char* bowl =
 
 }  // namespace
 
-TEST_CASE("owner and depth and working of random quadric models equal the picture's") {
+TEST_CASE("the story of random quadric models has the owners and depths of the picture") {
   const std::vector<Row> rows{
       {"pixel-powers+array.memory_bits=200"},
       {"pixel-powers+array.memory_bits=200", emit::Strategy::products},
@@ -167,7 +167,7 @@ TEST_CASE("owner and depth and working of random quadric models equal the pictur
   CHECK(by_plane > 100);
 }
 
-TEST_CASE("text and JSON name the visible quadric and its side and root bits") {
+TEST_CASE("a story's text and JSON name the visible quadric and its side and root bits") {
   const Drawn drawn = draw({"pixel-powers"}, bowl, view::Projection::orthographic);
   const story::HalfspaceFinder finder(drawn.tree, drawn.scene, drawn.view);
   const story::Subject subject{drawn.program, &finder};

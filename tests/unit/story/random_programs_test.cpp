@@ -72,7 +72,7 @@ class PixelObserver final : public engine::Observer {
 
 }  // namespace
 
-TEST_CASE("a single pixel equals the whole array after every instruction of random Programs") {
+TEST_CASE("a run of one pixel equals that of the whole array for random Programs") {
   CHECK(rc::check([] {
     const isa::Program program = *test::arbitrary_program(shape, 40, 2);
     const auto x = static_cast<std::uint32_t>(*rc::gen::inRange(0, 9));

@@ -142,7 +142,7 @@ TEST_CASE("a farther box drawn later fails the depth test and both depths are re
   CHECK(test.owner_before == 1);
 }
 
-TEST_CASE("through a hole nothing is seen: front and back of the hole are removed") {
+TEST_CASE("through a hole the background is seen because front and back are removed") {
   for (const emit::Strategy strategy : emit::default_strategies()) {
     CAPTURE(emit::name_of(strategy));
     const story::Story story = draw_case(through_hole, 3, 2, strategy).story();
@@ -181,7 +181,7 @@ TEST_CASE("in a blind hole the back of the subtracted solid is seen") {
   CHECK(found->distance == doctest::Approx(3));
 }
 
-TEST_CASE("a pixel beside a box is removed by the side that it is beyond") {
+TEST_CASE("the story of a pixel beside a box names the side that removes it") {
   const PixelCase pixel = draw_case(big, 6, 2);
   const story::Story story = pixel.story();
   CHECK(story.owner == observe::no_owner);
@@ -194,7 +194,7 @@ TEST_CASE("a pixel beside a box is removed by the side that it is beyond") {
   CHECK(surface.cut->value == -2);
 }
 
-TEST_CASE("why-not explains each fate and a primitive without instructions") {
+TEST_CASE("explain --why-not gives the reason for each hidden or pruned primitive") {
   const auto answer = [](const PixelCase& pixel, std::uint32_t primitive) {
     const story::HalfspaceFinder finder(pixel.compiled.tree, pixel.compiled.scene, pixel.compiled.view);
     const story::Subject subject{pixel.compiled.program, &finder};
@@ -212,7 +212,7 @@ TEST_CASE("why-not explains each fate and a primitive without instructions") {
   CHECK(contains(answer(draw_case(big + beyond, 2, 2), 2), "nowhere in the picture"));
 }
 
-TEST_CASE("reports that a pruned primitive has no instructions") {
+TEST_CASE("explain --why-not states that a pruned primitive has no instructions") {
   // The wide box fills its rectangle and hides a smaller one behind it.
   const PixelCase pixel =
       draw_case(box_text({1, 1, -5.5}, {7.5, 1.5, -0.5}) + box_text({4.25, 2, -3.25}, {5.75, 3, -2.75}), 5, 2);
@@ -223,7 +223,7 @@ TEST_CASE("reports that a pruned primitive has no instructions") {
   CHECK(contains(text_of(subject, story, answer), "no instruction of segment 0 draws p2"));
 }
 
-TEST_CASE("intersecting boxes are one solid and the facet's box owns the pixel") {
+TEST_CASE("a pixel of intersecting boxes is owned by the box of the visible facet") {
   const PixelCase pixel = draw_case("intersection(){" + big + box_text({2, 1.5, -4}, {4, 3.5, -2}) + "}", 3, 2);
   const story::HalfspaceFinder finder(pixel.compiled.tree, pixel.compiled.scene, pixel.compiled.view);
   const story::Subject subject{pixel.compiled.program, &finder};
@@ -236,7 +236,7 @@ TEST_CASE("intersecting boxes are one solid and the facet's box owns the pixel")
   CHECK(contains(text_of(subject, story, answer), "the facet visible here belongs to p1"));
 }
 
-TEST_CASE("JSON names the intersecting box whose facet is seen and its partners") {
+TEST_CASE("a story's JSON names the intersecting box whose facet is seen and its partners") {
   const PixelCase pixel = draw_case("intersection(){" + box_text({2, 1.5, -4}, {4, 3.5, -2}) + big + "}", 3, 2);
   const story::Subject subject{pixel.compiled.program, nullptr};
   const nlohmann::json json = story::to_json(subject, pixel.story());
@@ -247,7 +247,7 @@ TEST_CASE("JSON names the intersecting box whose facet is seen and its partners"
   CHECK(contains(story::text_of(subject, pixel.story()), "drawn with p1 cube"));
 }
 
-TEST_CASE("a pixel shows glass at its depth and the box seen through it") {
+TEST_CASE("the story of a pixel has the glass at its depth and the box seen through it") {
   const std::string pane = box_text({3, 1, -4}, {7, 1.5, -2});
   const std::string behind = box_text({3, 1.75, -4}, {7, 1.8, -2});
   const PixelCase pixel = draw_case(big + glass(pane) + glass(behind), 4, 2);
@@ -275,7 +275,7 @@ TEST_CASE("a pixel shows glass at its depth and the box seen through it") {
   CHECK(contains(text_of(subject, story, why_not), "contributes to the colour, but is not the nearest"));
 }
 
-TEST_CASE("a pixel of glass alone shows the glass with nothing behind it") {
+TEST_CASE("the story of a pixel of glass alone has nothing behind the glass") {
   const PixelCase pixel = draw_case(glass(near_box), 4, 2);
   const story::Story story = pixel.story();
   CHECK(story.owner == 1);
@@ -286,7 +286,7 @@ TEST_CASE("a pixel of glass alone shows the glass with nothing behind it") {
   CHECK(contains(story::text_of(subject, story), "through   nothing"));
 }
 
-TEST_CASE("each pixel has one visible surface with glass or mirrors or samples") {
+TEST_CASE("the story of each pixel has one visible surface with glass or mirrors or samples") {
   const std::string models = "union(){" + first + big + "intersection(){" + box_text({1, 1.5, -5}, {4, 3.5, -2}) +
                              box_text({2, 1, -6}, {6, 4, -1}) + "}" + glass(near_box) +
                              glass(box_text({0, 0.5, -5}, {5, 0.75, -3})) + "}";
@@ -315,7 +315,7 @@ TEST_CASE("each pixel has one visible surface with glass or mirrors or samples")
   }
 }
 
-TEST_CASE("clocks are those in which the pixel executes the instructions in order") {
+TEST_CASE("each event has the clocks in which the pixel executes its instruction") {
   const PixelCase pixel = draw_case(blind_hole + near_box, 3, 2);
   const story::Story story = pixel.story();
   const isa::Program& program = pixel.compiled.program;
@@ -333,7 +333,7 @@ TEST_CASE("clocks are those in which the pixel executes the instructions in orde
   CHECK(last > 0);
 }
 
-TEST_CASE("a single pixel equals the whole array including effects") {
+TEST_CASE("a run of one pixel equals that of the whole array with effects") {
   const std::string models = "union(){" + first + blind_hole + near_box + "color([0.2,0.5,0.9,0.4]){" +
                              box_text({0.5, 0.25, -3}, {6, 0.75, -1.5}) + "}}";
   testing::Setup setup = testing::front_view(
@@ -358,7 +358,7 @@ TEST_CASE("a single pixel equals the whole array including effects") {
   }
 }
 
-TEST_CASE("text and JSON start with the owner and its line and its plane") {
+TEST_CASE("a story's text and JSON start with the owner and its line and its plane") {
   const PixelCase pixel = draw_case(big + near_box, 4, 2);
   const story::HalfspaceFinder finder(pixel.compiled.tree, pixel.compiled.scene, pixel.compiled.view);
   const story::Subject subject{pixel.compiled.program, &finder};
@@ -375,7 +375,7 @@ TEST_CASE("text and JSON start with the owner and its line and its plane") {
   CHECK(json["surfaces"].back()["fate"] == "seen");
 }
 
-TEST_CASE("among planes at one depth the first decides") {
+TEST_CASE("the first of several planes at one depth decides a pixel") {
   const story::Story left = by_hand("", 0);
   const story::Story right = by_hand("", 1);
   // i4 is 5 at x = 0, like i3, and 6 at x = 1.
@@ -386,12 +386,11 @@ TEST_CASE("among planes at one depth the first decides") {
   CHECK(right.depth == 6);
 }
 
-TEST_CASE("instructions skipped by a question are skipped at a pixel as well") {
+TEST_CASE("a run of one pixel skips the instructions that the whole array skips") {
   const std::string nowhere = "edge_negative 0 (w1); classify p0\n";
   const std::string right_alone = "edge_negative -x (w3); classify p0\n";
-  const std::string question =
-      "skip_if_none 2; classify p0\nenable_all; classify p0\nset_constant Z2, 7; classify p0\n";
-  const story::Story skipped = by_hand(nowhere + question, 0);
+  const std::string query = "skip_if_none 2; classify p0\nenable_all; classify p0\nset_constant Z2, 7; classify p0\n";
+  const story::Story skipped = by_hand(nowhere + query, 0);
   CHECK(skipped.depth == 5);
   const auto skip = std::find_if(skipped.events.begin(), skipped.events.end(),
                                  [](const story::Event& event) { return event.what == What::skip; });
@@ -399,13 +398,13 @@ TEST_CASE("instructions skipped by a question are skipped at a pixel as well") {
   CHECK(skip->first == 9);
   CHECK(skip->last == 10);
   CHECK(skip->decision->number == 8);
-  const story::Story carried_out = by_hand(right_alone + question, 0);
+  const story::Story carried_out = by_hand(right_alone + query, 0);
   CHECK(carried_out.depth == 7);
   CHECK(std::none_of(carried_out.events.begin(), carried_out.events.end(),
                      [](const story::Event& event) { return event.what == What::skip; }));
 }
 
-TEST_CASE("rejects a pixel outside the picture") {
+TEST_CASE("a story of a pixel outside the picture is rejected") {
   const PixelCase pixel = draw_case(big, 8, 2);
   CHECK(contains(testing::error_of([&] { static_cast<void>(pixel.story()); }),
                  "there is no pixel 8,2 in a picture of 8 x 6"));

@@ -45,7 +45,7 @@ const char* const bitten_cube = "difference(){cube(size=14,center=true);sphere($
 
 }  // namespace
 
-TEST_CASE("the Pareto front has the points not beaten in clocks and wrong pixels") {
+TEST_CASE("the Pareto front has the points that no other beats in clocks and wrong pixels") {
   const std::vector<studies::Measurement> all{point("d", 40, 2), point("a", 10, 90), point("c", 30, 50),
                                               point("b", 20, 50), point("e", 50, 2)};
   std::string names;
@@ -53,7 +53,7 @@ TEST_CASE("the Pareto front has the points not beaten in clocks and wrong pixels
   CHECK(names == "abd");
 }
 
-TEST_CASE("halvings go from each point to the cheapest with at most half its wrong pixels") {
+TEST_CASE("each halving leads to the cheapest point with at most half as many wrong pixels") {
   const std::vector<studies::Measurement> front{point("a", 100, 90), point("b", 110, 50), point("c", 120, 45),
                                                 point("d", 180, 3), point("e", 200, 0)};
   const std::vector<studies::Halving> steps = studies::halvings(front);
@@ -65,7 +65,7 @@ TEST_CASE("halvings go from each point to the cheapest with at most half its wro
   CHECK(steps[2].from.value + steps[2].to.value == "de");
 }
 
-TEST_CASE("more depth bits cost clocks and do not add wrong pixels beyond the bounds") {
+TEST_CASE("more depth bits take more clocks and do not increase depth errors") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   studies::Meter meter(tree, studies::turned_views(camera, 3), small_machine(), {});
   std::uint64_t clocks = 0;
@@ -85,7 +85,7 @@ TEST_CASE("more depth bits cost clocks and do not add wrong pixels beyond the bo
   }
 }
 
-TEST_CASE("counts are sums over the views and depth errors are the worst of them") {
+TEST_CASE("accuracy sums counts over its views and takes the worst depth error") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   const std::vector<view::Camera> views = studies::turned_views(camera, 2);
   studies::Settings settings{"z-bits", "8", {}, small_sampling()};
@@ -125,7 +125,7 @@ TEST_CASE("a tighter faceting tolerance improves the picture for more half-space
   }
 }
 
-TEST_CASE("chooses the cheapest settings that fit the machine and the wrong-pixel limit") {
+TEST_CASE("the cheapest settings that fit the machine and the wrong-pixel limit are chosen") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   studies::Meter meter(tree, {camera}, small_machine(), {});
   const std::vector<studies::Settings> grid = studies::grid(small_sampling(), {});
@@ -154,7 +154,7 @@ studies::Measurement faceted(const char* knob, const char* value, std::uint64_t 
 
 }  // namespace
 
-TEST_CASE("facets as accurate as curves are the cheapest with as few pixels off") {
+TEST_CASE("facets as accurate as exact curves are the cheapest with no more pixels off") {
   std::vector<studies::Measurement> rows{faceted("fn", "8", 10, 90),          faceted("fn", "64", 70, 5),
                                          faceted("tolerance", "0.1", 60, 4),  faceted("tolerance", "0.01", 90, 0),
                                          faceted("curves", "facets", 30, 40), faceted("curves", "exact", 20, 5),
@@ -198,7 +198,7 @@ TEST_CASE("exact curves are limited by arithmetic and facets by their tolerance"
   CHECK(row("exact").halfspaces < row("facets").halfspaces);
 }
 
-TEST_CASE("varies only the named knobs with their values") {
+TEST_CASE("accuracy varies only the requested knobs") {
   studies::Knobs knobs{{"tolerance", "size"}, {0.5, 0.25}, {}};
   std::vector<std::string> points;
   for (const studies::Settings& one : studies::points(small_sampling(), {}, knobs))
@@ -207,7 +207,7 @@ TEST_CASE("varies only the named knobs with their values") {
                                            "tolerance 0.25"});
 }
 
-TEST_CASE("a comparison row has a cell below each column name") {
+TEST_CASE("a row of accuracy has a cell for each column name") {
   studies::ComparisonRow row;
   row.point = {"a machine", 1001, 1002, 1003, "an ideal"};
   row.inputs = {"a model", "a hash", "a build"};

@@ -161,7 +161,7 @@ const Requirement every_wish[] = {Requirement::bits, Requirement::wrong_pixels, 
 
 }  // namespace
 
-TEST_CASE("points of advice are all combinations once with ALU widths grouped") {
+TEST_CASE("advice tries each combination once and groups points that differ in ALU width") {
   const std::vector<DesignPoint> points = small_points();
   CHECK(points.size() == 2 * 2 * 2 * 2 * 4 * 2);
   CHECK(studies::point_cells<AdviceRow>(points[0]) == "12,2,24,rebroadcast,stack,0,1");
@@ -173,7 +173,7 @@ TEST_CASE("points of advice are all combinations once with ALU widths grouped") 
   CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
 }
 
-TEST_CASE("advice's front has each unbeaten choice once and includes colours and ALU") {
+TEST_CASE("advise's front has each choice that no other beats once") {
   const Rows rows{row(66, 0, 100),    row(62, 9, 100), row(66, 0, 100), row(66, 0, 90, 24, 2),
                   row(54, 0, 95, 12), row(66, 1, 100), row(70, 0, 110), row(62, 9, 100, 12)};
   const Rows front = studies::advice_front(rows);
@@ -190,7 +190,7 @@ TEST_CASE("a choice without a Program is neither on the front nor recommended") 
   CHECK(studies::nearest_choices(rows, requirements, 9) == Rows{rows[1]});
 }
 
-TEST_CASE("each recommendation is the best by its wish among those that meet the others") {
+TEST_CASE("each recommendation is the best by one limit of the rows that meet the others") {
   // 1e7 / 400,000 is 25 frames a second.
   const studies::Requirements requirements{64, 10, 25, 24};
   const Rows rows{row(60, 8, 390'000), row(64, 2, 400'000), row(64, 9, 300'000),    row(58, 11, 390'000),
@@ -205,7 +205,7 @@ TEST_CASE("each recommendation is the best by its wish among those that meet the
   for (const studies::Recommendation& one : all) CHECK(one.miss == 0);
 }
 
-TEST_CASE("if no choice meets all wishes a recommendation states the shortfall") {
+TEST_CASE("a recommendation states the shortfall if no choice meets all limits") {
   const Rows rows{row(70, 3, 300'000), row(64, 30, 300'000), row(60, 3, 500'000), row(50, 500, 600'000, 3)};
   const studies::Requirements requirements{64, 10, 25, 24};
   const std::vector<studies::Recommendation> all = studies::recommend(rows, requirements);
@@ -222,7 +222,7 @@ TEST_CASE("if no choice meets all wishes a recommendation states the shortfall")
                      [&](const AdviceRow& one) { return studies::meets_all(one, requirements); }));
 }
 
-TEST_CASE("with no wrong pixels allowed nearest choices weigh both shortfalls") {
+TEST_CASE("the nearest choices weigh both shortfalls if no wrong pixels are allowed") {
   const studies::Requirements requirements{60, 0, 0, 0};
   // 1 pixel and 6 of 60 bits are nearer than 3 pixels and 1 of 60 bits, though more bits are more expensive.
   const Rows rows{row(61, 3, 100), row(66, 1, 100)};
@@ -297,7 +297,7 @@ TEST_CASE("the plot of advice has a staircase per useful wrong-pixel limit") {
   CHECK(steps(2) == std::vector<std::pair<double, double>>{{64, 200}, {80, 400}, {90, 500}});
 }
 
-TEST_CASE("advice depends neither on threads nor on grouping of points") {
+TEST_CASE("advice depends neither on the number of threads nor on the grouping of points") {
   const AdviceJobs job({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
   const std::vector<DesignPoint> points = small_points();
   const Rows rows = measured(job, points, 1);
@@ -305,14 +305,14 @@ TEST_CASE("advice depends neither on threads nor on grouping of points") {
   for (std::size_t i = 0; i < rows.size(); i += 7) CHECK(drawn(job, rows[i].point) == rows[i]);
 }
 
-TEST_CASE("memory of a second frame buffer counts among a choice's bits") {
+TEST_CASE("the memory of a second frame buffer counts among a choice's bits") {
   const DesignPoint point = point_of_bits(16, 6, 24, "rebroadcast", "stack", 0, 1);
   const AdviceRow one = drawn(AdviceJobs({"pixel-planes-4"}), point);
   const AdviceRow two = drawn(AdviceJobs({"pixel-planes-4+scan_out.buffers=2"}), point);
   CHECK(two.used_bits == one.used_bits + 24);
 }
 
-TEST_CASE("the colour error is found in any channel and is at most half a step") {
+TEST_CASE("the colour error of a choice is found in any channel and is at most half a step") {
   emit::Options before_black;
   before_black.scene.background.colour = {0, 0, 0};
   for (const char* const colour : {"0.9,0,0", "0,0.9,0", "0,0,0.9"}) {
@@ -327,7 +327,7 @@ TEST_CASE("the colour error is found in any channel and is at most half a step")
   }
 }
 
-TEST_CASE("a choice that exceeds the memory limit is a row with the reason") {
+TEST_CASE("a choice that exceeds the memory limit has a row with the reason") {
   const std::string many = [] {
     std::string text = "intersection(){cube(size=14,center=true);union(){";
     for (int i = 0; i < 600; ++i)
@@ -343,7 +343,7 @@ TEST_CASE("a choice that exceeds the memory limit is a row with the reason") {
   CHECK(drawn(job, point_of_bits(16, 6, 24, "rebroadcast", "list", 0, 1)).compiled());
 }
 
-TEST_CASE("a Program fitted to its memory does not depend on the guess") {
+TEST_CASE("fitting a Program to its memory does not depend on the first guess") {
   const AdviceJobs job({"pixel-planes-4"});
   const view::View view =
       view::make_view(job.front().subject->scene, job.front().subject->tree, job.front().camera, job.front().sampling);
@@ -384,7 +384,7 @@ TEST_CASE("a timer that runs a Program once equals separate runs on every machin
   CHECK(skips);
 }
 
-TEST_CASE("a line of an advice table survives a round trip") {
+TEST_CASE("a row of advise survives a round trip through its table") {
   AdviceRow one = row(66, 3, 411'000, 18, 4);
   one.inputs = {"0123456789abcdef", "fedcba9876543210", "0.1.0"};
   one.colour_error = 2;

@@ -37,7 +37,7 @@ Words requested_points(const Words& words) {
 
 }  // namespace
 
-TEST_CASE("a comparison point equals the Program's reference-level run") {
+TEST_CASE("a point of compare has the counts of the Program's reference-level run") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   studies::ComparisonJob job;
   job.point = {"pixel-planes-4", 24, 20, 0, {}};
@@ -69,7 +69,7 @@ TEST_CASE("a comparison point equals the Program's reference-level run") {
   CHECK(row.frames_per_second * static_cast<double>(result.interval_clocks) == doctest::Approx(hz));
 }
 
-TEST_CASE("a comparison requests each point once even if a side equals the picture's") {
+TEST_CASE("compare requests each point once even if a side equals the picture's") {
   const std::string model = testing::model_path("thesis_fig_2_3");
   const Words points = requested_points(
       {"compare", model, "--machines", "scan-line", "--size", "32x32", "--sides", "16,32", "--fragments", "5"});

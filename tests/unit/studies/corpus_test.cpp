@@ -15,7 +15,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("an undrawable machine has a reason and a size instead of counts") {
+TEST_CASE("corpus gives a reason and a size for a machine that cannot draw the model") {
   model::Tree tree = read::read_csg_text("cube(size=14,center=true);", "test");
   facet::Geometry scene = facet::make_geometry(tree);
   const auto subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
@@ -38,7 +38,7 @@ TEST_CASE("an undrawable machine has a reason and a size instead of counts") {
   CHECK(row.used_bits == 0);
 }
 
-TEST_CASE("the corpus page has a distribution table per machine and a row per column") {
+TEST_CASE("the page of corpus has a table of distributions per machine") {
   const report::Json data = report::Json::parse(
       R"({"distributions": {"m": {"clocks": {"count": 3, "minimum": 5, "median": 7, "maximum": 1234, "total": 1246},
                                   "used_bits": {"count": 3, "minimum": 66, "median": 66, "maximum": 70}},

@@ -84,7 +84,7 @@ TEST_CASE("a sphere beyond the machine's numbers is faceted among fast ones") {
   CHECK(halfspaces(small + cut, emit::Curves::fast) == halfspaces(small + cut, emit::Curves::facets) - of_small + 1);
 }
 
-TEST_CASE("pictures of equal size with different faceting are not confused") {
+TEST_CASE("a Meter distinguishes pictures of equal size with different faceting") {
   const model::Tree tree = read::read_csg_text(joined_balls, "test");
   studies::Meter meter(tree, {camera}, machine_of("pixel-powers"), {});
   for (const emit::Curves curves : {emit::Curves::fast, emit::Curves::exact}) {
@@ -98,7 +98,7 @@ TEST_CASE("pictures of equal size with different faceting are not confused") {
   }
 }
 
-TEST_CASE("varied curves do not depend on the user's setting for other points") {
+TEST_CASE("points that vary curves ignore the faceting set for other points") {
   facet::Faceting fast = drawn_as(emit::Curves::fast).faceting;
   fast.faceted = {true};
   const facet::Faceting exact = drawn_as(emit::Curves::exact, fast).faceting;
@@ -111,7 +111,7 @@ TEST_CASE("varied curves do not depend on the user's setting for other points") 
   CHECK(drawn_as(emit::Curves::fast, exact).faceting.fast_spheres);
 }
 
-TEST_CASE("omits fast spheres with a reason if none can be drawn") {
+TEST_CASE("accuracy omits fast spheres with a reason if none can be drawn") {
   const std::string ball = "sphere($fn=16,$fa=12,$fs=2,r=9);";
   const std::string ellipsoid = "multmatrix([[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){" + ball + "}";
   const view::Camera near{camera.eye, camera.centre, view::Projection::perspective};

@@ -66,7 +66,7 @@ std::string option_error(const std::string& key, const std::string& value) {
 }
 
 /// Nine dimensions of a hundred values.
-std::vector<Dimension> nine_hundreds() {
+std::vector<Dimension> nine_dimensions() {
   std::vector<Dimension> dimensions{
       {"size", Texts(100, "8x8")}, {"pruning", Texts(100, "all")}, {"curves", Texts(100, "auto")}};
   for (const char* const key : {"z-bits", "fraction-bits", "colour-bits", "stack-bits", "memory-bits"})
@@ -80,7 +80,7 @@ std::vector<Dimension> nine_hundreds() {
 // The expected cells come from an independent script with 60 digits: steps are the powers of 1 / 1.618034 (the root of
 // x^2 = x + 1), 1 / 1.324718 (x^3 = x + 1) and 1 / 1.220744 (x^4 = x + 1) in 32 bits; the sequence starts at SplitMix64
 // (SplitMix64 (seed) + axis); the first number of its seed 0 is the published e220a8397b1dcdaf.
-TEST_CASE("a sample is the additive recurrence of its axes from the seed's start") {
+TEST_CASE("a sample follows the additive recurrence from the start given by its seed") {
   CHECK(sampled({1000}, 1, 8) == std::vector<Cell>{{986}, {604}, {222}, {840}, {458}, {76}, {694}, {312}});
   CHECK(sampled({1000}, 2, 8) == std::vector<Cell>{{10}, {628}, {246}, {864}, {482}, {100}, {718}, {336}});
   CHECK(sampled({7, 11}, 1, 8) == std::vector<Cell>{{0, 1}, {6, 7}, {4, 2}, {2, 8}, {0, 4}, {6, 10}, {4, 5}, {2, 0}});
@@ -89,7 +89,7 @@ TEST_CASE("a sample is the additive recurrence of its axes from the seed's start
         std::vector<Cell>{{0, 0, 1}, {0, 3, 4}, {2, 2, 1}, {1, 0, 4}, {1, 3, 2}, {0, 2, 0}, {0, 0, 2}, {2, 3, 0}});
 }
 
-TEST_CASE("after 64 repeated cells in a row the rest follows in grid order") {
+TEST_CASE("after 64 repeated cells in a row a sample continues in grid order") {
   // Results of the same script: the 177th cell is the 64th tried after its predecessor; 64 tries find a new one three
   // more times, and then none.
   const std::vector<Cell> cells = sampled({10, 10, 2}, 8, 200);
@@ -104,7 +104,7 @@ TEST_CASE("after 64 repeated cells in a row the rest follows in grid order") {
   CHECK(std::vector<Cell>{others.begin() + 246, others.end()} == std::vector<Cell>{{6, 0, 0}, {0, 5, 0}, {0, 5, 3}});
 }
 
-TEST_CASE("a range includes both ends and has at most 1000 values") {
+TEST_CASE("a range of --vary includes both ends and has at most 1000 values") {
   CHECK(studies::parse_dimension("a=0..2").values == Texts{"0", "1", "2"});
   CHECK(studies::parse_dimension("a=5..5").values == Texts{"5"});
   CHECK(studies::parse_dimension("a=2000000000..2000000000").values == Texts{"2000000000"});
@@ -122,7 +122,7 @@ TEST_CASE("a range includes both ends and has at most 1000 values") {
   CHECK(dimension_error("a=1..") != "");
 }
 
-TEST_CASE("a varied dimension needs a key that ends at the first equals sign") {
+TEST_CASE("--vary needs a key before the first equals sign") {
   const std::string words = " has no values; use KEY=a,b,c, as in alu.bits=1,2,4";
   for (const char* const text : {"", "alu.bits", "=1", "=a=1"})
     CHECK(dimension_error(text) == "'" + std::string(text) + "'" + words);
@@ -131,7 +131,7 @@ TEST_CASE("a varied dimension needs a key that ends at the first equals sign") {
   CHECK(studies::parse_dimension("z-bits=8..10,9,16") == Dimension{"z-bits", {"8", "9", "10", "16"}});
 }
 
-TEST_CASE("each option of render takes its own values up to its limits") {
+TEST_CASE("--vary accepts the values of each option of render up to its limits") {
   struct Row {
     const char* key;
     Texts right;
@@ -154,7 +154,7 @@ TEST_CASE("each option of render takes its own values up to its limits") {
   CHECK(option_error("memory-bits", "1,2") == "'1,2' is not a number");
 }
 
-TEST_CASE("assigns values to render's options and takes other keys as machine figures") {
+TEST_CASE("--vary assigns values to options of render or else to machine figures") {
   session::ModelRequest options;
   const std::vector<std::pair<std::string, std::string>> values{
       {"size", "9x7"},       {"memory-bits", "70"}, {"z-bits", "11"},    {"fraction-bits", "5"},
@@ -176,14 +176,14 @@ TEST_CASE("assigns values to render's options and takes other keys as machine fi
                                       "stack-bits", "colouring", "curves", "pruning"});
 }
 
-TEST_CASE("exactly four figures set the memory of a pixel") {
+TEST_CASE("exactly four figures of machines set the memory of a pixel") {
   for (const char* const key : {"array.memory_bits", "pixel.memory_bits", "cells.words", "cells.word_bits"})
     CHECK(studies::is_memory_figure(key));
   for (const char* const key : {"", "memory_bits", "memory.reads", "node.memory_words", "memory-bits"})
     CHECK_FALSE(studies::is_memory_figure(key));
 }
 
-TEST_CASE("the default is all designs or the sample of seed 1") {
+TEST_CASE("explore requests all designs by default or the sample of seed 1") {
   const std::vector<Dimension> dimensions{{"z-bits", numbers_from(4, 27)}};
   CHECK(studies::GridChoice{}.points == 0);
   CHECK(studies::GridChoice{}.seed == 1);
@@ -201,7 +201,7 @@ TEST_CASE("the default is all designs or the sample of seed 1") {
   CHECK(listed == drawn);
 }
 
-TEST_CASE("a grid may have 10000 cells and a larger one must be sampled") {
+TEST_CASE("a grid of designs may have 10000 cells and a larger one must be sampled") {
   CHECK(studies::max_designs == 10'000);
   const Texts tens(10, "20");
   std::vector<Dimension> dimensions{
@@ -213,15 +213,15 @@ TEST_CASE("a grid may have 10000 cells and a larger one must be sampled") {
   CHECK(design_error({}, dimensions, {1, 1}) == "");
 }
 
-TEST_CASE("a grid of 10^18 cells may be sampled") { CHECK(design_error({}, nine_hundreds(), {1, 1}) == ""); }
+TEST_CASE("a grid of 10^18 designs may be sampled") { CHECK(design_error({}, nine_dimensions(), {1, 1}) == ""); }
 
-TEST_CASE("rejects a sample of a grid of more than 10^18 cells") {
-  std::vector<Dimension> dimensions = nine_hundreds();
+TEST_CASE("a sample of a grid of more than 10^18 designs is rejected") {
+  std::vector<Dimension> dimensions = nine_dimensions();
   dimensions[8].values.emplace_back("field");
   CHECK(design_error({}, dimensions, {1, 1}) == "--vary: the grid has more than 10^18 designs; vary fewer parameters");
 }
 
-TEST_CASE("rejects an unknown key and lists options and the nearest figure") {
+TEST_CASE("--vary rejects an unknown key and lists options and the nearest figure") {
   const std::string options =
       "size, memory-bits, z-bits, fraction-bits, colour-bits, strategy, stack-bits, colouring, curves, pruning";
   CHECK(design_error({}, {{"array.widt", {"1"}}}) ==
@@ -232,7 +232,7 @@ TEST_CASE("rejects an unknown key and lists options and the nearest figure") {
         "--vary: 'alu.bits' is given twice; list all its values once");
 }
 
-TEST_CASE("a value is wrong if impossible alone and with the last values of other figures") {
+TEST_CASE("--vary rejects a value that is impossible alone and with the others' last values") {
   // The trees of pixel-planes-4 deliver one bit per clock, and its ALU takes one: neither may be 4 without the other.
   const Dimension alu{"alu.bits", {"1", "4"}};
   const Dimension trees{"evaluator.bits", {"1", "4"}};
@@ -248,7 +248,7 @@ TEST_CASE("a value is wrong if impossible alone and with the last values of othe
   CHECK(design_error({}, {{"pruning", {"al"}}}).starts_with("--vary pruning: "));
 }
 
-TEST_CASE("rejects a figure that conflicts with an option and accepts an equal one") {
+TEST_CASE("--vary rejects a figure that conflicts with an option and accepts an equal one") {
   const auto error = [](const char* key, const char* value) {
     return std::string("--vary: an option overrides ") + key + "=" + value + "; omit --size or --memory-bits";
   };
@@ -267,7 +267,7 @@ TEST_CASE("rejects a figure that conflicts with an option and accepts an equal o
         error("array.memory_bits", "91"));
 }
 
-TEST_CASE("neighbours follow key order with the lower value first and no repetition") {
+TEST_CASE("neighbours of a design follow key order with the lower value first") {
   // z bits 10 to 14 times fraction bits 2 to 6: four neighbours of the middle, none of them already known.
   const std::vector<Dimension> dimensions{{"z-bits", numbers_from(10, 5)}, {"fraction-bits", numbers_from(2, 5)}};
   const auto listed = [](const studies::DesignGrid& grid) {

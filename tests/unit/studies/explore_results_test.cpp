@@ -72,7 +72,7 @@ std::string usage_error(const Texts& words) {
 
 }  // namespace
 
-TEST_CASE("rejects rows without drawings or with unexplained wrong pixels") {
+TEST_CASE("explore rejects rows without drawings or with unexplained wrong pixels") {
   std::vector<ExploreRow> rows{made_row("m.csg", "a", 10, 60), made_row("m.csg", "b", 10, 60)};
   CHECK(refusal_of(rows) == "");
   rows[0].reason = "no memory";
@@ -136,7 +136,7 @@ TEST_CASE("the knee's commands draw it on each model with all non-default option
   CHECK(commands(0) == Texts{expected});
 }
 
-TEST_CASE("a knee drawn by one of two models has a command for that model only") {
+TEST_CASE("a knee drawn with one of two models has a command for that model only") {
   const Explored explored({"m.csg", "n.csg", "--vary", "z-bits=20"});
   std::vector<ExploreRow> rows{made_row("m.csg", "a", 10, 60), made_row("m.csg", "b", 20, 50),
                                made_row("n.csg", "a", 10, 60), made_row("n.csg", "b", 5, 90)};
@@ -150,7 +150,7 @@ TEST_CASE("a knee drawn by one of two models has a command for that model only")
   CHECK(fronts[2]["knee"]["commands"].size() == 2);
 }
 
-TEST_CASE("a page has a table of each front with its knee and one of commands") {
+TEST_CASE("a page has a table of each front with its knee and a table of commands") {
   const Explored explored({"m.csg", "n.csg", "--vary", "z-bits=20", "--axes", "time,memory"});
   std::vector<ExploreRow> rows{made_row("m.csg", "p+alu.bits=1", 10, 10), made_row("m.csg", "p+alu.bits=4", 20, 40),
                                made_row("n.csg", "p+alu.bits=1", 50, 30), made_row("n.csg", "p+alu.bits=4", 40, 40)};
@@ -192,7 +192,7 @@ TEST_CASE("a page has a table of each front with its knee and one of commands") 
   CHECK(explored.study().sections(data).empty());
 }
 
-TEST_CASE("rejects contradictory options by name") {
+TEST_CASE("explore rejects contradictory options by name") {
   const Models models;
   const std::string cube = models / "cube.csg";
   CHECK(usage_error({cube, "--vary", "alu.bits=1,2", "--set", "alu.bits=4"}) ==
@@ -219,7 +219,7 @@ TEST_CASE("rejects contradictory options by name") {
   CHECK(usage_error({"--vary", "alu.bits=1"}) != "");
 }
 
-TEST_CASE("compares designs on four axes or five with a process or requested ones") {
+TEST_CASE("designs have four axes by default and five with a process unless requested") {
   studies::ExploreOptions options;
   CHECK(options.requested_axes() == "time,area,memory,wrong");
   CHECK_FALSE(options.loaded_process());

@@ -72,7 +72,7 @@ std::vector<ExploreRow> two_models() {
 
 }  // namespace
 
-TEST_CASE("every column that a study names is a column of its rows") {
+TEST_CASE("the column names of each study are those of its rows") {
   const auto visited = []<class Row>(Row row) {
     std::string names;
     Row::columns(
@@ -85,7 +85,7 @@ TEST_CASE("every column that a study names is a column of its rows") {
   CHECK(visited(studies::ExploreRow()) == studies::explore_columns);
 }
 
-TEST_CASE("an empty row has zeros and empty cells in the order of its columns") {
+TEST_CASE("an empty row of explore has zeros and empty cells in the order of its columns") {
   CHECK(studies::header_of<ExploreRow>() ==
         "model,machine,process,memory_bits,width,height,z_bits,fraction_bits,colour_bits,pruning,colouring,strategy,"
         "stack_bits,curves,model_hash,machine_hash,csgsim,halfspaces,instructions,clock_hz,clock_path,clocks,"
@@ -98,7 +98,7 @@ TEST_CASE("an empty row has zeros and empty cells in the order of its columns") 
   CHECK_FALSE(refused_row("m", "1", 8, "why").compiled());
 }
 
-TEST_CASE("each axis reads its value from a row or has none if unpriced") {
+TEST_CASE("each axis of explore reads its value from a row or has none without a price") {
   ExploreRow row;
   row.frames_per_second = 40;  // 25 ms each
   row.machine_transistors = 7000;
@@ -140,7 +140,7 @@ TEST_CASE("each axis reads its value from a row or has none if unpriced") {
   CHECK(std::string(axes[1].name) == "time");
 }
 
-TEST_CASE("over two models silicon is the maximum and energy the sum") {
+TEST_CASE("a design of two models has the maximum of their silicon and the sum of energies") {
   std::vector<ExploreRow> rows{shown_row("m", "1", 8, 10, 10), shown_row("n", "1", 8, 10, 10)};
   rows[0].machine_mm2 = 3;
   rows[1].machine_mm2 = 2;
@@ -151,7 +151,7 @@ TEST_CASE("over two models silicon is the maximum and energy the sum") {
   CHECK(groups[2].values == std::vector<Values>{{3, 12}});
 }
 
-TEST_CASE("the knee considers only the front") {
+TEST_CASE("the knee of a group is a design on its front") {
   const std::vector<studies::ExploreAxis> axes = studies::parse_axes("time,memory");
   // The counting candidates' logarithms (0, 2), (1, 1), (2, 0) are stretched to (0, 1), (1/2, 1/2), (1, 0).
   const std::vector<Values> candidates{{0.001, 0.001}, {1, 100}, {10, 10}, {100, 1}, {1e6, 1e6}};
@@ -214,7 +214,7 @@ TEST_CASE("a design is marked in its model's group and all models have a separat
   CHECK(file["fronts"] == expected);
 }
 
-TEST_CASE("a design's whole-number values are JSON numbers and absent ones are omitted") {
+TEST_CASE("whole values of a design are JSON numbers and absent ones are omitted") {
   std::vector<ExploreRow> rows(4);
   rows[0].point.machine = "p+a.b=12+c=x";
   rows[1].point.machine = "p+a.b=1.5+c=12x";
@@ -229,7 +229,7 @@ TEST_CASE("a design's whole-number values are JSON numbers and absent ones are o
   CHECK(points[3]["design"] == Json::object());
 }
 
-TEST_CASE("a group without a drawn design has no front or knee and prints its size") {
+TEST_CASE("a group without a drawn design has no front and prints its number of designs") {
   std::vector<ExploreRow> rows{refused_row("m", "1", 8, "no"), refused_row("m", "2", 8, "no")};
   const std::vector<ShownGroup> groups = shown_groups(rows, "time");
   const Json file = Json::parse(studies::explore_json("t", rows, groups));
@@ -244,7 +244,7 @@ TEST_CASE("a group without a drawn design has no front or knee and prints its si
         "  alu.bits=1 and 1 other design cannot be drawn: no\n");
 }
 
-TEST_CASE("designs differ in any figure or option printed in machine order") {
+TEST_CASE("the printed text of a design has each figure and option that differs") {
   std::vector<ExploreRow> rows(2);
   const auto fill = [](studies::DesignPoint& point, unsigned number) {
     const std::string text = std::to_string(number);
@@ -282,7 +282,7 @@ TEST_CASE("designs differ in any figure or option printed in machine order") {
   CHECK(alone.text(rows[0].point) == "p+b=1+a=1");
 }
 
-TEST_CASE("the text has a line per front design and names the knee and its command") {
+TEST_CASE("explore prints a line per design of the front and the knee with its command") {
   std::vector<ExploreRow> rows = two_models();
   rows.push_back(rows[1]);  // one more that equals b
   rows.back().point.z_bits = 20;
@@ -306,7 +306,7 @@ TEST_CASE("the text has a line per front design and names the knee and its comma
         "knee: alu.bits=1, z-bits=8; time between frames, ms 20; memory bits in total 30\n");
 }
 
-TEST_CASE("prints each reason once with its first design and the number of others") {
+TEST_CASE("explore prints each reason once with its first design and the number of others") {
   std::vector<ExploreRow> rows{refused_row("m", "1", 8, "no"),     refused_row("m", "1", 9, "never"),
                                refused_row("m", "2", 8, "no"),     refused_row("m", "2", 9, "no"),
                                refused_row("n", "1", 8, "no way"), shown_row("n", "1", 9, 10, 10)};
@@ -319,7 +319,7 @@ TEST_CASE("prints each reason once with its first design and the number of other
   CHECK(text.find("no way") == text.rfind("no way"));
 }
 
-TEST_CASE("values have four digits but whole and large ones are grouped in full") {
+TEST_CASE("explore prints values with four digits and large ones in full") {
   const std::vector<std::pair<double, std::string>> values{{0.123456, "0.1235"},
                                                            {3, "3"},
                                                            {0, "0"},
@@ -346,7 +346,7 @@ TEST_CASE("values have four digits but whole and large ones are grouped in full"
   }
 }
 
-TEST_CASE("prints the first 40 designs of a front and the number of others") {
+TEST_CASE("explore prints the first 40 designs of a front and the number of others") {
   for (const std::size_t count : {39U, 40U, 41U, 1241U}) {
     CAPTURE(count);
     // Each is faster and larger than its predecessor.
@@ -365,7 +365,7 @@ TEST_CASE("prints the first 40 designs of a front and the number of others") {
   }
 }
 
-TEST_CASE("plots each group with two axes and a knee under a unique name") {
+TEST_CASE("each group with a knee has a plot with a unique name") {
   std::vector<ExploreRow> rows{shown_row("a/m.csg", "1", 8, 10, 10), shown_row("b/m.csg", "1", 8, 20, 20),
                                refused_row("c.csg", "1", 8, "no")};
   rows[0].wrong = 5;
@@ -402,7 +402,7 @@ TEST_CASE("plots each group with two axes and a knee under a unique name") {
   CHECK(std::get<plots::Chart>(of_all[2].content).title == "all models: trade-offs against time");
 }
 
-TEST_CASE("beaten designs are named in the first panel's legend only") {
+TEST_CASE("dominated designs are named in the legend of only the first panel") {
   std::vector<ExploreRow> rows{shown_row("m", "1", 8, 10, 10), shown_row("m", "4", 8, 5, 20)};
   const std::vector<plots::Plot> plots = studies::plots_of_explore(shown_groups(rows, "time,memory,wrong"));
   REQUIRE(plots.size() == 1);

@@ -33,7 +33,7 @@ using testing::row_in;
 using testing::Texts;
 namespace fs = std::filesystem;
 
-TEST_CASE("requests each model and design once with all its inputs and models first") {
+TEST_CASE("explore requests each design once per model with all inputs of the point") {
   const Models models;
   const std::string cube = models / "cube.csg";
   const std::string two = models / "two.csg";
@@ -76,7 +76,7 @@ TEST_CASE("requests each model and design once with all its inputs and models fi
   CHECK(explored.asked[0].inputs.machine_hash == explored.asked[4].inputs.machine_hash);
 }
 
-TEST_CASE("a point has memory if an option or a varied key or a figure sets it") {
+TEST_CASE("a point states its memory if an option or a varied key or a figure sets it") {
   const Models models;
   const std::string cube = models / "cube.csg";
   const auto memory = [&](const Texts& words) {
@@ -95,7 +95,7 @@ TEST_CASE("a point has memory if an option or a varied key or a figure sets it")
   CHECK(memory({"--vary", "alu.bits=1", "--set", "array.memory_bits=82"}) == Texts{"82"});
 }
 
-TEST_CASE("a process is part of each point and its figures are inputs") {
+TEST_CASE("each point of explore states its process and has its figures as inputs") {
   const Models models;
   const auto requested = [&](const Texts& words) {
     Texts all{models / "cube.csg", "--size", "16x12", "--vary", "z-bits=12"};
@@ -114,7 +114,7 @@ TEST_CASE("a process is part of each point and its figures are inputs") {
   CHECK(made.inputs.model_hash == plain.inputs.model_hash);
 }
 
-TEST_CASE("reports inconsistent figures and unreadable models in the row") {
+TEST_CASE("explore reports inconsistent figures and unreadable models in the row") {
   const Models models;
   Explored explored({models / "cube.csg", "--size", "16x12", "--vary", "evaluator.bits=1,4", "--vary", "alu.bits=1,4"});
   const Texts cells = explored.ask();
@@ -143,7 +143,7 @@ TEST_CASE("reports inconsistent figures and unreadable models in the row") {
         }).find("wrong.csg:1:") != std::string::npos);
 }
 
-TEST_CASE("transparent models are not compared with exact pictures on any design") {
+TEST_CASE("explore compares no transparent model with exact pictures") {
   const Models models;
   models.write("glass.csg", "color([1, 0, 0, 0.5]) { cube(size = [8, 6, 4]); }\n");
   Explored explored({models / "glass.csg", models / "cube.csg", "--size", "16x12", "--vary", "z-bits=12,13"});
@@ -227,7 +227,7 @@ TEST_CASE("without a process a machine has its described clock and no silicon co
   CHECK(row_in(rows[0]).used_bits == row_in(rows[1]).used_bits);
 }
 
-TEST_CASE("designs measured together equal separate measurements") {
+TEST_CASE("designs measured together have the results of separate measurements") {
   const std::string house = testing::model_path("rietveld_house");
   const Texts common{"--size", "40x32", "--camera", "3430,-2900,1950,590,230,220", "--z-bits", "9"};
   std::set<std::uint64_t> wrong;
@@ -260,7 +260,7 @@ TEST_CASE("designs measured together equal separate measurements") {
   CHECK(wrong.size() > 3);
 }
 
-TEST_CASE("lists models and scene and machine and process files as inputs") {
+TEST_CASE("explore lists models and scene and machine and process files as inputs") {
   const Explored explored({"a.csg", "b.csg", "--vary", "z-bits=12"});
   CHECK(explored.study().inputs() == std::vector<fs::path>{"a.csg", "b.csg"});
   const Models models;
@@ -286,7 +286,7 @@ TEST_CASE("lists models and scene and machine and process files as inputs") {
   CHECK(Explored({"a.csg", "a.csg", "--vary", "z-bits=12"}).study().page_subject().name.empty());
 }
 
-TEST_CASE("a search requests neighbours of the front until its limit or exhaustion") {
+TEST_CASE("a search requests neighbours of the front until its limit or until none is left") {
   const Models models;
   const auto counts = [&](const char* most) {
     Explored explored({models / "cube.csg", "--size", "12x8", "--vary", "z-bits=10..14", "--vary", "alu.bits=1,2,4",
@@ -319,7 +319,7 @@ TEST_CASE("a search requests neighbours of the front until its limit or exhausti
   CHECK(counts("0").first == std::vector<std::size_t>{1});
 }
 
-TEST_CASE("neighbours of the joint front are requested for each model") {
+TEST_CASE("a search requests neighbours of the joint front for each model") {
   const Models models;
   Explored explored({models / "cube.csg", models / "two.csg", "--size", "12x8", "--vary", "z-bits=10..14", "--points",
                      "1", "--search", "9", "--axes", "time"});

@@ -66,7 +66,7 @@ ExploreRow row(const std::string& model, const std::string& machine, double fps,
 
 }  // namespace
 
-TEST_CASE("the front equals that of pairwise comparison") {
+TEST_CASE("the front of designs equals that of pairwise comparison") {
   CHECK(rc::check([] {
     const auto axes = *rc::gen::inRange<std::size_t>(1, 5);
     const auto candidates = *rc::gen::container<std::vector<Values>>(
@@ -97,7 +97,7 @@ TEST_CASE("the knee is nearest to each axis's best in stretched logarithms") {
   CHECK(studies::knee_of(near, studies::pareto_of(near), time_wrong) == 2);
 }
 
-TEST_CASE("the knee is on the front and does not depend on units") {
+TEST_CASE("the knee of designs is on the front and does not depend on units") {
   CHECK(rc::check([] {
     const auto axes = studies::parse_axes("time,memory,area");
     const auto candidates = *rc::gen::nonEmpty(rc::gen::container<std::vector<Values>>(
@@ -165,13 +165,13 @@ TEST_CASE("a sample covers each axis evenly and another seed has other cells") {
   CHECK(cells_of(sizes, 1, 240) == cells);
 }
 
-TEST_CASE("grids follow the order of their axes with the last fastest") {
+TEST_CASE("a grid of designs varies its last axis fastest") {
   CHECK(studies::grid_cell({2, 3}, 0) == Cell{0, 0});
   CHECK(studies::grid_cell({2, 3}, 1) == Cell{0, 1});
   CHECK(studies::grid_cell({2, 3}, 5) == Cell{1, 2});
 }
 
-TEST_CASE("designs are all combinations in order and equal drawings are merged") {
+TEST_CASE("designs are all combinations in order with equal ones merged") {
   const std::vector<studies::Dimension> dimensions{
       {"alu.bits", {"1", "2"}}, {"strategy", {"stack", "bits"}}, {"stack-bits", {"3", "4", "5"}}};
   const std::vector<session::ModelRequest> all = studies::DesignGrid({}, dimensions, {}).designs();
@@ -203,7 +203,7 @@ TEST_CASE("designs that differ in one option or figure are distinct") {
   CHECK(studies::DesignGrid({}, {{"alu.bits", {"1", "2"}}}, {}).designs().size() == 2);
 }
 
-TEST_CASE("unpriced designs are on no front and an axis without prices is dropped") {
+TEST_CASE("designs without a price are on no front and an axis without prices is dropped") {
   const std::vector<ExploreRow> rows{row("m", "a", 10, 100, 0), row("m", "b", 20, 50, 0, std::nullopt),
                                      row("m", "c", 5, 200, 0)};
   std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::parse_axes("time,area,memory"));
@@ -220,7 +220,7 @@ TEST_CASE("unpriced designs are on no front and an axis without prices is droppe
   CHECK(groups[0].front == std::vector<bool>{true, true});
 }
 
-TEST_CASE("over models times and wrong pixels add up while sizes take the maximum") {
+TEST_CASE("a design's times and wrong pixels add up over models and sizes take the maximum") {
   std::vector<ExploreRow> rows{row("m", "a", 10, 100, 1), row("m", "b", 20, 50, 2), row("m", "c", 1000, 1, 0),
                                row("n", "a", 50, 300, 4), row("n", "b", 5, 20, 8),  row("n", "c", 1000, 1, 0)};
   rows[5].reason = "it does not fit";
@@ -240,7 +240,7 @@ TEST_CASE("over models times and wrong pixels add up while sizes take the maximu
   CHECK(all.values[1][2] == 10);
 }
 
-TEST_CASE("a plot has every design once per panel and the two-axis front and the knee") {
+TEST_CASE("each panel plots every design once with the two-axis front and the knee") {
   const std::vector<ExploreRow> rows{row("a/m.csg", "a", 10, 100, 0), row("a/m.csg", "b", 20, 200, 4),
                                      row("a/m.csg", "c", 5, 300, 0), row("a/m.csg", "d", 40, 150, 9)};
   std::vector<studies::ShownGroup> shown;

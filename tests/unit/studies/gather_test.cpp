@@ -43,13 +43,13 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 }  // namespace
 
-TEST_CASE("rejects shards with different point counts or columns and names the difference") {
+TEST_CASE("gather rejects shards with different numbers of points or columns") {
   CHECK(refusal("alike", 2, "a,b").empty());
   CHECK(contains(refusal("points", 3, "a,b"), "not of the same study: the number of points changed between them"));
   CHECK(contains(refusal("columns", 2, "a,c"), "not of the same study: the columns changed between them"));
 }
 
-TEST_CASE("gathers partial results of one shard from two processes") {
+TEST_CASE("gather merges partial results of one shard from two processes") {
   const fs::path folder = fresh_folder("twice");
   const studies::ShardHeader header{{1, 1}, 3, {"model", "machine", "csgsim"}, {"sweep"}};
   studies::ShardWriter one(folder, header, "a,b");

@@ -26,7 +26,7 @@ TEST_CASE("every point of a study is measured once and delivered once") {
   CHECK(*handed_on.rbegin() == many - 1);
 }
 
-TEST_CASE("no result is delivered after the receiver has failed in any interleaving") {
+TEST_CASE("no result of a study is delivered after its receiver has failed") {
   for (int round = 0; round < 2000; ++round) {
     int calls = 0;
     const auto fails = [&](std::size_t) {
@@ -40,7 +40,7 @@ TEST_CASE("no result is delivered after the receiver has failed in any interleav
   }
 }
 
-TEST_CASE("a point that throws ends the others and its exception is rethrown") {
+TEST_CASE("an exception of a point ends the others and is rethrown") {
   std::atomic<int> measured = 0;
   const auto throws_at_once = [&](std::size_t i) {
     ++measured;
@@ -51,7 +51,7 @@ TEST_CASE("a point that throws ends the others and its exception is rethrown") {
   CHECK(measured == 1);
 }
 
-TEST_CASE("interrupting the coordinating thread interrupts its workers") {
+TEST_CASE("interrupting the coordinating thread of a study interrupts its workers") {
   std::stop_source source;
   const Interruptible looks_for(source.get_token());
   std::atomic<unsigned> begun = 0;

@@ -70,7 +70,7 @@ TEST_CASE("a sweep's x axis is its most varied parameter with numbers before nam
   CHECK(studies::SweepAxis(both).axis().title == "stack bits (m)");
 }
 
-TEST_CASE("machines of a sweep are side by side with their names") {
+TEST_CASE("a sweep's plot shows its machines side by side with their names") {
   studies::DesignPoint other = point("stack", 0);
   other.machine = "alu-4.toml";
   const std::vector<studies::SweepRow> rows{row(point("stack", 0), 100), row(other, 50)};
@@ -81,7 +81,7 @@ TEST_CASE("machines of a sweep are side by side with their names") {
   CHECK(chart.series[0].points[1].y == 50);
 }
 
-TEST_CASE("prunings keep their requested names even if one is a prefix of another") {
+TEST_CASE("a sweep's plot has the requested names of prunings even with a common prefix") {
   studies::DesignPoint space = point("stack", 0);
   space.pruning = "space";
   studies::DesignPoint both = point("stack", 0);
@@ -90,7 +90,7 @@ TEST_CASE("prunings keep their requested names even if one is a prefix of anothe
   CHECK(tick_texts(studies::SweepAxis(rows).axis()) == Words{"space", "space+hidden"});
 }
 
-TEST_CASE("a strategy without stack bits is a level and coincident lines are merged") {
+TEST_CASE("a strategy without stack bits is a level line and coincident lines are merged") {
   const std::vector<studies::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 7),
                                             row(point("bits", 4), 8), row(point("bits", 3), 9)};
   const std::vector<plots::Plot> all = studies::plots_of_sweep(rows, "a");
@@ -102,10 +102,10 @@ TEST_CASE("a strategy without stack bits is a level and coincident lines are mer
   CHECK(chart.series[1].points.back().y == 8);
 }
 
-TEST_CASE("lines of one name look alike in all plots of a sweep") {
+TEST_CASE("lines with the same name look alike in all plots of a sweep") {
   std::vector<studies::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 8), row(point("bits", 3), 9),
                                       row(point("bits", 4), 6)};
-  rows[1].rendered = 5;  // so that its line differs from that of the stack
+  rows[1].rendered = 5;  // its line must differ from that of the stack
   const std::vector<plots::Plot> all = studies::plots_of_sweep(rows, "a");
   std::map<std::string, std::set<std::size_t>> looks;
   for (const char* const name : {"a_scan_conversions", "a_clocks", "a_bits"}) {
@@ -138,7 +138,7 @@ TEST_CASE("points of a sweep share a memory bar only for equal layouts and sizes
   CHECK(bars[2].parts.size() == 2);
 }
 
-TEST_CASE("points that cannot be compiled are in no plot") {
+TEST_CASE("points of a sweep that cannot be compiled are in no plot") {
   std::vector<studies::SweepRow> rows{row(point("stack", 0), 7), row(point("bits", 3), 0)};
   rows[1].reason = "does not fit";
   const plots::Chart chart = chart_named(studies::plots_of_sweep(rows, "a"), "a_clocks");
@@ -149,7 +149,7 @@ TEST_CASE("points that cannot be compiled are in no plot") {
   CHECK(studies::plots_of_sweep(rows, "a").empty());
 }
 
-TEST_CASE("a knob's values are at their places across") {
+TEST_CASE("values of a knob are placed along the x axis by size") {
   std::vector<studies::Measurement> rows(5);
   const Words values{"1/4", "1/16", "128x64", "0.125", "12"};
   const Words knobs{"edge-on", "edge-on", "size", "tolerance", "z-bits"};
@@ -172,7 +172,7 @@ TEST_CASE("a knob's values are at their places across") {
   CHECK(chart_named(all, "z-bits").series[0].points[0].x == 12);
 }
 
-TEST_CASE("facets and curves share a plot of clocks and pixels off the true surfaces") {
+TEST_CASE("facets and curves share a plot of clocks and pixels off the true surface") {
   std::vector<studies::Measurement> rows(5);
   const Words knobs{"tolerance", "tolerance", "fn", "curves", "curves"};
   const Words values{"0.1", "0.5", "16", "facets", "exact"};
@@ -196,7 +196,7 @@ TEST_CASE("facets and curves share a plot of clocks and pixels off the true surf
   CHECK(chart.series[3].points.front().y == 40);
 }
 
-TEST_CASE("a comparison plots the varying machines or half-spaces or pixels") {
+TEST_CASE("a comparison's x axis shows machines or half-spaces or pixels as they vary") {
   std::vector<studies::ComparisonRow> rows(2);
   for (studies::ComparisonRow& one : rows) {
     one.point = {"scan-line", 64, 64, 0, {}};
@@ -220,7 +220,7 @@ TEST_CASE("a comparison plots the varying machines or half-spaces or pixels") {
   CHECK(names() == Words{"compare_machines", "compare_halfspaces", "compare_pixels"});
 }
 
-TEST_CASE("machines that differ in a figure are named by it") {
+TEST_CASE("machines of a comparison that differ in a figure are named by the figure") {
   std::vector<studies::ComparisonRow> rows(3);
   const Words machines{"pixel-planes-4", "pixel-planes-4+alu.bits=2", "pixel-planes-4+alu.bits=2+array.memory_bits=96"};
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -265,7 +265,7 @@ TEST_CASE("a comparison shows the frame interval first and the drawing time next
   }
 }
 
-TEST_CASE("a corpus shows frame intervals first and drawing clocks in the same colours") {
+TEST_CASE("the plots of corpus show frame intervals first and clocks in the same colours") {
   std::vector<studies::CorpusRow> rows(2);
   rows[0].point = {"a.csg", "pixel-planes-4"};
   rows[1].point = {"a.csg", "pixel-square"};
@@ -286,7 +286,7 @@ TEST_CASE("a corpus shows frame intervals first and drawing clocks in the same c
   CHECK(clocks.looks == chart_named(all, "corpus_frames").looks);
 }
 
-TEST_CASE("labels accuracy's totals over views as sums and percentiles as such") {
+TEST_CASE("the axes of accuracy's plots distinguish sums over views from percentiles") {
   std::vector<studies::Measurement> rows(4);
   const Words knobs{"z-bits", "together", "curves", "tolerance"};
   const Words values{"12", "12/4", "facets", "0.1"};

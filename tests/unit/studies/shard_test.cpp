@@ -11,7 +11,7 @@
 using namespace csgsim;
 using studies::Shard;
 
-TEST_CASE("reads and prints a shard as k/n") {
+TEST_CASE("a shard is read and printed as k/n") {
   CHECK(studies::parse_shard("1/1") == Shard{1, 1});
   CHECK(studies::parse_shard("3/16") == Shard{3, 16});
   CHECK(studies::to_text({3, 16}) == "3/16");
@@ -20,7 +20,7 @@ TEST_CASE("reads and prints a shard as k/n") {
     CHECK_THROWS_AS(studies::parse_shard(text), InputError);
 }
 
-TEST_CASE("each point is in one shard and shards differ by at most one point") {
+TEST_CASE("each point is in one shard and shards differ in size by at most one point") {
   for (const std::size_t points : {0U, 1U, 2U, 7U, 64U, 1000U}) {
     for (const unsigned shards : {1U, 2U, 3U, 16U, 999U}) {
       CAPTURE(points);
@@ -47,7 +47,7 @@ TEST_CASE("expensive points at every tenth place are spread over ten shards") {
   CHECK(std::ranges::max(expensive) <= 5);
 }
 
-TEST_CASE("prints shard numbers as ranges") {
+TEST_CASE("shard numbers are printed as ranges") {
   CHECK(studies::compact({}).empty());
   CHECK(studies::compact({3}) == "3");
   CHECK(studies::compact({1, 3, 4, 5, 9, 10}) == "1,3-5,9-10");

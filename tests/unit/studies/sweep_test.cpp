@@ -84,7 +84,7 @@ studies::SweepRow measured(const Drawn& one, bool is_drawn) {
 
 }  // namespace
 
-TEST_CASE("numbers are lists and ranges in the given order without repetition") {
+TEST_CASE("a list of numbers may have ranges and keeps its order without repetitions") {
   CHECK(session::parse_numbers("7", 3, 9) == Numbers{7});
   CHECK(session::parse_numbers("3..6", 3, 9) == Numbers{3, 4, 5, 6});
   CHECK(session::parse_numbers("9,3,5", 3, 9) == Numbers{9, 3, 5});
@@ -92,7 +92,7 @@ TEST_CASE("numbers are lists and ranges in the given order without repetition") 
   CHECK(session::parse_numbers("8..8", 3, 9) == Numbers{8});
 }
 
-TEST_CASE("rejects text that is not a list of numbers") {
+TEST_CASE("a text that is not a list of numbers is rejected") {
   for (const char* const text :
        {"", ",", "3,", "3..", "..3", "3...5", "a", "3-5", "3..x", "-3", "3 ", "8..3", "2..5", "3..10", "99999999999"}) {
     CAPTURE(text);
@@ -100,7 +100,7 @@ TEST_CASE("rejects text that is not a list of numbers") {
   }
 }
 
-TEST_CASE("rejects an unknown name and suggests a similar one") {
+TEST_CASE("an unknown name in a list is rejected with a similar one") {
   const Words known{"stack", "list", "bits"};
   CHECK(session::parse_names("list,stack,list", "strategy", known) == Words{"list", "stack"});
   CHECK_THROWS_WITH_AS(session::parse_names("stack,lst", "strategy", known),
@@ -111,7 +111,7 @@ TEST_CASE("rejects an unknown name and suggests a similar one") {
   CHECK_THROWS_AS(session::parse_names("", "level", known), InputError);
 }
 
-TEST_CASE("the product has a point per combination and varies only effective stack bits") {
+TEST_CASE("a sweep has a point per combination and varies only stack bits that matter") {
   const std::vector<studies::DesignPoint> points = small_points();
   REQUIRE(points.size() == 2 * 2 * 3);
   CHECK(studies::point_cells<studies::SweepRow>(points[0]) == "a.csg,pixel-planes-4,,16,all,rebroadcast,stack,0,auto");
@@ -122,7 +122,7 @@ TEST_CASE("the product has a point per combination and varies only effective sta
   for (std::size_t i = 0; i < points.size(); ++i) CHECK(std::count(points.begin(), points.end(), points[i]) == 1);
 }
 
-TEST_CASE("a row survives a table round trip with commas and quotes") {
+TEST_CASE("a sweep's row survives a round trip through its table with commas and quotes") {
   studies::SweepRow row = row_of(small_points()[1], "");
   row.point.model = "a \"model\", of mine.csg";
   row.point.fraction_bits = row.point.colour_bits = 0;  // not columns of a sweep
@@ -133,7 +133,7 @@ TEST_CASE("a row survives a table round trip with commas and quotes") {
   CHECK_THROWS_AS(studies::to_cell(std::string("two\nlines")), InputError);
 }
 
-TEST_CASE("a measured row survives a table round trip with all its counts") {
+TEST_CASE("a sweep's measured row survives a round trip through its table with all counts") {
   const std::vector<Drawn> all = drawn_points();
   const studies::SweepRow row = measured(all.front(), true);
   CHECK(row.rendered > 0);
@@ -142,20 +142,20 @@ TEST_CASE("a measured row survives a table round trip with all its counts") {
   CHECK(studies::from_line<studies::SweepRow>(studies::to_line(row)) == row);
 }
 
-TEST_CASE("a memory map survives a table round trip with any names except blanks and =") {
+TEST_CASE("a memory map survives a round trip through a table with most names of fields") {
   studies::SweepRow row;
   row.memory_map = {{"a,b", 0, 20}, {"\"c\"", 20, 1}};
   const std::string line = studies::to_line(row);
   CHECK(studies::from_line<studies::SweepRow>(line) == row);
 }
 
-TEST_CASE("rejects a table line that an editor ended with CR LF") {
+TEST_CASE("a table line that an editor ended with CR LF is rejected") {
   const std::string line = studies::to_line(row_of(small_points()[1], "")) + "\r";
   CHECK_THROWS_WITH_AS(studies::from_line<studies::SweepRow>(line),
                        "the line contains a line break, perhaps from an editor that ends lines with CR LF", InputError);
 }
 
-TEST_CASE("names of points state what varies") {
+TEST_CASE("the name of a point lists only the parameters that vary") {
   std::vector<studies::SweepRow> rows;
   for (const studies::DesignPoint& point : small_points()) rows.push_back(row_of(point, ""));
   rows.resize(6);  // only those of the first model
@@ -166,7 +166,7 @@ TEST_CASE("names of points state what varies") {
   CHECK(studies::PointNames(std::span(rows).first(3)).conditions(rows[0].point).empty());
 }
 
-TEST_CASE("compares pictures of equal model and size and z bits and reports overflows") {
+TEST_CASE("a sweep compares pictures of equal model and size and z bits") {
   std::vector<studies::SweepRow> rows;
   for (const studies::DesignPoint& point : small_points())
     rows.push_back(row_of(point, point.model + std::to_string(point.z_bits)));
@@ -182,7 +182,7 @@ TEST_CASE("compares pictures of equal model and size and z bits and reports over
   CHECK(wrong[1].point == rows[9].point);
 }
 
-TEST_CASE("points measured in parallel equal those measured one by one") {
+TEST_CASE("a sweep's points measured in parallel equal those measured one by one") {
   const std::vector<Drawn> all = drawn_points();
   std::vector<studies::SweepRow> rows;
   studies::measure_each(
@@ -201,7 +201,7 @@ TEST_CASE("points measured in parallel equal those measured one by one") {
   CHECK(measured(all.front(), false).picture.empty());
 }
 
-TEST_CASE("a second buffer's colour takes the transistors of its bits once") {
+TEST_CASE("the colour of a second buffer counts once in a pixel's transistors") {
   Drawn point = drawn_points().front();
   const studies::SweepRow one = measured(point, false);
   point.job.machine = kinds::load("pixel-planes-4+scan_out.buffers=2+array.memory_bits=128");
@@ -211,7 +211,7 @@ TEST_CASE("a second buffer's colour takes the transistors of its bits once") {
   CHECK(two.pixel_transistors == machines::pixel_transistors(point.job.machine, one.used_bits + 24));
 }
 
-TEST_CASE("a point that does not fit states why and its neighbours are measured") {
+TEST_CASE("a sweep's point that does not fit has a reason and the others are measured") {
   std::vector<Drawn> all = drawn_points();
   all[1].job.machine.array.memory_bits = 40;
   CHECK(measured(all[0], false).compiled());
@@ -236,7 +236,7 @@ TEST_CASE("the page of a sweep counts its models or names the only one") {
   CHECK(subject({one}).model.model == one);
 }
 
-TEST_CASE("the hash is FNV-1a") {
+TEST_CASE("Hash::text() is the FNV-1a hash in hexadecimal digits") {
   Hash hash;
   hash.add("foobar");
   CHECK(hash.text() == "85944171f73967e8");

@@ -80,7 +80,7 @@ TEST_CASE("a table resumes after an interruption even within a line") {
   CHECK(table_at(path).rows().size() == 3);
 }
 
-TEST_CASE("rejects and keeps a table of another study") {
+TEST_CASE("a table of another study is rejected and kept") {
   const fs::path path = fresh("table_other.csv");
   table_at(path, "one study").add(Rows{row("10/2", 1)});
   const std::string before = content(path);
@@ -154,7 +154,7 @@ TEST_CASE("a point counts as measured only with equal model and machine and buil
   }
 }
 
-TEST_CASE("deletes rows of requested points with outdated inputs and reports changes") {
+TEST_CASE("a table deletes rows of requested points with outdated inputs") {
   const fs::path path = fresh("table_stale.csv");
   studies::Table table = table_at(path);
   table.add(Rows{row("x", 1), row("y", 2), row("z", 3)});
@@ -171,7 +171,7 @@ TEST_CASE("deletes rows of requested points with outdated inputs and reports cha
   CHECK(table_at(path).rows().empty());
 }
 
-TEST_CASE("rows follow the order of requested points before those of others") {
+TEST_CASE("rows of a table follow the order of requested points before other rows") {
   const fs::path path = fresh("table_order.csv");
   studies::Table table = table_at(path);
   table.add(Rows{row("other", 0), row("y", 2), row("x", 1)});
@@ -189,7 +189,7 @@ TEST_CASE("a table without a file keeps rows in memory") {
   CHECK(table.in_order(points) == Rows{row("x", 1), row("y", 2)});
 }
 
-TEST_CASE("seconds have four digits and no exponents for large values") {
+TEST_CASE("seconds in a table have four digits and no exponents for large values") {
   CHECK(studies::seconds_text(0.0217777) == "0.02178");
   CHECK(studies::seconds_text(56.0) == "56");
   CHECK(studies::seconds_text(999.94) == "999.9");

@@ -68,14 +68,14 @@ void for_each(const std::vector<std::string>& names, const Check& check) {
 
 }  // namespace
 
-TEST_CASE("each piece is a closed convex polyhedron on its stated planes") {
+TEST_CASE("each piece of an extrusion is a closed convex polyhedron on its stated planes") {
   for_each(shapes(), [](const testing::Given&, const std::vector<model::Polyhedron>& pieces) {
     CHECK(!pieces.empty());
     for (const model::Polyhedron& piece : pieces) CHECK(testing::fault(piece) == "");
   });
 }
 
-TEST_CASE("the pieces' volumes add up to that of OpenSCAD's solid") {
+TEST_CASE("the volumes of an extrusion's pieces add up to that of OpenSCAD's solid") {
   for_each(shapes(), [](const testing::Given& given, const std::vector<model::Polyhedron>& pieces) {
     double sum = 0;
     for (const model::Polyhedron& piece : pieces) sum += testing::volume(piece);
@@ -84,7 +84,7 @@ TEST_CASE("the pieces' volumes add up to that of OpenSCAD's solid") {
   });
 }
 
-TEST_CASE("the pieces have the bounding box and all corners of OpenSCAD's solid") {
+TEST_CASE("an extrusion's pieces have the bounding box and corners of OpenSCAD's solid") {
   for_each(shapes(), [](const testing::Given& given, const std::vector<model::Polyhedron>& pieces) {
     const auto* linear = std::get_if<solids::LinearExtrude>(&given.sweep);
     Box box;
@@ -139,13 +139,13 @@ void check_points(const testing::Given& given, const std::vector<model::Polyhedr
 
 }  // namespace
 
-TEST_CASE("a point inside OpenSCAD's surface is in exactly one piece and others in none") {
+TEST_CASE("a point inside OpenSCAD's extrusion is in exactly one piece and others in none") {
   for_each(shapes(), check_points);
 }
 
-TEST_CASE("pieces match OpenSCAD's surface where its sides cross") { for_each(crossed(), check_points); }
+TEST_CASE("an extrusion's pieces match OpenSCAD's surface where its sides cross") { for_each(crossed(), check_points); }
 
-TEST_CASE("a wall between pieces is the identical plane on both sides") {
+TEST_CASE("a wall between pieces of an extrusion is the identical plane on both sides") {
   for_each(shapes(), [](const testing::Given&, const std::vector<model::Polyhedron>& pieces) {
     for (const model::Polyhedron& piece : pieces) {
       for (std::size_t i = 0; i < piece.faces.size(); ++i) {

@@ -115,7 +115,7 @@ TEST_CASE("a net patch takes the hand-counted operations for one and for five no
   }
 }
 
-TEST_CASE("a sweep element takes operations by the degrees of contour and trajectory") {
+TEST_CASE("a sweep's element takes operations by the degrees of contour and trajectory") {
   for (std::uint32_t degree = 1; degree <= 3; ++degree) {
     for (std::uint32_t along = 1; along <= 3; ++along) {
       CAPTURE(degree);

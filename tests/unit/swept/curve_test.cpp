@@ -50,7 +50,7 @@ TEST_CASE("an open curve joins its end points and a closed curve ends where it s
   }));
 }
 
-TEST_CASE("halves of a segment are the same curve and meet at identical numbers") {
+TEST_CASE("the halves of a curve's segment are the same curve and meet at identical numbers") {
   CHECK(rc::check([] {
     const Segment segment = swept::bernstein_segments(any_curve()).front();
     const auto [first, second] = swept::halves(segment);
@@ -64,7 +64,7 @@ TEST_CASE("halves of a segment are the same curve and meet at identical numbers"
   }));
 }
 
-TEST_CASE("the slope of a segment is the difference quotient of close points") {
+TEST_CASE("the slope of a curve's segment is the difference quotient of close points") {
   const Segment segment{3, {{{0, 0, 0}, {1, 2, 0}, {3, -1, 4}, {2, 2, 2}}}};
   constexpr double step = 1e-6;
   for (const double t : {0.1, 0.5, 0.8}) {
@@ -73,7 +73,7 @@ TEST_CASE("the slope of a segment is the difference quotient of close points") {
   }
 }
 
-TEST_CASE("reports invalid curves with a fix") {
+TEST_CASE("an invalid curve is reported with a fix") {
   CHECK(swept::fault_of(Curve{4, false, {}}) == "degree 4 is above 3; use 0 (constant), 1, 2 or 3");
   CHECK(swept::fault_of(Curve{3, false, {{}, {}, {}}}) == "an open curve of degree 3 needs at least 4 points, not 3");
   CHECK(swept::fault_of(Curve{1, true, {{}, {}}}) == "a closed curve of degree 1 needs at least 3 points, not 2");

@@ -14,7 +14,8 @@ using namespace swept;
 
 namespace {
 
-/// Nodes from a DF-expression; a function of its place gives each corner's height.
+/// Nodes of a DF-expression, a quadtree in text: `(` is a divided square and `L` a leaf; its quarters are 1 south-west,
+/// 2 south-east, 3 north-west and 4 north-east. The function gives the height of a corner.
 class WrittenStream : public swept::Stream {
  public:
   using Height = double (*)(double x, double y);
@@ -132,8 +133,8 @@ std::vector<Element> leaves_of(const Record& record) {
   return leaves;
 }
 
-/// Recomputes from all preceding elements what is held after each: elements that touch a missing one, and their
-/// vertices and those that may still move.
+/// Recomputes what the filter holds after each element: the elements that touch a missing one, their vertices, and the
+/// vertices that may still move.
 class Recount {
  public:
   explicit Recount(std::vector<Element> leaves) : leaves_(std::move(leaves)) {
@@ -176,7 +177,7 @@ class Recount {
     const Square& square = leaf.square;
     const auto has_come = [&](std::int64_t x, std::int64_t y) { return leaf_at(x, y) < count; };
     for (const Place& place : vertices_) {
-      // The unit squares behind each vertex of its north and east side, and its ends.
+      // The unit square beyond the side, at each vertex of the north and the east side including its ends.
       if (place[1] == square.y + square.size && place[0] >= square.x && place[0] < square.x + square.size &&
           !has_come(place[0], place[1]))
         return true;
@@ -244,8 +245,8 @@ std::set<std::vector<std::array<double, 3>>> faces_of(const Record& record) {
 
 }  // namespace
 
-TEST_CASE("the vertex of thesis figure 3.4 moves to the line of the larger element before") {
-  // (LLL(LLLL: 41 and 42 above 2, 41 and 43 beside 3.
+TEST_CASE("the vertex in thesis figure 3.4 moves onto the line of the larger element") {
+  // Only quarter 4 is divided: 41 and 42 border on quarter 2, 41 and 43 on quarter 3.
   WrittenStream stream("(LLL(LLLL", bowl);
   Repaired repaired;
   repair(stream, swept::filter, repaired);
@@ -255,10 +256,10 @@ TEST_CASE("the vertex of thesis figure 3.4 moves to the line of the larger eleme
   CHECK(points.size() == 14);
   CHECK(points.contains({3, 2, 14}));  // half-way between (2, 2, 8) and (4, 2, 20), not at 13
   CHECK(points.contains({2, 3, 14}));
-  CHECK(points.contains({3, 3, 18}));  // between four of one size: on the surface
+  CHECK(points.contains({3, 3, 18}));  // between four elements of one size, so on the surface
   CHECK(points.contains({4, 3, 25}));  // at the patch's edge
   CHECK(repaired.counts.snaps == 2);
-  CHECK(repaired.counts.splits == 4);  // of both first edges, of the sides of 2 and of 3
+  CHECK(repaired.counts.splits == 4);  // two edges of the patch, and the sides of 2 and 3
   CHECK(repaired.counts.merges == 0);
   CHECK(repaired.counts.elements == 7);
   CHECK(repaired.counts.vertices == 14);
@@ -276,7 +277,7 @@ TEST_CASE("a larger element after smaller ones takes their vertices onto its lin
   CHECK(repaired.counts.snaps == 2);
 }
 
-TEST_CASE("elements are emitted once no missing element touches them") {
+TEST_CASE("the filter emits an element once no missing element touches it") {
   WrittenStream stream("(LLL(LLLL", bowl);
   Repaired repaired;
   repair(stream, swept::filter, repaired);
@@ -284,13 +285,13 @@ TEST_CASE("elements are emitted once no missing element touches them") {
     const Square square = repaired.record.elements[i].square;
     return std::array{square.x * 4 / swept::whole_side, square.y * 4 / swept::whole_side};
   };
-  // 1 is complete after 2 and 3, 41 after 42 and 43; all others are at the patch's edge.
+  // Quarter 1 is complete after 2 and 3, and 41 after 42 and 43; all others are at the patch's edge.
   CHECK(order(0) == std::array{0U, 0U});
   CHECK(order(1) == std::array{2U, 2U});
   CHECK(repaired.counts.most_elements == 5);
 }
 
-TEST_CASE("after the repair no vertex is off a side although many were") {
+TEST_CASE("the repair leaves no vertex off a side although many were") {
   int before = 0;
   CHECK(rc::check([&] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
@@ -304,7 +305,7 @@ TEST_CASE("after the repair no vertex is off a side although many were") {
   CHECK((!testing::draws_usual_cases() || before > 500));
 }
 
-TEST_CASE("each vertex is in all elements it touches: the mesh is closed within the patch") {
+TEST_CASE("a repaired mesh is closed within the patch") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
     Repaired repaired;
@@ -329,7 +330,7 @@ TEST_CASE("each vertex is in all elements it touches: the mesh is closed within 
   }));
 }
 
-TEST_CASE("peak counts of held elements and vertices equal a recount") {
+TEST_CASE("the filter's peak counts of held elements and vertices equal a recount") {
   std::size_t cases = 0;
   CHECK(rc::check([&] {
     const auto surface = swept::surface_of(random_net(4, 4, 30));
@@ -347,7 +348,7 @@ TEST_CASE("peak counts of held elements and vertices equal a recount") {
   CHECK((!testing::draws_usual_cases() || cases > 30));
 }
 
-TEST_CASE("the quadtree makes the same mesh and holds all of it") {
+TEST_CASE("the quadtree repair makes the filter's mesh but holds all of it") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
     const swept::Accuracy accuracy{0.5};
@@ -364,7 +365,7 @@ TEST_CASE("the quadtree makes the same mesh and holds all of it") {
   }));
 }
 
-TEST_CASE("between patches no side lacks a vertex in either repair") {
+TEST_CASE("no side between patches lacks a vertex after either repair") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(5, 6, 40));
     const auto way = *rc::gen::element(swept::Repair::filter, swept::Repair::quadtree);

@@ -95,7 +95,7 @@ TEST_CASE("three points are collinear if their triangle is 1e-9 as high as long"
   CHECK(off({1, 0, 0}, {1000, 2e-3, 0}) == 0);
 }
 
-TEST_CASE("an element is flat up to exactly the tolerance by the plane without its tip") {
+TEST_CASE("an element is flat if its middle and tip are within the tolerance of a plane") {
   for (const FlatCase& one :
        std::vector<FlatCase>{{{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0.125}}}, {2, 2, 0}, true},
                              {{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0.126}}}, {2, 2, 0}, false},
@@ -116,7 +116,7 @@ TEST_CASE("an element is flat up to exactly the tolerance by the plane without i
   }
 }
 
-TEST_CASE("a patch is divided for each bent side and for none by the thesis's test") {
+TEST_CASE("a patch is divided for any bent side and by the thesis's test for none") {
   // Heights at the sides of v: control points v^2 - 1/3 - v/2 give v (v - 1/2), which is 1/2 in the south and 0 in the
   // north and in the middle. Times u^2 - 1/4, at most 1/4, the side is 1/8 of the factor off its line; the corners and
   // the middle are not.

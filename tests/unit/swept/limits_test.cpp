@@ -58,7 +58,7 @@ Net make_net(std::size_t rows, std::size_t columns) {
 
 }  // namespace
 
-TEST_CASE("a fault in a curve of a sweep names the curve") {
+TEST_CASE("the error for a wrong curve of a sweep names the curve") {
   const Curve bad{4, false, {}};
   const std::string what = ": degree 4 is above 3; use 0 (constant), 1, 2 or 3";
   Sweep sweep = block();
@@ -75,7 +75,7 @@ TEST_CASE("a fault in a curve of a sweep names the curve") {
   CHECK(swept::fault_of(sweep) == "the scale" + what);
 }
 
-TEST_CASE("rejects a point as contour or trajectory and closed functions") {
+TEST_CASE("a point as contour or trajectory and a closed function are rejected") {
   Sweep sweep = block();
   sweep.contour = {0, true, {{1, 1, 0}}};
   CHECK(swept::fault_of(sweep).find("the contour") == 0);
@@ -89,7 +89,7 @@ TEST_CASE("rejects a point as contour or trajectory and closed functions") {
   }
 }
 
-TEST_CASE("rejects a negative scale along u or v at any point and accepts 0") {
+TEST_CASE("a negative scale along u or v is rejected at any point and 0 accepted") {
   for (const glm::dvec3& point : {glm::dvec3{-0.1, 1, 0}, glm::dvec3{1, -0.1, 0}}) {
     for (const bool is_last : {false, true}) {
       Sweep sweep = block();
@@ -103,7 +103,7 @@ TEST_CASE("rejects a negative scale along u or v at any point and accepts 0") {
   CHECK(swept::fault_of(sweep).empty());
 }
 
-TEST_CASE("the limits on points and patches are exact") {
+TEST_CASE("a sweep with the most points and patches is accepted and with one more rejected") {
   CHECK(swept::fault_of(Curve{1, false, std::vector<glm::dvec3>(10'000)}).empty());
   CHECK(!swept::fault_of(Curve{1, false, std::vector<glm::dvec3>(10'001)}).empty());
   for (std::uint32_t degree = 1; degree <= 3; ++degree) {
@@ -122,7 +122,7 @@ TEST_CASE("the limits on points and patches are exact") {
   CHECK(swept::fault_of(sweep) == "contour and trajectory make more than 100000 patches; remove points");
 }
 
-TEST_CASE("a net needs four equal rows of four points and at most 100000 patches") {
+TEST_CASE("a net has at least four equal rows of four points and at most 100000 patches") {
   CHECK(swept::fault_of(make_net(4, 4)).empty());
   CHECK(swept::fault_of(make_net(3, 4)) == "a patch needs at least 4 rows of points, not 3");
   CHECK(swept::fault_of(make_net(4, 3)) == "a row of a patch needs at least 4 points, not 3");
@@ -150,7 +150,7 @@ TEST_CASE("on a closed trajectory the scale along u and v and the rotation must 
   }
 }
 
-TEST_CASE("rejects a trajectory that stands still at its start or middle or end") {
+TEST_CASE("a trajectory that stands still at its start or middle or end is rejected") {
   for (const std::size_t segment : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
     std::vector<glm::dvec3> points{{0, 0, 0}, {0, 0, 3}, {0, 0, 6}};
     points.insert(points.begin() + static_cast<std::ptrdiff_t>(segment), points[segment]);
@@ -159,7 +159,7 @@ TEST_CASE("rejects a trajectory that stands still at its start or middle or end"
   }
 }
 
-TEST_CASE("rotation to and fro counts both ways up to a right angle") {
+TEST_CASE("rotation forwards and backwards adds up and may total a right angle") {
   const auto is_short = [](const Curve& rotation) {
     Sweep sweep = block();
     sweep.rotation = rotation;
@@ -169,14 +169,14 @@ TEST_CASE("rotation to and fro counts both ways up to a right angle") {
   CHECK(is_short(function(1, {90, 0})));
   CHECK(!is_short(function(1, {0, 90.5})));
   CHECK(!is_short(function(1, {90.5, 0})));
-  // A parabola to 50 and back rotates by 100, one to 40 by 80.
+  // A parabola that rotates to 50 degrees and back totals 100, one to 40 and back 80.
   CHECK(!is_short(function(2, {0, 100, 0})));
   CHECK(!is_short(function(2, {0, -100, 0})));
   CHECK(is_short(function(2, {0, 80, 0})));
   CHECK(is_short(function(2, {0, -80, 0})));
 }
 
-TEST_CASE("a twist to one side and back within a segment is not mistaken for none") {
+TEST_CASE("a twist to one side and back within a segment of a sweep is drawn") {
   // The rotation is 0 at both ends and in the middle.
   Sweep sweep = block();
   sweep.rotation = function(3, {0, 300, -300, 0});
@@ -194,8 +194,8 @@ TEST_CASE("a twist to one side and back within a segment is not mistaken for non
 }
 
 TEST_CASE("rims of cones are within tolerance in both directions of the trajectory") {
-  // A side between corners 22.5 degrees apart is 0.058 off the circle, and the upper half of a patch three quarters of
-  // that in its middle: only the rim is beyond the tolerance.
+  // With corners 22.5 degrees apart, a side of the rim is 0.058 off the circle, and the middle of a patch's upper half
+  // three quarters of that: only the rim exceeds the tolerance.
   constexpr double tolerance = 0.05;
   for (const bool opens : {true, false}) {
     CAPTURE(opens);
@@ -217,15 +217,15 @@ TEST_CASE("rims of cones are within tolerance in both directions of the trajecto
 }
 
 TEST_CASE("a patch with one bent side is subdivided whichever side it is") {
-  // A side in the plane of the trajectory, from it to a point that the scale moves along a parabola: 4 off a line; an
-  // eighth of its length is 1/16 off.
+  // The patch has the trajectory on one side and, on the other, a point that the scale moves along a parabola, 4 off a
+  // line; an eighth of that side is 1/16 off.
   Sweep sweep{{1, true, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}}, line(10)};
   sweep.scale = {2, false, {{1, 1, 0}, {3, 3, 0}, {1, 1, 0}}};
-  CHECK(leaves_of(sweep, 0, {0.1}) >= 8);  // to the point on its eastern side
-  CHECK(leaves_of(sweep, 2, {0.1}) >= 8);  // from it on its western side
+  CHECK(leaves_of(sweep, 0, {0.1}) >= 8);  // bent in the east
+  CHECK(leaves_of(sweep, 2, {0.1}) >= 8);  // bent in the west
 }
 
-TEST_CASE("the limits on levels and elements and work of a surface are exact") {
+TEST_CASE("a surface at its limits on levels and elements and work is accepted") {
   Sweep sweep{circle(3, 8), line(10)};
   sweep.scale = {2, false, {{1, 1, 0}, {3, 3, 0}, {1, 1, 0}}};
   const std::unique_ptr<swept::Surface> surface = swept::surface_of(sweep);

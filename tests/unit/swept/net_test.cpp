@@ -48,7 +48,7 @@ TEST_CASE("corners of a patch's elements are points of the surface") {
   }));
 }
 
-TEST_CASE("leaves cover the patch in south-west to north-east order") {
+TEST_CASE("the leaves of a net cover a patch from south-west to north-east") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
     double covered = 0;
@@ -68,7 +68,7 @@ TEST_CASE("leaves cover the patch in south-west to north-east order") {
   }));
 }
 
-TEST_CASE("surface points are within the tolerance of their element") {
+TEST_CASE("points of a net's surface are within the tolerance of their element") {
   CHECK(rc::check([] {
     const swept::Net net = random_net(4, 4, 20);
     const auto surface = swept::surface_of(net);
@@ -103,7 +103,7 @@ TEST_CASE("an element is flat if its fourth corner and midpoint are near the oth
   CHECK(swept::is_flat({{{0, 0, 0}, {0, 0, 0}, {0, 4, 0}, {4, 4, 0}}}, {2, 2, 0.09}, 0.1, counts));
 }
 
-TEST_CASE("rejects a tolerance that the levels cannot reach") {
+TEST_CASE("a tolerance that the levels of subdivision cannot reach is rejected") {
   const auto surface = swept::surface_of({{{{0, 0, 0}, {1, 0, 9}, {2, 0, 0}, {3, 0, 9}},
                                            {{0, 1, 0}, {1, 1, 0}, {2, 1, 9}, {3, 1, 0}},
                                            {{0, 2, 9}, {1, 2, 0}, {2, 2, 0}, {3, 2, 0}},
@@ -115,7 +115,7 @@ TEST_CASE("rejects a tolerance that the levels cannot reach") {
         "smoother curve");
 }
 
-TEST_CASE("reports invalid nets with a fix") {
+TEST_CASE("an invalid net is reported with a fix") {
   CHECK(swept::fault_of(swept::Net{}) == "a patch needs at least 4 rows of points, not 0");
   const std::vector<glm::dvec3> row(4);
   CHECK(swept::fault_of(swept::Net{{row, row, row, {}}}) == "a row of a patch needs at least 4 points, not 0");

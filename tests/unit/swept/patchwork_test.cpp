@@ -14,7 +14,7 @@ using namespace swept;
 
 namespace {
 
-/// Nodes from a DF-expression over a square of the plane of side 4; the height of a point is x^2 + y^2.
+/// Nodes of a DF-expression (as in filter_test.cpp) over a square with side 4; the height of a point is x^2 + y^2.
 class DrawnStream : public swept::Stream {
  public:
   DrawnStream(std::string_view expression, const glm::dvec2& low, swept::SubdivisionCounts& counts)
@@ -109,9 +109,9 @@ TEST_CASE("the filter visits two edges per element and one more per merge") {
     std::uint64_t merges;
     std::uint64_t most_edges;
   };
-  // The border starts with two edges; each split adds one, each merge removes one. In the last but one, the four small
-  // elements split both edges twice; 2 merges those beside it, 3 those below. In the last, 41 splits the sides of 2 and
-  // 3 as well as the two of the patch.
+  // The border starts with two edges; each split adds an edge and each merge removes one. In the third row the four
+  // quarters of quarter 1 split both edges twice; quarter 2 merges the edges beside it and quarter 3 those below it. In
+  // the fourth row 41 splits the sides of quarters 2 and 3 as well as both edges of the patch.
   for (const Row& row : {Row{"L", 1, 0, 0, 2}, Row{"(LLLL", 4, 2, 0, 4}, Row{"((LLLLLLL", 7, 4, 2, 6},
                          Row{"(LLL(LLLL", 7, 4, 0, 6}, Row{"((LLLL(LLLLLL", 10, 5, 2, 7}}) {
     CAPTURE(row.expression);
@@ -125,12 +125,12 @@ TEST_CASE("the filter visits two edges per element and one more per merge") {
 }
 
 TEST_CASE("the quadtree's neighbour visits and held nodes equal the hand counts") {
-  // A lone leaf searches at each corner across two sides for other leaves, then at each side for its neighbour, twice:
-  // it visits itself each time. A quarter visits itself for a neighbour within the square, and the whole for one
-  // outside. The south-west quarter emits its corners in order: 4, then 1 and, by its neighbour, 3, and 2; the same;
-  // and in the middle 1, around by 1, 1, 1, 1, 2 at the three others, and 1. The south-east quarter is left with 4 and,
-  // at its north-east, 2, 1 and 3; the north-west one with the same; the north-east one with 4. At sides a quarter
-  // visits 1 + 1 + 2 + 2, twice.
+  // A lone leaf visits itself in each search: at each corner for other leaves across two sides (8), and at each side
+  // for its neighbour (4), twice. Among quarters a search within the square visits one node, and a search beyond it
+  // visits two, the quarter and the whole. At corners, the south-west quarter takes 4 visits, 1 + 3 + 2, the same
+  // again, and in the middle of the square 1, 1 + 1 + 1 + 1 + 2 around the three others, and 1; the south-east quarter
+  // emits two more corners with 4 and 2 + 1 + 3 visits, the north-west quarter two with the same, and the north-east
+  // quarter the last one with 4. At sides a quarter takes 1 + 1 + 2 + 2 visits, twice.
   struct Row {
     const char* expression;
     std::uint64_t nodes;
@@ -193,12 +193,12 @@ TEST_CASE("a larger patch gets the vertex of a smaller neighbour on its common s
       }
       CHECK(on_edge == 1);
       if (repair == Repair::filter) {
-        // Beyond the large one, the first quarter splits their common segment.
+        // If the large patch comes first, the first quarter splits the common segment.
         CHECK(made.repair.splits == (row.is_small_first ? 0 : 1));
         CHECK(made.repair.merges == 0);
         CHECK(made.repair.edges_visited == 2 * 5);
-        // The small patch: two edges each of west and south; its quarters 2, 3 and 4 at the end, without the vertex
-        // that belongs only to 1.
+        // The maxima occur in the small patch: two edges in the west and two in the south; at its end the quarters 2, 3
+        // and 4, without the vertex that belongs only to quarter 1.
         CHECK(made.repair.most_edges == 4);
         CHECK(made.repair.most_elements == 3);
         CHECK(made.repair.most_vertices == 8);
@@ -248,9 +248,9 @@ TEST_CASE("both repairs split patch edges into segments of the larger elements")
   }
 }
 
-TEST_CASE("vertices on nested lines and between patches end up on the larger lines") {
-  // West: quarters of quarters at the common edge; east: quarters. Segments of the edge are halves, (4, 0, 16) to (4,
-  // 2, 20) to (4, 4, 32), with the vertices at 1 and 3 half-way.
+TEST_CASE("vertices on nested lines and between patches move onto the larger lines") {
+  // The west patch has quarters of quarters at the common edge, the east patch has quarters. The segments of the edge
+  // are its halves, (4, 0, 16) to (4, 2, 20) to (4, 4, 32), with the vertices at 1 and 3 half-way.
   for (const Repair repair : both_repairs) {
     const Patchwork made = patchwork(2, {"(L(LLLLL(LLLL", "(LLLL"}, repair);
     const auto has = [&](const glm::dvec3& point) {
@@ -259,8 +259,8 @@ TEST_CASE("vertices on nested lines and between patches end up on the larger lin
     CHECK(has({4, 1, 18}));
     CHECK(has({4, 3, 26}));
     CHECK(has({4, 2, 20}));
-    // Within the west patch: on the surface where no larger element is above or below; next to the quarters in its
-    // west, on their lines.
+    // Vertices within the west patch are on the surface where no larger element is above or below, and on the lines of
+    // the quarters in its west next to these.
     CHECK(has({3, 1, 10}));
     CHECK(has({2, 1, 6}));
     CHECK(has({2, 3, 14}));
@@ -268,7 +268,7 @@ TEST_CASE("vertices on nested lines and between patches end up on the larger lin
   }
 }
 
-TEST_CASE("one patch has no wire frame while several share one with their corners") {
+TEST_CASE("one patch has no wire frame and several patches share one at their corners") {
   for (const Repair repair : both_repairs) {
     const Patchwork alone = patchwork(1, {"(LLLL"}, repair);
     CHECK(alone.wire_vertices == 0);

@@ -47,7 +47,7 @@ double volume_of(const Sweep& sweep, double tolerance) {
 
 }  // namespace
 
-TEST_CASE("a square along a line is a block for either contour direction") {
+TEST_CASE("a square swept along a line is a block for either direction of the contour") {
   Sweep sweep{square(2), line({0, 0, 1}, {0, 0, 6})};
   CHECK(volume_of(sweep, 0.1) == doctest::Approx(80));
   std::ranges::reverse(sweep.contour.points);
@@ -66,7 +66,7 @@ TEST_CASE("a contour along the z axis keeps its drawn orientation: u is x and v 
   CHECK(has({5, 0, 0}));
 }
 
-TEST_CASE("along the rising y axis v points backwards and otherwise forwards") {
+TEST_CASE("a sweep's v points backwards along the rising y axis and otherwise forwards") {
   for (const double up : {1.0, -1.0}) {
     const Sweep sweep{{1, true, {{0, 0, 0}, {1, 0, 0}, {0, 3, 0}}}, line({0, 0, 0}, {0, up, 0})};
     const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.1});
@@ -92,7 +92,7 @@ TEST_CASE("a twisted square keeps its volume") {
   CHECK(volume_of(sweep, 0.002) == doctest::Approx(16).epsilon(0.002));
 }
 
-TEST_CASE("whole turns within a segment and scales that return are not mistaken for none") {
+TEST_CASE("whole turns within a segment and scales that return are drawn") {
   Sweep sweep{square(1), line({0, 0, 0}, {0, 0, 40})};
   sweep.rotation = {1, false, {{0, 0, 0}, {720, 0, 0}}};
   CHECK(swept::make_swept_solid(sweep, {0.1}).mesh.points.size() > 100);
@@ -224,7 +224,7 @@ TEST_CASE("any sweep is closed and oriented outwards and equals the quadtree's e
   }));
 }
 
-TEST_CASE("reports invalid sweeps with a fix") {
+TEST_CASE("an invalid sweep is reported with a fix") {
   const Sweep good{square(1), line({0, 0, 0}, {0, 0, 4})};
   CHECK(swept::fault_of(good) == "");
   Sweep open = good;

@@ -35,7 +35,7 @@ const double half_root = std::sqrt(0.5);
 
 }  // namespace
 
-TEST_CASE("the slope of a segment of each degree is that of its polynomial") {
+TEST_CASE("the slope of a segment of a path is that of its polynomial in each degree") {
   CHECK(swept::slope({0, {{{3, 4, 5}}}}, 0.5) == glm::dvec3(0));
   CHECK(swept::slope({1, {{{1, 1, 1}, {3, 0, 5}}}}, 0.25) == glm::dvec3(2, -1, 4));
   // x = t^2 and y = 2 t have slopes 2 t and 2.
@@ -99,7 +99,7 @@ TEST_CASE("a trajectory turns back if its directions are opposite within 0.02") 
   }
 }
 
-TEST_CASE("v follows the y axis projected on the contour's plane") {
+TEST_CASE("a contour's v is the y axis projected on the contour's plane") {
   CHECK(are_same(up_at(make_path({{0, 0, 0}, {5, 0, 0}}), 0.5), {0, 1, 0}));
   CHECK(are_same(up_at(make_path({{0, 0, 0}, {3, 4, 0}}), 0), {-0.8, 0.6, 0}));
   CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, -4, 3}}), 1), {0, 0.6, 0.8}));
@@ -111,7 +111,7 @@ TEST_CASE("v follows the y axis projected on the contour's plane") {
   }
 }
 
-TEST_CASE("along the y axis v points to -z upwards and to z downwards") {
+TEST_CASE("a contour's v points to -z along the rising y axis and to z if it falls") {
   CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, 5, 0}}), 0.5), {0, 0, -1}));
   CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, -5, 0}}), 1), {0, 0, 1}));
   // Leaning slightly towards z removes the part of z along the tangent.
@@ -123,7 +123,7 @@ TEST_CASE("along the y axis v points to -z upwards and to z downwards") {
   CHECK(are_same(up_at(wave, 1), {0, 0, -1}));
 }
 
-TEST_CASE("at an end along the y axis v is carried over from the nearest known place") {
+TEST_CASE("v at an end along the y axis is that of the nearest place where it is defined") {
   // The plane of x and y: left of the tangent where it rises to the right or falls to the left.
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {0, 5, 0}, {5, 10, 0}}}}}), 0), {-1, 0, 0}));
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {0, 5, 0}, {-5, 10, 0}}}}}), 0), {1, 0, 0}));
@@ -135,7 +135,7 @@ TEST_CASE("at an end along the y axis v is carried over from the nearest known p
   CHECK(are_same(up_at(make_path({{0, 0, 0}, {5, 0, 0}, {5, 5, 0}}), 2), {-1, 0, 0}));
 }
 
-TEST_CASE("where a smooth trajectory passes the y axis v rotates evenly within 5.7 degrees") {
+TEST_CASE("a contour's v rotates evenly where a smooth trajectory passes the y axis") {
   // x' / y' = 1 - 2 t, from 45 degrees to the right to 45 to the left.
   const Path arch = smooth({{2, {{{0, 0, 0}, {5, 5, 0}, {0, 10, 0}}}}});
   const double tangens = 0.1 / std::sqrt(0.99);
@@ -158,7 +158,7 @@ TEST_CASE("where a smooth trajectory passes the y axis v rotates evenly within 5
   CHECK(are_same(up_at(arch, behind), glm::dvec3(arch.tangent(behind).y, -arch.tangent(behind).x, 0)));
 }
 
-TEST_CASE("between corners along the y axis v rotates evenly from one to the next") {
+TEST_CASE("a contour's v rotates evenly between corners along the y axis") {
   const glm::dvec3 y(0, 1, 0);
   // Both ends to the right: v is carried along without rotation. One right, one left: half of 180 degrees.
   const Path step = make_path({{-5, 0, 0}, {0, 0, 0}, {0, 5, 0}, {0, 10, 0}, {5, 10, 0}});
@@ -180,7 +180,7 @@ TEST_CASE("between corners along the y axis v rotates evenly from one to the nex
   CHECK(over.upward(4.5, y).x == doctest::Approx(-over.upward(0.5, y).x));
 }
 
-TEST_CASE("computes the fraction of length for lines and for a parabola") {
+TEST_CASE("the fraction of a path's length is exact for lines and for a parabola") {
   const Spine lines(along({1, false, {{0, 0, 0}, {0, 0, 1}, {0, 0, 10}}}));
   CHECK(lines.length_fraction(0, 0) == 0);
   CHECK(lines.length_fraction(0, 0.5) == doctest::Approx(0.05));
@@ -194,7 +194,7 @@ TEST_CASE("computes the fraction of length for lines and for a parabola") {
     CHECK(parabola.length_fraction(0, x) == doctest::Approx(length(x) / length(1)).epsilon(1e-11));
 }
 
-TEST_CASE("a part is short if within one piece of each function and 90 degrees of turn") {
+TEST_CASE("a part is short within one piece of each function and 90 degrees of rotation") {
   const auto is_short = [](const Curve& rotation, const Curve& scale, double from, double to) {
     swept::Sweep sweep = along({1, false, {{0, 0, 0}, {0, 0, 8}}});
     sweep.rotation = rotation;
@@ -227,7 +227,7 @@ TEST_CASE("a part is short if within one piece of each function and 90 degrees o
   CHECK(!is_short(line, one, 0.25, 0.7501));
 }
 
-TEST_CASE("a contour is rotated from u to v and scaled along each by the length fraction") {
+TEST_CASE("a contour is rotated from u to v and scaled by the fraction of the path's length") {
   swept::Sweep sweep = along({1, false, {{0, 0, 0}, {0, 0, 8}}});
   sweep.rotation = {1, false, {{0, 0, 0}, {90, 0, 0}}};
   sweep.scale = {1, false, {{1, 2, 0}, {3, 4, 0}}};
@@ -247,7 +247,7 @@ TEST_CASE("a contour is rotated from u to v and scaled along each by the length 
   CHECK(!swept::Section{{0, 0, 0}, {0, 0, 0}, {0, 1, 0}}.is_point());
 }
 
-TEST_CASE("corners but not open ends are mitred and sections between lean evenly") {
+TEST_CASE("a sweep's corners are mitred and sections between them lean evenly") {
   // A corner from x to -z: v is up, u is across. At the corner the plane bisects the angle: u has length 1 / cos 45.
   const Spine spine(along({1, false, {{0, 0, 0}, {4, 0, 0}, {4, 0, -4}}}));
   const double length = std::sqrt(2.0);

@@ -30,7 +30,7 @@ system::ChildEnd run_shell(const std::string& commands, const system::ChildLimit
 
 }  // namespace
 
-TEST_CASE("a program reads its input and all of its output is available at its end") {
+TEST_CASE("a child program reads its input and all of its output is available at its end") {
   const std::string large_text(std::size_t{3} << 18U, 'x');
   const system::ChildEnd ended = run_shell("tee /dev/stderr; exit 3", usual, large_text);
   CHECK(ended.output == large_text);
@@ -41,7 +41,7 @@ TEST_CASE("a program reads its input and all of its output is available at its e
   CHECK(system::is_done(run_shell("true")));
 }
 
-TEST_CASE("a program may write exactly up to its limits") {
+TEST_CASE("a child program may write exactly up to its limits") {
   const std::string exact = "head -c 1048576 /dev/zero";
   CHECK(system::is_done(run_shell(exact)));
   CHECK(system::is_done(run_shell(exact + " >&2")));
@@ -54,7 +54,7 @@ TEST_CASE("a program may write exactly up to its limits") {
   }
 }
 
-TEST_CASE("terminates a program at its time limit including its children") {
+TEST_CASE("a child program and its children are terminated at the time limit") {
   system::ChildLimits limits = usual;
   limits.time = std::chrono::seconds(1);
   const system::ChildEnd ended = run_shell("sleep 300 & echo $!; wait", limits);
@@ -63,13 +63,13 @@ TEST_CASE("terminates a program at its time limit including its children") {
   CHECK(::kill(std::stoi(ended.output), 0) != 0);
 }
 
-TEST_CASE("terminates children that a program leaves behind without waiting for them") {
+TEST_CASE("children that a child program leaves behind are terminated") {
   const system::ChildEnd ended = run_shell("sleep 300 & echo $!");
   CHECK(system::is_done(ended));
   CHECK(::kill(std::stoi(ended.output), 0) != 0);
 }
 
-TEST_CASE("reports the peak memory of a program's processes") {
+TEST_CASE("the peak memory of a child program's processes is reported") {
   constexpr std::size_t held = 64 * mib;
   const system::ChildEnd ended = run_shell("head -c 64M /dev/zero | tail -c 64M > /dev/null");
   CHECK(system::is_done(ended));
@@ -78,19 +78,19 @@ TEST_CASE("reports the peak memory of a program's processes") {
   CHECK(run_shell("true").memory < held);
 }
 
-TEST_CASE("reports a program terminated by a signal") {
+TEST_CASE("a child program terminated by a signal is reported") {
   const system::ChildEnd ended = run_shell("kill -SEGV $$");
   CHECK(system::why_failed(ended, usual) == "it was killed by a signal: Segmentation fault");
 }
 
-TEST_CASE("distinguishes a nonexistent program from a failing one") {
+TEST_CASE("a nonexistent child program is distinguished from a failing one") {
   const system::MemoryFile none("none");
   CHECK_FALSE(system::run_child(std::vector<std::string>{"there/is/none"}, none, usual).has_value());
   CHECK_FALSE(system::run_child(std::vector<std::string>{"csgsim-is-none"}, none, usual).has_value());
   CHECK(system::why_failed(run_shell("echo why >&2; exit 1"), usual) == "why");
 }
 
-TEST_CASE("terminates a program and its children on a stop request to this thread") {
+TEST_CASE("a stop request to this thread terminates its child program and the children") {
   std::stop_source stop;
   const Interruptible interruptible(stop.get_token());
   const std::string number = "/tmp/csgsim-child-" + std::to_string(::getpid());
@@ -109,7 +109,7 @@ TEST_CASE("terminates a program and its children on a stop request to this threa
   std::filesystem::remove(number);
 }
 
-TEST_CASE("terminates a program at once if a stop was requested before") {
+TEST_CASE("a child program is terminated at once if a stop was requested before") {
   std::stop_source stop;
   const Interruptible interruptible(stop.get_token());
   stop.request_stop();

@@ -127,7 +127,7 @@ TEST_CASE("a fast sphere is a circle within 1/256 pixel and 0.3 radius of the tr
   CHECK((!testing::draws_usual_cases() || worst > 0.2));
 }
 
-TEST_CASE("ranges and blocks and extents of fast spheres contain their depths") {
+TEST_CASE("the ranges and blocks and extents of fast spheres contain their depths") {
   int in_blocks = 0;
   int out_blocks = 0;
   for (int round = 0; round < 5; ++round) {

@@ -61,7 +61,7 @@ TEST_CASE("bounds of a narrow slanted ridge or valley include its inner pixels")
   }));
 }
 
-TEST_CASE("roots are rounded down exactly") {
+TEST_CASE("roots of discriminants are rounded down exactly") {
   CHECK(view::floor_root(0) == 0);
   CHECK(rc::check([] {
     const std::int64_t root = *rc::gen::inRange<std::int64_t>(1, std::int64_t{1} << 30U);

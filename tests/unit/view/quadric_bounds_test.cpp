@@ -42,7 +42,7 @@ bool are_within_bounds(const Seen& seen, std::int32_t x, std::int32_t y) {
 
 }  // namespace
 
-TEST_CASE("middle and discriminant are within their bounds of the true values") {
+TEST_CASE("a quadric's middle and discriminant are within their bounds of the true values") {
   int fit = 0;
   int inside = 0;
   const auto bounded = [&] {
@@ -66,7 +66,7 @@ TEST_CASE("middle and discriminant are within their bounds of the true values") 
 
 // The quadric's value at the eye, the common divisor, is 1e-9 of the terms whose difference it is, so that D would
 // change by 20,000 with the model's last binary digits: its bound is relative to the scene's quadric.
-TEST_CASE("middle and discriminant are within their bounds if the eye is near the surface") {
+TEST_CASE("a quadric's middle and discriminant are within bounds near the eye") {
   glm::dmat4 place(1.0);
   place[0] = {-0.30222739025581363, 0.40350680047607401, -2.9425074762668277, 0};
   place[1] = {-2.25547666596781, -1.9555056512303737, -0.036497104244834308, 0};

@@ -191,7 +191,7 @@ Boundary bowl(std::int64_t side, std::int32_t width) {
 
 }  // namespace
 
-TEST_CASE("rivals include each front or back where the solid begins or ends in hard cases") {
+TEST_CASE("rivals include each boundary at which a solid begins or ends in hard cases") {
   Tally tally;
   CHECK(rc::check([&] {
     for (int i = 0; i < 10; ++i) require_right(draw(), tally);
@@ -202,7 +202,7 @@ TEST_CASE("rivals include each front or back where the solid begins or ends in h
   CHECK(tally.left_out > 100'000);
 }
 
-TEST_CASE("faces spread over the picture have few rivals however many they are") {
+TEST_CASE("few of many faces spread over the picture are rivals of each other") {
   for (const std::int64_t side : {10, 50, 200}) {
     CAPTURE(side);
     const Boundary boundary = bowl(side, 1024);
@@ -213,7 +213,7 @@ TEST_CASE("faces spread over the picture have few rivals however many they are")
   }
 }
 
-TEST_CASE("a few functions are all rivals of each other if there are pixels") {
+TEST_CASE("a few boundary functions are all rivals of each other if there are pixels") {
   const Boundary boundary = bowl(3, 64);
   const view::AllRivals found = view::rivals(boundary, {0, 0, 63, 63}, 0);
   CHECK(found.of_fronts[4].fronts == Numbers{0, 1, 2, 3, 5, 6, 7, 8});

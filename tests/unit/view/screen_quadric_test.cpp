@@ -41,7 +41,7 @@ Around look_around(const Subject& subject, const view::View& view, const glm::dv
 
 }  // namespace
 
-TEST_CASE("integer tests agree with the shape up to rounding from every viewpoint") {
+TEST_CASE("a quadric's integer tests match the shape up to rounding from every viewpoint") {
   std::array<int, 4> roles{};
   int ins = 0;
   int unfit = 0;
@@ -138,7 +138,7 @@ TEST_CASE("a sheared cylinder seen from its side never becomes an edge test") {
   CHECK((!testing::draws_usual_cases() || seen > 1000));
 }
 
-TEST_CASE("a cylinder slanted by pixels has two roots again to within an edge's width") {
+TEST_CASE("a cylinder slanted by pixels is drawn with roots to within an edge's width") {
   const model::Tree tree = single(model::Cylinder{4, 10, 10, false, {}}, glm::dmat4(1.0));
   const facet::Geometry scene = facet::make_geometry(tree, exact());
   view::Sampling sampling;
@@ -209,7 +209,7 @@ TEST_CASE("a sphere's depths and pixels are its own and not its hull's") {
   CHECK(view.extents[0].pixels == view::PixelRect{first, first, 511 - first, 511 - first});
 }
 
-TEST_CASE("an extent's depths include the back of a solid") {
+TEST_CASE("the depths of an extent include the back of the solid") {
   const model::Tree tree = single(model::Sphere{3, {}}, glm::dmat4(1.0));
   const facet::Geometry scene = facet::make_geometry(tree, exact());
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {

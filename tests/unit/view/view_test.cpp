@@ -39,20 +39,20 @@ double meet(const view::Camera& camera, const view::Sampling& sampling, const fa
 
 }  // namespace
 
-TEST_CASE("numbers become the nearest fixed-point integer") {
+TEST_CASE("a number becomes the nearest fixed-point integer") {
   CHECK(view::to_fixed(1.0, 12) == 4096);
   CHECK(view::to_fixed(-0.5, 1) == -1);
   CHECK(view::to_fixed(0.49, 0) == 0);
   CHECK(view::to_fixed(-2.5, 0) == -3);
 }
 
-TEST_CASE("rejects numbers that fit no integer") {
+TEST_CASE("a number that fits no integer is rejected") {
   CHECK_FALSE(view::to_fixed(1e30, 12).has_value());
   CHECK_FALSE(view::to_fixed(std::numeric_limits<double>::infinity(), 0).has_value());
   CHECK_FALSE(view::to_fixed(std::nan(""), 0).has_value());
 }
 
-TEST_CASE("ranges over rectangles are the extremes at their corners") {
+TEST_CASE("the range of a plane over a rectangle is the extremes at the corners") {
   CHECK(rc::check([] {
     const view::FixedLinear linear{*rc::gen::inRange(-50, 50), *rc::gen::inRange(-50, 50),
                                    *rc::gen::inRange(-500, 500)};
@@ -71,7 +71,7 @@ TEST_CASE("ranges over rectangles are the extremes at their corners") {
   }));
 }
 
-TEST_CASE("the picture's axes are right and up and forward like OpenSCAD's camera") {
+TEST_CASE("a camera's axes are right and up and forward as in OpenSCAD") {
   const view::Basis from_front = view::basis({{0, -10, 0}, {0, 0, 0}, view::Projection::orthographic});
   CHECK(from_front.right == glm::dvec3(1, 0, 0));
   CHECK(from_front.up == glm::dvec3(0, 0, 1));
@@ -90,7 +90,7 @@ TEST_CASE("the default view is OpenSCAD's orthographic one tilted by 55 and 25 d
   CHECK(std::atan2(toward_eye.x, -toward_eye.y) / degree == doctest::Approx(25.0).epsilon(1e-9));
 }
 
-TEST_CASE("rejects a camera without a direction") {
+TEST_CASE("a camera without a direction is rejected") {
   CHECK_THROWS_AS(view::basis({{1, 2, 3}, {1, 2, 3}, view::Projection::orthographic}), InputError);
   CHECK_THROWS_AS(view::basis({{1, 2, std::nan("")}, {0, 0, 0}, view::Projection::orthographic}), InputError);
 }
@@ -144,7 +144,7 @@ TEST_CASE("view-all moves away for a tall picture and not closer for a wide one"
   CHECK(distance(100, 400) > 3.9 * distance(100, 100));
 }
 
-TEST_CASE("rejects a near plane behind the whole model") {
+TEST_CASE("a near plane behind the whole model is rejected") {
   const model::Tree tree = box_at({0, 0, 0}, {1, 1, 1});
   const facet::Geometry scene = facet::make_geometry(tree);
   const auto see = [&](double near, view::Projection projection) {
@@ -263,7 +263,7 @@ TEST_CASE("an eye inside the model puts the near plane in front of the eye") {
         0.5);
 }
 
-TEST_CASE("rejects invalid samplings") {
+TEST_CASE("a sampling with an invalid size or number of bits is rejected") {
   const model::Tree tree = box_at({0, 0, 0}, {1, 1, 1});
   const facet::Geometry scene = facet::make_geometry(tree);
   const view::Camera camera{{0, -9, 3}, {0, 0, 0}, view::Projection::orthographic};

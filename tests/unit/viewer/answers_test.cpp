@@ -16,7 +16,7 @@
 #include "sim/viewer/knobs.h"
 #include "sim/viewer/session.h"
 #include "tests/support/test.h"
-#include "tests/unit/viewer/served.h"
+#include "tests/unit/viewer/asked.h"
 
 using namespace csgsim;
 using testing::Answer;
@@ -58,7 +58,7 @@ viewer::SessionOptions recording(std::function<void()> does) {
 
 }  // namespace
 
-TEST_CASE("a picture comes with its size and camera and drawing command and duration") {
+TEST_CASE("the answer with a picture has its size and camera and command and duration") {
   viewer::Session session({figure, {"--fraction-bits", "10"}, Json::object()});
   const Json answer = ask(session, "draw", box_wish()).json;
   CHECK(answer["width"] == 33);
@@ -80,7 +80,7 @@ TEST_CASE("a picture comes with its size and camera and drawing command and dura
                                  "alu.bits=4 --set 'background.colour=[0, 0, 1]'");
 }
 
-TEST_CASE("reports the pixels of a box that only one of two pictures has") {
+TEST_CASE("comparing two pictures reports the pixels of a box that only one has") {
   viewer::Session session = figure_session();
   const Json nothing = box_wish(moved("0,90", "cube(size=[1,1,1]);"));
   const auto two = [&](const Json& a, const Json& b) { return ask(session, "two", {{"a", a}, {"b", b}}); };
@@ -107,7 +107,7 @@ TEST_CASE("reports the pixels of a box that only one of two pictures has") {
   }
 }
 
-TEST_CASE("reports the first different instruction with both texts or a Program's end") {
+TEST_CASE("comparing two drawings reports the first different instruction with both texts") {
   viewer::Session session = figure_session();
   const Json plain = box_wish();
   Json other = box_wish();
@@ -125,7 +125,7 @@ TEST_CASE("reports the first different instruction with both texts or a Program'
   }
 }
 
-TEST_CASE("explains a pixel by its place and an unseen primitive on request") {
+TEST_CASE("a request explains a pixel by its place and an unseen primitive by its index") {
   viewer::Session session = figure_session();
   Json wish = box_wish();
   wish["pixel"] = "16,12";
@@ -143,7 +143,7 @@ TEST_CASE("explains a pixel by its place and an unseen primitive on request") {
   }
 }
 
-TEST_CASE("an instant defaults to the start and has the drawn surface's active tree") {
+TEST_CASE("an instant is the start by default and has the drawn surface's active tree") {
   viewer::Session session = figure_session();
   const std::string source = "difference(){" + box + "sphere(r=3);}";
   const Json begin = ask(session, "instant", box_wish(source)).json;
@@ -165,7 +165,7 @@ TEST_CASE("an instant defaults to the start and has the drawn surface's active t
   CHECK(ask(session, "instant", wish).status == 422);
 }
 
-TEST_CASE("a verdict counts wrong pixels and advice lists the knobs to turn") {
+TEST_CASE("a verdict counts wrong pixels and advice lists settings to change") {
   viewer::Session session = figure_session();
   const Json verdict = ask(session, "verdict", box_wish()).json;
   CHECK(verdict["accuracy"]["wrong"] == 0);
@@ -175,7 +175,7 @@ TEST_CASE("a verdict counts wrong pixels and advice lists the knobs to turn") {
   CHECK(advice["knobs"].size() > 3);
 }
 
-TEST_CASE("the page starts with the model and its options and the available machines") {
+TEST_CASE("the first answer to the page has the model and its options and the machines") {
   viewer::Session session({figure, {}, {{"size", "40x30"}}});
   const viewer::Reply reply = session.answer({.method = "GET"}, "about");
   CHECK(reply.status == 200);
@@ -201,7 +201,7 @@ TEST_CASE("the page starts with the model and its options and the available mach
   CHECK(more[0] == "pixel-planes-4+alu.bits=2");
 }
 
-TEST_CASE("the report is of the last drawing and absent after a mere compilation") {
+TEST_CASE("the session's report is that of the last drawing") {
   viewer::Session session = figure_session();
   CHECK(session.answer({.method = "GET"}, "report").status == 400);
   CHECK(ask(session, "tree", box_wish()).status == 200);
@@ -216,7 +216,7 @@ TEST_CASE("the report is of the last drawing and absent after a mere compilation
   CHECK(report.body.find("--size 33x25") != std::string::npos);
 }
 
-TEST_CASE("only a message that starts with the model's place has a line and column") {
+TEST_CASE("only a message that starts with a place in the model has a line and column") {
   viewer::Session session = figure_session();
   const auto place = [&](const std::string& source) {
     const Answer answer = ask(session, "draw", box_wish(source));
@@ -235,7 +235,7 @@ TEST_CASE("only a message that starts with the model's place has a line and colu
   CHECK_FALSE(other.json.contains("column"));
 }
 
-TEST_CASE("limits nesting and values and requires requests to be objects") {
+TEST_CASE("a request must be an object with limited nesting and number of values") {
   viewer::Session session = figure_session();
   const auto status = [&](const std::string& body) {
     return session.answer({.method = "POST", .body = body}, "tree").status;
@@ -258,7 +258,7 @@ TEST_CASE("limits nesting and values and requires requests to be objects") {
   CHECK(status("{") == 400);
 }
 
-TEST_CASE("a rejected request reports its fault") {
+TEST_CASE("the answer to a rejected request states its error") {
   viewer::Session session({figure, {}, {{"machine", "own.toml"}}});
   const auto error = [&](const Json& knobs) {
     const Answer answer = ask(session, "tree", {{"knobs", knobs}});
@@ -278,7 +278,7 @@ TEST_CASE("a rejected request reports its fault") {
   CHECK(testing::error_of([] { const viewer::Session none({"/nosuch.csg", {}, Json::object()}); }) != "");
 }
 
-TEST_CASE("any request cancelled by its name reports the cancellation") {
+TEST_CASE("any request that is cancelled by its name reports the cancellation") {
   viewer::Session* running = nullptr;
   Json progress;
   viewer::Session session = figure_session(recording([&] {
@@ -314,21 +314,21 @@ TEST_CASE("a closed session cancels pending and later requests") {
   }
 }
 
-TEST_CASE("rejects a model whose evaluation exceeds the time limit") {
+TEST_CASE("a model whose evaluation exceeds the time limit is rejected") {
   viewer::Session session = figure_session({.evaluation_time = std::chrono::milliseconds(1500)});
   CHECK(Json::parse(session.answer({.method = "GET"}, "about").body)["evaluation_time"] == 1.5);
-  viewer::Session hasty({CSGSIM_SOURCE_DIR "/tests/models/carburettor.csg", {}, Json::object()},
-                        {.evaluation_time = std::chrono::milliseconds(0)});
+  viewer::Session limited({CSGSIM_SOURCE_DIR "/tests/models/carburettor.csg", {}, Json::object()},
+                          {.evaluation_time = std::chrono::milliseconds(0)});
   std::atomic<bool> is_done = false;
   std::thread watch([&] {
-    while (!is_done) hasty.end_overdue();
+    while (!is_done) limited.end_overdue();
   });
   // Seconds of work, so that the other thread runs before the end.
   std::string slow;
   for (int i = 0; i < 2000; ++i)
     slow += fmt::format("multmatrix([[1,0,0,{}],[0,1,0,{}],[0,0,1,0],[0,0,0,1]]) {{ sphere(r=3,$fn=60); }}\n", i % 50,
                         i / 50);
-  const Answer late = ask(hasty, "draw", Json{{"source", "difference() { cube(100);\n" + slow + "}"}});
+  const Answer late = ask(limited, "draw", Json{{"source", "difference() { cube(100);\n" + slow + "}"}});
   is_done = true;
   watch.join();
   CHECK(late.status == 422);
@@ -337,7 +337,7 @@ TEST_CASE("rejects a model whose evaluation exceeds the time limit") {
                            "model, or start csgsim view with a longer --evaluation-time SECONDS"}});
 }
 
-TEST_CASE("a recording passes on the pixel and the window and any probes") {
+TEST_CASE("a recording passes the pixel and the window and any probes to csgsim wave") {
   std::vector<std::string> words;
   viewer::SessionOptions options;
   options.recorder = [&](const isa::Program&, std::span<const std::string> all) {

@@ -31,7 +31,7 @@ int status_of(const viewer::Request& request) {
 
 }  // namespace
 
-TEST_CASE("admits the page's own requests and returns the path after the token") {
+TEST_CASE("the access check admits the page's requests and returns the path after the token") {
   CHECK(viewer::admit(door, own_post()).path == "draw");
   const viewer::Request get = own_get();
   CHECK(viewer::admit(door, get).is_admitted);
@@ -43,7 +43,7 @@ TEST_CASE("admits the page's own requests and returns the path after the token")
   CHECK(door.address() == "http://127.0.0.1:8080/0123456789abcdef0123456789abcdef/");
 }
 
-TEST_CASE("rejects any other host or origin or site or token or type") {
+TEST_CASE("the access check rejects any other host or origin or site or token or type") {
   const auto with = [](std::string viewer::Request::*member, const std::string& value, viewer::Request request) {
     request.*member = value;
     return status_of(request);
@@ -68,7 +68,7 @@ TEST_CASE("rejects any other host or origin or site or token or type") {
     CHECK(with(&viewer::Request::content_type, type, own_post()) == 415);
 }
 
-TEST_CASE("admits nothing without the whole token at its place") {
+TEST_CASE("the access check admits nothing without the whole token at its place") {
   CHECK(rc::check([] {
     viewer::Request request = own_post();
     const auto at = *rc::gen::inRange<std::size_t>(0, door.token.size() + 1);
@@ -84,7 +84,7 @@ TEST_CASE("admits nothing without the whole token at its place") {
   }));
 }
 
-TEST_CASE("tokens are distinct and have 32 hexadecimal digits") {
+TEST_CASE("access tokens are distinct and have 32 hexadecimal digits") {
   std::set<std::string> tokens;
   for (int i = 0; i < 100; ++i) {
     const std::string token = viewer::make_token();
@@ -95,7 +95,7 @@ TEST_CASE("tokens are distinct and have 32 hexadecimal digits") {
   CHECK(tokens.size() == 100);
 }
 
-TEST_CASE("a path has the token between its first two slashes and the request after it") {
+TEST_CASE("a request's path has the token between its first two slashes") {
   const auto status = [](const std::string& path) {
     viewer::Request request = own_get();
     request.path = path;
@@ -114,7 +114,7 @@ TEST_CASE("a path has the token between its first two slashes and the request af
   CHECK(viewer::Door{}.port == 0);
 }
 
-TEST_CASE("every refusal states its reason") {
+TEST_CASE("every rejected access states its reason") {
   const auto refusal = [](std::string viewer::Request::*member, const char* value) {
     viewer::Request request = own_post();
     request.*member = value;

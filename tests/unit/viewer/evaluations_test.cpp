@@ -42,7 +42,7 @@ TEST_CASE("cancelling an evaluation by name ends only its thread's work") {
   }).join();
 }
 
-TEST_CASE("only evaluating has a time limit and each evaluation restarts it") {
+TEST_CASE("only evaluations have a time limit and each one restarts it") {
   viewer::Evaluations all(20ms);
   viewer::Evaluation one(all, "one");
   const auto is_overdue_after = [&](Doing doing, std::chrono::milliseconds time) {
@@ -76,7 +76,7 @@ TEST_CASE("a closed session ends current and later work") {
   CHECK(is_interrupted());
 }
 
-TEST_CASE("progress reports the activity and its duration and the limit") {
+TEST_CASE("the progress of an evaluation has the activity and its duration and the limit") {
   viewer::Evaluations all(4s);
   CHECK(all.progress("one") == viewer::Json::object());
   viewer::Evaluation one(all, "one");

@@ -57,7 +57,7 @@ TEST_CASE("after the last instruction the picture is the drawn one on each machi
   }
 }
 
-TEST_CASE("fields at an instant equal the reference's forwards and backwards") {
+TEST_CASE("the fields of an instant equal the reference's in steps forwards and backwards") {
   const Subject of = subject("pixel-planes-4");
   viewer::Instants instants(of.program, of.machine);
   const std::vector<isa::Instruction>& all = of.program.segments.front().instructions;
@@ -80,7 +80,7 @@ TEST_CASE("fields at an instant equal the reference's forwards and backwards") {
   }
 }
 
-TEST_CASE("tints exactly the enabled pixels") {
+TEST_CASE("the picture of an instant tints exactly the enabled pixels") {
   const Subject of = subject("pixel-planes-4", "16x12");
   viewer::Instants instants(of.program, of.machine);
   const auto at = [&](bool is_tinted) { return instants.at({.number = 0, .field = {}, .is_tinted = is_tinted}); };
@@ -113,7 +113,7 @@ TEST_CASE("a primitive's first instruction is the first whose origin names it") 
         }).starts_with("there is no field 'Z3'; the fields are E, "));
 }
 
-TEST_CASE("clocks at an instant are those of its instruction or a reason for their absence") {
+TEST_CASE("an instant has the clocks of its instruction or a reason for their absence") {
   for (const std::string_view name : kinds::built_in_names()) {
     CAPTURE(name);
     const Subject of = subject(std::string(name));
@@ -125,7 +125,7 @@ TEST_CASE("clocks at an instant are those of its instruction or a reason for the
   }
 }
 
-TEST_CASE("the listing has up to 12 instructions before an instant and 24 from it on") {
+TEST_CASE("the listing of an instant has 12 instructions before it and 24 from it on") {
   const Subject of = subject("pixel-planes-4");
   viewer::Instants instants(of.program, of.machine);
   const std::uint64_t count = of.program.segments.front().instructions.size();
@@ -252,7 +252,7 @@ TEST_CASE("an instant has its next instruction with primitive and segment and co
   }
 }
 
-TEST_CASE("a clock belongs to the first instruction not yet completely issued") {
+TEST_CASE("a clock belongs to the first instruction that is not yet completely issued") {
   const Subject of = subject("pixel-planes-4");
   viewer::Instants instants(of.program, of.machine);
   const auto number_at_clock = [&](std::uint64_t clock) {
@@ -270,7 +270,7 @@ TEST_CASE("a clock belongs to the first instruction not yet completely issued") 
   }
 }
 
-TEST_CASE("fields are listed by name and the scale describes the displayed values") {
+TEST_CASE("an instant lists fields by name and describes the scale of the displayed one") {
   const Subject of = subject("pixel-planes-4");
   viewer::Instants instants(of.program, of.machine);
   std::vector<std::string> names{"E"};

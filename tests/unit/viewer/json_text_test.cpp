@@ -20,7 +20,7 @@ std::string error_of(const std::string& text, const session::JsonLimits& limits)
 
 }  // namespace
 
-TEST_CASE("counts nested brackets of arrays and objects") {
+TEST_CASE("the nesting of a JSON text is that of its arrays and objects") {
   for (const std::size_t depth : {1U, 2U, 5U}) {
     const session::JsonLimits limits{.depth = static_cast<int>(depth)};
     CHECK(error_of(nested(depth), limits) == "");
@@ -34,14 +34,14 @@ TEST_CASE("counts nested brackets of arrays and objects") {
   CHECK(error_of(std::string(1'000'000, '['), {}) != "");
 }
 
-TEST_CASE("counts keys and values and brackets") {
+TEST_CASE("the number of values in a JSON text counts keys and values and brackets") {
   CHECK(error_of(R"([1,2,3])", {.values = 4}) == "");
   CHECK(error_of(R"([1,2,3])", {.values = 3}) == "it has more than 3 values");
   CHECK(error_of(R"({"a":1,"b":{}})", {.values = 5}) == "");
   CHECK(error_of(R"({"a":1,"b":{}})", {.values = 4}) != "");
 }
 
-TEST_CASE("a text within its limits is parsed unchanged") {
+TEST_CASE("a JSON text within its limits is parsed unchanged") {
   CHECK(session::parsed_json(R"({"b":[1,2.5,"x",null,true],"a":{}})", {}).dump() ==
         R"({"b":[1,2.5,"x",null,true],"a":{}})");
   CHECK_THROWS_AS(static_cast<void>(session::parsed_json("{", {})), nlohmann::ordered_json::exception);

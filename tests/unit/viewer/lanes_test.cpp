@@ -62,7 +62,7 @@ TEST_CASE("a zoomed-in lane has its original stretches") {
 }
 
 TEST_CASE("zooming out merges short stretches and counts each clock once") {
-  const bool holds = rc::check("lanes", [] {
+  const bool holds = rc::check("zoomed lanes count each clock once", [] {
     const auto runs = *rc::gen::container<std::vector<std::pair<int, int>>>(
         400, rc::gen::pair(rc::gen::inRange(0, 4), rc::gen::inRange(1, 12)));
     Clocks lane{*rc::gen::inRange<std::uint64_t>(0, 1000), {}};
@@ -87,7 +87,7 @@ TEST_CASE("zooming out merges short stretches and counts each clock once") {
   CHECK(holds);
 }
 
-TEST_CASE("sends few of many stretches with their most frequent text") {
+TEST_CASE("a lane of many stretches is sent as few with their most frequent text") {
   Clocks lane{0, std::vector<std::string>(100'000, "a")};
   for (std::size_t i = 0; i < lane.texts.size(); i += 5) lane.texts[i] = "b";
   const Json stretches = viewer::Lanes(trace_of(lane)).between(0, 100'000)[0].at("stretches");
@@ -100,7 +100,7 @@ TEST_CASE("sends few of many stretches with their most frequent text") {
   }
 }
 
-TEST_CASE("merges two or more short stretches with their number and keeps a single one") {
+TEST_CASE("two or more short stretches of a lane are merged and a single one is kept") {
   // Over 800 clocks, a stretch of 2 is shown alone, and one of 1 is too short.
   Clocks lane{0, std::vector<std::string>(800)};
   const auto show = [&](std::size_t clock, const char* text) { lane.texts[clock] = text; };
@@ -120,7 +120,7 @@ TEST_CASE("merges two or more short stretches with their number and keeps a sing
       Json::parse(R"([[0,2,"a",2,2],[10,1,"c"],[20,2,"d"],[30,1,"e"],[32,1,"f"],[40,1,"g"],[42,2,"h"],[799,1,"z"]])"));
 }
 
-TEST_CASE("merges three short stretches with the longest text and the busy clocks") {
+TEST_CASE("a merged stretch has the text of most clocks and the number of busy clocks") {
   // Over 2000 clocks, a stretch of 5 is shown alone.
   Clocks lane{0, std::vector<std::string>(2000)};
   lane.texts[0] = "a";
@@ -132,7 +132,7 @@ TEST_CASE("merges three short stretches with the longest text and the busy clock
         Json::parse(R"([[0,5,"b",3,4],[1999,1,"z"]])"));
 }
 
-TEST_CASE("shows each stretch alone over 799 clocks and those of two clocks over 800") {
+TEST_CASE("a lane shows each stretch alone over 799 clocks and those of two clocks over 800") {
   Clocks lane{0, std::vector<std::string>(1000, "a")};
   for (std::size_t i = 0; i < lane.texts.size(); i += 2) lane.texts[i] = "b";
   const viewer::Lanes lanes(trace_of(lane));
@@ -179,7 +179,7 @@ TEST_CASE("a merged stretch starts with its first member and ends before a long 
         Json::parse(R"([[5,12,"c",3,7],[18,10,"d"],[28,3,"e",2,2],[3999,1,"z"]])"));
 }
 
-TEST_CASE("clips stretches at both ends of the requested range") {
+TEST_CASE("stretches of a lane are clipped at both ends of the requested range") {
   Clocks lane{0, std::vector<std::string>(100, "a")};
   const viewer::Lanes lanes(trace_of(lane));
   CHECK(lanes.between(10, 30)[0].at("stretches") == Json::parse(R"([[10,20,"a"]])"));

@@ -32,7 +32,7 @@ const Json& named_in(const Json& all, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("the page is its own first file and each file's type follows its extension") {
+TEST_CASE("the first file of the page is the page and a file's type is by its extension") {
   const std::optional<viewer::Reply> page = viewer::page_file("");
   REQUIRE(page);
   CHECK(page->status == 200);
@@ -139,7 +139,7 @@ TEST_CASE("a missing or null member of a request is empty but a wrong type is an
   CHECK(errors("mixed")[1] == "mixed must be an array of texts");
 }
 
-TEST_CASE("sends text on one line with invalid UTF-8 replaced") {
+TEST_CASE("a message to the page is one line with invalid UTF-8 replaced") {
   CHECK(viewer::text_of(Json{{"b", {1, 2}}, {"a", "x"}}) == R"({"b":[1,2],"a":"x"})");
   CHECK(viewer::text_of(Json("a\xffz")) == "\"a\xef\xbf\xbdz\"");
 }

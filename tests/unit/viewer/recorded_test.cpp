@@ -43,7 +43,7 @@ TEST_CASE("csgsim wave receives the options between its own and the Program on s
   CHECK(recorded_with("cat") == std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
-TEST_CASE("reports why a recording failed and what to do beyond its limits") {
+TEST_CASE("a failed recording is reported with its reason and a fix") {
   CHECK(recording_error("echo 'csgsim: no such pixel' >&2; exit 1").find("no such pixel") != std::string::npos);
   CHECK(recording_error("echo 'csgsim: no such pixel' >&2; exit 1").find("use a smaller picture") == std::string::npos);
   system::ChildLimits small = viewer::wave_limits;

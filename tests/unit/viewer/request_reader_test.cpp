@@ -46,7 +46,7 @@ std::string fields(int count) {
 
 }  // namespace
 
-TEST_CASE("reads a request and its successor alike as a whole and byte by byte") {
+TEST_CASE("an HTTP request is read alike as a whole and byte by byte") {
   const std::string first =
       "POST /t/draw?now HTTP/1.1\r\nHost: h:1\r\nOrigin: o\r\nSec-Fetch-Site: none\r\nContent-Type: "
       "application/json\r\nContent-Length: 3\r\n\r\n{ }";
@@ -85,7 +85,7 @@ TEST_CASE("reads a request and its successor alike as a whole and byte by byte")
   }
 }
 
-TEST_CASE("reads a header of exactly the allowed bytes and fields and rejects one more") {
+TEST_CASE("an HTTP header of the allowed bytes and fields is read and a larger one rejected") {
   CHECK(refusal_of(header_of(200)) == 0);
   CHECK(read(header_of(200)).state() == State::whole);
   CHECK(refusal_of(header_of(201)) == 431);
@@ -97,7 +97,7 @@ TEST_CASE("reads a header of exactly the allowed bytes and fields and rejects on
   CHECK(refusal_of("GET / HTTP/1.1\r\n" + fields(6) + "\r\n") == 431);
 }
 
-TEST_CASE("reads a body of exactly the allowed bytes and rejects one more beforehand") {
+TEST_CASE("an HTTP body of the allowed bytes is read and a larger one rejected beforehand") {
   CHECK(read(post("Content-Length: 10\r\n", "0123456789")).request().body == "0123456789");
   CHECK(read(post("Content-Length: 10\r\n", "012345678")).state() == State::body);
   CHECK(read(post("Content-Length: 0\r\n", "")).state() == State::whole);
@@ -109,7 +109,7 @@ TEST_CASE("reads a body of exactly the allowed bytes and rejects one more before
   CHECK(refusal_of("GET / HTTP/1.1\r\nContent-Length: 0\r\n\r\n") == 0);
 }
 
-TEST_CASE("rejects a body without length or in chunks or compressed or on request") {
+TEST_CASE("an HTTP body without a length or in chunks or compressed is rejected") {
   CHECK(refusal_of(post("", "")) == 411);
   CHECK(refusal_of(post("Transfer-Encoding: chunked\r\n", "")) == 411);
   CHECK(refusal_of("GET / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n") == 411);
@@ -119,7 +119,7 @@ TEST_CASE("rejects a body without length or in chunks or compressed or on reques
   CHECK(refusal_of(post("Expect: 100-continue\r\nContent-Length: 5\r\n", "")) == 417);
 }
 
-TEST_CASE("rejects other methods and text that is not HTTP") {
+TEST_CASE("HTTP methods other than GET and POST and other text are rejected") {
   for (const char* const method : {"PUT", "DELETE", "OPTIONS", "HEAD", "CONNECT", "PAINT"})
     CHECK(refusal_of(std::string(method) + " / HTTP/1.1\r\n\r\n") == 405);
   for (const char* const text :
@@ -128,12 +128,12 @@ TEST_CASE("rejects other methods and text that is not HTTP") {
     CHECK(refusal_of(text) == 400);
 }
 
-TEST_CASE("rejects a second value of a field that admits a request") {
+TEST_CASE("a second value of an HTTP field that access depends on is rejected") {
   for (const char* const name : {"Host", "Origin", "Sec-Fetch-Site", "Content-Type", "Content-Encoding"})
     CHECK(refusal_of(std::string("GET / HTTP/1.1\r\n") + name + ": a\r\n" + name + ": a\r\n\r\n") == 400);
 }
 
-TEST_CASE("passes the header alone to the gate before judging the body") {
+TEST_CASE("the access check receives an HTTP header before its body is examined") {
   int asked = 0;
   const auto refuse = [&](const viewer::Request& head) {
     ++asked;
@@ -151,7 +151,7 @@ TEST_CASE("passes the header alone to the gate before judging the body") {
   CHECK(asked == 4);
 }
 
-TEST_CASE("by default reads a header of 32 KiB and 100 fields and no more") {
+TEST_CASE("an HTTP header may have 32 KiB and 100 fields by default") {
   const auto refusal = [](const std::string& bytes) {
     RequestReader reader({}, admit);
     reader.put(bytes);
@@ -166,7 +166,7 @@ TEST_CASE("by default reads a header of 32 KiB and 100 fields and no more") {
   CHECK(refusal(post("Content-Length: 4194304\r\n", std::string(4'194'304, 'x'))) == "");
 }
 
-TEST_CASE("a request starts with its first byte even behind another one") {
+TEST_CASE("the time of an HTTP request starts with its first byte even behind another one") {
   RequestReader reader(limits, admit);
   CHECK_FALSE(reader.has_begun());
   reader.put("G");
@@ -187,7 +187,7 @@ TEST_CASE("a request starts with its first byte even behind another one") {
   CHECK(reader.has_begun());
 }
 
-TEST_CASE("a refused body's message says what to send") {
+TEST_CASE("the message for a rejected HTTP body says what to send") {
   const auto error = [](std::string_view bytes) {
     return nlohmann::json::parse(read(bytes).refusal().body).at("error").get<std::string>();
   };

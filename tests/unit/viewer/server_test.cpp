@@ -95,7 +95,7 @@ TEST_CASE("each reply has its exact status line and headers and body") {
   CHECK(reply("POST /stay HTTP/1.1\r\nContent-Length: 0\r\n\r\n") == plain_reply("POST /stay "));
 }
 
-TEST_CASE("answers pipelined requests one by one and closes after the last reply") {
+TEST_CASE("a server answers pipelined requests one by one and closes after the last reply") {
   const RunningServer server(serving());
   Client client(server.port);
   client.send(get("/a") + get("/b") + get("/c", "Connection: close\r\n"));
@@ -132,7 +132,7 @@ TEST_CASE("a rejected client gets the reason while its further bytes are discard
   CHECK(client.is_at_end());
 }
 
-TEST_CASE("drops a client that stays connected after its last reply") {
+TEST_CASE("a server drops a client that stays connected after its last reply") {
   const RunningServer server(serving({.leave = 50ms}));
   const Client client(server.port);
   client.send(get("/a", "Connection: close\r\n"));
@@ -145,7 +145,7 @@ TEST_CASE("drops a client that stays connected after its last reply") {
   CHECK(is_refused);
 }
 
-TEST_CASE("rejects a slow request and closes an idle connection after separate times") {
+TEST_CASE("a server has separate time limits for slow requests and idle connections") {
   const RunningServer server(serving({.request = 500ms}));
   Client silent(server.port);
   Client slow(server.port);
@@ -181,7 +181,7 @@ TEST_CASE("an answer may take longer than a request") {
   CHECK(client.until("done") == plain_reply("done"));
 }
 
-TEST_CASE("drops a client that does not read its reply and serves one that does") {
+TEST_CASE("a server drops a client that does not read its reply and serves one that does") {
   constexpr std::size_t large = std::size_t{32} << 20U;
   viewer::Serving one = serving({.reply = 100ms});
   one.handler = [](const viewer::Request&) { return viewer::Reply{.body = std::string(large, 'x')}; };
@@ -241,7 +241,7 @@ TEST_CASE("a server without a patience limit continues when no page is open") {
   CHECK_FALSE(server.has_left());
 }
 
-TEST_CASE("announces the end before waiting for requests in progress") {
+TEST_CASE("a server announces its end before it waits for requests in progress") {
   std::atomic<bool> is_ending = false;
   std::atomic<bool> was_announced = false;
   viewer::Serving one = serving();
@@ -263,7 +263,7 @@ TEST_CASE("announces the end before waiting for requests in progress") {
   CHECK(was_announced);
 }
 
-TEST_CASE("handles up to eight requests at a time") {
+TEST_CASE("a server handles up to eight requests at a time") {
   std::atomic<int> inside = 0;
   std::atomic<int> most = 0;
   viewer::Serving one = serving();
@@ -282,7 +282,7 @@ TEST_CASE("handles up to eight requests at a time") {
   CHECK(most == 8);
 }
 
-TEST_CASE("keeps 32 connections without a token and closes the oldest for others") {
+TEST_CASE("a server keeps 32 connections without a token and closes the oldest for others") {
   const RunningServer server(serving());
   Client asks(server.port);
   // One turn of the server accepts a connection and notices closed ones; both have happened after many answered
@@ -333,7 +333,7 @@ TEST_CASE("keeps 32 connections without a token and closes the oldest for others
   CHECK(admitted.until("/a ") == plain_reply("GET /a "));
 }
 
-TEST_CASE("keeps 64 admitted connections and rejects one more until one closes") {
+TEST_CASE("a server keeps 64 admitted connections and rejects one more until one closes") {
   const RunningServer server(serving());
   std::list<Client> all;
   const auto ask = [](Client& client) {
@@ -357,7 +357,7 @@ TEST_CASE("keeps 64 admitted connections and rejects one more until one closes")
   CHECK(ask(next) == "HTTP/1.1 200 OK\r\n");
 }
 
-TEST_CASE("the gate decides on the header before the body arrives") {
+TEST_CASE("the access check decides on an HTTP header before the body arrives") {
   viewer::Serving one = serving();
   one.gate = [](const viewer::Request& request) {
     return request.host == "h" ? std::nullopt : std::optional(viewer::error_reply(403, "no"));
@@ -397,7 +397,7 @@ TEST_CASE("a port in use is rejected and one of an ended server is free at once"
   CHECK(client.until("/a ") == plain_reply("GET /a "));
 }
 
-TEST_CASE("pages count as left after one was open and the patience has passed") {
+TEST_CASE("pages count as left once all are closed and the patience has passed") {
   viewer::Pages pages;
   CHECK_FALSE(pages.is_left_for(0ms));
   pages.open();

@@ -101,7 +101,7 @@ std::string lane_in(const testing::Answer& answer) {
 
 }  // namespace
 
-TEST_CASE("after any single change each request is answered as by a new session") {
+TEST_CASE("a session answers each request after any change as a new session does") {
   for (const Question& question : questions()) {
     const Json plain{{"knobs", small}};
     const Json expected = fresh_answer(question, plain);
@@ -116,7 +116,7 @@ TEST_CASE("after any single change each request is answered as by a new session"
   }
 }
 
-TEST_CASE("each change affects the instructions or the picture") {
+TEST_CASE("each of the tested changes affects the instructions or the picture") {
   const Json plain{{"knobs", small}};
   for (const Json& changed : changes()) {
     const std::string label = changed.dump();
@@ -127,7 +127,7 @@ TEST_CASE("each change affects the instructions or the picture") {
   }
 }
 
-TEST_CASE("a rewritten model is drawn again") {
+TEST_CASE("a rewritten model file is drawn again") {
   const std::filesystem::path model =
       std::filesystem::temp_directory_path() / ("csgsim-session-" + std::to_string(::getpid()) + ".csg");
   const auto write = [&](const char* text) { std::ofstream(model) << text; };
@@ -140,7 +140,7 @@ TEST_CASE("a rewritten model is drawn again") {
   std::filesystem::remove(model);
 }
 
-TEST_CASE("keeps lanes of a pixel and of the frame separate") {
+TEST_CASE("a session keeps lanes of a pixel and of the frame separate") {
   Recorder recorder;
   viewer::Session session({file, {}, Json::object()}, {.recorder = std::ref(recorder)});
   const Json frame{{"knobs", small}};
@@ -178,7 +178,7 @@ TEST_CASE("the last two drawings keep their lanes and a third is recorded again"
   CHECK(recordings_of("41") == 1);
 }
 
-TEST_CASE("a part of the lanes comes with the clocks of the whole") {
+TEST_CASE("a part of the lanes states the first and last clock of the whole") {
   Recorder recorder;
   viewer::Session session({file, {}, Json::object()}, {.recorder = std::ref(recorder)});
   const Json part = ask(session, "lanes", {{"knobs", small}, {"begin", 10}, {"end", 30}}).json;
@@ -194,7 +194,7 @@ TEST_CASE("a part of the lanes comes with the clocks of the whole") {
   CHECK(recorder.count == 1);
 }
 
-TEST_CASE("compares two drawings again when either changes") {
+TEST_CASE("two drawings are compared again when either changes") {
   viewer::Session session({file, {}, Json::object()});
   const Json plain{{"knobs", small}};
   const auto pixels = [&](const Json& a, const Json& b) {

@@ -87,7 +87,7 @@ TEST_CASE("an edited source replaces the file and errors have their place in it"
   CHECK(ask(drawing, "draw", Json::object()).json["stats"]["model"]["primitives"] > 1);
 }
 
-TEST_CASE("sends warnings to the page line by line") {
+TEST_CASE("warnings are sent to the page line by line") {
   viewer::Session drawing = session();
   const Answer empty =
       ask(drawing, "draw", {{"source", "import(file=\"there_is_none.stl\");cube(size=[1,2,3],center=true);"}});
@@ -96,7 +96,7 @@ TEST_CASE("sends warnings to the page line by line") {
   CHECK(empty.json["warnings"][0].get<std::string>().find("there_is_none.stl") != std::string::npos);
 }
 
-TEST_CASE("distinguishes bad requests and undrawable models and unknown requests by status") {
+TEST_CASE("bad requests and undrawable models and unknown requests have different statuses") {
   viewer::Session drawing = session();
   for (const char* body : {"", "{", "[]", "3", R"({"knobs":[]})", R"({"knobs":{"size":3}})", R"({"knobs":{"set":"x"}})",
                            R"({"source":1})", R"({"knobs":{"scene":"x"}})", R"({"knobs":{"machine":"x.toml"}})"})
@@ -111,7 +111,7 @@ TEST_CASE("distinguishes bad requests and undrawable models and unknown requests
   CHECK(drawing.answer({.method = "GET"}, "report").status == 400);
 }
 
-TEST_CASE("compares two drawings by pixels and by their first different instruction") {
+TEST_CASE("two drawings are compared by pixels and by their first different instruction") {
   viewer::Session drawing = session({{"size", "40x30"}, {"camera", "30,-40,25,0,0,2"}});
   const auto two = [&](const Json& a, const Json& b) { return ask(drawing, "two", {{"a", a}, {"b", b}}); };
   const auto with = [](const char* name, const char* value) { return Json{{"knobs", {{name, value}}}}; };

@@ -109,13 +109,13 @@ TEST_CASE("the model's tree has each node of the file once with operands after o
   for (std::uint32_t i = 0; i < primitives.size(); ++i) CHECK(primitives[i] == i);
 }
 
-TEST_CASE("an undrawn primitive has no active tree") {
+TEST_CASE("a primitive that is not drawn has no active tree") {
   const Compiled one = compiled("thesis_fig_2_3", {"--size", "64x48", "--view-all"});
   viewer::ActiveTrees trees(one.model, one.options, one.machine);
   CHECK_FALSE(trees.of(1000, 0));
 }
 
-TEST_CASE("shows the first 4000 rows of a tree and all rows of a smaller one") {
+TEST_CASE("the first 4000 rows of a tree are shown and all rows of a smaller one") {
   for (const std::uint32_t leaves : {3998U, 3999U, 4000U, 5000U}) {
     model::Tree tree;
     model::Node root;
@@ -194,7 +194,7 @@ TEST_CASE("a tree has its operators' names with operands one level deeper in ord
   CHECK(viewer::tree_of({}, {}) == Json::array());
 }
 
-TEST_CASE("pieces of one node are that node and an unnamed primitive has its number") {
+TEST_CASE("pieces of a node are named as the node and an unnamed primitive by its number") {
   model::Tree tree;
   const model::Primitive cube;
   model::Node pieces;
@@ -233,13 +233,13 @@ TEST_CASE("a surface must be in intersected operands and outside subtracted ones
   CHECK(active(intersection, 0) == "union\n  p1\n  p2\n");
   CHECK(active(intersection, 1) == "p0\n");
   CHECK(active("union(){" + cube_a + cylinder_c + "}", 0) == "");
-  // Outside a union is outside each operand.
+  // A point outside a union is outside each operand.
   const std::string both = "difference(){" + cube_a + "union(){" + sphere_b + cylinder_c + "}}";
   CHECK(active(both, 0) == "-p1\n-p2\n");
-  // Not in an intersection is outside one operand.
+  // A point outside an intersection is outside one operand at least.
   const std::string either = "difference(){" + cube_a + "intersection(){" + sphere_b + cylinder_c + "}}";
   CHECK(active(either, 0) == "union\n  -p1\n  -p2\n");
-  // Outside a difference is outside its first operand, or in the second.
+  // A point outside a difference is outside its first operand or in its second.
   const std::string hole = "difference(){" + cube_a + "difference(){" + sphere_b + cylinder_c + "}}";
   CHECK(active(hole, 0) == "union\n  -p1\n  p2\n");
 }

@@ -1,4 +1,4 @@
-#include "tests/fuzz/program_promises.h"
+#include "tests/fuzz/program_invariants.h"
 
 #include <sstream>
 

@@ -1,4 +1,4 @@
-#include "tests/fuzz/mesh_promises.h"
+#include "tests/fuzz/mesh_invariants.h"
 
 #include <algorithm>
 #include <cmath>

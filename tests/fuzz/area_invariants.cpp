@@ -1,4 +1,4 @@
-#include "tests/fuzz/area_promises.h"
+#include "tests/fuzz/area_invariants.h"
 
 #include <cmath>
 
