@@ -21,7 +21,7 @@ namespace csgsim {
 /// final place is then still intact.
 class OutputFile {
  public:
-  /// Also throws for a folder, for a file without write permission and for an impossible name.
+  /// Also throws if the path is a folder, a file without write permission or an invalid name.
   explicit OutputFile(std::filesystem::path path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;

@@ -20,8 +20,8 @@ inline constexpr unsigned max_fraction_bits = 20;
 inline constexpr std::size_t max_records = (std::size_t{1} << 31U) - 1;  ///< maximum number of planes, primitives or
                                                                          ///< nodes
 
-/// |A| * width + |B| * height + |C| of a plane is below 2^61, so that its value at a pixel, plus a depth step or the
-/// whole depth range, fits 64 bits.
+/// |A| * width + |B| * height + |C| of a plane is below 2^61. The value at a pixel plus a depth step, or plus the whole
+/// depth range, therefore fits 64 bits.
 inline constexpr unsigned reach_bits = 61;
 
 /// A*x + B*y + C, where x and y are column and row of the picture.
