@@ -36,7 +36,7 @@ class Sequencer {
   /// The coefficients of the preceding instruction `squares`, for the stream of this instruction; zero if there was
   /// none.
   [[nodiscard]] const isa::Linear& squares() const { return squares_; }
-  [[nodiscard]] std::uint32_t bit() const { return bit_; }  ///< number of field or stream bits already issued
+  [[nodiscard]] std::uint32_t bit() const { return bit_; }  ///< index of the first field or stream bit of the next step
   /// Number of completed passes over the stream or the memory operand.
   [[nodiscard]] std::uint32_t pass() const { return pass_; }
 
