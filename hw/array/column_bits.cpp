@@ -39,7 +39,7 @@ std::span<const kernels::StreamTable> ColumnBits::of(std::span<const Stream> str
   return tables_;
 }
 
-/// Beyond the row's width the columns repeat from the first.
+/// Beyond the row's width the columns repeat, starting with the first.
 kernels::StreamTable ColumnBits::table_of(const Stream& stream, Words& words) const {
   if (stream.xy != 0 && places_.empty()) return {.bits = stream.bits, .crossed = &stream};
   const std::uint64_t second = 2 * word_bits * word_bits * stream.xx;  // second difference from word to word

@@ -11,7 +11,8 @@ namespace {
 using isa::Opcode;
 using isa::Purpose;
 
-/// A result is 0 outside the mask: it is first stored from E at every pixel, and later set to 1 only where E is 1.
+/// A result bit must be 0 outside the mask: it is first stored from E at every pixel, and later set to 1 only where E
+/// is 1.
 class Classifier {
  public:
   Classifier(Writer& out, Datapath& path, const ActiveTree& active, const Surface& surface)
@@ -95,7 +96,7 @@ class Classifier {
     }
   }
 
-  /// bit := bit op the result in the next bit.
+  /// bit := bit op the result stored in the next bit.
   void take_result(Operator op, isa::Field bit, isa::Field above) {
     step(Opcode::enable_load, above);
     if (op == Operator::unite) {
@@ -106,7 +107,8 @@ class Classifier {
     }
   }
 
-  /// result(0) := the operator. Operator operands after the first are evaluated into the next bit.
+  /// Evaluates the operator into result(0). Its operands that are operators, except the first, are evaluated into the
+  /// next bit.
   void evaluate(std::uint32_t root) {
     std::vector<PendingOperator> pending{{root, 0}};
     while (!pending.empty()) {

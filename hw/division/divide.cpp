@@ -22,7 +22,7 @@ void write_setup(Writer& out, const ModelHeader& model) {
   out.set(model.fields.colour, model.background);
 }
 
-/// Writes a surface where it is nearer than Z2 and inside its active tree. The depth test comes first.
+/// Writes a surface where it is nearer than Z2 and inside its active tree. The depth test precedes the classification.
 void write_visible(Writer& out, Datapath& path, const Surface& surface, const ActiveTree& active,
                    const Rectangle& square) {
   const Rendering rendering(path, surface);

@@ -18,7 +18,7 @@
 #include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
 
-/// Formats as `[20+:22]`. fmt formats only the messages that are thrown.
+/// Formats a field as `[20+:22]`. fmt formats only messages that are thrown.
 template <>
 struct fmt::formatter<csgsim::isa::Field> : fmt::formatter<std::string_view> {
   auto format(csgsim::isa::Field field, fmt::format_context& context) const {
@@ -81,7 +81,7 @@ void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::ui
   }
 }
 
-/// The width of the field that F or the constant is combined with, which is the first field, if any.
+/// The width of the first field, with which F or the constant is combined; empty if there is no field.
 std::optional<unsigned> combined_width(const Instruction& instruction, const OpcodeInfo& row) {
   if (!is_field(row.operands[0])) return std::nullopt;
   return instruction.fields[0].width;

@@ -35,7 +35,7 @@ constexpr std::uint8_t number_of(const Control& /*control*/) {
   return Control::number;
 }
 
-// pass(stream, operands) calls stream(bits, member) for each number of a command after its opcode, in link order.
+// pass(stream, command) calls stream(bits, member) for each number of a command after its opcode, in link order.
 // Encoder, decoder and length computation share these lists.
 
 template <class Stream, Any<Field> T>
@@ -141,7 +141,7 @@ class Packer {
   unsigned packed_ = 0;
 };
 
-/// Reads numbers up to the first that has not arrived completely.
+/// Reads numbers up to the first number that has not arrived completely.
 class Unpacker {
  public:
   Unpacker(const LinkWord& word, unsigned gathered) : word_(word), gathered_(gathered) {}

@@ -33,7 +33,7 @@ void for_each_carried_out(const isa::Program& program, const std::vector<bool>& 
 
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
                                   const systemc::EarlierRun& foretold, wave::Window window) {
-  // One clock more than the pipeline for the word that the pixels have executed last, which is also traced.
+  // One clock more than the pipeline, because the word that the pixels executed last is also traced.
   const std::uint64_t lead = machines::evaluator_latency(machine) + 2;
   std::optional<Start> start;
   std::uint64_t first = 0;  // ordinal of the segment's first instruction

@@ -16,7 +16,8 @@ namespace {
 using wave::Number;
 using wave::Tap;
 
-/// Returns a function that reads the number of the instruction at the pixels; with `segment`, only instructions of it.
+/// Returns a function that reads the number of the instruction at the pixels; with `segment`, only if it is an
+/// instruction of that segment.
 std::function<Number()> at_pixels(const RendererParts& parts, const isa::Program& program,
                                   std::optional<std::uint32_t> segment) {
   return [parts, segment, firsts = isa::first_numbers(program)]() -> Number {
