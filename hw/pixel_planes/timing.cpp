@@ -192,7 +192,7 @@ class FrameModel {
     return clocks;
   }
 
-  /// Sends the first refresh word requested in [from, before). Returns its edge; `never` if there is none.
+  /// Sends the first refresh word requested in [from, before). Returns its edge, or `none`.
   std::uint64_t refresh_at(std::uint64_t from, std::uint64_t before) {
     if (shown_ == nullptr || shown_->request() == none) return none;
     const std::uint64_t edge = std::max(first_ + from, shown_->request());
