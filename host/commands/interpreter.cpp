@@ -68,7 +68,7 @@ class Interpreter {
   read::Source& source_;
   Model model_;
   std::map<std::string_view, Named> names_;
-  std::string_view last_;  ///< the last name that a line assigned a solid to
+  std::string_view last_;  ///< the last name to which a line assigned a solid
   model::FacetControl facets_;
   double tolerance_ = usual_tolerance;
 };

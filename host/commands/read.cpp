@@ -19,7 +19,7 @@ namespace csgsim::commands {
 
 namespace {
 
-/// Expands the solids to a tree; a solid that several others use is copied for each.
+/// Expands the solids to a tree. A solid that several others use is copied for each of them.
 class TreeMaker {
  public:
   TreeMaker(read::Source& source, const Model& model) : source_(source), model_(model), pieces_(model.sweeps.size()) {}
@@ -46,7 +46,7 @@ class TreeMaker {
     std::uint32_t solid = nothing;
     glm::dmat4 matrix{1};
     std::optional<glm::dvec3> colour;
-    std::optional<model::Operator> closes{};  ///< the last two trees are its operands
+    std::optional<model::Operator> closes{};  ///< if set, this entry is an operator on the last two trees
   };
 
   void visit(const Waiting& one) {

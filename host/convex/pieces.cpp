@@ -17,7 +17,8 @@ namespace {
 /// A convex part of a product, and the primitives still to be subtracted from it.
 struct Part {
   Polytope polytope;
-  std::vector<std::uint32_t> subtracted;  ///< primitives whose boxes meet the part's; the last one is subtracted first
+  /// Primitives whose boxes intersect the part's; the last one is subtracted first.
+  std::vector<std::uint32_t> subtracted;
 };
 
 class Division {
@@ -59,7 +60,7 @@ class Division {
     }
   }
 
-  /// Subtracts the last of its primitives from a part.
+  /// Subtracts the last of the part's primitives from it.
   void subtract(Part part) {
     const facet::Convex& solid = geometry_.solids[part.subtracted.back()];
     part.subtracted.pop_back();

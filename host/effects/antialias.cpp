@@ -64,7 +64,7 @@ unsigned log2_samples(const SampleSettings& settings) {
 struct Channel {
   isa::Field colour;
   isa::Field sum;    ///< sum of all samples
-  isa::Field newer;  ///< sum of the samples that are not in `sum` yet; width 0 if there is no such field
+  isa::Field newer;  ///< sum of the samples that are not included in `sum` yet; width 0 if there is no such field
 };
 
 std::array<Channel, 3> channel_sums(const emit::Context& context, const SampleSettings& settings) {
@@ -146,7 +146,7 @@ class Samples {
   std::array<Channel, 3> channels_;
 };
 
-/// Draws the picture without offset, not billed to the effect.
+/// Draws the picture without offset; its instructions are not charged to the effect.
 void draw_centre(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw) {
   const std::uint8_t billed = std::exchange(out.effect, isa::no_effect);
   draw(call.context);
@@ -170,7 +170,7 @@ void draw_all(const emit::EffectCall& call, emit::Broadcast& out, const emit::Dr
   samples.divide(log2_samples(settings));
 }
 
-/// Adds samples at fewer and fewer pixels.
+/// Adds samples in steps, each at fewer pixels than the one before.
 class Refinement {
  public:
   Refinement(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw,
@@ -295,7 +295,7 @@ class Antialias final : public emit::EffectOf<SampleSettings> {
 
  private:
   void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
-    // Samples, and drawings inside a sample, are not sampled again.
+    // Drawings of samples, and drawings inside a drawing, are not sampled again.
     if (drawing.nesting > 0 || is_shifted(drawing.view)) return;
     const auto count = static_cast<std::size_t>(settings.samples);
     for (const glm::dvec2& offset : sample_offsets(count)) {
@@ -306,7 +306,7 @@ class Antialias final : public emit::EffectOf<SampleSettings> {
 };
 
 /// Columns and rows in sixteenths of a pixel: a digital net (Sobol', USSR Computational Mathematics and Mathematical
-/// Physics, 1967). Its first 2, 4 and 8 points are also nets, and as far apart as possible.
+/// Physics, 1967). Its first 2, 4 and 8 points are also nets, and their points are as far apart as possible.
 constexpr std::array<std::array<int, 2>, 16> net{{{0, 0},
                                                   {12, 8},
                                                   {8, 4},

@@ -60,14 +60,14 @@ struct Prepared : emit::EffectState {
   std::vector<ShadowLight> lights;
 };
 
-/// Maximum number of bits for marking what volumes share.
+/// Maximum number of bits for marking the planes that volumes share.
 constexpr std::size_t max_marks = 8;
 
 std::string flag_name(std::size_t index) { return fmt::format("flag{}", index); }
 
 class CastShadows final : public emit::EffectOf<Settings, Prepared> {
  public:
-  /// Fields: one flag per light, a spare bit, and marks as far as they fit into Z1.
+  /// Fields: one flag per light, a spare bit, and as many marks as fit into Z1.
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& drawing,
                                                        const emit::Workshop& /*workshop*/) const override {
     const std::size_t lights = casting_lights(settings, drawing.look.lighting).size();

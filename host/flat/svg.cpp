@@ -48,7 +48,7 @@ class SvgReader {
 
   std::string_view bytes_;
   SvgOptions options_;
-  std::vector<glm::dmat3> matrices_;  ///< matrix of each enclosing element and of the current one
+  std::vector<glm::dmat3> matrices_;  ///< the matrices of the current element and of those that enclose it
   std::vector<std::vector<Outline>> shapes_;
   std::size_t corners_ = 0;
   svg::Page page_;
@@ -117,7 +117,7 @@ void SvgReader::walk(pugi::xml_node root) {
 }
 
 /// Places the shapes on the page, whose y axis points up. OpenSCAD subtracts the y of the box's lower corner where it
-/// should add it, and so does this function.
+/// should be added; this function does the same.
 Area SvgReader::laid_out() const {
   const glm::dvec2 centre = (box_.low + box_.high) / 2.0;
   const double x = options_.center ? -centre.x : page_.margin.x;

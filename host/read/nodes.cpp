@@ -123,7 +123,7 @@ constexpr std::array all_names = [] {
   return names;
 }();
 
-/// The candidate with the smallest edit distance, or an empty name if none is close.
+/// The candidate with the smallest edit distance; empty if none is close.
 std::string_view near_name(std::string_view name, Names candidates) {
   std::string_view best;
   std::size_t best_edits = std::max<std::size_t>(2, name.size() / 2) + 1;

@@ -21,7 +21,7 @@ constexpr std::string_view effects_prefix = "effects.";
 constexpr std::string_view on_key = "on";  ///< key of every effect
 constexpr std::size_t max_in_list = 1000;  ///< maximum number of tables or colours in a list
 
-/// The first value in the node that comes from KEY=VALUE instead of the file; null if there is none.
+/// The first value in the node that was set by KEY=VALUE instead of the file; null if there is none.
 const toml::node* set_value(const toml::node& node) {
   const toml::source_region& place = node.source();
   if (place.path && place.path->starts_with(set_mark)) return &node;
@@ -126,7 +126,7 @@ class Reader {
     }
     const bool is_requested = !is_effect || is_on(table, section);
     if (is_requested) report_values(section, read);
-    if (section.is_list && !is_requested) return;  // other tables of the list may be on
+    if (section.is_list && !is_requested) return;  // another table of the list may be on
     try {
       section.keep(scene_, section, std::move(read));
     } catch (const InputError& error) {

@@ -97,7 +97,7 @@ class EnclosedDivision {
     return result;
   }
 
-  /// The plane of the sheet that cuts the fewest others. If there are many sheets, only a sample is evaluated.
+  /// The plane of the sheet that cuts the fewest other sheets. If there are many sheets, only a sample is evaluated.
   [[nodiscard]] facet::Halfspace best_wall(const std::vector<Sheet>& sheets) const {
     constexpr std::size_t most = 32;
     const std::size_t step = sheets.size() / most + 1;
@@ -117,7 +117,7 @@ class EnclosedDivision {
     return best;
   }
 
-  /// Keeps a piece that is inside the surface. No sheet is within the piece, so its centre decides for all of it.
+  /// Keeps a piece if it is inside the surface. No sheet is within the piece, so its centre decides for all of it.
   void keep(convex::Polytope piece) {
     limits_.work.charge(sheet_steps * soup_.fragments.size(), dividing);
     glm::dvec3 middle(0);

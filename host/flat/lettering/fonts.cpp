@@ -32,7 +32,7 @@ using Names = std::vector<std::string>;
 struct FontFile {
   std::string path;
   int index = 0;
-  std::string replacement;  ///< family of the font, if it is none of the requested ones
+  std::string replacement;  ///< family of the font, if it is not one of the requested families
 };
 
 FcConfig* configuration() {
@@ -75,7 +75,7 @@ bool is_generic(const std::string& family) {
   return std::find(generic.begin(), generic.end(), plain(family)) != generic.end();
 }
 
-/// The first family of the selected font, if none of the requested families matches.
+/// The first family of the selected font; empty if one of the requested families matches.
 std::string replacement(const Names& requested, const Names& found) {
   const auto is_found = [&](const std::string& one) {
     return std::any_of(found.begin(), found.end(),

@@ -16,7 +16,7 @@ namespace csgsim::flat::lettering {
 
 namespace {
 
-// OpenSCAD's constants. All glyphs are drawn at one size, in 1/64 points at 100 dots per inch. Dividing by
+// OpenSCAD's constants. All glyphs are drawn at one size, in 1/64 points at 100 dots per inch. Division by
 // outline_scale gives the outlines of text of size 1; positions have a divisor that is 1.024 times as large.
 constexpr double outline_scale = 1e5;
 constexpr double place_scale = 1.024e5;
@@ -110,7 +110,7 @@ std::vector<Area> draw_letters(const Text& text, std::uint32_t sides_per_curve, 
   return letters;
 }
 
-/// Fonts stay open between calls, and must not be used by two threads at once.
+/// Fonts stay open between calls, and two threads must not use them at once.
 std::mutex& fonts_in_use() {
   static std::mutex mutex;
   return mutex;
@@ -138,7 +138,7 @@ std::string replacement(const std::string& font) {
 
 }  // namespace csgsim::flat::lettering
 
-// Has to match module_symbol.
+// The name must match module_symbol.
 extern "C" [[gnu::visibility("default")]] const csgsim::flat::lettering::Module csgsim_text_2;
 const csgsim::flat::lettering::Module csgsim_text_2{csgsim::flat::lettering::draw,
                                                     csgsim::flat::lettering::replacement};

@@ -62,7 +62,7 @@ double millimetres(std::string_view text, double box, double dpi) {
 struct Alignment {
   bool stretch = false;   ///< scale both axes independently
   bool slice = false;     ///< fill the page
-  glm::dvec2 place{0.5};  ///< fraction of the remaining space before the drawing, for each axis
+  glm::dvec2 place{0.5};  ///< per axis, the fraction of the remaining space that is before the drawing
 };
 
 Alignment read_alignment(std::string_view text) {

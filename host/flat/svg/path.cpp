@@ -25,7 +25,7 @@ constexpr std::uint32_t corners_of_ellipses = 40;
 /// A subpath is closed if its ends are closer than this.
 constexpr double closed_within = 0.1;
 
-/// Number of operands of a command; nothing if the command is unknown.
+/// Number of operands of a command; empty if the command is unknown.
 std::optional<std::size_t> operands(char command) {
   switch (command) {
     case 'm':
@@ -80,7 +80,7 @@ void Path::check_corners() {
   if (corners_ > max_corners_) throw InputError("a path has more than " + std::to_string(max_corners_) + " corners");
 }
 
-/// Finishes the current subpath; an open one becomes a line as wide as its stroke.
+/// Finishes the current subpath. An open subpath becomes a line as wide as its stroke.
 void Path::end_subpath() {
   if (current_.empty()) return;
   if (glm::distance(current_.front(), current_.back()) > closed_within) {

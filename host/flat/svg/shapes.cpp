@@ -16,7 +16,7 @@ namespace {
 /// Strokes thinner than this, or with an invalid width, are 1 wide.
 constexpr double min_stroke_width = 0.01;
 
-/// Smaller corner radii count as 0.
+/// Smaller corner radii are treated as 0.
 constexpr double min_corner_radius = 1e-8;
 
 struct Element {
