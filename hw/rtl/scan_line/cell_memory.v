@@ -1,7 +1,7 @@
 `include "faults.vh"
 
-// The memory of a cell. In a clock, each port reads a word or writes bits of one. A read returns the content before the
-// edge. No two ports write the same word.
+// The memory of a cell. In a clock, each port reads a word or writes bits of a word. A read returns the content before
+// the edge. No two ports may write the same word.
 module cell_memory #(
   parameter WORD_BITS = 32,
   parameter WORDS = 3,
