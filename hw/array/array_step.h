@@ -114,7 +114,7 @@ struct ArrayStep {
 };
 
 /// Number of bits that the ALU processes in a step, including those of `beyond` and `sign`.
-constexpr unsigned worked_bits(const ArrayStep& step) {
+constexpr unsigned processed_bits(const ArrayStep& step) {
   return step.bits + step.beyond_bits + (step.sign == AluFunction::idle ? 0U : 1U);
 }
 

@@ -20,10 +20,10 @@ class ColumnBits {
   ColumnBits(PlaneShape shape, std::span<const Place> places);
 
   /// Computes one table per stream. They are valid until the next call and while the streams exist.
-  std::span<const kernels::StreamTable> of(std::span<const Stream> streams);
+  std::span<const kernels::StreamTable> compute(std::span<const Stream> streams);
 
  private:
-  kernels::StreamTable table_of(const Stream& stream, Words& words) const;
+  kernels::StreamTable build_table(const Stream& stream, Words& words) const;
 
   std::uint32_t width_;
   std::size_t row_words_;

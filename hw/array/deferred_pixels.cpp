@@ -171,7 +171,7 @@ void DeferredPixels::replay_register(std::span<const std::uint32_t> blocks, std:
 void DeferredPixels::run(const Batch& batch, std::span<const std::uint32_t> blocks, kernels::Effects effects) {
   if (blocks.empty()) return;
   effects.has_flag = batch.flag != Touch::none;
-  kernels::run(batch.runs, columns_.of(batch.streams),
+  kernels::run(batch.runs, columns_.compute(batch.streams),
                {.bits = words_.data(),
                 .stride = bits_.count() * kernels::block_words,
                 .enable = enable_.data(),

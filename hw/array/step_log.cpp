@@ -69,7 +69,7 @@ void StepLog::push(const ArrayStep& step, const StreamBit* tree) {
     one.x = static_cast<std::uint16_t>(batch_.runs.back().x - bits_.memory(0));
     batch_.runs.pop_back();
   }
-  for (unsigned bit = 0; bit < worked_bits(one); ++bit) push_bit(one, bit, tree, latches);
+  for (unsigned bit = 0; bit < processed_bits(one); ++bit) push_bit(one, bit, tree, latches);
 }
 
 /// Whether the previous step read operand x, a single bit, from memory into the latch, so that both steps can be

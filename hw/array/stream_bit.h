@@ -24,8 +24,9 @@ struct Token {
 
 /// xx*x*x + xy*x*y + yy*y*y + a*x + b*y + c modulo 2^64.
 template <class Coefficients>
-constexpr std::uint64_t value_at(const Coefficients& of, std::uint64_t x, std::uint64_t y) {
-  return (of.xx * x + of.xy * y + of.a) * x + (of.yy * y + of.b) * y + of.c;
+constexpr std::uint64_t value_at(const Coefficients& coefficients, std::uint64_t x, std::uint64_t y) {
+  return (coefficients.xx * x + coefficients.xy * y + coefficients.a) * x + (coefficients.yy * y + coefficients.b) * y +
+         coefficients.c;
 }
 
 /// The bits of xx*x*x + xy*x*y + yy*y*y + a*x + b*y + c that the token selects (bits 0 to 63), in registers at every

@@ -28,7 +28,7 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   /// The path as requested, before links are followed.
-  [[nodiscard]] const std::filesystem::path& asked() const { return requested_; }
+  [[nodiscard]] const std::filesystem::path& requested() const { return requested_; }
 
   /// Appends to the content.
   void write(std::string_view content);

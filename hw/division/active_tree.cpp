@@ -94,7 +94,7 @@ class Pruner {
     comparison.tested =
         path_.test(comparison.primitive, candidates_.halfspaces[comparison.primitive], comparison.pixels);
     for (const Tested& tested : comparison.tested) {
-      const Known known = known_between(tested, surface_.box.z_low, surface_.box.z_high);
+      const Known known = classify_between(tested, surface_.box.z_low, surface_.box.z_high);
       inside = inside && known == Known::in;
       outside = outside || known == Known::out;
     }
@@ -163,7 +163,7 @@ class Pruner {
 
 }  // namespace
 
-ActiveTree active_tree_of(Datapath& path, const Tree& tree, const Candidates& candidates, const Surface& surface) {
+ActiveTree find_active_tree(Datapath& path, const Tree& tree, const Candidates& candidates, const Surface& surface) {
   return Pruner(path, tree, candidates, surface).run();
 }
 

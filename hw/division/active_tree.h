@@ -37,6 +37,6 @@ struct ActiveTree {
   std::vector<std::uint32_t> operands;
 };
 
-ActiveTree active_tree_of(Datapath& path, const Tree& tree, const Candidates& candidates, const Surface& surface);
+ActiveTree find_active_tree(Datapath& path, const Tree& tree, const Candidates& candidates, const Surface& surface);
 
 }  // namespace csgsim::division

@@ -22,7 +22,7 @@ bool prune_halfspaces(Datapath& path, std::uint32_t index, const Rectangle& pixe
   std::vector<Tested> undecided;
   bool is_empty = false;
   for (const Tested& tested : path.test(index, halfspaces, pixels)) {
-    const Known known = known_between(tested, 0, path.header().farthest());
+    const Known known = classify_between(tested, 0, path.header().farthest());
     is_empty = is_empty || known == Known::out;
     if (known == Known::depends) undecided.push_back(tested);
   }

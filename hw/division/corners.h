@@ -36,6 +36,6 @@ struct Tested : PlacedHalfspace {
 Tested test_corners(const ModelHeader& header, const PlacedHalfspace& placed, const Rectangle& pixels);
 
 /// Whether a half-space contains all points of the tested rectangle between the two depths, none, or some.
-Known known_between(const Tested& tested, std::int64_t z_low, std::int64_t z_high);
+Known classify_between(const Tested& tested, std::int64_t z_low, std::int64_t z_high);
 
 }  // namespace csgsim::division

@@ -49,6 +49,6 @@ std::vector<ClockSpan> at_pixel(const Timeline& timeline, const isa::Program& pr
 Timeline blank_timeline(const isa::Program& program);
 
 /// The spans shifted by `clocks`, except the empty spans of skipped instructions.
-std::vector<ClockSpan> later(std::vector<ClockSpan> spans, std::uint64_t clocks);
+std::vector<ClockSpan> shifted(std::vector<ClockSpan> spans, std::uint64_t clocks);
 
 }  // namespace csgsim::machines

@@ -36,13 +36,13 @@ class Datapath {
     return carries_ || idle_ < length_ || roots_.token.active() || trees_active();
   }
   /// Advances by any number of idle edges; requires !is_active().
-  void rest() { carried_out_ = {}; }
+  void rest() { last_executed_ = {}; }
 
   [[nodiscard]] const ControlWord& control() const { return control_; }  ///< word on the controller's wires
   [[nodiscard]] const array::RootBits& roots() const { return roots_; }  ///< tree bits sent with that word
   /// The word at the pixels, which execute it at the next edge.
   [[nodiscard]] const ControlWord& at_pixels() const { return length_ == 0 ? control_ : delay_[oldest_]; }
-  [[nodiscard]] const ControlWord& carried_out() const { return carried_out_; }  ///< executed at the last edge
+  [[nodiscard]] const ControlWord& last_executed() const { return last_executed_; }  ///< executed at the last edge
   /// Number of commands whose last word has been executed.
   [[nodiscard]] std::uint64_t retired() const { return retired_; }
 
@@ -82,7 +82,7 @@ class Datapath {
   bool carries_ = false;  ///< whether control_ is not an idle word
   array::RootBits roots_;
   array::PixelArray pixels_;
-  ControlWord carried_out_;
+  ControlWord last_executed_;
   std::uint64_t retired_ = 0;
 };
 

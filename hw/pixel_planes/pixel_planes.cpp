@@ -244,7 +244,7 @@ std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave
   add(scan_out_taps());
   for (std::size_t i = 0; i < request.pixels.size(); ++i) {
     const array::Place place = place_of(request.pixels[i], program);
-    const array::Place built = foretold_ ? array::Place{built_place(*foretold_, place), 0} : place;
+    const array::Place built = foretold_ ? array::Place{built_index(*foretold_, place), 0} : place;
     add(pixel_taps(request.pixels[i], {pipeline_, place, built, nullptr, trees}, program, request.tree_levels,
                    machine_.alu_bits));
   }

@@ -40,7 +40,7 @@ array::PixelReplay replay_until(const isa::Program& program, const std::vector<b
 array::Place place_of(wave::Pixel pixel, const isa::Program& program);
 
 /// Index of a place among the pixels of the earlier run. Throws std::out_of_range if it is not among them.
-std::uint32_t built_place(const systemc::EarlierRun& foretold, array::Place place);
+std::uint32_t built_index(const systemc::EarlierRun& foretold, array::Place place);
 
 /// The field of pixel memory that the scan-out displays.
 isa::Field shown_field(const isa::Program& program, const machines::Machine& machine);

@@ -62,7 +62,7 @@ class Probe {
   }
   /// Content of memory after the previous step, at the address that the step may have written.
   [[nodiscard]] Number written() const {
-    const array::ArrayStep& step = point_.pipeline.now().carried_out().step;
+    const array::ArrayStep& step = point_.pipeline.now().last_executed().step;
     return array::info(step.function).writes ? Number(memory({step.write, step.bits})) : std::nullopt;
   }
 

@@ -393,7 +393,7 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (!steps[i].empty() && isa::needs_global_or(instructions[i].opcode)) steps[i].end = steps[i].begin + 1;
   }
-  return machines::later(std::move(steps), machines::evaluator_latency(machine));
+  return machines::shifted(std::move(steps), machines::evaluator_latency(machine));
 }
 
 std::vector<machines::FrameTiming> time_sequence(std::span<const DrawnFrame> frames, const machines::Machine& machine) {

@@ -187,7 +187,7 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
     const bool needs_global_or = isa::needs_global_or(program.segments[segment].instructions[i].opcode);
     if (needs_global_or && !spans[i].empty()) spans[i].end = spans[i].begin + 1;
   }
-  return machines::later(std::move(spans), machines::evaluator_latency(machine));
+  return machines::shifted(std::move(spans), machines::evaluator_latency(machine));
 }
 
 }  // namespace csgsim::pixel_square

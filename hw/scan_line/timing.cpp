@@ -440,8 +440,8 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
                                                 const Machine& machine, std::uint32_t segment, std::uint32_t x,
                                                 std::uint32_t /*y*/) const {
   const std::uint32_t cell = x - program.segments[segment].region.x;
-  return machines::later(timeline.issued[segment],
-                         clocks_to_cell(figures_of(machine).network, machine.array.width, cell));
+  return machines::shifted(timeline.issued[segment],
+                           clocks_to_cell(figures_of(machine).network, machine.array.width, cell));
 }
 
 }  // namespace csgsim::scan_line
