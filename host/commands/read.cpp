@@ -74,7 +74,7 @@ class TreeMaker {
     if (tree_.primitives.size() >= read::max_primitives)
       fail(solid.location, fmt::format("more than {} solids; split the model", read::max_primitives));
     if (read::empties(one.matrix))
-      fail(solid.location, "moving and scaling exceeds the range of numbers; use other numbers");
+      fail(solid.location, "moving and scaling exceed the range of numbers; use smaller numbers");
     children_.push_back(model::add_leaf(tree_, {}));
     model::Primitive& primitive = tree_.primitives.back();
     primitive.shape = std::move(shape);
@@ -116,7 +116,8 @@ class TreeMaker {
     }
     if (made.defect)
       fail(solid.location, fmt::format("sweep: its surface does not bound a solid: {}", made.defect->what));
-    if (made.pieces.empty()) fail(solid.location, "sweep: the solid has no volume");
+    if (made.pieces.empty())
+      fail(solid.location, "sweep: the solid has no volume; move the points of its contour apart");
     for (const read::Remark& remark : made.remarks) source_.tell(sweep.offset, fmt::format("sweep: {}", remark.what));
     pieces = std::move(made.pieces);
     return *pieces;

@@ -56,7 +56,7 @@ class Division {
   void require_few(std::size_t count) const {
     if (count > max_count_) {
       throw InputError("the model needs more than " + std::to_string(max_count_) +
-                       " convex pieces; give the subtracted solids fewer facets ($fn), or subtract less");
+                       " convex pieces; use fewer facets ($fn) for the subtracted solids, or subtract fewer");
     }
   }
 

@@ -45,7 +45,7 @@ void visit_keys(SampleSettings& settings, auto&& visit) {
 void complete(const SampleSettings& settings) {
   const std::int64_t samples = settings.samples;
   if (!std::has_single_bit(static_cast<std::uint64_t>(samples)))
-    throw InputError(fmt::format("{} samples per pixel cannot be averaged by a shift; take 2, 4, 8 or 16", samples));
+    throw InputError(fmt::format("{} samples per pixel cannot be averaged by a shift; use 2, 4, 8 or 16", samples));
 }
 
 bool is_shifted(const view::View& view) { return view.sampling.offset != glm::dvec2(0); }
@@ -271,9 +271,9 @@ class Antialias final : public emit::EffectOf<SampleSettings> {
       requests.push_back({std::string(name), isa::FieldRole::effect, width, what, without});
     };
     for (std::size_t i = 0; i < sum_names.size(); ++i)
-      add(sum_names[i], widths[i] + more, "sum of samples", "take --set effects.antialias.samples=2");
+      add(sum_names[i], widths[i] + more, "sum of samples", "use --set effects.antialias.samples=2");
     if (!is_adaptive(settings)) return requests;
-    constexpr std::string_view full = "take --set effects.antialias.adaptive=false";
+    constexpr std::string_view full = "use --set effects.antialias.adaptive=false";
     for (std::size_t i = 0; i < newer_names.size(); ++i)
       add(newer_names[i], widths[i] + more - 1, "sum of newer samples", full);
     add("refined", 1, "pixels to refine", full);

@@ -46,7 +46,7 @@ constexpr double min_spacing = 4;
 void complete(const Cut& cut) {
   if (glm::length(cut.normal) == 0) throw InputError("a cut needs a normal; add normal = [x, y, z], not all 0");
   if (cut.hatch > 0 && cut.hatch < min_spacing) {
-    throw InputError(fmt::format("lines {:g} pixels apart merge; take hatch = {:g} or more, or 0 for no hatching",
+    throw InputError(fmt::format("lines {:g} pixels apart merge; set hatch to {:g} or more, or to 0 for no hatching",
                                  cut.hatch, min_spacing));
   }
 }

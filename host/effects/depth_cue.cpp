@@ -137,10 +137,10 @@ class DepthCue final : public emit::EffectOf<CueSettings, Fading> {
     const double near = settings.near.value_or(scale.near);
     const double far = settings.far.value_or(scale.far);
     if (scale.perspective && near <= 0)
-      throw InputError(fmt::format("near = {:g} model units is behind the eye; take near above 0", near));
+      throw InputError(fmt::format("near = {:g} model units is behind the eye; set near above 0", near));
     if (!(far > near)) {
-      throw InputError(fmt::format(
-          "fading from {:g} to {:g} model units from the eye is not possible; take far above near", near, far));
+      throw InputError(
+          fmt::format("colours cannot fade from {:g} to {:g} model units from the eye; set far above near", near, far));
     }
     const unsigned z_bits = drawing.view.sampling.z_bits;
     state.begin = isa::depth_of(scale, z_bits, near);

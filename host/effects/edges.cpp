@@ -111,7 +111,7 @@ class Edges final : public emit::EffectOf<EdgeSettings, Numbers> {
     const unsigned bits = all_prepared(drawing, workshop).front()->bits();
     const auto request = [](std::string_view name, unsigned width, std::string_view what) {
       return emit::FieldRequest{std::string(name), isa::FieldRole::effect, width, what,
-                                "take --set effects.edges.on=false"};
+                                "use --set effects.edges.on=false"};
     };
     return {request("here", bits, "number of a facet"), request("there", bits, "number of a facet"),
             request("depth", drawing.view.sampling.z_bits, "depth of a neighbour"), request("line", 1, "edge")};

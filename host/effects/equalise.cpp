@@ -203,7 +203,7 @@ class Equalise final : public emit::EffectOf<Settings> {
     if (!machines::has_global_or(machine) || machines::regions(machine).size() > 1) {
       throw InputError(fmt::format(
           "the effect equalise reads levels of pixels with a global OR over the whole picture, which {} does "
-          "not have; take a machine that has one, such as pixel-planes-4, or leave the effect out by --set "
+          "not have; use a machine that has one, such as pixel-planes-4, or leave the effect out by --set "
           "effects.equalise.on=false",
           machine.name));
     }

@@ -22,7 +22,7 @@ using isa::Opcode;
 
 constexpr std::string_view effect = "transparency";
 constexpr std::string_view without =
-    "take --set effects.transparency.method=screen-door, or draw transparent primitives as opaque by --set "
+    "use --set effects.transparency.method=screen-door, or draw transparent primitives as opaque by --set "
     "effects.transparency.on=false";
 
 /// Field name that sim/observe/frame.h also uses.

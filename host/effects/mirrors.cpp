@@ -28,7 +28,7 @@ using isa::Field;
 using isa::Opcode;
 
 constexpr std::string_view effect = "mirrors";
-constexpr std::string_view without = "take --set effects.mirrors.on=false";
+constexpr std::string_view without = "use --set effects.mirrors.on=false";
 constexpr unsigned max_depth = 4;
 /// Maximum number of mirrors in a picture; a mirror counts once for each time it is visible, also in mirrors.
 constexpr std::size_t max_mirrors = 256;
@@ -286,7 +286,7 @@ class Mirrors final : public emit::EffectOf<Settings, PreparedMirrors> {
       if (all > max_mirrors) {
         throw InputError(fmt::format(
             "more than {} mirrors are visible, where mirrors in mirrors count each time; {}", max_mirrors,
-            depth > 1 ? "take --set effects.mirrors.depth=1, or let fewer faces mirror" : "let fewer faces mirror"));
+            depth > 1 ? "use --set effects.mirrors.depth=1, or let fewer faces mirror" : "let fewer faces mirror"));
       }
       state.drawings.push_back(mirror.drawing);
       state.mirrors.push_back(std::move(mirror));

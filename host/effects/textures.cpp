@@ -141,7 +141,7 @@ class Shader {
     if (count <= max_lines) return;
     fail(
         fmt::format("{:.0f} lines between texels cross a face of this primitive, and in perspective at most {:.0f} are "
-                    "possible, with an instruction for each; make the texture's size {:.3g} or larger, or take an "
+                    "possible, with an instruction for each; make the texture's size {:.3g} or larger, or use an "
                     "orthographic view, where they are periodic",
                     count, max_lines, texture_.size * count / max_lines * 1.01));
   }

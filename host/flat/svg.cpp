@@ -70,7 +70,7 @@ void SvgReader::add(std::vector<Outline> outlines) {
     }
   }
   if (corners_ > max_drawing_corners) {
-    throw InputError("the drawing has more than " + std::to_string(max_drawing_corners) + " corners");
+    throw InputError("the drawing has more than " + std::to_string(max_drawing_corners) + " corners; simplify it");
   }
   shapes_.push_back(std::move(outlines));
 }
@@ -94,7 +94,7 @@ void SvgReader::walk(pugi::xml_node root) {
   while (!node.empty()) {
     if (matrices_.size() > max_depth) {
       throw InputError(place(node.offset_debug()) + "elements are nested more than " + std::to_string(max_depth) +
-                       " deep");
+                       " deep; ungroup some");
     }
     try {
       enter(node);
@@ -143,7 +143,7 @@ Area SvgReader::read() {
   if (!parsed) throw InputError(place(parsed.offset) + "invalid XML: " + parsed.description());
   const pugi::xml_node root = document.document_element();
   if (std::string_view(root.name()) != "svg")
-    throw InputError(place(0) + "not an SVG file: the outermost element is not svg");
+    throw InputError(place(0) + "not an SVG file: the outermost element is not svg; save it as SVG");
   walk(root);
   return laid_out();
 }

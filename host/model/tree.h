@@ -84,7 +84,7 @@ struct Node {
   bool is_leaf = false;
   Operator op = Operator::unite;
   std::uint32_t primitive = no_index;  ///< of a leaf: index into Tree::primitives
-  /// Of an operator: indices into Tree::nodes, all smaller than this node's index.
+  /// Indices of an operator's operands in Tree::nodes, all smaller than this node's index.
   std::vector<std::uint32_t> children;
   bool of_pieces = false;  ///< of an operator: whether it joins the pieces of one node of the file
 };

@@ -71,7 +71,8 @@ class EnclosedDivision {
     if (cell.space.empty()) return;
     fragments_ += cell.sheets.size();
     if (fragments_ > limits_.max_fragments) {
-      throw InputError("the solid's faces are cut into more than " + std::to_string(limits_.max_fragments) + " parts");
+      throw InputError("the solid's faces are cut into more than " + std::to_string(limits_.max_fragments) +
+                       " parts; use fewer faces, or divide the solid");
     }
     open_.push_back(std::move(cell));
   }
@@ -126,7 +127,8 @@ class EnclosedDivision {
     if (std::lround(winding(middle)) == 0) return;
     pieces_.push_back(std::move(piece));
     if (pieces_.size() > limits_.max_pieces) {
-      throw InputError("the solid needs more than " + std::to_string(limits_.max_pieces) + " convex pieces");
+      throw InputError("the solid needs more than " + std::to_string(limits_.max_pieces) +
+                       " convex pieces; use fewer faces, or divide the solid");
     }
   }
 

@@ -228,7 +228,7 @@ class Partition {
     open_fragments_ += cell.soup.fragments.size();
     if (open_fragments_ > limits_.max_fragments) {
       throw InputError("the solid's faces are cut into more than " + std::to_string(limits_.max_fragments) +
-                       " parts; give it fewer faces, or divide it");
+                       " parts; use fewer faces, or divide the solid");
     }
     open_.push_back(std::move(cell));
   }
@@ -261,7 +261,7 @@ class Partition {
     pieces_.push_back(std::move(piece));
     if (pieces_.size() > limits_.max_pieces) {
       throw InputError("the solid needs more than " + std::to_string(limits_.max_pieces) +
-                       " convex pieces; give it fewer faces, or divide it");
+                       " convex pieces; use fewer faces, or divide the solid");
     }
   }
 

@@ -41,8 +41,9 @@ class Classifier {
 
   [[nodiscard]] isa::Field result(std::uint32_t bit) const {
     if (bit >= fields_.stack_bits) {
-      throw InputError(fmt::format("a square's tree has {} pending results, but pixel memory has {} bits for them",
-                                   bit + 1, fields_.stack_bits));
+      throw InputError(fmt::format(
+          "a square's tree needs {} bits for intermediate results, but pixel memory has {}; increase array.memory_bits",
+          bit + 1, fields_.stack_bits));
     }
     return {static_cast<std::uint16_t>(fields_.stack_base + bit), 1};
   }

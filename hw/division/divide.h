@@ -20,7 +20,7 @@ struct Divided {
   /// Empty if the square shows only the background and is not the whole picture.
   std::vector<isa::Instruction> instructions;
   /// One step per surface whose boxes overlap the square and each other. A step includes the boxes visited since the
-  /// previous surface; the operations after the last surface form a step of their own, if there are any.
+  /// previous surface; the operations after the last surface form a separate step, if there are any.
   std::vector<Counts> steps;
 
   [[nodiscard]] Counts counts() const;

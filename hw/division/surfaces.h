@@ -23,7 +23,7 @@ struct Surface {
 };
 
 /// Visits `count` primitives from `first` on. Returns their surface, not yet tested, in the part of the square that is
-/// common to all their boxes; an empty box means that there is no surface.
+/// common to all their boxes; if the box is empty, there is no surface.
 Surface intersect_boxes(Datapath& path, const Candidates& candidates, std::uint32_t first, std::uint32_t count,
                         const Rectangle& square);
 

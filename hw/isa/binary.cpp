@@ -152,7 +152,7 @@ Program decode_body(std::span<const std::byte> body, bool names_machine) {
     instructions.reserve(static_cast<std::size_t>(counts[s]));
     for (std::uint64_t i = 0; i < counts[s]; ++i) instructions.push_back(read_instruction(in, before));
   }
-  if (in.left() != 0) throw MalformedBytes(fmt::format("has {} bytes left over", in.left()));
+  if (in.left() != 0) throw MalformedBytes(fmt::format("has {} bytes after its end", in.left()));
   if (!names_machine && is_in_lines(program)) program.extents = extents_of(program.segments);
   return std::move(program);
 }

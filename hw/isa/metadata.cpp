@@ -318,7 +318,7 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
     std::string digits;
     read(*model, "display_model", digits);
     const auto bytes = bytes_of(digits);
-    if (!bytes || bytes->empty()) malformed("display_model", "hexadecimal digits, two a byte");
+    if (!bytes || bytes->empty()) malformed("display_model", "hexadecimal digits, two per byte");
     program.display_model = *bytes;
   }
   const json& segments = require_member(root, "segments");

@@ -243,7 +243,7 @@ LinkWord packed(const Command& command) {
 
 void check_link_width(unsigned link_width) {
   if (link_width < 1 || link_width > LinkWord::most_bits)
-    throw InputError(fmt::format("a link is {} bits wide; give it 1 to {} bits", link_width, LinkWord::most_bits));
+    throw InputError(fmt::format("a link is {} bits wide; it must have 1 to {} bits", link_width, LinkWord::most_bits));
 }
 
 WireDecoder::WireDecoder(unsigned link_width) : link_width_(link_width) { check_link_width(link_width); }

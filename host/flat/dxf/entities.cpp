@@ -29,7 +29,7 @@ double sweep(double start, double stop, double turn) {
   const double most = max_degrees * turn / full_turn;
   const double angle = stop < start ? stop - start + turn * std::ceil((start - stop) / turn) : stop - start;
   if (!(std::abs(start) <= most) || !(angle <= max_turns * turn)) {
-    throw InputError("an arc exceeds two turns, or starts beyond a million degrees");
+    throw InputError("an arc exceeds two turns, or starts beyond a million degrees; correct its angles");
   }
   return angle;
 }
@@ -99,7 +99,7 @@ const std::map<std::string, Function>& functions() {
 
 glm::dvec2 point(const Entity& entity, std::size_t index) {
   if (index >= entity.xs.size() || index >= entity.ys.size()) {
-    throw InputError("a " + entity.type + " lacks a point (groups 10, 20 or 11, 21)");
+    throw InputError("a " + entity.type + " lacks a point (groups 10, 20 or 11, 21); add it");
   }
   return {entity.xs[index], entity.ys[index]};
 }

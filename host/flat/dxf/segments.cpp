@@ -121,7 +121,7 @@ void Segments::add(const glm::dvec2& from, const glm::dvec2& to) {
   const std::uint32_t end = vertex(to);
   if (start == end) return;
   if (segments_.size() == max_segments) {
-    throw InputError("the drawing has more than " + std::to_string(max_segments) + " segments");
+    throw InputError("the drawing has more than " + std::to_string(max_segments) + " segments; simplify it");
   }
   segments_.push_back({start, end});
 }

@@ -46,7 +46,7 @@ FT_Library library() {
     FT_Library made = nullptr;
     return FT_Init_FreeType(&made) == 0 ? made : nullptr;
   }();
-  if (opened == nullptr) throw std::runtime_error("FreeType cannot be initialized");
+  if (opened == nullptr) throw std::runtime_error("FreeType cannot be initialized; check its installation");
   return opened;
 }
 
@@ -130,13 +130,13 @@ void select_characters(FT_Face face) {
   for (const auto& [platform, encoding] : others) {
     if (select(face, platform, encoding)) return;
   }
-  throw std::runtime_error("font " + font_name(face) + " has no character table in a known encoding");
+  throw std::runtime_error("font " + font_name(face) + " has no character table in a known encoding; use another font");
 }
 
 FT_Face open(const FontFile& file) {
   FT_Face face = nullptr;
   if (FT_New_Face(library(), file.path.c_str(), file.index, &face) != 0) {
-    throw std::runtime_error("font " + file.path + " cannot be read");
+    throw std::runtime_error("font " + file.path + " cannot be read; install it again, or use another font");
   }
   select_characters(face);
   return face;

@@ -96,7 +96,7 @@ glm::dvec2 alignment(const Text& text, const Extent& extent) {
 std::vector<Area> draw_letters(const Text& text, std::uint32_t sides_per_curve, std::size_t max_corners) {
   const FT_Face face = find_font(text.font);
   if (FT_Set_Char_Size(face, 0, static_cast<FT_F26Dot6>(outline_scale), dots_an_inch, dots_an_inch) != 0) {
-    throw std::runtime_error("font " + font_name(face) + " cannot be scaled");
+    throw std::runtime_error("font " + font_name(face) + " cannot be scaled; use another font");
   }
   Drawn drawn = draw_line(text, face, sides_per_curve, max_corners);
   const glm::dvec2 shift = alignment(text, drawn.extent);

@@ -34,7 +34,8 @@ std::optional<ViewBox> read_view_box(std::string_view text) {
   }
   rest.skip_separators();
   if (!rest.at_end() || found[2] < 0 || found[3] < 0) return std::nullopt;
-  if (found[2] == 0 || found[3] == 0) throw InputError("the viewBox of the svg has no size");
+  if (found[2] == 0 || found[3] == 0)
+    throw InputError("the viewBox of the svg has no size; set its width and height above 0");
   return ViewBox{{found[0], found[1]}, {found[2], found[3]}};
 }
 

@@ -77,7 +77,8 @@ class Path {
 void Path::check_corners() {
   corners_ = 0;
   for (const Outline& outline : done_) corners_ += outline.size();
-  if (corners_ > max_corners_) throw InputError("a path has more than " + std::to_string(max_corners_) + " corners");
+  if (corners_ > max_corners_)
+    throw InputError("a path has more than " + std::to_string(max_corners_) + " corners; simplify it");
 }
 
 /// Finishes the current subpath. An open subpath becomes a line as wide as its stroke.
@@ -160,7 +161,7 @@ void Path::act(char command, bool relative, std::span<const double> numbers) {
   }
   if (command != 'c' && command != 's' && command != 'q' && command != 't') last_ = Curve::none;
   if (current_.size() > max_corners_)
-    throw InputError("a path has more than " + std::to_string(max_corners_) + " corners");
+    throw InputError("a path has more than " + std::to_string(max_corners_) + " corners; simplify it");
 }
 
 std::vector<Outline> Path::finish() {

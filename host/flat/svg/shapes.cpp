@@ -69,7 +69,8 @@ Outline points(pugi::xml_node node) {
     if (x && rest.at_end()) break;
     const std::optional<double> y = rest.number();
     rest.skip_separators();
-    if (!x || !y) throw InputError("points of a " + std::string(node.name()) + " are not pairs of numbers");
+    if (!x || !y)
+      throw InputError("points of a " + std::string(node.name()) + " are not pairs of numbers; correct them");
     outline.emplace_back(*x, *y);
   }
   return outline;
