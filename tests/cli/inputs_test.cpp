@@ -163,8 +163,8 @@ TEST_CASE("limits the work of compiling by --limit in every command") {
                      folder.path());
   };
   fails(compiled("1", "false"), 1,
-        {"balls.csg:", "broadcasting the model takes more work than the limit of 1 million steps"});
-  fails(compiled("100", "true"), 1, {"balls.csg:", "finding where shadows fall takes more work than the limit"});
+        {"balls.csg:", "broadcasting the model needs more work than the limit of 1 million steps"});
+  fails(compiled("100", "true"), 1, {"balls.csg:", "finding where shadows fall needs more work than the limit"});
   CHECK_FALSE(std::filesystem::exists(folder / "b.csgt"));
   CHECK(compiled("100", "false").code == 0);
 }

@@ -132,6 +132,6 @@ TEST_CASE("rejects depth-cue settings with an empty range") {
     });
   };
   CHECK(error(view::Projection::orthographic, "near = 90\nfar = 80").find("take far above near") != std::string::npos);
-  CHECK(error(view::Projection::perspective, "near = -1\nfar = 80").find("take near above 0") != std::string::npos);
+  CHECK(error(view::Projection::perspective, "near = -1\nfar = 80").find("set near above 0") != std::string::npos);
   CHECK(error(view::Projection::orthographic, "near = -1\nfar = 80").empty());
 }

@@ -112,7 +112,8 @@ TEST_CASE("refers users with OpenSCAD source to OpenSCAD") {
 
 TEST_CASE("limits the nesting of vectors") {
   CHECK(error_of("cube([[[[[[[[1]]]]]]]]);") == "m.csg:1:6: size of cube() must be a vector of 3 numbers");
-  CHECK(error_of("cube([[[[[[[[[1]]]]]]]]]);") == "m.csg:1:14: vectors nested more than 8 deep; no node takes that");
+  CHECK(error_of("cube([[[[[[[[[1]]]]]]]]]);") ==
+        "m.csg:1:14: vectors are nested more than 8 deep; no node needs this");
 }
 
 TEST_CASE("reads strings with escapes") {

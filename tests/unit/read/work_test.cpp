@@ -60,7 +60,7 @@ TEST_CASE("rejects slices beyond the piece limit before cutting them") {
 
 TEST_CASE("rejects shapes with too many crossing sides before combining them") {
   CHECK(refusal("square(size = [1, 1], center = false);\n" + crossing_polygon(3000), 100'000'000) ==
-        "m.csg:2:1: polygon(): combining 2-D shapes takes more work than the limit of 100 million steps; use fewer or "
+        "m.csg:2:1: polygon(): combining 2-D shapes needs more work than the limit of 100 million steps; use fewer or "
         "coarser parts in the model, or raise --limit");
   CHECK(read_within(crossing_polygon(100)).primitives.size() > 100);
 }
@@ -80,7 +80,7 @@ TEST_CASE("reports the work limit of 2-D and 3-D operations at their node") {
 TEST_CASE("statements count and the one beyond the limit is named") {
   const std::string cubes = "cube(1);\ncube(1);\ncube(1);";
   CHECK(refusal(cubes, 6'000) == "");
-  CHECK(refusal(cubes, 5'999).find("m.csg:3:1: reading statements takes more work than the limit") == 0);
+  CHECK(refusal(cubes, 5'999).find("m.csg:3:1: reading statements needs more work than the limit") == 0);
 }
 
 TEST_CASE("counts the same number of steps each time") {
