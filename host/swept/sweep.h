@@ -17,7 +17,7 @@ struct Sweep {
   Curve trajectory;  ///< degree 1 to 3
   /// X: degrees from u to v, as a function of the fraction of the trajectory's length.
   Curve rotation{0, false, {{0, 0, 0}}};
-  /// X: along u, y: along v, both at least 0; as a function of the same fraction.
+  /// X: factor along u; y: factor along v; both at least 0, as functions of the fraction of the trajectory's length.
   Curve scale{0, false, {{1, 1, 0}}};
 };
 

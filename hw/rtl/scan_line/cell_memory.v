@@ -11,7 +11,7 @@ module cell_memory #(
 ) (
   input wire clk,
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire clear,                          // clears all words, if they are cleared at once
+  input wire clear,                          // clears all words; used if CLEARS_AT_ONCE is 1
   /* verilator lint_on UNUSEDSIGNAL */
   input wire [PORTS*ADDRESS-1:0] address,
   input wire [PORTS*WORD_BITS-1:0] mask,     // bits to write
