@@ -47,7 +47,7 @@ class Pruner {
       --at;
       path_.visit_node();
       visited_.push_back(at);
-      // The subtree ends before its first node.
+      // Skips the subtree: the loop continues before its first node.
       if (disjoint(tree_.nodes[at].box, surface_.box)) at = tree_.nodes[at].first;
     }
     outcomes_.resize(tree_.nodes.size());
