@@ -145,7 +145,7 @@ TEST_CASE("rejects a tree with exponential visibility conditions before it fills
   text += "cube(size = [1, 1, 1], center = true);" + std::string(8'000, '}') + "\n";
   write(folder / "deep.csg", text);
   fails(run_words({"compile", "deep.csg", "-o", "d.csgt", "--size", "16x16"}, folder.path()), 1,
-        {"from this primitive on, comparing primitives with others takes more work than", "deep.csg:"});
+        {"from this primitive on, comparing primitives with others needs more work than", "deep.csg:"});
 }
 
 TEST_CASE("limits the work of compiling by --limit in every command") {

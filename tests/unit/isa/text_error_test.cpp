@@ -71,14 +71,14 @@ TEST_CASE("syntax errors have a position") {
 }
 
 TEST_CASE("values of the wrong kind or out of range are reported with their position") {
-  CHECK(error_of(array + ".model unions=\"1\"").starts_with("t:2:8: unions takes a number"));
-  CHECK(error_of(array + ".model unions=-1").starts_with("t:2:8: unions takes a whole number"));
+  CHECK(error_of(array + ".model unions=\"1\"").starts_with("t:2:8: unions must be a number"));
+  CHECK(error_of(array + ".model unions=-1").starts_with("t:2:8: unions must be a whole number"));
   CHECK(error_of(array + ".compile z_bits=4294967296")
             .starts_with("t:2:10: z_bits must be a whole number from 0 to 4294967295"));
-  CHECK(error_of(array + ".model file=gear").starts_with("t:2:8: file takes a string"));
-  CHECK(error_of(array + ".compile effects=\"a\"").starts_with("t:2:10: effects takes a list"));
-  CHECK(error_of(array + ".depth perspective=1").starts_with("t:2:8: perspective takes true or false"));
-  CHECK(error_of(array + ".depth near=1e999").starts_with("t:2:8: near takes a number that a double holds"));
+  CHECK(error_of(array + ".model file=gear").starts_with("t:2:8: file must be a string"));
+  CHECK(error_of(array + ".compile effects=\"a\"").starts_with("t:2:10: effects must be a list"));
+  CHECK(error_of(array + ".depth perspective=1").starts_with("t:2:8: perspective must be true or false"));
+  CHECK(error_of(array + ".depth near=1e999").starts_with("t:2:8: near must be a number in the range of doubles"));
   CHECK(error_of(array + ".depth near=nan").starts_with("t:2:1: depth runs from"));
   CHECK(error_of(array + ".model unions=1 unions=2").starts_with("t:2:17: unions is given twice"));
   CHECK(error_in_line_5("set_constant Z1, 18446744073709551616")

@@ -123,6 +123,6 @@ TEST_CASE("rejects a mesh whose check alone exceeds the limit beforehand") {
   const std::string tetrahedron =
       "polyhedron(points = [[0,0,0],[9,0,0],[0,9,0],[2,2,9],[2,2,3]], faces = "
       "[[0,2,1],[0,1,4],[1,3,4],[1,2,3],[0,4,2],[2,4,3]], convexity = 2);";
-  CHECK(refusal(tetrahedron, 10'000).find("m.csg:1:1: checking a mesh of 6 faces takes more work than") == 0);
+  CHECK(refusal(tetrahedron, 10'000).find("m.csg:1:1: checking a mesh of 6 faces needs more work than") == 0);
   CHECK(refusal(tetrahedron, 100'000) == "");
 }
